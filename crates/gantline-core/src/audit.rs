@@ -1,0 +1,132 @@
+//! Energy by kind, and what is left over.
+//!
+//! ```text
+//! kinetic + gravity + elastic − (at the start) = drive work − losses + remainder
+//! ```
+//!
+//! Every loss is computed by its own formula, the method's dissipation too; only the remainder is a
+//! difference, and it measures what the method got wrong.
+
+use serde::{Deserialize, Serialize};
+
+use crate::constraint::Law;
+use crate::system::System;
+use crate::tree::kinematics::Kinematics;
+
+/// Names of the energy kinds, in the order of [`Ledger::values`].
+pub const KINDS: [&str; 11] = [
+    "kinetic",
+    "gravity",
+    "elastic",
+    "drive_work",
+    "rope_damping",
+    "joint_damping",
+    "contact_damping",
+    "friction",
+    "impact",
+    "method",
+    "remainder",
+];
+
+/// Energies [J]: stored ones now, flows since the start.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Ledger {
+    /// ½ vᵀ M v.
+    pub kinetic: f64,
+    /// −Σ m g·c.
+    pub gravity: f64,
+    /// Σ ½ k max(e, 0)² of ropes and contacts.
+    pub elastic: f64,
+    /// Work of the drives on the system.
+    pub drive_work: f64,
+    /// Lost in rope dampers.
+    pub rope_damping: f64,
+    /// Lost in joint dampers.
+    pub joint_damping: f64,
+    /// Lost in contact dampers.
+    pub contact_damping: f64,
+    /// Lost in sliding contacts.
+    pub friction: f64,
+    /// Lost where inextensible ropes went taut.
+    pub impact: f64,
+    /// Lost by the method itself.
+    pub method: f64,
+    /// Stored energy at the start.
+    start: f64,
+    /// Gravity at the start.
+    gravity_start: f64,
+    /// Largest of kinetic + elastic + |drive work| so far.
+    scale: f64,
+    /// Largest |remainder| so far.
+    worst: f64,
+}
+
+impl Ledger {
+    /// Notes the stored energies of the start.
+    pub fn open(kinetic: f64, gravity: f64, elastic: f64) -> Self {
+        let mut ledger = Self { kinetic, gravity, elastic, ..Self::default() };
+        ledger.start = kinetic + gravity + elastic;
+        ledger.gravity_start = gravity;
+        ledger.scale = kinetic + elastic;
+        ledger
+    }
+
+    /// Notes the stored energies after a step whose flows have been added.
+    pub fn store(&mut self, kinetic: f64, gravity: f64, elastic: f64) {
+        (self.kinetic, self.gravity, self.elastic) = (kinetic, gravity, elastic);
+        self.scale = self.scale.max(kinetic + elastic + self.drive_work.abs());
+        self.worst = self.worst.max(self.remainder().abs());
+    }
+
+    /// What the balance does not explain [J].
+    pub fn remainder(&self) -> f64 {
+        let stored = self.kinetic + self.gravity + self.elastic - self.start;
+        let lost = self.rope_damping
+            + self.joint_damping
+            + self.contact_damping
+            + self.friction
+            + self.impact
+            + self.method;
+        stored - self.drive_work + lost
+    }
+
+    /// Largest |remainder| relative to the largest of kinetic + elastic + |drive work|.
+    pub fn relative_remainder(&self) -> f64 {
+        if self.scale > 0.0 { self.worst / self.scale } else { 0.0 }
+    }
+
+    /// Energies in the order of [`KINDS`]; gravity relative to the start [J].
+    pub fn values(&self) -> [f64; KINDS.len()] {
+        [
+            self.kinetic,
+            self.gravity - self.gravity_start,
+            self.elastic,
+            self.drive_work,
+            self.rope_damping,
+            self.joint_damping,
+            self.contact_damping,
+            self.friction,
+            self.impact,
+            self.method,
+            self.remainder(),
+        ]
+    }
+}
+
+/// −Σ m g·c [J].
+pub fn gravity_energy(system: &System, kinematics: &Kinematics) -> f64 {
+    let bodies = system.tree.bodies.iter().zip(&kinematics.centre_of_gravity);
+    -bodies.map(|(body, centre)| body.mass * system.tree.gravity.dot(*centre)).sum::<f64>()
+}
+
+/// Energy in the spring of a row at the value e [J].
+pub fn spring_energy(law: &Law, e: f64) -> f64 {
+    let compliance = law.compliance();
+    let stretch = if matches!(law, Law::Unilateral { .. }) { e.max(0.0) } else { e };
+    if compliance > 0.0 { 0.5 * stretch * stretch / compliance } else { 0.0 }
+}
+
+/// Σ spring energies of all rows at the values `value` [J].
+pub fn elastic_energy(system: &System, value: &[f64]) -> f64 {
+    system.rows.laws.iter().zip(value).map(|(law, &e)| spring_energy(law, e)).sum()
+}

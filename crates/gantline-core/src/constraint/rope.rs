@@ -1,0 +1,128 @@
+//! Length of a rope: g = Σ parts + Σ arcs − L (paper eqs. 16, 19, 20).
+//!
+//! With n the unit direction of a part from A to B, ġ = Σ n·(v_B − v_A): each part adds n·(J_B − J_A), the
+//! sum of eqs. (18) and (22). A degree of freedom that moves A and B as one rigid whole cannot change
+//! |B − A| and is left out of the pattern: so the sheaves of an equalizer do not couple to what carries
+//! the whole of it.
+
+use glam::DVec3;
+
+use super::{Constraint, Law};
+use crate::rope::material::Material;
+use crate::rope::route::{Route, Straight};
+use crate::tree::Tree;
+use crate::tree::kinematics::Kinematics;
+
+/// Which degrees of freedom move which end of a straight part.
+#[derive(Debug, Clone)]
+struct PartDofs {
+    /// (degree of freedom, entry of the row) that move the start only.
+    from: Vec<(usize, usize)>,
+    /// (degree of freedom, entry of the row) that move the end only.
+    to: Vec<(usize, usize)>,
+}
+
+/// A rope as a constraint.
+#[derive(Debug, Clone)]
+pub struct Rope {
+    /// Unique name.
+    pub name: String,
+    /// Its way.
+    pub route: Route,
+    /// Unstretched length L [m].
+    pub length: f64,
+    /// What it is made of.
+    pub material: Material,
+    dofs: Vec<usize>,
+    part_dofs: Vec<PartDofs>,
+}
+
+/// Members of `a` that `b` has not; both ascending.
+fn without(a: &[usize], b: &[usize]) -> Vec<usize> {
+    a.iter().copied().filter(|dof| b.binary_search(dof).is_err()).collect()
+}
+
+impl Rope {
+    /// A rope in `tree`.
+    pub fn new(name: String, route: Route, length: f64, material: Material, tree: &Tree) -> Self {
+        let ends: Vec<(Vec<usize>, Vec<usize>)> = route
+            .parts
+            .iter()
+            .map(|part| {
+                let (from, to) = (tree.support_of(part.from.body), tree.support_of(part.to.body));
+                (without(from, to), without(to, from))
+            })
+            .collect();
+        let mut dofs: Vec<usize> =
+            ends.iter().flat_map(|(from, to)| from.iter().chain(to)).copied().collect();
+        dofs.sort_unstable();
+        dofs.dedup();
+        let entries = |list: &[usize]| {
+            list.iter().map(|&dof| (dof, dofs.partition_point(|&other| other < dof))).collect()
+        };
+        let part_dofs =
+            ends.iter().map(|(from, to)| PartDofs { from: entries(from), to: entries(to) }).collect();
+        Self { name, route, length, material, dofs, part_dofs }
+    }
+
+    /// Where the straight parts lie now.
+    pub fn straights<'a>(&'a self, kinematics: &'a Kinematics) -> impl Iterator<Item = Straight> + 'a {
+        self.route.parts.iter().map(move |part| part.locate(kinematics))
+    }
+}
+
+impl Constraint for Rope {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn row_dofs(&self) -> Vec<Vec<usize>> {
+        vec![self.dofs.clone()]
+    }
+
+    fn laws(&self, _first_row: usize) -> Vec<Law> {
+        let Material { compliance, damping_time } = self.material;
+        vec![Law::Unilateral { compliance, damping_time }]
+    }
+
+    fn evaluate(&self, tree: &Tree, kinematics: &Kinematics, value: &mut [f64], gradient: &mut [f64]) {
+        gradient.fill(0.0);
+        let mut length = self.route.arcs;
+        for (straight, dofs) in self.straights(kinematics).zip(&self.part_dofs) {
+            length += straight.length;
+            for &(dof, entry) in &dofs.from {
+                gradient[entry] -= straight.direction.dot(kinematics.point_column(tree, dof, straight.from));
+            }
+            for &(dof, entry) in &dofs.to {
+                gradient[entry] += straight.direction.dot(kinematics.point_column(tree, dof, straight.to));
+            }
+        }
+        value[0] = length - self.length;
+    }
+
+    fn stiffness_groups(&self) -> Vec<Vec<usize>> {
+        let dofs = |list: &[(usize, usize)]| list.iter().map(|&(dof, _)| dof).collect::<Vec<_>>();
+        self.part_dofs.iter().map(|part| [dofs(&part.from), dofs(&part.to)].concat()).collect()
+    }
+
+    fn geometric_stiffness(
+        &self,
+        tree: &Tree,
+        kinematics: &Kinematics,
+        tension: &[f64],
+        group: usize,
+        columns: &mut [DVec3],
+    ) -> f64 {
+        let straight = self.route.parts[group].locate(kinematics);
+        let part = &self.part_dofs[group];
+        let across = |vector: DVec3| vector - straight.direction * straight.direction.dot(vector);
+        let (from, to) = columns.split_at_mut(part.from.len());
+        for (column, &(dof, _)) in from.iter_mut().zip(&part.from) {
+            *column = -across(kinematics.point_column(tree, dof, straight.from));
+        }
+        for (column, &(dof, _)) in to.iter_mut().zip(&part.to) {
+            *column = across(kinematics.point_column(tree, dof, straight.to));
+        }
+        if straight.length > 0.0 { tension[0] / straight.length } else { 0.0 }
+    }
+}

@@ -1,0 +1,3 @@
+//! Geometry of contact: planes now, meshes later.
+
+pub mod plane;

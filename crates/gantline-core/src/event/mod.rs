@@ -1,0 +1,76 @@
+//! What happens at a moment: ropes going taut or slack, lift-off, steps of the plan.
+
+use serde::{Deserialize, Serialize};
+
+/// Kinds of events; names are those of the recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum EventKind {
+    /// A rope starts to carry.
+    Taut,
+    /// A rope stops carrying.
+    Slack,
+    /// The last contact force of a load has become zero.
+    LiftOff,
+    /// A load that hung free touches again.
+    SetDown,
+    /// A contact stops sliding.
+    Stick,
+    /// A contact starts to slide.
+    Slip,
+    /// A step of the plan begins.
+    StepBegin,
+    /// A step of the plan ends.
+    StepEnd,
+}
+
+impl EventKind {
+    /// Name in recordings.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Taut => "taut",
+            Self::Slack => "slack",
+            Self::LiftOff => "lift_off",
+            Self::SetDown => "set_down",
+            Self::Stick => "stick",
+            Self::Slip => "slip",
+            Self::StepBegin => "step_begin",
+            Self::StepEnd => "step_end",
+        }
+    }
+}
+
+/// One event. `subject` is the index of a constraint, a contact group or a step, as the kind says.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Event {
+    /// Time [s].
+    pub time: f64,
+    /// Kind.
+    pub kind: EventKind,
+    /// Whom it concerns.
+    pub subject: usize,
+}
+
+/// Events in the order in which they were found.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EventLog {
+    /// The events.
+    pub events: Vec<Event>,
+}
+
+impl EventLog {
+    /// An empty log with room for a usual lift.
+    pub fn new() -> Self {
+        Self { events: Vec::with_capacity(4096) }
+    }
+
+    /// Adds an event.
+    pub fn push(&mut self, time: f64, kind: EventKind, subject: usize) {
+        self.events.push(Event { time, kind, subject });
+    }
+}
+
+impl Default for EventLog {
+    fn default() -> Self {
+        Self::new()
+    }
+}

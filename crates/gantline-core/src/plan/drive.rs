@@ -1,0 +1,162 @@
+//! Prescribed motion: ramps of velocity, integrated in closed form, so position, velocity and
+//! acceleration are consistent at any time.
+
+use serde::{Deserialize, Serialize};
+
+use crate::spec::RampShape;
+
+/// A change of velocity and the steady motion after it, until the next ramp.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Ramp {
+    /// Start [s].
+    pub at: f64,
+    /// Duration [s].
+    pub duration: f64,
+    /// Velocity at the start [m/s or rad/s].
+    pub from: f64,
+    /// Velocity at the end.
+    pub to: f64,
+    /// Position at the start [m or rad].
+    pub position: f64,
+    /// Course.
+    pub shape: RampShape,
+}
+
+/// Position, velocity, acceleration of a drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion {
+    /// [m or rad]
+    pub position: f64,
+    /// [m/s or rad/s]
+    pub velocity: f64,
+    /// [m/s² or rad/s²]
+    pub acceleration: f64,
+}
+
+impl RampShape {
+    /// Peak acceleration of a unit change of velocity in unit time.
+    pub fn peak_acceleration(self) -> f64 {
+        match self {
+            Self::Linear => 1.0,
+            Self::Smooth => 1.5,
+        }
+    }
+}
+
+impl Ramp {
+    fn motion(&self, time: f64) -> Motion {
+        let elapsed = (time - self.at).max(0.0);
+        let change = self.to - self.from;
+        if elapsed >= self.duration {
+            let end = self.position + 0.5 * (self.from + self.to) * self.duration;
+            let position = end + self.to * (elapsed - self.duration);
+            return Motion { position, velocity: self.to, acceleration: 0.0 };
+        }
+        let s = elapsed / self.duration;
+        // Share of the change of velocity, its integral and its derivative over s.
+        let (share, integral, slope) = match self.shape {
+            RampShape::Linear => (s, 0.5 * s * s, 1.0),
+            RampShape::Smooth => (s * s * (3.0 - 2.0 * s), s * s * s * (1.0 - 0.5 * s), 6.0 * s * (1.0 - s)),
+        };
+        Motion {
+            position: self.position + self.from * elapsed + change * integral * self.duration,
+            velocity: self.from + change * share,
+            acceleration: change * slope / self.duration,
+        }
+    }
+}
+
+/// The course of one drive over time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Timeline {
+    start: f64,
+    ramps: Vec<Ramp>,
+}
+
+impl Timeline {
+    /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
+    pub fn new(start: f64, ramps: usize) -> Self {
+        Self { start, ramps: Vec::with_capacity(ramps) }
+    }
+
+    /// Where the drive is at `time` [s].
+    pub fn motion(&self, time: f64) -> Motion {
+        let next = self.ramps.partition_point(|ramp| ramp.at <= time);
+        match next.checked_sub(1) {
+            Some(last) => self.ramps[last].motion(time),
+            None => Motion { position: self.start, velocity: 0.0, acceleration: 0.0 },
+        }
+    }
+
+    /// From `at` [s] on, within `duration` [s], the velocity goes to `velocity`. Later ramps are dropped.
+    /// Returns the end of the ramp [s].
+    pub fn ramp(&mut self, at: f64, duration: f64, velocity: f64, shape: RampShape) -> f64 {
+        let Motion { position, velocity: from, .. } = self.motion(at);
+        self.ramps.retain(|ramp| ramp.at < at);
+        self.ramps.push(Ramp { at, duration, from, to: velocity, position, shape });
+        at + duration
+    }
+
+    /// As [`Timeline::ramp`], as fast as `acceleration` allows.
+    pub fn change(&mut self, at: f64, velocity: f64, acceleration: f64, shape: RampShape) -> f64 {
+        let change = (velocity - self.motion(at).velocity).abs();
+        self.ramp(at, shape.peak_acceleration() * change / acceleration, velocity, shape)
+    }
+
+    /// Moves by `distance` from rest and stops; returns the end [s].
+    pub fn travel(&mut self, at: f64, distance: f64, speed: f64, acceleration: f64, shape: RampShape) -> f64 {
+        // Each of the two ramps covers v·d/2, d = c v/a; the speed is lowered where both do not fit.
+        let gentle = acceleration / shape.peak_acceleration();
+        let speed = speed.abs().min((distance.abs() * gentle).sqrt());
+        let ramp = speed / gentle;
+        let cruise = (distance.abs() / speed - ramp).max(0.0);
+        self.ramp(at, ramp, speed.copysign(distance), shape);
+        self.ramp(at + ramp + cruise, ramp, 0.0, shape)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn position_velocity_acceleration_are_consistent() {
+        for shape in [RampShape::Linear, RampShape::Smooth] {
+            let mut timeline = Timeline::new(3.0, 4);
+            timeline.change(1.0, 0.5, 0.2, shape);
+            timeline.change(6.0, -0.25, 0.2, shape);
+            let d = 1e-5;
+            for time in [0.5, 1.7, 4.9, 7.3, 8.8, 20.0] {
+                let (before, here, after) =
+                    (timeline.motion(time - d), timeline.motion(time), timeline.motion(time + d));
+                let velocity = (after.position - before.position) / (2.0 * d);
+                let acceleration = (after.velocity - before.velocity) / (2.0 * d);
+                // Central differences: d² times the third derivative, here below 1e-9, plus rounding.
+                assert!((velocity - here.velocity).abs() < 1e-9, "{shape:?} {time}");
+                assert!((acceleration - here.acceleration).abs() < 1e-9, "{shape:?} {time}");
+            }
+        }
+    }
+
+    #[test]
+    fn travel_stops_at_its_distance() {
+        for (distance, speed) in [(2.0, 0.1), (-2.0, 0.1), (0.01, 5.0)] {
+            for shape in [RampShape::Linear, RampShape::Smooth] {
+                let mut timeline = Timeline::new(0.0, 4);
+                let end = timeline.travel(2.0, distance, speed, 0.05, shape);
+                let motion = timeline.motion(end + 1.0);
+                assert!((motion.position - distance).abs() < 1e-12);
+                assert_eq!(motion.velocity, 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn peak_acceleration_is_the_limit() {
+        for shape in [RampShape::Linear, RampShape::Smooth] {
+            let mut timeline = Timeline::new(0.0, 2);
+            let end = timeline.change(0.0, 0.4, 0.1, shape);
+            assert!((timeline.motion(end / 2.0).acceleration - 0.1).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Operations as data: drives that follow ramps, steps that start and end on times and conditions.
+
+pub mod drive;
+pub mod operation;
+
+pub use operation::{Move, PlanState, Step, Until};

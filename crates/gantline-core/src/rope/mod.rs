@@ -1,0 +1,4 @@
+//! Geometry and material of ropes. Knows no catalogue.
+
+pub mod material;
+pub mod route;

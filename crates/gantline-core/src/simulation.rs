@@ -1,0 +1,238 @@
+//! A run: system, method, recorder and state together.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::build::{BuildError, build};
+use crate::event::{Event, EventKind, EventLog};
+use crate::record::{Columns, Names, Recorder, Span};
+use crate::spec::{IntegratorSpec, SettingsSpec, SystemSpec};
+use crate::state::State;
+use crate::stepper::StepError;
+use crate::stepper::del::Del;
+use crate::stepper::frame::Frame;
+use crate::system::System;
+
+/// Why a run cannot be set up or taken up again.
+#[derive(Debug, Error)]
+pub enum SetupError {
+    /// The document is no valid JSON of the expected form.
+    #[error("the document cannot be read: {0}")]
+    Document(#[from] serde_json::Error),
+    /// Something in it is wrong.
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    /// A setting is out of its range.
+    #[error("{0}")]
+    Setting(String),
+    /// A saved state does not belong here.
+    #[error("the saved state cannot be used: {0}")]
+    State(String),
+}
+
+/// What a run counts.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Counters {
+    /// Steps made.
+    pub steps: u64,
+    /// Factorisations made.
+    pub factorisations: u64,
+    /// Steps whose complementarity iteration was capped.
+    pub unconverged: u64,
+}
+
+/// Everything that goes into a checkpoint.
+#[derive(Serialize, Deserialize)]
+struct Checkpoint {
+    fingerprint: u64,
+    state: State,
+    columns: Columns,
+    events: EventLog,
+    counters: Counters,
+}
+
+/// A run of one system.
+#[derive(Debug, Clone)]
+pub struct Simulation {
+    system: System,
+    settings: SettingsSpec,
+    fingerprint: u64,
+    state: State,
+    before: State,
+    frame: Frame,
+    method: Del,
+    recorder: Recorder,
+    columns: Columns,
+    events: EventLog,
+    counters: Counters,
+}
+
+/// More samples than this are a mistake in the settings.
+const MOST_SAMPLES: f64 = 1e7;
+
+fn above_zero(what: &str, value: f64) -> Result<(), SetupError> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    Err(SetupError::Setting(format!("{what} is {value} s; it must be more than zero")))
+}
+
+/// FNV-1a, to tell whether a checkpoint belongs to a document.
+fn fingerprint(texts: [&str; 2]) -> u64 {
+    let bytes = texts.iter().flat_map(|text| text.bytes().chain([0]));
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+impl Simulation {
+    /// Sets up a run from two JSON texts, see [`crate::spec`].
+    ///
+    /// # Errors
+    /// [`SetupError`] says what is wrong.
+    pub fn new(document: &str, settings: &str) -> Result<Self, SetupError> {
+        let spec: SystemSpec = serde_json::from_str(document)?;
+        let parsed: SettingsSpec = serde_json::from_str(settings)?;
+        let IntegratorSpec::Del { step, paper, geometric_stiffness } = parsed.integrator;
+        above_zero("the step", step)?;
+        above_zero("the duration", parsed.duration)?;
+        above_zero("the sample interval", parsed.sample_interval)?;
+        if parsed.duration / parsed.sample_interval > MOST_SAMPLES {
+            let problem = "the sample interval is too short for the duration: more than ten million samples";
+            return Err(SetupError::Setting(problem.to_owned()));
+        }
+        let (system, state) = build(&spec)?;
+        let mut frame = Frame::new(&system);
+        frame.update(&system, &state);
+        Ok(Self {
+            method: Del::new(&system, step, geometric_stiffness && !paper),
+            recorder: Recorder::new(&system, &state, parsed.sample_interval),
+            fingerprint: fingerprint([document, settings]),
+            before: state.clone(),
+            columns: Columns::default(),
+            events: EventLog::new(),
+            counters: Counters::default(),
+            settings: parsed,
+            system,
+            state,
+            frame,
+        })
+    }
+
+    /// Simulated time [s].
+    pub fn time(&self) -> f64 {
+        self.state.time
+    }
+
+    /// Duration of the run [s].
+    pub fn duration(&self) -> f64 {
+        self.settings.duration
+    }
+
+    /// True when the run has reached `until` [s] (or its duration), within rounding.
+    pub fn reached(&self, until: f64) -> bool {
+        self.state.time >= until.min(self.settings.duration) - 1e-9 * self.method.h
+    }
+
+    /// Makes one step and records what is due.
+    ///
+    /// # Errors
+    /// [`StepError`]; the state is then the last good one.
+    pub fn step(&mut self) -> Result<(), StepError> {
+        self.before.clone_from(&self.state);
+        let made = self.method.step(&self.system, &mut self.state, &mut self.frame, &mut self.events);
+        let report = made.inspect_err(|_| {
+            self.state.clone_from(&self.before);
+            self.frame.update(&self.system, &self.state);
+        })?;
+        self.counters.steps += 1;
+        self.counters.factorisations += report.factorisations;
+        self.counters.unconverged += u64::from(!report.converged);
+        let residual = report.complementarity_residual;
+        let span = Span { before: &self.before, after: &self.state, residual };
+        self.recorder.record(&self.system, &span, &mut self.columns);
+        Ok(())
+    }
+
+    /// The system.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// The state now.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Samples so far.
+    pub fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
+    /// Names that go with the columns.
+    pub fn names(&self) -> Names {
+        Names::new(&self.system)
+    }
+
+    /// Events so far, in order of time, with the names of what they concern.
+    pub fn events(&self) -> Vec<(f64, &'static str, String)> {
+        let mut events: Vec<&Event> = self.events.events.iter().collect();
+        events.sort_by(|a, b| a.time.total_cmp(&b.time));
+        events.into_iter().map(|event| (event.time, event.kind.name(), self.subject(event))).collect()
+    }
+
+    fn subject(&self, event: &Event) -> String {
+        match event.kind {
+            EventKind::Taut | EventKind::Slack | EventKind::Stick | EventKind::Slip => {
+                self.system.constraints[event.subject].name().to_owned()
+            }
+            EventKind::LiftOff | EventKind::SetDown => self.system.groups[event.subject].name.clone(),
+            EventKind::StepBegin | EventKind::StepEnd => self.system.plan[event.subject].name.clone(),
+        }
+    }
+
+    /// Name of the step of the plan that is under way, if any.
+    pub fn current_step(&self) -> Option<&str> {
+        self.state.plan.current(&self.system.plan)
+    }
+
+    /// What the run counted.
+    pub fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    /// Entries of the factor of the step's matrix.
+    pub fn fill(&self) -> usize {
+        self.method.fill()
+    }
+
+    /// All that is needed to go on with the same bytes.
+    pub fn save(&self) -> Result<Vec<u8>, SetupError> {
+        let checkpoint = Checkpoint {
+            fingerprint: self.fingerprint,
+            state: self.state.clone(),
+            columns: self.columns.clone(),
+            events: self.events.clone(),
+            counters: self.counters,
+        };
+        Ok(serde_json::to_vec(&checkpoint)?)
+    }
+
+    /// Takes up a saved run of the same document and settings.
+    ///
+    /// # Errors
+    /// [`SetupError::State`] where it is not that.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SetupError> {
+        let state = |error: serde_json::Error| SetupError::State(error.to_string());
+        let checkpoint: Checkpoint = serde_json::from_slice(bytes).map_err(state)?;
+        if checkpoint.fingerprint != self.fingerprint {
+            let problem = "it was saved from another lift, or with other settings";
+            return Err(SetupError::State(problem.to_owned()));
+        }
+        self.state = checkpoint.state;
+        self.columns = checkpoint.columns;
+        self.events = checkpoint.events;
+        self.counters = checkpoint.counters;
+        self.before.clone_from(&self.state);
+        self.frame.update(&self.system, &self.state);
+        Ok(())
+    }
+}

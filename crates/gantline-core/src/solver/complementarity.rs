@@ -1,0 +1,268 @@
+//! The mixed complementarity problem of a step: ropes only pull, contacts only push, friction has a cone.
+//!
+//! Block principal pivoting (Júdice and Pires 1994): all rows that violate their law change side at once,
+//! while that lowers their number; where it does not, one at a time by Murty's least-index rule, which
+//! ends for the positive definite problems that ropes and normal forces pose. Warm-started from the last
+//! step, so a step without change costs one factorisation. Friction rows stick until their bound is
+//! reached; then their force is μN against the slip, found by fixed point.
+
+use super::kkt::Kkt;
+use super::ldl::ZeroPivot;
+use crate::constraint::Law;
+use crate::system::System;
+use serde::{Deserialize, Serialize};
+
+/// How a row takes part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Mode {
+    /// No force.
+    Slack,
+    /// Force by its law.
+    Acting,
+    /// Friction at its bound.
+    Slipping,
+}
+
+/// Block changes without progress before one row at a time is changed.
+const PATIENCE: usize = 3;
+/// Rounding in a law's value, relative to the terms it is the sum of.
+const ROUNDING: f64 = 1e-12;
+/// Fixed point of friction forces, relative to the bound μN.
+const FRICTION_TOLERANCE: f64 = 1e-10;
+
+/// One step's problem.
+pub struct Problem<'a> {
+    /// Step [s].
+    pub h: f64,
+    /// g of every row at the start of the step.
+    pub value: &'a [f64],
+    /// ∂g/∂q.
+    pub gradient: &'a [f64],
+    /// Right side of every degree of freedom.
+    pub force: &'a [f64],
+}
+
+/// What was found.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Outcome {
+    /// Factorisations made.
+    pub factorisations: u64,
+    /// False where the iteration was capped.
+    pub converged: bool,
+}
+
+/// Modes, forces and work arrays. Reused from step to step.
+#[derive(Debug, Clone)]
+pub struct Complementarity {
+    /// Mode of every row; the warm start of the next step.
+    pub modes: Vec<Mode>,
+    /// Force of every row [N].
+    pub tension: Vec<f64>,
+    /// What the law asks of every row without its bound [N]; negative where slack.
+    pub trial: Vec<f64>,
+    impulse: Vec<f64>,
+    row_right: Vec<f64>,
+    force: Vec<f64>,
+    slip: Vec<f64>,
+    wrong: Vec<usize>,
+    factored: bool,
+}
+
+impl Complementarity {
+    /// All rows slack.
+    pub fn new(system: &System) -> Self {
+        let rows = system.rows.count();
+        Self {
+            modes: vec![Mode::Slack; rows],
+            tension: vec![0.0; rows],
+            trial: vec![0.0; rows],
+            impulse: vec![0.0; rows],
+            row_right: vec![0.0; rows],
+            force: vec![0.0; system.tree.velocities],
+            slip: vec![0.0; rows],
+            wrong: Vec::with_capacity(rows),
+            factored: false,
+        }
+    }
+
+    /// Says that the matrix has changed.
+    pub fn matrix_changed(&mut self) {
+        self.factored = false;
+    }
+
+    /// Solves for the velocities `v` (driven entries given) and the forces.
+    ///
+    /// # Errors
+    /// [`ZeroPivot`] where the matrix is singular.
+    pub fn solve(
+        &mut self,
+        system: &System,
+        kkt: &mut Kkt,
+        problem: &Problem,
+        v: &mut [f64],
+    ) -> Result<Outcome, ZeroPivot> {
+        let rows = system.rows.count();
+        let mut outcome = Outcome::default();
+        let (mut least, mut patience) = (usize::MAX, PATIENCE);
+        for _ in 0..100 + 4 * rows {
+            if !self.factored {
+                kkt.factorise(system, |row| self.modes[row] == Mode::Acting)?;
+                outcome.factorisations += 1;
+                self.factored = true;
+            }
+            self.right_sides(system, problem, v);
+            kkt.solve(&self.force, &self.row_right, v, &mut self.impulse);
+            self.read_forces(system, problem, v);
+            let settled = self.friction(system);
+            self.find_wrong(system, problem, v);
+            if self.wrong.is_empty() && settled {
+                outcome.converged = true;
+                break;
+            }
+            if self.wrong.len() < least {
+                (least, patience) = (self.wrong.len(), PATIENCE);
+            } else {
+                patience = patience.saturating_sub(1);
+            }
+            if patience == 0 {
+                let last = self.wrong.pop();
+                self.wrong.clear();
+                self.wrong.extend(last);
+            }
+            for &row in &self.wrong {
+                self.modes[row] = if self.modes[row] == Mode::Slack { Mode::Acting } else { Mode::Slack };
+                self.factored = false;
+            }
+        }
+        for (tension, law) in self.tension.iter_mut().zip(&system.rows.laws) {
+            if matches!(law, Law::Unilateral { .. }) {
+                *tension = tension.max(0.0);
+            }
+        }
+        Ok(outcome)
+    }
+
+    /// Largest distance of a force from its law [N].
+    pub fn residual(&self, system: &System) -> f64 {
+        let rows = system.rows.laws.iter().zip(self.tension.iter().zip(&self.trial));
+        rows.filter(|(law, _)| matches!(law, Law::Unilateral { .. }))
+            .map(|(_, (tension, trial))| (tension - trial.max(0.0)).abs())
+            .fold(0.0, f64::max)
+    }
+
+    fn right_sides(&mut self, system: &System, problem: &Problem, v: &[f64]) {
+        self.force.copy_from_slice(problem.force);
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            match self.modes[row] {
+                Mode::Slack => self.row_right[row] = 0.0,
+                Mode::Slipping => {
+                    self.row_right[row] = 0.0;
+                    for (dof, entry) in system.rows.entries(problem.gradient, row) {
+                        self.force[dof] -= problem.h * entry * self.slip[row];
+                    }
+                }
+                Mode::Acting => {
+                    let driven: f64 = system
+                        .rows
+                        .entries(problem.gradient, row)
+                        .filter(|&(dof, _)| system.driven[dof].is_some())
+                        .map(|(dof, entry)| entry * v[dof])
+                        .sum();
+                    self.row_right[row] = -problem.value[row] / (problem.h + law.damping_time()) - driven;
+                }
+            }
+        }
+    }
+
+    fn read_forces(&mut self, system: &System, problem: &Problem, v: &[f64]) {
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            self.tension[row] = match self.modes[row] {
+                Mode::Slack => 0.0,
+                Mode::Acting => self.impulse[row] / problem.h,
+                Mode::Slipping => self.slip[row],
+            };
+            let reach = problem.h + law.damping_time();
+            let stretch = problem.value[row] + reach * system.rows.rate(problem.gradient, row, v);
+            self.trial[row] = if law.compliance() > 0.0 {
+                stretch / law.compliance()
+            } else {
+                self.tension[row] + stretch * self.inertia_over_time(system, problem, row)
+            };
+        }
+    }
+
+    /// Force that changes the row's velocity by a unit in a step, over the step: turns the error of an
+    /// inextensible row into newtons.
+    fn inertia_over_time(&self, system: &System, problem: &Problem, row: usize) -> f64 {
+        let entries = system.rows.entries(problem.gradient, row);
+        let mobility: f64 = entries.map(|(dof, entry)| entry * entry / system.tree.inertia_scale[dof]).sum();
+        1.0 / (problem.h * problem.h * mobility.max(f64::MIN_POSITIVE))
+    }
+
+    fn find_wrong(&mut self, system: &System, problem: &Problem, v: &[f64]) {
+        self.wrong.clear();
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            if !matches!(law, Law::Unilateral { .. }) {
+                continue;
+            }
+            let reach = problem.h + law.damping_time();
+            let terms: f64 = system
+                .rows
+                .entries(problem.gradient, row)
+                .map(|(dof, entry)| (entry * v[dof]).abs())
+                .sum::<f64>()
+                * reach
+                + problem.value[row].abs();
+            let noise = if law.compliance() > 0.0 {
+                ROUNDING * terms / law.compliance()
+            } else {
+                ROUNDING * (self.tension[row].abs() + terms * self.inertia_over_time(system, problem, row))
+            };
+            let wrong = match self.modes[row] {
+                Mode::Slack => self.trial[row] > noise,
+                Mode::Acting | Mode::Slipping => self.trial[row] < -noise,
+            };
+            if wrong {
+                self.wrong.push(row);
+            }
+        }
+    }
+
+    /// Sets modes and forces of friction rows after the normal forces; true when nothing changed.
+    fn friction(&mut self, system: &System) -> bool {
+        let mut settled = true;
+        let mut row = 0;
+        while row < system.rows.count() {
+            let Law::Friction { coefficient, normal, .. } = system.rows.laws[row] else {
+                row += 1;
+                continue;
+            };
+            let bound = coefficient * self.tension[normal].max(0.0);
+            let trial = [self.trial[row], self.trial[row + 1]];
+            let size = trial[0].hypot(trial[1]);
+            let mode = if self.modes[normal] == Mode::Slack {
+                Mode::Slack
+            } else if size <= bound {
+                Mode::Acting
+            } else {
+                Mode::Slipping
+            };
+            for (k, pull) in trial.into_iter().enumerate() {
+                if self.modes[row + k] != mode {
+                    let was_fixed = self.modes[row + k] != Mode::Acting;
+                    let is_fixed = mode != Mode::Acting;
+                    self.modes[row + k] = mode;
+                    self.factored &= was_fixed == is_fixed;
+                    settled = false;
+                }
+                if mode == Mode::Slipping {
+                    let force = bound * pull / size;
+                    settled &= (force - self.slip[row + k]).abs() <= FRICTION_TOLERANCE * bound;
+                    self.slip[row + k] = force;
+                }
+            }
+            row += 2;
+        }
+        settled
+    }
+}

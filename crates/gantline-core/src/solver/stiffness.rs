@@ -1,0 +1,109 @@
+//! Geometric stiffness of taut ropes: a rope under tension resists sideways motion of its ends.
+//!
+//! K = Σ f cᵢ·cⱼ over the straight parts, f = T/ℓ, c the relative velocity of a part's ends across it: the
+//! part of Gᵀ's change that is positive semidefinite by construction.
+
+use glam::DVec3;
+
+use crate::state::State;
+use crate::stepper::frame::Frame;
+use crate::system::System;
+
+/// Weight of the velocity before the step, see [`Stiffness::update`].
+pub const EXPLICIT: f64 = 0.25;
+
+/// Groups of degrees of freedom with one vector each.
+#[derive(Debug, Clone)]
+pub struct Stiffness {
+    /// (constraint, group of the constraint) of every group.
+    source: Vec<(usize, usize)>,
+    /// Start of every group in `dofs` and `columns`.
+    pub start: Vec<usize>,
+    /// Degrees of freedom.
+    pub dofs: Vec<usize>,
+    /// Transversal columns c.
+    pub columns: Vec<DVec3>,
+    /// f = T/ℓ [N/m] of every group.
+    pub factor: Vec<f64>,
+    /// α, weight of the velocity after the step.
+    pub implicit: Vec<f64>,
+    /// Weight of the velocity before the step: [`EXPLICIT`], or 0 where K is left out.
+    pub explicit: f64,
+}
+
+impl Stiffness {
+    /// Groups of all constraints of `system`.
+    pub fn new(system: &System) -> Self {
+        let (mut source, mut start, mut dofs) = (Vec::new(), vec![0], Vec::new());
+        for (index, constraint) in system.constraints.iter().enumerate() {
+            for (group, members) in constraint.stiffness_groups().into_iter().enumerate() {
+                source.push((index, group));
+                dofs.extend(members);
+                start.push(dofs.len());
+            }
+        }
+        let (columns, zeros) = (vec![DVec3::ZERO; dofs.len()], vec![0.0; source.len()]);
+        Self { source, start, dofs, columns, factor: zeros.clone(), implicit: zeros, explicit: 0.0 }
+    }
+
+    /// K under the tensions of the last step, and the weights of a step of length `h` [s].
+    ///
+    /// With a = h²f/m, m the inertia that a part moves sideways, the step takes K (α v₊ − v/4): α = ¼ is the
+    /// trapezoidal rule, undamped and stable for any a; what is added to it, ¾ a/(1+a), damps motion that
+    /// the step is too long to follow and vanishes with h² for what it can follow. Without `used`, both
+    /// weights are 0 and K only serves the books.
+    pub fn update(&mut self, system: &System, state: &State, frame: &Frame, h: f64, used: bool) {
+        self.explicit = if used { EXPLICIT } else { 0.0 };
+        for (group, &(constraint, part)) in self.source.iter().enumerate() {
+            let range = self.start[group]..self.start[group + 1];
+            let rows = system.rows.first[constraint]..system.rows.first[constraint + 1];
+            let factor = system.constraints[constraint].geometric_stiffness(
+                &system.tree,
+                &frame.kinematics,
+                &state.tension[rows],
+                part,
+                &mut self.columns[range.clone()],
+            );
+            self.factor[group] = factor;
+            let mobility: f64 = self.dofs[range.clone()]
+                .iter()
+                .zip(&self.columns[range])
+                .filter(|&(&dof, _)| system.driven[dof].is_none())
+                .map(|(&dof, column)| column.length_squared() / system.tree.inertia_scale[dof])
+                .sum();
+            let a = h * h * factor * mobility;
+            self.implicit[group] = if used { EXPLICIT + 0.75 * a / (1.0 + a) } else { 0.0 };
+        }
+    }
+
+    /// Relative transversal velocity of the ends of a group's part [m/s].
+    fn transversal(&self, group: usize, v: &[f64]) -> DVec3 {
+        let range = self.start[group]..self.start[group + 1];
+        self.dofs[range.clone()].iter().zip(&self.columns[range]).map(|(&dof, column)| *column * v[dof]).sum()
+    }
+
+    /// `out` += scale · K (α v₊ − v/4).
+    pub fn add_force(&self, after: &[f64], before: &[f64], scale: f64, out: &mut [f64]) {
+        if self.explicit == 0.0 {
+            return;
+        }
+        for group in 0..self.factor.len() {
+            let velocity = self.transversal(group, after) * self.implicit[group]
+                - self.transversal(group, before) * self.explicit;
+            let force = velocity * (scale * self.factor[group]);
+            for entry in self.start[group]..self.start[group + 1] {
+                out[self.dofs[entry]] += self.columns[entry].dot(force);
+            }
+        }
+    }
+
+    /// h² v₊ᵀ K (α v₊ − v/4) minus the work ½ h² v₊ᵀ K v₊ that tension does along the curved path [J].
+    pub fn loss(&self, after: &[f64], before: &[f64], h: f64) -> f64 {
+        let of_group = |group: usize| {
+            let (new, old) = (self.transversal(group, after), self.transversal(group, before));
+            let taken = new * (self.implicit[group] - 0.5) - old * self.explicit;
+            h * h * self.factor[group] * new.dot(taken)
+        };
+        (0..self.factor.len()).map(of_group).sum()
+    }
+}

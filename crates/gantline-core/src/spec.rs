@@ -1,0 +1,332 @@
+//! The document: what a system is, in words of mechanics, as it crosses the border.
+//!
+//! SI units, radians, z up. Bodies stand after their parents. Everything is checked by
+//! [`crate::build`]; a document is private to gantline and never kept by users.
+
+use serde::Deserialize;
+
+/// A system of bodies, ropes, contacts, and the plan of its drives.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SystemSpec {
+    /// Acceleration of gravity [m/s²], world axes.
+    pub gravity: [f64; 3],
+    /// Bodies, each after its parent.
+    pub bodies: Vec<BodySpec>,
+    /// Ropes.
+    #[serde(default)]
+    pub ropes: Vec<RopeSpec>,
+    /// Points of bodies that may touch a plane.
+    #[serde(default)]
+    pub contacts: Vec<ContactSpec>,
+    /// Drives that prescribe joint motions.
+    #[serde(default)]
+    pub drives: Vec<DriveSpec>,
+    /// Operations, one after another.
+    #[serde(default)]
+    pub plan: Vec<StepSpec>,
+}
+
+/// Position [m] and unit quaternion (w, x, y, z) of a frame in another.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlacementSpec {
+    /// Origin [m].
+    pub position: [f64; 3],
+    /// Unit quaternion, w first.
+    pub orientation: [f64; 4],
+}
+
+/// A rigid body and the joint by which it hangs on its parent.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodySpec {
+    /// Unique name.
+    pub name: String,
+    /// Name of the parent body; none is the world.
+    pub parent: Option<String>,
+    /// Where the joint sits in the parent's body frame.
+    pub placement: PlacementSpec,
+    /// The joint.
+    pub joint: JointSpec,
+    /// Mass [kg]; 0 is allowed where something heavy hangs on the body.
+    pub mass: f64,
+    /// Centre of gravity [m] in the body frame.
+    pub centre_of_gravity: [f64; 3],
+    /// Inertia [kg m²] about the centre of gravity in body axes: xx, yy, zz, xy, xz, yz.
+    pub inertia: [f64; 6],
+}
+
+/// Joint types and the state they start in.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum JointSpec {
+    /// No motion.
+    Fixed {},
+    /// Rotation about an axis.
+    Hinge(AxisJointSpec),
+    /// Translation along an axis.
+    Slider(AxisJointSpec),
+    /// Free rotation about a point.
+    Ball {
+        /// Unit quaternion, w first.
+        orientation: [f64; 4],
+        /// Angular velocity [rad/s], body axes.
+        angular_velocity: [f64; 3],
+    },
+    /// Three translations, no rotation.
+    Point {
+        /// Position [m] in the joint frame.
+        position: [f64; 3],
+        /// Velocity [m/s] in the joint frame.
+        velocity: [f64; 3],
+    },
+    /// Six degrees of freedom.
+    Free {
+        /// Position [m] in the joint frame.
+        position: [f64; 3],
+        /// Unit quaternion, w first.
+        orientation: [f64; 4],
+        /// Velocity [m/s] in the joint frame.
+        velocity: [f64; 3],
+        /// Angular velocity [rad/s], body axes.
+        angular_velocity: [f64; 3],
+    },
+}
+
+/// A hinge or a slider.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AxisJointSpec {
+    /// Axis in the joint frame; normalised when built.
+    pub axis: [f64; 3],
+    /// Start position [rad or m].
+    #[serde(default)]
+    pub position: f64,
+    /// Start velocity [rad/s or m/s].
+    #[serde(default)]
+    pub velocity: f64,
+    /// Viscous damping [N m s/rad or N s/m].
+    #[serde(default)]
+    pub damping: f64,
+    /// Name of the drive that prescribes this joint's motion.
+    #[serde(default)]
+    pub drive: Option<String>,
+}
+
+/// A rope: route, unstretched length, material.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RopeSpec {
+    /// Unique name.
+    pub name: String,
+    /// Unstretched length [m], arcs included.
+    pub length: f64,
+    /// What it is made of.
+    pub material: MaterialSpec,
+    /// Guides in order, from end to end.
+    pub route: Vec<GuideSpec>,
+}
+
+/// Rope material.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum MaterialSpec {
+    /// T = max(0, EA/L (e + τ ė)).
+    Elastic {
+        /// Axial stiffness EA [N].
+        axial_stiffness: f64,
+        /// Damping time τ [s].
+        #[serde(default)]
+        damping_time: f64,
+    },
+    /// No stretch at all; said in so many words.
+    Inextensible {},
+}
+
+/// What a rope passes on its route.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum GuideSpec {
+    /// A fixed end.
+    End {
+        /// Body that holds the end; none is the world.
+        body: Option<String>,
+        /// Point [m] in the body frame.
+        at: [f64; 3],
+    },
+    /// A sheave as in the paper: two attachment points that stay fixed in the body, and half a turn of
+    /// rope between them.
+    HalfTurn {
+        /// Body that carries the sheave; none is the world.
+        body: Option<String>,
+        /// Where the rope arrives [m], body frame.
+        enter: [f64; 3],
+        /// Where the rope goes on [m], body frame.
+        leave: [f64; 3],
+        /// Unit vector, body frame, to the side on which the rope lies on the sheave.
+        bulge: [f64; 3],
+    },
+}
+
+/// A point of a body that may touch a plane of the world.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ContactSpec {
+    /// Unique name.
+    pub name: String,
+    /// Contacts of one group carry one load together.
+    pub group: String,
+    /// Body with the point.
+    pub body: String,
+    /// Point [m] in the body frame.
+    pub at: [f64; 3],
+    /// A point of the plane [m], world axes.
+    pub plane_point: [f64; 3],
+    /// Normal of the plane, towards the free side; normalised when built.
+    pub plane_normal: [f64; 3],
+    /// Normal and tangential stiffness [N/m].
+    pub stiffness: f64,
+    /// Damping over stiffness [s].
+    pub damping_time: f64,
+    /// Coefficient of Coulomb friction.
+    pub friction: f64,
+}
+
+/// A drive: the prescribed motion of one joint.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DriveSpec {
+    /// Unique name.
+    pub name: String,
+    /// Ramps that are known in advance, in order of time.
+    #[serde(default)]
+    pub ramps: Vec<RampSpec>,
+}
+
+/// From `at` on, within `duration`, the velocity goes to `velocity`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RampSpec {
+    /// Start [s].
+    pub at: f64,
+    /// Duration [s].
+    pub duration: f64,
+    /// Velocity at the end [m/s or rad/s].
+    pub velocity: f64,
+    /// How the velocity gets there.
+    #[serde(default)]
+    pub shape: RampShape,
+}
+
+/// Course of the velocity in a ramp.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RampShape {
+    /// Constant acceleration.
+    #[default]
+    Linear,
+    /// Acceleration rises from zero and falls back to zero (cubic velocity).
+    Smooth,
+}
+
+/// A step of the plan.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StepSpec {
+    /// Name, shown in events.
+    pub name: String,
+    /// Drives that move; none holds.
+    #[serde(default)]
+    pub moves: Vec<MoveSpec>,
+    /// Earliest time [s].
+    #[serde(default)]
+    pub start_at: Option<f64>,
+    /// What ends the step.
+    pub until: UntilSpec,
+}
+
+/// One drive in a step.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MoveSpec {
+    /// Name of the drive.
+    pub drive: String,
+    /// Signed velocity [m/s or rad/s].
+    pub velocity: f64,
+    /// Acceleration limit [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// Course of the ramps.
+    #[serde(default)]
+    pub shape: RampShape,
+}
+
+/// What ends a step; moving drives then brake to rest.
+#[derive(Debug, Clone, PartialEq, Deserialize, serde::Serialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum UntilSpec {
+    /// Brakes from this time [s] on.
+    BrakeFrom {
+        /// Time [s].
+        time: f64,
+    },
+    /// At rest after this signed distance [m or rad].
+    Distance {
+        /// Distance [m or rad].
+        distance: f64,
+    },
+    /// Brakes after this time [s] in the step.
+    Duration {
+        /// Duration [s].
+        duration: f64,
+    },
+    /// The contacts of a group have lost this share of the weight.
+    LoadTransferred {
+        /// Contact group.
+        group: String,
+        /// Weight [N].
+        weight: f64,
+        /// Share, 0 to 1.
+        at_least: f64,
+    },
+    /// No contact of the group carries any more.
+    Clear {
+        /// Contact group.
+        group: String,
+    },
+    /// Lasts until the run ends.
+    EndOfRun {},
+}
+
+/// How a system is run.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SettingsSpec {
+    /// The method.
+    pub integrator: IntegratorSpec,
+    /// Simulated time [s].
+    pub duration: f64,
+    /// Time between samples of the recording [s].
+    pub sample_interval: f64,
+}
+
+/// Integrators.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum IntegratorSpec {
+    /// Discrete Euler–Lagrange, fixed step.
+    Del {
+        /// Step h [s].
+        step: f64,
+        /// Bare eq. (15): no geometric stiffness.
+        #[serde(default)]
+        paper: bool,
+        /// Geometric stiffness of taut ropes in the tangent.
+        #[serde(default = "yes")]
+        geometric_stiffness: bool,
+    },
+}
+
+fn yes() -> bool {
+    true
+}

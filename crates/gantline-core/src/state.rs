@@ -1,0 +1,34 @@
+//! What changes during a run and is enough to go on from: a checkpoint is this, written down.
+
+use serde::{Deserialize, Serialize};
+
+use crate::audit::Ledger;
+use crate::plan::PlanState;
+use crate::solver::complementarity::Mode;
+
+/// State of a run at a moment.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// Time [s].
+    pub time: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Configuration: joint coordinates.
+    pub q: Vec<f64>,
+    /// Velocity coordinates.
+    pub v: Vec<f64>,
+    /// v̇ over the last step.
+    pub acceleration: Vec<f64>,
+    /// Force of every row [N].
+    pub tension: Vec<f64>,
+    /// What the law asks of every row without its bound [N].
+    pub trial: Vec<f64>,
+    /// How every row takes part.
+    pub modes: Vec<Mode>,
+    /// What a row remembers: the deflection of tangential contact rows [m].
+    pub memory: Vec<f64>,
+    /// Where the plan stands.
+    pub plan: PlanState,
+    /// Energy so far.
+    pub ledger: Ledger,
+}

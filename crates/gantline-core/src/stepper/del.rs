@@ -1,0 +1,204 @@
+//! `del`: the discrete Euler–Lagrange equation of Ham, Roh and Lee (2016) with regularised constraints,
+//! their eq. (15), carried over to tree coordinates q with mass matrix M(q).
+//!
+//! The paper writes, with V the potential and ε the compliance,
+//!
+//! ```text
+//! (10)  M (q₊ − 2q + q₋)/h = −h ∂V/∂q + h Gᵀλ        (11)  g + G (q₊ − q) = 0
+//! (13)  ελ + g = 0
+//! (15)  [ M  −Gᵀ   ] [ q₊  ]   [ M(2q − q₋) − h² ∂V/∂q ]
+//!       [ G   ε/h² ] [ h²λ ] = [ −g + G q              ]
+//! ```
+//!
+//! With the velocity of a step v₊ = (q₊ − q)/h, the one before v = (q − q₋)/h, and the tension T = −λ,
+//! dividing by h gives
+//!
+//! ```text
+//! M v₊ + h Gᵀ T = M v − h ∂V/∂q          G v₊ − ε T/h = −g/h
+//! ```
+//!
+//! What `del` adds: velocity-dependent forces c, damping time τ (T = (e + τ ė)/ε at the end of the step),
+//! joint damping D, the geometric stiffness K of taut ropes, unilateral rows and driven joints:
+//!
+//! ```text
+//! (M + hD + h²αK) v₊ + Gᵀ y = (M + h²K/4) v + h (f − c)       y = h T
+//! G v₊ − ε/(h (h+τ)) y       = −g/(h+τ)                       0 ≤ T where a row is unilateral
+//! q₊ = q ⊕ h v₊
+//! ```
+//!
+//! α, between ¼ and 1, damps K only where the step cannot follow ([`crate::solver::stiffness`]). c is taken at (v + v₊)/2, so a body that turns freely keeps its energy and angular momentum. With
+//! `paper`, K = 0; with constant M, D = 0, τ = 0 and all rows acting that is eq. (15) to the letter.
+
+use super::StepError;
+use super::flows::{self, StepFlows};
+use super::frame::Frame;
+use crate::event::EventLog;
+use crate::solver::complementarity::{Complementarity, Problem};
+use crate::solver::kkt::Kkt;
+use crate::solver::ldl::ZeroPivot;
+use crate::state::State;
+use crate::system::System;
+use crate::tree::bias::NewtonEuler;
+
+/// Fixed-point rounds for the velocity-dependent forces.
+const BIAS_ROUNDS: usize = 12;
+/// Change of a velocity-dependent force that ends the rounds, relative to the largest generalised force.
+const BIAS_TOLERANCE: f64 = 1e-12;
+
+/// What one step says of itself.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct StepReport {
+    /// Largest distance of a force from its law [N].
+    pub complementarity_residual: f64,
+    /// Factorisations made.
+    pub factorisations: u64,
+    /// False where the complementarity iteration was capped.
+    pub converged: bool,
+}
+
+/// The integrator with its work arrays.
+#[derive(Debug, Clone)]
+pub struct Del {
+    /// Step h [s].
+    pub h: f64,
+    /// K in the tangent.
+    pub geometric_stiffness: bool,
+    kkt: Kkt,
+    rows: Complementarity,
+    bias: NewtonEuler,
+    c: Vec<f64>,
+    previous: Vec<f64>,
+    middle: Vec<f64>,
+    momentum: Vec<f64>,
+    force: Vec<f64>,
+    v: Vec<f64>,
+    increment: Vec<f64>,
+    support: Vec<f64>,
+}
+
+impl Del {
+    /// An integrator of step `h` [s] for `system`.
+    pub fn new(system: &System, h: f64, geometric_stiffness: bool) -> Self {
+        let zeros = vec![0.0; system.tree.velocities];
+        Self {
+            h,
+            geometric_stiffness,
+            kkt: Kkt::new(system),
+            rows: Complementarity::new(system),
+            bias: NewtonEuler::new(&system.tree),
+            c: zeros.clone(),
+            previous: zeros.clone(),
+            middle: zeros.clone(),
+            momentum: zeros.clone(),
+            force: zeros.clone(),
+            v: zeros.clone(),
+            increment: zeros,
+            support: vec![0.0; system.groups.len()],
+        }
+    }
+
+    /// Entries of the factor L.
+    pub fn fill(&self) -> usize {
+        self.kkt.fill()
+    }
+
+    /// One step from `state`, which `frame` belongs to; both are moved on.
+    ///
+    /// # Errors
+    /// [`StepError`] where the matrix is singular or the motion is not finite; `state` is then as before
+    /// but for the plan.
+    pub fn step(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &mut Frame,
+        log: &mut EventLog,
+    ) -> Result<StepReport, StepError> {
+        let h = self.h;
+        let end = (state.steps + 1) as f64 * h;
+        flows::supports(system, &state.tension, &mut self.support);
+        state.plan.advance(&system.plan, state.time, end, &self.support, log);
+
+        // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
+        self.kkt.stiffness.update(system, state, frame, h, self.geometric_stiffness);
+        self.kkt.assemble(system, &frame.mass, &frame.gradient, h);
+        self.rows.modes.copy_from_slice(&state.modes);
+        self.rows.matrix_changed();
+
+        // Driven coordinates are known: their mean velocity over the step.
+        self.v.copy_from_slice(&state.v);
+        for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+            let travel = timeline.motion(end).position - timeline.motion(state.time).position;
+            self.v[drive.dof] = travel / h;
+        }
+
+        let mut report = StepReport { converged: true, ..StepReport::default() };
+        self.middle.fill(0.0);
+        for drive in &system.drives {
+            self.middle[drive.dof] = self.v[drive.dof];
+        }
+        // Right side: M (v − v_driven) + h² K v/4 − …, what the driven columns contribute taken off.
+        for (increment, (old, known)) in self.increment.iter_mut().zip(state.v.iter().zip(&self.middle)) {
+            *increment = old - known;
+        }
+        frame.mass.multiply(&self.increment, &mut self.momentum);
+        self.kkt.stiffness.add_force(&self.middle, &state.v, -h * h, &mut self.momentum);
+        // c, which holds −f of gravity, at the mean velocity by fixed point.
+        for round in 0..BIAS_ROUNDS {
+            for (middle, (old, new)) in self.middle.iter_mut().zip(state.v.iter().zip(&self.v)) {
+                *middle = 0.5 * (old + new);
+            }
+            self.previous.copy_from_slice(&self.c);
+            self.bias.update(&system.tree, &frame.kinematics, &self.middle, None, None, &mut self.c);
+            let change = distance(&self.c, &self.previous);
+            if round > 0 && change <= BIAS_TOLERANCE * largest(&self.c) {
+                break;
+            }
+            for (dof, force) in self.force.iter_mut().enumerate() {
+                *force = self.momentum[dof] - h * self.c[dof];
+            }
+            let problem = Problem { h, value: &frame.value, gradient: &frame.gradient, force: &self.force };
+            let solved = self.rows.solve(system, &mut self.kkt, &problem, &mut self.v);
+            let outcome = solved.map_err(|pivot| self.singular(system, state.time, pivot))?;
+            report.factorisations += outcome.factorisations;
+            report.converged = outcome.converged;
+        }
+        if let Some(dof) = self.v.iter().position(|velocity| !velocity.is_finite()) {
+            let element = system.tree.bodies[system.tree.owner[dof]].name.clone();
+            let cause = "a velocity is not finite: forces or masses are out of any scale".to_owned();
+            return Err(StepError { time: state.time, element, cause });
+        }
+        report.complementarity_residual = self.rows.residual(system);
+
+        // q₊ = q ⊕ h v₊, and the books.
+        let flow = StepFlows { h, v: &self.v, c: &self.c, rows: &self.rows, stiffness: &self.kkt.stiffness };
+        flow.book(system, state, frame, &mut self.increment);
+        flow.events(system, state, log);
+        flow.remember(system, state, frame);
+        for (increment, velocity) in self.increment.iter_mut().zip(&self.v) {
+            *increment = h * velocity;
+        }
+        system.tree.advance(&mut state.q, &self.increment);
+        state.steps += 1;
+        state.time = end;
+        flows::set_driven(system, state);
+        frame.update(system, state);
+        flows::store(system, state, frame);
+        Ok(report)
+    }
+
+    fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {
+        let element = self.kkt.element(system, pivot.unknown).to_owned();
+        let cause = "the equations are singular here: a body without inertia in a direction that it can \
+                     move, or an inextensible rope that repeats another";
+        StepError { time, element, cause: cause.to_owned() }
+    }
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| value.abs().max(most))
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |most, (a, b)| (a - b).abs().max(most))
+}

@@ -1,0 +1,196 @@
+//! The books of a step of `del`: energy that flowed, events, what contacts remember.
+
+use crate::audit::{elastic_energy, gravity_energy, spring_energy};
+use crate::constraint::Law;
+use crate::event::{EventKind, EventLog};
+use crate::solver::complementarity::{Complementarity, Mode};
+use crate::solver::stiffness::Stiffness;
+use crate::state::State;
+use crate::stepper::frame::Frame;
+use crate::system::System;
+
+/// A step that has been solved and not yet made: `state` and `frame` are still those of its start.
+pub struct StepFlows<'a> {
+    /// Step [s].
+    pub h: f64,
+    /// v₊.
+    pub v: &'a [f64],
+    /// Velocity-dependent forces minus gravity.
+    pub c: &'a [f64],
+    /// Forces and modes.
+    pub rows: &'a Complementarity,
+    /// Geometric stiffness of the step.
+    pub stiffness: &'a Stiffness,
+}
+
+impl StepFlows<'_> {
+    /// Adds the flows to the ledger and moves velocity, forces and modes into the state.
+    ///
+    /// Multiplying the step's equation by v₊ᵀ splits the change of energy into work and losses. The method
+    /// loses ½ Δvᵀ M Δv, what geometric stiffness takes beyond the work of the tension along the curved path,
+    /// and, in each spring, the convexity of its energy over the step.
+    pub fn book(&self, system: &System, state: &mut State, frame: &Frame, work: &mut [f64]) {
+        let h = self.h;
+        for (rate, (new, old)) in state.acceleration.iter_mut().zip(self.v.iter().zip(&state.v)) {
+            *rate = new - old;
+        }
+        let jump = 0.5 * frame.mass.quadratic(&state.acceleration);
+        if self.goes_taut_at_once(system, state) {
+            state.ledger.impact += jump;
+        } else {
+            state.ledger.method += jump;
+        }
+        state.ledger.method += self.stiffness.loss(self.v, &state.v, h);
+        for (dof, damping) in system.tree.damping.iter().enumerate() {
+            state.ledger.joint_damping += h * damping * self.v[dof] * self.v[dof];
+        }
+        self.book_drives(system, state, frame, work);
+        for row in 0..system.rows.count() {
+            self.book_row(system, state, frame, row);
+        }
+        for rate in &mut state.acceleration {
+            *rate /= h;
+        }
+        state.v.copy_from_slice(self.v);
+    }
+
+    /// Work of the drives: the residual of their rows times their motion. `state.acceleration` holds Δv.
+    fn book_drives(&self, system: &System, state: &mut State, frame: &Frame, work: &mut [f64]) {
+        if system.drives.is_empty() {
+            return;
+        }
+        let h = self.h;
+        frame.mass.multiply(&state.acceleration, work);
+        self.stiffness.add_force(self.v, &state.v, h * h, work);
+        for drive in &system.drives {
+            let damping = system.tree.damping[drive.dof] * self.v[drive.dof];
+            work[drive.dof] += h * (self.c[drive.dof] + damping);
+        }
+        for row in 0..system.rows.count() {
+            for (dof, entry) in system.rows.entries(&frame.gradient, row) {
+                work[dof] += h * entry * self.rows.tension[row];
+            }
+        }
+        for drive in &system.drives {
+            state.ledger.drive_work += work[drive.dof] * self.v[drive.dof];
+        }
+    }
+
+    fn book_row(&self, system: &System, state: &mut State, frame: &Frame, row: usize) {
+        let law = &system.rows.laws[row];
+        let rate = system.rows.rate(&frame.gradient, row, self.v);
+        let flow = self.h * self.rows.tension[row] * rate;
+        let compliance = law.compliance();
+        if compliance == 0.0 {
+            state.ledger.method += flow;
+            return;
+        }
+        let before = frame.value[row];
+        if self.rows.modes[row] == Mode::Slipping || self.rows.modes[row] == Mode::Slack && is_friction(law) {
+            let after = self.rows.tension[row] * compliance;
+            state.ledger.friction += flow - spring_energy(law, after) + spring_energy(law, before);
+            return;
+        }
+        let after = before + self.h * rate;
+        let spring = if is_friction(law) { after } else { after.max(0.0) } / compliance;
+        let damper = flow - self.h * spring * rate;
+        if row < system.rows.first[system.ropes] {
+            state.ledger.rope_damping += damper;
+        } else {
+            state.ledger.contact_damping += damper;
+        }
+        state.ledger.method +=
+            self.h * spring * rate - spring_energy(law, after) + spring_energy(law, before);
+    }
+
+    fn goes_taut_at_once(&self, system: &System, state: &State) -> bool {
+        let changed = self.rows.modes.iter().zip(&state.modes);
+        changed
+            .zip(&system.rows.laws)
+            .any(|((new, old), law)| *new != Mode::Slack && *old == Mode::Slack && law.compliance() == 0.0)
+    }
+
+    /// Logs what changed in the step. A time within it is found by letting the law's value run linearly.
+    pub fn events(&self, system: &System, state: &State, log: &mut EventLog) {
+        for row in 0..system.rows.first[system.ropes] {
+            let (old, new) = (state.modes[row] != Mode::Slack, self.rows.modes[row] != Mode::Slack);
+            if old != new {
+                let kind = if new { EventKind::Taut } else { EventKind::Slack };
+                log.push(self.crossing(state, row), kind, row);
+            }
+        }
+        for (index, group) in system.groups.iter().enumerate() {
+            let normals = || group.contacts.iter().map(|&contact| system.rows.first[contact]);
+            let old = normals().any(|row| state.tension[row] > 0.0);
+            let new = normals().any(|row| self.rows.tension[row] > 0.0);
+            if old && !new {
+                let left = normals().filter(|&row| state.tension[row] > 0.0);
+                let time = left.map(|row| self.crossing(state, row)).fold(state.time, f64::max);
+                log.push(time, EventKind::LiftOff, index);
+            } else if new && !old && state.steps > 0 {
+                let met = normals().filter(|&row| self.rows.tension[row] > 0.0);
+                let time = met.map(|row| self.crossing(state, row)).fold(f64::INFINITY, f64::min);
+                log.push(time, EventKind::SetDown, index);
+            }
+        }
+        for (index, first) in system.rows.first[system.ropes..].windows(2).enumerate() {
+            let row = first[0] + 1;
+            let (old, new) = (state.modes[row], self.rows.modes[row]);
+            if old == Mode::Acting && new == Mode::Slipping {
+                log.push(state.time, EventKind::Slip, system.ropes + index);
+            } else if old == Mode::Slipping && new == Mode::Acting {
+                log.push(state.time, EventKind::Stick, system.ropes + index);
+            }
+        }
+    }
+
+    fn crossing(&self, state: &State, row: usize) -> f64 {
+        let (before, after) = (state.trial[row], self.rows.trial[row]);
+        let share = if before == after { 0.0 } else { (before / (before - after)).clamp(0.0, 1.0) };
+        state.time + share * self.h
+    }
+
+    /// Moves forces, modes and the deflections of friction rows into the state.
+    pub fn remember(&self, system: &System, state: &mut State, frame: &Frame) {
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            if is_friction(law) {
+                state.memory[row] = match self.rows.modes[row] {
+                    Mode::Acting => {
+                        frame.value[row] + self.h * system.rows.rate(&frame.gradient, row, self.v)
+                    }
+                    Mode::Slipping | Mode::Slack => self.rows.tension[row] * law.compliance(),
+                };
+            }
+        }
+        state.tension.copy_from_slice(&self.rows.tension);
+        state.trial.copy_from_slice(&self.rows.trial);
+        state.modes.copy_from_slice(&self.rows.modes);
+    }
+}
+
+fn is_friction(law: &Law) -> bool {
+    matches!(law, Law::Friction { .. })
+}
+
+/// Sum of the normal forces of every contact group [N].
+pub fn supports(system: &System, tension: &[f64], out: &mut [f64]) {
+    for (sum, group) in out.iter_mut().zip(&system.groups) {
+        *sum = group.contacts.iter().map(|&contact| tension[system.rows.first[contact]]).sum();
+    }
+}
+
+/// Puts driven joints exactly where their drives are, so rounding does not add up.
+pub fn set_driven(system: &System, state: &mut State) {
+    for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+        let position = system.tree.bodies[drive.body].first_position;
+        state.q[position] = timeline.motion(state.time).position;
+    }
+}
+
+/// Notes the stored energies of the new state.
+pub fn store(system: &System, state: &mut State, frame: &Frame) {
+    let kinetic = 0.5 * frame.mass.quadratic(&state.v);
+    let gravity = gravity_energy(system, &frame.kinematics);
+    let elastic = elastic_energy(system, &frame.value);
+    state.ledger.store(kinetic, gravity, elastic);
+}

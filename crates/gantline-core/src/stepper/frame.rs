@@ -1,0 +1,48 @@
+//! Everything that follows from a configuration: poses, mass matrix, rows and their gradients.
+
+use crate::state::State;
+use crate::system::System;
+use crate::tree::kinematics::Kinematics;
+use crate::tree::mass::MassMatrix;
+
+/// The system at one configuration. Reused from step to step.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// Poses and columns.
+    pub kinematics: Kinematics,
+    /// M(q).
+    pub mass: MassMatrix,
+    /// g of every row.
+    pub value: Vec<f64>,
+    /// ∂g/∂q, by [`crate::system::Rows`].
+    pub gradient: Vec<f64>,
+}
+
+impl Frame {
+    /// Room for `system`.
+    pub fn new(system: &System) -> Self {
+        Self {
+            kinematics: Kinematics::new(&system.tree),
+            mass: MassMatrix::new(&system.tree),
+            value: vec![0.0; system.rows.count()],
+            gradient: vec![0.0; system.rows.dofs.len()],
+        }
+    }
+
+    /// Evaluates everything at the configuration of `state`.
+    pub fn update(&mut self, system: &System, state: &State) {
+        self.kinematics.update(&system.tree, &state.q);
+        self.mass.update(&system.tree, &self.kinematics);
+        self.value.copy_from_slice(&state.memory);
+        let rows = &system.rows;
+        for (constraint, first) in system.constraints.iter().zip(rows.first.windows(2)) {
+            let entries = rows.start[first[0]]..rows.start[first[1]];
+            constraint.evaluate(
+                &system.tree,
+                &self.kinematics,
+                &mut self.value[first[0]..first[1]],
+                &mut self.gradient[entries],
+            );
+        }
+    }
+}

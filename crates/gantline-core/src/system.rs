@@ -1,0 +1,98 @@
+//! What does not change during a run: the tree, the constraints and their rows, drives, plan.
+
+use crate::constraint::{AnyConstraint, Law};
+use crate::plan::Step;
+use crate::tree::Tree;
+
+/// Rows of all constraints, one after another, with a static sparsity pattern.
+#[derive(Debug, Clone, Default)]
+pub struct Rows {
+    /// First row of every constraint, and the number of rows at the end.
+    pub first: Vec<usize>,
+    /// Start of every row's entries in `dofs` and in gradients.
+    pub start: Vec<usize>,
+    /// Degree of freedom of every entry.
+    pub dofs: Vec<usize>,
+    /// Law of every row.
+    pub laws: Vec<Law>,
+}
+
+impl Rows {
+    /// Rows of `constraints`.
+    pub fn new(constraints: &[AnyConstraint]) -> Self {
+        let mut rows = Self { first: vec![0], start: vec![0], ..Self::default() };
+        for constraint in constraints {
+            rows.laws.extend(constraint.laws(rows.laws.len()));
+            for dofs in constraint.row_dofs() {
+                rows.dofs.extend(dofs);
+                rows.start.push(rows.dofs.len());
+            }
+            rows.first.push(rows.laws.len());
+        }
+        rows
+    }
+
+    /// Number of rows.
+    pub fn count(&self) -> usize {
+        self.laws.len()
+    }
+
+    /// Degrees of freedom and gradient entries of a row.
+    pub fn entries<'a>(&'a self, gradient: &'a [f64], row: usize) -> impl Iterator<Item = (usize, f64)> + 'a {
+        let range = self.start[row]..self.start[row + 1];
+        self.dofs[range.clone()].iter().copied().zip(gradient[range].iter().copied())
+    }
+
+    /// ġ of a row under the velocities `v`.
+    pub fn rate(&self, gradient: &[f64], row: usize, v: &[f64]) -> f64 {
+        self.entries(gradient, row).map(|(dof, entry)| entry * v[dof]).sum()
+    }
+}
+
+/// The prescribed motion of a joint.
+#[derive(Debug, Clone)]
+pub struct DriveJoint {
+    /// Name of the drive.
+    pub name: String,
+    /// Index of the body whose joint it drives.
+    pub body: usize,
+    /// Degree of freedom.
+    pub dof: usize,
+}
+
+/// Contacts that carry one load together.
+#[derive(Debug, Clone)]
+pub struct ContactGroup {
+    /// Name, usually the load's.
+    pub name: String,
+    /// Indices of the constraints.
+    pub contacts: Vec<usize>,
+}
+
+/// A system, built and checked.
+#[derive(Debug, Clone)]
+pub struct System {
+    /// Bodies and joints.
+    pub tree: Tree,
+    /// Ropes first, contacts after them.
+    pub constraints: Vec<AnyConstraint>,
+    /// How many of the constraints are ropes.
+    pub ropes: usize,
+    /// Rows of the constraints.
+    pub rows: Rows,
+    /// Prescribed joints.
+    pub drives: Vec<DriveJoint>,
+    /// For every degree of freedom the drive that prescribes it.
+    pub driven: Vec<Option<usize>>,
+    /// Groups of contacts.
+    pub groups: Vec<ContactGroup>,
+    /// Operations.
+    pub plan: Vec<Step>,
+}
+
+impl System {
+    /// Constraint that a row belongs to.
+    pub fn constraint_of_row(&self, row: usize) -> &AnyConstraint {
+        &self.constraints[self.rows.first.partition_point(|&first| first <= row) - 1]
+    }
+}

@@ -1,0 +1,42 @@
+//! Free rotation about a point. Velocity coordinates: angular velocity in body axes, in which the
+//! inertia is constant.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::joint::{Column, JointModel};
+use super::pose::Pose;
+
+/// A ball joint; q holds the unit quaternion of the body in the joint frame, w first.
+#[derive(Debug, Clone)]
+pub struct Ball;
+
+/// Unit quaternion from four numbers, w first.
+pub fn quaternion(q: &[f64]) -> DQuat {
+    DQuat::from_xyzw(q[1], q[2], q[3], q[0])
+}
+
+/// Turns the quaternion in `q` by the rotation vector `increment` [rad], body axes (exponential map).
+pub fn rotate(q: &mut [f64], increment: &[f64]) {
+    let turned = quaternion(q) * DQuat::from_scaled_axis(DVec3::from_slice(increment));
+    let unit = turned.normalize();
+    q.copy_from_slice(&[unit.w, unit.x, unit.y, unit.z]);
+}
+
+impl JointModel for Ball {
+    const POSITIONS: usize = 4;
+    const VELOCITIES: usize = 3;
+
+    fn pose(&self, q: &[f64]) -> Pose {
+        Pose::new(quaternion(q), DVec3::ZERO)
+    }
+
+    fn columns(&self, _joint: &DMat3, body: &DMat3, columns: &mut [Column]) {
+        for (k, column) in columns.iter_mut().enumerate() {
+            *column = Column { angular: body.col(k), linear: DVec3::ZERO };
+        }
+    }
+
+    fn advance(&self, q: &mut [f64], increment: &[f64]) {
+        rotate(q, increment);
+    }
+}

@@ -1,0 +1,99 @@
+//! Bodies in a tree and their joints: kinematics, mass matrix, bias forces.
+
+pub mod ball;
+pub mod bias;
+pub mod fixed;
+pub mod free;
+pub mod hinge;
+pub mod joint;
+pub mod kinematics;
+pub mod mass;
+pub mod point;
+pub mod pose;
+pub mod slider;
+
+use glam::{DMat3, DVec3};
+
+use joint::Joint;
+use pose::Pose;
+
+/// A rigid body and the joint by which it hangs on its parent.
+#[derive(Debug, Clone)]
+pub struct Body {
+    /// Unique name.
+    pub name: String,
+    /// Index of the parent; none is the world.
+    pub parent: Option<usize>,
+    /// Where the joint sits in the parent's frame.
+    pub placement: Pose,
+    /// The joint.
+    pub joint: Joint,
+    /// Mass [kg].
+    pub mass: f64,
+    /// Centre of gravity [m], body frame.
+    pub centre_of_gravity: DVec3,
+    /// Inertia about the centre of gravity [kg m²], body axes.
+    pub inertia: DMat3,
+    /// First number of its joint in q.
+    pub first_position: usize,
+    /// First number of its joint in v.
+    pub first_velocity: usize,
+}
+
+/// The tree: bodies in an order in which parents stand before children.
+#[derive(Debug, Clone)]
+pub struct Tree {
+    /// The bodies.
+    pub bodies: Vec<Body>,
+    /// Acceleration of gravity [m/s²], world axes.
+    pub gravity: DVec3,
+    /// Length of q.
+    pub positions: usize,
+    /// Length of v.
+    pub velocities: usize,
+    /// For every degree of freedom the body whose joint has it.
+    pub owner: Vec<usize>,
+    /// For every body the degrees of freedom that move it, ascending.
+    pub support: Vec<Vec<usize>>,
+    /// Viscous damping of every degree of freedom [N s/m or N m s/rad].
+    pub damping: Vec<f64>,
+    /// A typical inertia of every degree of freedom [kg or kg m²], to turn errors into forces.
+    pub inertia_scale: Vec<f64>,
+}
+
+impl Tree {
+    /// A tree of `bodies` (parents first, offsets not yet set) in the field `gravity` [m/s²].
+    pub fn new(mut bodies: Vec<Body>, gravity: DVec3) -> Self {
+        let (mut positions, mut velocities) = (0, 0);
+        let mut owner = Vec::new();
+        let mut support: Vec<Vec<usize>> = Vec::with_capacity(bodies.len());
+        for (index, body) in bodies.iter_mut().enumerate() {
+            body.first_position = positions;
+            body.first_velocity = velocities;
+            positions += body.joint.positions();
+            let own = velocities..velocities + body.joint.velocities();
+            velocities = own.end;
+            owner.extend(own.clone().map(|_| index));
+            let mut dofs = body.parent.map_or_else(Vec::new, |parent| support[parent].clone());
+            dofs.extend(own);
+            support.push(dofs);
+        }
+        let damping = vec![0.0; velocities];
+        let inertia_scale = vec![1.0; velocities];
+        Self { bodies, gravity, positions, velocities, owner, support, damping, inertia_scale }
+    }
+
+    /// Degrees of freedom that move the point's body; none for the world.
+    pub fn support_of(&self, body: Option<usize>) -> &[usize] {
+        body.map_or(&[], |body| &self.support[body])
+    }
+
+    /// q ⊕ h v for the whole tree.
+    pub fn advance(&self, q: &mut [f64], increment: &[f64]) {
+        for body in &self.bodies {
+            let positions = body.first_position..body.first_position + body.joint.positions();
+            let velocities = body.first_velocity..body.first_velocity + body.joint.velocities();
+            body.joint.advance(&mut q[positions], &increment[velocities]);
+        }
+    }
+}

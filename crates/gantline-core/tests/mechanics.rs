@@ -1,0 +1,163 @@
+//! Kinematics, mass matrix, bias and gradients against differences and first principles.
+
+mod rigs;
+
+use gantline_core::stepper::frame::Frame;
+use gantline_core::system::System;
+use gantline_core::tree::bias::NewtonEuler;
+use gantline_core::tree::kinematics::Twist;
+use glam::DVec3;
+use proptest::prelude::*;
+use rigs::{built, moved, seeds};
+
+/// Central differences with d = 1e-5: rounding 1e-16/d ≈ 1e-11 times lengths of about 10, and d² times
+/// third derivatives of at most about 100: both below 1e-7.
+const STEP: f64 = 1e-5;
+const CLOSE: f64 = 1e-7;
+
+fn twists(system: &System, frame: &Frame, v: &[f64]) -> Vec<Twist> {
+    let mut twists = vec![Twist::default(); system.tree.bodies.len()];
+    frame.kinematics.twists(&system.tree, v, &mut twists);
+    twists
+}
+
+/// Linear and angular momentum (about the centre of gravity) of every body.
+fn momenta(system: &System, frame: &Frame, v: &[f64]) -> Vec<(DVec3, DVec3)> {
+    let twists = twists(system, frame, v);
+    let each = system.tree.bodies.iter().enumerate().map(|(index, body)| {
+        let centre = frame.kinematics.centre_of_gravity[index];
+        let velocity = frame.kinematics.point_velocity(&twists, Some(index), centre);
+        let turn = frame.kinematics.pose[index].rotation;
+        (velocity * body.mass, turn * body.inertia * turn.transpose() * twists[index].angular)
+    });
+    each.collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn gradient_of_every_constraint_equals_differences(seeds in seeds()) {
+        let (system, state, frame) = built(&seeds);
+        for dof in 0..system.tree.velocities {
+            let mut direction = vec![0.0; system.tree.velocities];
+            direction[dof] = 1.0;
+            let (_, after) = moved(&system, &state, &direction, STEP);
+            let (_, before) = moved(&system, &state, &direction, -STEP);
+            for row in (0..system.rows.count()).filter(|row| row % 3 == 0 || *row < system.ropes) {
+                let difference = (after.value[row] - before.value[row]) / (2.0 * STEP);
+                let exact = system.rows.rate(&frame.gradient, row, &direction);
+                prop_assert!((difference - exact).abs() < CLOSE, "row {row} dof {dof}: {difference} {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn tangential_rows_measure_the_velocity_along_the_plane(seeds in seeds()) {
+        let (system, state, frame) = built(&seeds);
+        let first = system.rows.first[system.ropes];
+        let gantline_core::constraint::AnyConstraint::Contact(contact) = &system.constraints[system.ropes] else {
+            panic!("contacts stand after ropes")
+        };
+        let point = frame.kinematics.point(Some(contact.body), contact.at);
+        let twists = twists(&system, &frame, &state.v);
+        let velocity = frame.kinematics.point_velocity(&twists, Some(contact.body), point);
+        for (k, tangent) in contact.plane.tangents.iter().enumerate() {
+            let rate = system.rows.rate(&frame.gradient, first + 1 + k, &state.v);
+            prop_assert!((rate - tangent.dot(velocity)).abs() < 1e-12 * (1.0 + velocity.length()));
+        }
+    }
+
+    #[test]
+    fn mass_matrix_gives_the_kinetic_energy(seeds in seeds()) {
+        let (system, state, frame) = built(&seeds);
+        let direct: f64 = momenta(&system, &frame, &state.v).iter().zip(&system.tree.bodies).zip(twists(&system, &frame, &state.v))
+            .map(|((momentum, body), twist)| 0.5 * (momentum.0.length_squared() / body.mass + momentum.1.dot(twist.angular)))
+            .sum();
+        let by_matrix = 0.5 * frame.mass.quadratic(&state.v);
+        prop_assert!((direct - by_matrix).abs() < 1e-12 * direct.max(1.0));
+        let mut product = vec![0.0; state.v.len()];
+        frame.mass.multiply(&state.v, &mut product);
+        let by_product: f64 = 0.5 * product.iter().zip(&state.v).map(|(a, b)| a * b).sum::<f64>();
+        prop_assert!((direct - by_product).abs() < 1e-12 * direct.max(1.0));
+    }
+
+    /// Inverse dynamics against Newton and Euler for each body: rates of momentum by differences along a
+    /// path with the given velocity and acceleration, projected on the columns.
+    #[test]
+    fn inverse_dynamics_equals_rates_of_momentum(seeds in seeds()) {
+        let (system, state, frame) = built(&seeds);
+        let size = system.tree.velocities;
+        let rate: Vec<f64> = (0..size).map(|k| seeds[(7 * k + 3) % seeds.len()]).collect();
+        let along = |time: f64| {
+            let path: Vec<f64> = (0..size).map(|k| state.v[k] * time + 0.5 * rate[k] * time * time).collect();
+            let v: Vec<f64> = (0..size).map(|k| state.v[k] + rate[k] * time).collect();
+            let (_, frame) = moved(&system, &state, &path, 1.0);
+            momenta(&system, &frame, &v)
+        };
+        let (after, before) = (along(STEP), along(-STEP));
+        let mut expected = vec![0.0; size];
+        let mut scale = 1.0_f64;
+        for (index, body) in system.tree.bodies.iter().enumerate() {
+            let force = (after[index].0 - before[index].0) / (2.0 * STEP) - body.mass * system.tree.gravity;
+            let couple = (after[index].1 - before[index].1) / (2.0 * STEP);
+            scale = scale.max(force.length()).max(couple.length());
+            for &dof in &system.tree.support[index] {
+                let centre = frame.kinematics.centre_of_gravity[index];
+                let linear = frame.kinematics.point_column(&system.tree, dof, centre);
+                expected[dof] += linear.dot(force) + frame.kinematics.columns[dof].angular.dot(couple);
+            }
+        }
+        let mut found = vec![0.0; size];
+        let mut dynamics = NewtonEuler::new(&system.tree);
+        dynamics.update(&system.tree, &frame.kinematics, &state.v, Some(&rate), None, &mut found);
+        for dof in 0..size {
+            prop_assert!((found[dof] - expected[dof]).abs() < 1e-6 * scale, "dof {dof}: {} {}", found[dof], expected[dof]);
+        }
+    }
+
+    /// K of a part is Tᐧ∂²ℓ/∂x² seen through the velocities of its ends: for ends that move on straight
+    /// lines (a tree of sliders and points) it must equal the second difference of the length.
+    #[test]
+    fn geometric_stiffness_is_the_curvature_of_the_length(ends in prop::collection::vec(-5.0..5.0_f64, 6), way in prop::collection::vec(-1.0..1.0_f64, 6)) {
+        let (a, b) = (DVec3::from_slice(&ends), DVec3::from_slice(&ends[3..]));
+        prop_assume!((b - a).length() > 1.0);
+        let point = |name: &str, at: DVec3| serde_json::json!({
+            "name": name, "parent": null, "mass": 1.0, "centre_of_gravity": [0, 0, 0], "inertia": [0, 0, 0, 0, 0, 0],
+            "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+            "joint": {"type": "point", "position": at.to_array(), "velocity": [0, 0, 0]}});
+        let spec = serde_json::json!({"gravity": [0, 0, 0], "bodies": [point("a", a), point("b", b)], "ropes": [{
+            "name": "r", "length": 1.0, "material": {"type": "elastic", "axial_stiffness": 1.0},
+            "route": [{"type": "end", "body": "a", "at": [0, 0, 0]}, {"type": "end", "body": "b", "at": [0, 0, 0]}]}]});
+        let spec = serde_json::from_value(spec).unwrap();
+        let (system, state) = gantline_core::build::build(&spec).unwrap();
+        let mut frame = Frame::new(&system);
+        frame.update(&system, &state);
+        let mut columns = [DVec3::ZERO; 6];
+        let tension = 7.0;
+        let factor = system.constraints[0].geometric_stiffness(&system.tree, &frame.kinematics, &[tension], 0, &mut columns);
+        let dofs = &system.constraints[0].stiffness_groups()[0];
+        let across: DVec3 = dofs.iter().zip(&columns).map(|(&dof, column)| *column * way[dof]).sum();
+        let length = |scale: f64| moved(&system, &state, &way, scale).1.value[0];
+        // d = 1e-4: rounding 1e-15/d² = 1e-7; d² times fourth derivatives, of order 1 for ℓ > 1.
+        let d = 1e-4;
+        let curvature = tension * (length(d) - 2.0 * length(0.0) + length(-d)) / (d * d);
+        prop_assert!((factor * across.length_squared() - curvature).abs() < 1e-5);
+    }
+}
+
+#[test]
+fn steiner_term_of_a_rod_swung_about_its_end() {
+    // A rod of mass m and length l about its end: m l²/3.
+    let (mass, length) = (3.0, 2.0);
+    let about_centre = mass * length * length / 12.0;
+    let spec = serde_json::json!({"gravity": [0, 0, -9.81], "bodies": [{
+        "name": "rod", "parent": null, "mass": mass, "centre_of_gravity": [0, 0, -length / 2.0],
+        "inertia": [about_centre, about_centre, 0, 0, 0, 0],
+        "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+        "joint": {"type": "hinge", "axis": [0, 1, 0], "position": 0.4}}]});
+    let (system, state) = gantline_core::build::build(&serde_json::from_value(spec).unwrap()).unwrap();
+    let mut frame = Frame::new(&system);
+    frame.update(&system, &state);
+    assert!((frame.mass.diagonal(0) - mass * length * length / 3.0).abs() < 1e-12);
+}

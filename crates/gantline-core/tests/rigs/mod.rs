@@ -1,0 +1,171 @@
+//! Random rigs for property-based tests: trees of all joint types, ropes over them, contacts.
+#![allow(dead_code)] // Each test file uses its own share of these helpers.
+
+use gantline_core::build::build;
+use gantline_core::spec::{
+    AxisJointSpec, BodySpec, ContactSpec, GuideSpec, JointSpec, MaterialSpec, PlacementSpec, RopeSpec,
+    SystemSpec,
+};
+use gantline_core::state::State;
+use gantline_core::stepper::frame::Frame;
+use gantline_core::system::System;
+use proptest::prelude::*;
+
+/// Numbers that a rig is made of, each in −1…1.
+pub type Seeds = Vec<f64>;
+
+/// Enough numbers for a rig.
+pub fn seeds() -> impl Strategy<Value = Seeds> {
+    prop::collection::vec(-1.0..1.0_f64, 400)
+}
+
+/// Hands out the numbers one after another.
+pub struct Draw {
+    seeds: Seeds,
+    next: usize,
+}
+
+impl Draw {
+    pub fn new(seeds: &[f64]) -> Self {
+        Self { seeds: seeds.to_vec(), next: 0 }
+    }
+
+    pub fn number(&mut self) -> f64 {
+        self.next += 1;
+        self.seeds[(self.next - 1) % self.seeds.len()]
+    }
+
+    /// Whole number below `bound`.
+    pub fn choice(&mut self, bound: usize) -> usize {
+        (((self.number() + 1.0) / 2.0 * bound as f64) as usize).min(bound - 1)
+    }
+
+    pub fn vector(&mut self) -> [f64; 3] {
+        [self.number(), self.number(), self.number()]
+    }
+
+    pub fn scaled(&mut self, scale: f64) -> [f64; 3] {
+        self.vector().map(|x| scale * x)
+    }
+
+    /// A direction; never close to zero length.
+    pub fn direction(&mut self) -> [f64; 3] {
+        let [x, y, z] = self.vector();
+        [x + 1.5_f64.copysign(x), y, z]
+    }
+
+    pub fn orientation(&mut self) -> [f64; 4] {
+        let raw = [1.5 + self.number(), self.number(), self.number(), self.number()];
+        let length = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
+        raw.map(|x| x / length)
+    }
+}
+
+fn joint(draw: &mut Draw, kind: usize) -> JointSpec {
+    let axis = |draw: &mut Draw| AxisJointSpec {
+        axis: draw.direction(),
+        position: draw.number(),
+        velocity: draw.number(),
+        damping: 0.0,
+        drive: None,
+    };
+    match kind {
+        0 => JointSpec::Fixed {},
+        1 => JointSpec::Hinge(axis(draw)),
+        2 => JointSpec::Slider(axis(draw)),
+        3 => JointSpec::Ball { orientation: draw.orientation(), angular_velocity: draw.vector() },
+        4 => JointSpec::Point { position: draw.vector(), velocity: draw.vector() },
+        _ => JointSpec::Free {
+            position: draw.scaled(3.0),
+            orientation: draw.orientation(),
+            velocity: draw.vector(),
+            angular_velocity: draw.vector(),
+        },
+    }
+}
+
+/// A rig with every joint type in its tree, three ropes (one over a sheave), one contact.
+pub fn rig(seeds: &[f64]) -> SystemSpec {
+    let mut draw = Draw::new(seeds);
+    let mut bodies: Vec<BodySpec> = Vec::new();
+    for index in 0..7 {
+        let parent = draw.choice(index + 1).checked_sub(1).map(|parent| bodies[parent].name.clone());
+        let kind = if index < 6 { (index + 1) % 6 } else { draw.choice(6) };
+        let mass = 10.0_f64.powf(1.0 + draw.number());
+        let size = 0.2 + draw.number().abs();
+        let diagonal = [1.0 + 0.3 * draw.number(), 1.2, 0.9].map(|x| x * mass * size);
+        bodies.push(BodySpec {
+            name: format!("b{index}"),
+            parent,
+            placement: PlacementSpec { position: draw.vector(), orientation: draw.orientation() },
+            joint: joint(&mut draw, kind),
+            mass,
+            centre_of_gravity: draw.scaled(0.5),
+            inertia: [diagonal[0], diagonal[1], diagonal[2], 0.1 * mass * size * draw.number(), 0.0, 0.0],
+        });
+    }
+    let ropes = (0..3).map(|index| rope(&mut draw, index)).collect();
+    let contact = ContactSpec {
+        name: "c0".into(),
+        group: "g".into(),
+        body: "b4".into(),
+        at: draw.vector(),
+        plane_point: draw.vector(),
+        plane_normal: draw.direction(),
+        stiffness: 1e5,
+        damping_time: 0.01,
+        friction: 0.5,
+    };
+    let drives = Vec::new();
+    SystemSpec {
+        gravity: [0.0, 0.0, -9.81],
+        bodies,
+        ropes,
+        contacts: vec![contact],
+        drives,
+        plan: Vec::new(),
+    }
+}
+
+fn body(draw: &mut Draw) -> Option<String> {
+    draw.choice(8).checked_sub(1).map(|index| format!("b{index}"))
+}
+
+fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
+    let sheave_body = body(draw);
+    let middle = GuideSpec::HalfTurn {
+        body: sheave_body,
+        enter: draw.vector(),
+        leave: draw.scaled(2.0),
+        bulge: [0.0, 0.0, 1.0],
+    };
+    let mut route = vec![GuideSpec::End { body: body(draw), at: draw.scaled(4.0) }];
+    if index == 0 {
+        route.push(middle);
+    }
+    route.push(GuideSpec::End { body: body(draw), at: draw.scaled(4.0) });
+    RopeSpec {
+        name: format!("r{index}"),
+        length: 1.0,
+        material: MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 },
+        route,
+    }
+}
+
+/// The rig, its state and everything evaluated there.
+pub fn built(seeds: &[f64]) -> (System, State, Frame) {
+    let (system, state) = build(&rig(seeds)).expect("the generator makes valid rigs");
+    let mut frame = Frame::new(&system);
+    frame.update(&system, &state);
+    (system, state, frame)
+}
+
+/// The rig after every coordinate has moved by `scale` · `direction`.
+pub fn moved(system: &System, state: &State, direction: &[f64], scale: f64) -> (State, Frame) {
+    let mut state = state.clone();
+    let increment: Vec<f64> = direction.iter().map(|x| scale * x).collect();
+    system.tree.advance(&mut state.q, &increment);
+    let mut frame = Frame::new(system);
+    frame.update(system, &state);
+    (state, frame)
+}

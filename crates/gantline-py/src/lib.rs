@@ -1,0 +1,200 @@
+//! Python binding of `gantline-core`: documents in, columns of numbers out.
+
+use std::time::{Duration, Instant};
+
+use gantline_core::simulation::SetupError;
+use gantline_core::stepper::StepError;
+use numpy::ndarray::{ArrayD, IxDyn};
+use numpy::{IntoPyArray, PyArrayDyn};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+/// How often a caller hears of the progress.
+const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
+/// Steps between looks at the clock.
+const STEPS_PER_LOOK: u32 = 64;
+
+fn value_error(error: SetupError) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+/// A run of one system.
+#[pyclass(module = "gantline._core")]
+struct Simulation {
+    inner: gantline_core::Simulation,
+}
+
+/// How a stretch of stepping ended.
+enum Pause {
+    Reached,
+    Progress,
+    Failed(StepError),
+}
+
+#[pymethods]
+impl Simulation {
+    /// Builds a system from its document and the settings of its run, both JSON texts.
+    #[new]
+    fn new(py: Python<'_>, document: &str, settings: &str) -> PyResult<Self> {
+        let inner = py.detach(|| gantline_core::Simulation::new(document, settings)).map_err(value_error)?;
+        Ok(Self { inner })
+    }
+
+    /// Runs until `until` [s], or to the end; tells `on_progress` the time, which stops the run by False.
+    #[pyo3(signature = (on_progress=None, until=None))]
+    fn run<'py>(
+        &mut self,
+        py: Python<'py>,
+        on_progress: Option<Py<PyAny>>,
+        until: Option<f64>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let until = until.unwrap_or(f64::INFINITY);
+        let status = PyDict::new(py);
+        loop {
+            let inner = &mut self.inner;
+            let pause = py.detach(|| run_for_a_while(inner, until));
+            let goes_on = match &on_progress {
+                Some(callback) => {
+                    let answer = callback.call1(py, (self.inner.time(),))?;
+                    answer.is_none(py) || answer.is_truthy(py)?
+                }
+                None => true,
+            };
+            match pause {
+                Pause::Reached => status.set_item("status", "done")?,
+                Pause::Progress if goes_on => {
+                    py.check_signals()?;
+                    continue;
+                }
+                Pause::Progress => status.set_item("status", "stopped")?,
+                Pause::Failed(error) => {
+                    status.set_item("status", "failed")?;
+                    status.set_item("message", error.to_string())?;
+                    status.set_item("element", error.element)?;
+                    status.set_item("cause", error.cause)?;
+                }
+            }
+            status.set_item("time", self.inner.time())?;
+            return Ok(status);
+        }
+    }
+
+    /// Columns of the recording so far, by name.
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let columns = self.inner.columns();
+        let names = self.inner.names();
+        let samples = columns.time.len();
+        let (ropes, segments, points) = (names.rope.len(), names.segment.len(), names.rope_point.len());
+        let (bodies, kinds) = (names.body.len(), gantline_core::audit::KINDS.len());
+        let events: Vec<f64> = self.inner.events().iter().map(|event| event.0).collect();
+        let all: [(&str, &Vec<f64>, Vec<usize>); 18] = [
+            ("time", &columns.time, vec![samples]),
+            ("rope_tension", &columns.rope_tension, vec![samples, ropes]),
+            ("segment_tension", &columns.segment_tension, vec![samples, segments]),
+            ("segment_length", &columns.segment_length, vec![samples, segments]),
+            ("rope_point", &columns.rope_point, vec![samples, points, 3]),
+            ("body_position", &columns.body_position, vec![samples, bodies, 3]),
+            ("body_orientation", &columns.body_orientation, vec![samples, bodies, 4]),
+            ("body_velocity", &columns.body_velocity, vec![samples, bodies, 3]),
+            ("body_angular_velocity", &columns.body_angular_velocity, vec![samples, bodies, 3]),
+            ("joint_position", &columns.joint_position, vec![samples, names.joint.len()]),
+            ("joint_force", &columns.joint_force, vec![samples, bodies, 3]),
+            ("contact_force", &columns.contact_force, vec![samples, names.contact.len()]),
+            ("energy", &columns.energy, vec![samples, kinds]),
+            ("constraint_residual", &columns.constraint_residual, vec![samples]),
+            ("complementarity_residual", &columns.complementarity_residual, vec![samples]),
+            ("rope_peak_tension", &columns.rope_peak_tension, vec![columns.rope_peak_tension.len()]),
+            ("rope_peak_time", &columns.rope_peak_time, vec![columns.rope_peak_time.len()]),
+            ("event_time", &events, vec![events.len()]),
+        ];
+        let out = PyDict::new(py);
+        for (name, values, shape) in all {
+            out.set_item(name, array(py, values, &shape)?)?;
+        }
+        Ok(out)
+    }
+
+    /// Names that go with the columns.
+    fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let names = self.inner.names();
+        let events = self.inner.events();
+        let out = PyDict::new(py);
+        out.set_item("rope", names.rope)?;
+        out.set_item("segment", names.segment)?;
+        out.set_item("rope_point", names.rope_point)?;
+        out.set_item("body", names.body)?;
+        out.set_item("joint", names.joint)?;
+        out.set_item("contact", names.contact)?;
+        out.set_item("energy_kind", gantline_core::audit::KINDS.to_vec())?;
+        out.set_item("event_kind", events.iter().map(|event| event.1).collect::<Vec<_>>())?;
+        out.set_item("event_name", events.iter().map(|event| event.2.as_str()).collect::<Vec<_>>())?;
+        Ok(out)
+    }
+
+    /// What the run counted.
+    fn counters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let counters = self.inner.counters();
+        let out = PyDict::new(py);
+        out.set_item("steps", counters.steps)?;
+        out.set_item("factorisations", counters.factorisations)?;
+        out.set_item("unconverged", counters.unconverged)?;
+        out.set_item("fill", self.inner.fill())?;
+        Ok(out)
+    }
+
+    /// Simulated time [s].
+    fn time(&self) -> f64 {
+        self.inner.time()
+    }
+
+    /// Name of the step of the plan that is under way.
+    fn current_step(&self) -> Option<&str> {
+        self.inner.current_step()
+    }
+
+    /// Largest energy remainder so far, relative to the largest of kinetic + elastic + |drive work|.
+    fn energy_remainder(&self) -> f64 {
+        self.inner.state().ledger.relative_remainder()
+    }
+
+    /// All that is needed to go on with the same bytes.
+    fn save<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let bytes = py.detach(|| self.inner.save()).map_err(value_error)?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Takes up a saved run of the same document and settings.
+    fn restore(&mut self, py: Python<'_>, state: &[u8]) -> PyResult<()> {
+        py.detach(|| self.inner.restore(state)).map_err(value_error)
+    }
+}
+
+fn run_for_a_while(simulation: &mut gantline_core::Simulation, until: f64) -> Pause {
+    let start = Instant::now();
+    loop {
+        for _ in 0..STEPS_PER_LOOK {
+            if simulation.reached(until) {
+                return Pause::Reached;
+            }
+            if let Err(error) = simulation.step() {
+                return Pause::Failed(error);
+            }
+        }
+        if start.elapsed() >= PROGRESS_INTERVAL {
+            return Pause::Progress;
+        }
+    }
+}
+
+fn array<'py>(py: Python<'py>, values: &[f64], shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let array = ArrayD::from_shape_vec(IxDyn(shape), values.to_vec());
+    Ok(array.map_err(|error| PyValueError::new_err(error.to_string()))?.into_pyarray(py))
+}
+
+/// The compiled heart of gantline.
+#[pymodule]
+mod _core {
+    #[pymodule_export]
+    use super::Simulation;
+}
