@@ -74,7 +74,9 @@ def half_turn(body_name: str | None, centre: Sequence[float], radius: float, ove
     }
 
 
-def rope(name: str, length: float, route: Sequence[Json], ea: float | None, damping_time: float = 0.0) -> Json:
+def rope(
+    name: str, length: float, route: Sequence[Json], ea: float | None, damping_time: float = 0.0
+) -> Json:
     """A rope; without `ea` [N] it is inextensible."""
     material: Json = {"type": "inextensible"}
     if ea is not None:
@@ -122,7 +124,9 @@ class Run:
         return self.columns["energy"][:, self.names["energy_kind"].index(kind)]
 
     def events(self, kind: str) -> list[tuple[float, str]]:
-        rows = zip(self.columns["event_time"], self.names["event_kind"], self.names["event_name"], strict=True)
+        rows = zip(
+            self.columns["event_time"], self.names["event_kind"], self.names["event_name"], strict=True
+        )
         return [(float(time), name) for time, found, name in rows if found == kind]
 
 

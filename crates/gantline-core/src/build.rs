@@ -68,8 +68,8 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let (constraints, groups) = build_constraints(spec, &tree)?;
     let rows = Rows::new(&constraints);
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
-    let ropes = spec.ropes.len();
-    let mut system = System { tree, constraints, ropes, rows, drives, driven, groups, plan };
+    let rope_count = spec.ropes.len();
+    let mut system = System { tree, constraints, rope_count, rows, drives, driven, groups, plan };
     let state = first_state(spec, &mut system, q, v)?;
     Ok((system, state))
 }
@@ -419,6 +419,13 @@ fn first_state(
         ledger: Ledger::default(),
     };
     let mut frame = Frame::new(system);
+    frame.update(system, &state);
+    // Contacts start with their anchors below them: without deflection.
+    for (row, law) in system.rows.laws.iter().enumerate() {
+        if matches!(law, Law::Friction { .. }) {
+            state.memory[row] = frame.value[row];
+        }
+    }
     frame.update(system, &state);
     for dof in 0..system.tree.velocities {
         let inertia = frame.mass.diagonal(dof);

@@ -220,9 +220,9 @@ impl Recorder {
 }
 
 fn note_peaks(system: &System, state: &State, columns: &mut Columns) {
-    columns.rope_peak_tension.resize(system.ropes, 0.0);
-    columns.rope_peak_time.resize(system.ropes, 0.0);
-    for rope in 0..system.ropes {
+    columns.rope_peak_tension.resize(system.rope_count, 0.0);
+    columns.rope_peak_time.resize(system.rope_count, 0.0);
+    for rope in 0..system.rope_count {
         let tension = state.tension[system.rows.first[rope]];
         if tension > columns.rope_peak_tension[rope] {
             columns.rope_peak_tension[rope] = tension;

@@ -25,7 +25,7 @@ pub struct State {
     pub trial: Vec<f64>,
     /// How every row takes part.
     pub modes: Vec<Mode>,
-    /// What a row remembers: the deflection of tangential contact rows [m].
+    /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m].
     pub memory: Vec<f64>,
     /// Where the plan stands.
     pub plan: PlanState,

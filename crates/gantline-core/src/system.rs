@@ -1,5 +1,6 @@
 //! What does not change during a run: the tree, the constraints and their rows, drives, plan.
 
+use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::Step;
 use crate::tree::Tree;
@@ -77,7 +78,7 @@ pub struct System {
     /// Ropes first, contacts after them.
     pub constraints: Vec<AnyConstraint>,
     /// How many of the constraints are ropes.
-    pub ropes: usize,
+    pub rope_count: usize,
     /// Rows of the constraints.
     pub rows: Rows,
     /// Prescribed joints.
@@ -91,6 +92,14 @@ pub struct System {
 }
 
 impl System {
+    /// The ropes, in the order of their rows: rope i is constraint i and has row i.
+    pub fn ropes(&self) -> impl Iterator<Item = &Rope> {
+        self.constraints.iter().filter_map(|constraint| match constraint {
+            AnyConstraint::Rope(rope) => Some(rope),
+            AnyConstraint::Contact(_) => None,
+        })
+    }
+
     /// Constraint that a row belongs to.
     pub fn constraint_of_row(&self, row: usize) -> &AnyConstraint {
         &self.constraints[self.rows.first.partition_point(|&first| first <= row) - 1]

@@ -6,6 +6,7 @@ use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use gantline_core::tree::bias::NewtonEuler;
 use gantline_core::tree::kinematics::Twist;
+use gantline_core::tree::tangent::{DynamicsTangent, Paired};
 use glam::DVec3;
 use proptest::prelude::*;
 use rigs::{built, moved, seeds};
@@ -44,7 +45,7 @@ proptest! {
             direction[dof] = 1.0;
             let (_, after) = moved(&system, &state, &direction, STEP);
             let (_, before) = moved(&system, &state, &direction, -STEP);
-            for row in (0..system.rows.count()).filter(|row| row % 3 == 0 || *row < system.ropes) {
+            for row in (0..system.rows.count()).filter(|row| row % 3 == 0 || *row < system.rope_count) {
                 let difference = (after.value[row] - before.value[row]) / (2.0 * STEP);
                 let exact = system.rows.rate(&frame.gradient, row, &direction);
                 prop_assert!((difference - exact).abs() < CLOSE, "row {row} dof {dof}: {difference} {exact}");
@@ -55,8 +56,8 @@ proptest! {
     #[test]
     fn tangential_rows_measure_the_velocity_along_the_plane(seeds in seeds()) {
         let (system, state, frame) = built(&seeds);
-        let first = system.rows.first[system.ropes];
-        let gantline_core::constraint::AnyConstraint::Contact(contact) = &system.constraints[system.ropes] else {
+        let first = system.rows.first[system.rope_count];
+        let gantline_core::constraint::AnyConstraint::Contact(contact) = &system.constraints[system.rope_count] else {
             panic!("contacts stand after ropes")
         };
         let point = frame.kinematics.point(Some(contact.body), contact.at);
@@ -135,8 +136,9 @@ proptest! {
         frame.update(&system, &state);
         let mut columns = [DVec3::ZERO; 6];
         let tension = 7.0;
-        let factor = system.constraints[0].geometric_stiffness(&system.tree, &frame.kinematics, &[tension], 0, &mut columns);
-        let dofs = &system.constraints[0].stiffness_groups()[0];
+        let rope = system.ropes().next().unwrap();
+        let factor = rope.geometric_stiffness(&system.tree, &frame.kinematics, tension, 0, &mut columns);
+        let dofs = &system.constraints[0].curvature_groups()[0].1;
         let across: DVec3 = dofs.iter().zip(&columns).map(|(&dof, column)| *column * way[dof]).sum();
         let length = |scale: f64| moved(&system, &state, &way, scale).1.value[0];
         // d = 1e-4: rounding 1e-15/d² = 1e-7; d² times fourth derivatives, of order 1 for ℓ > 1.
@@ -160,4 +162,98 @@ fn steiner_term_of_a_rod_swung_about_its_end() {
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     assert!((frame.mass.diagonal(0) - mass * length * length / 3.0).abs() < 1e-12);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    /// ∂G/∂q of ropes and contacts against central differences of the gradient.
+    #[test]
+    fn curvature_equals_differences_of_the_gradient(seeds in seeds()) {
+        let (system, state, frame) = built(&seeds);
+        for (index, constraint) in system.constraints.iter().enumerate() {
+            let mut sums = vec![vec![0.0; system.tree.velocities]; system.rows.dofs.len()];
+            for (group, (row, dofs)) in constraint.curvature_groups().into_iter().enumerate() {
+                let mut block = vec![0.0; dofs.len() * dofs.len()];
+                constraint.curvature(&system.tree, &frame.kinematics, group, &mut block);
+                let row = system.rows.first[index] + row;
+                let range = system.rows.start[row]..system.rows.start[row + 1];
+                for (j, &dof) in dofs.iter().enumerate() {
+                    let entry = range.start + system.rows.dofs[range.clone()].iter().position(|&d| d == dof).unwrap();
+                    for (k, &other) in dofs.iter().enumerate() {
+                        sums[entry][other] += block[j * dofs.len() + k];
+                    }
+                }
+            }
+            let range = system.rows.start[system.rows.first[index]]..system.rows.start[system.rows.first[index + 1]];
+            // Differences of n·J: short parts bend strongly (1/ℓ), so only parts of at least 0.5 m are compared.
+            if let gantline_core::constraint::AnyConstraint::Rope(rope) = constraint
+                && rope.straights(&frame.kinematics).any(|part| part.length < 0.5)
+            {
+                continue;
+            }
+            for dof in 0..system.tree.velocities {
+                let mut direction = vec![0.0; system.tree.velocities];
+                direction[dof] = 1.0;
+                let (_, after) = moved(&system, &state, &direction, STEP);
+                let (_, before) = moved(&system, &state, &direction, -STEP);
+                for entry in range.clone() {
+                    let difference = (after.gradient[entry] - before.gradient[entry]) / (2.0 * STEP);
+                    prop_assert!((difference - sums[entry][dof]).abs() < 1e-6, "entry {entry} dof {dof}: {difference} {}", sums[entry][dof]);
+                }
+            }
+        }
+    }
+}
+
+fn inverse_dynamics(system: &System, frame: &Frame, v: &[f64], rate: &[f64]) -> (NewtonEuler, Vec<f64>) {
+    let mut dynamics = NewtonEuler::new(&system.tree);
+    let mut out = vec![0.0; v.len()];
+    dynamics.update(&system.tree, &frame.kinematics, v, Some(rate), None, &mut out);
+    (dynamics, out)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    /// ∂τ/∂q and ∂τ/∂v against central differences, on trees with every joint type.
+    #[test]
+    fn tangent_of_inverse_dynamics_equals_differences(seeds in seeds()) {
+        let (system, state, frame) = built(&seeds);
+        let size = system.tree.velocities;
+        let rate: Vec<f64> = (0..size).map(|k| seeds[(7 * k + 3) % seeds.len()]).collect();
+        let (dynamics, value) = inverse_dynamics(&system, &frame, &state.v, &rate);
+        let mut tangent = DynamicsTangent::new(&system.tree, &frame.mass);
+        tangent.update(&system.tree, &frame.kinematics, &frame.mass, &dynamics, &state.v);
+        let scale = value.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
+        let entry = |paired: &Paired, row: usize, column: usize| {
+            let (low, high) = (row.min(column), row.max(column));
+            let slot = frame.mass.slot(high, low);
+            let related = frame.mass.columns[frame.mass.row_start[high]..frame.mass.row_start[high + 1]].contains(&low);
+            match (related, row >= column) {
+                (false, _) => 0.0,
+                (true, true) => paired.lower[slot],
+                (true, false) => paired.upper[slot],
+            }
+        };
+        for column in 0..size {
+            let mut direction = vec![0.0; size];
+            direction[column] = 1.0;
+            let at = |scale: f64| inverse_dynamics(&system, &moved(&system, &state, &direction, scale).1, &state.v, &rate).1;
+            let (after, before) = (at(STEP), at(-STEP));
+            let with = |scale: f64| {
+                let v: Vec<f64> = state.v.iter().zip(&direction).map(|(v, d)| v + scale * d).collect();
+                inverse_dynamics(&system, &frame, &v, &rate).1
+            };
+            let (faster, slower) = (with(STEP), with(-STEP));
+            for row in 0..size {
+                let difference = (after[row] - before[row]) / (2.0 * STEP);
+                let exact = entry(&tangent.position, row, column);
+                prop_assert!((difference - exact).abs() < 1e-7 * scale, "q: row {row} column {column}: {difference} {exact}");
+                let difference = (faster[row] - slower[row]) / (2.0 * STEP);
+                let exact = entry(&tangent.velocity, row, column);
+                prop_assert!((difference - exact).abs() < 1e-7 * scale, "v: row {row} column {column}: {difference} {exact}");
+            }
+        }
+    }
 }

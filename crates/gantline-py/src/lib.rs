@@ -44,20 +44,24 @@ impl Simulation {
     /// Runs until `until` [s], or to the end; tells `on_progress` the time, which stops the run by False.
     #[pyo3(signature = (on_progress=None, until=None))]
     fn run<'py>(
-        &mut self,
-        py: Python<'py>,
-        on_progress: Option<Py<PyAny>>,
+        slf: &Bound<'py, Self>,
+        on_progress: Option<Bound<'py, PyAny>>,
         until: Option<f64>,
     ) -> PyResult<Bound<'py, PyDict>> {
+        let py = slf.py();
         let until = until.unwrap_or(f64::INFINITY);
         let status = PyDict::new(py);
         loop {
-            let inner = &mut self.inner;
-            let pause = py.detach(|| run_for_a_while(inner, until));
+            let (pause, time) = {
+                let mut borrowed = slf.borrow_mut();
+                let inner = &mut borrowed.inner;
+                (py.detach(|| run_for_a_while(inner, until)), inner.time())
+            };
+            // Not borrowed here: the callback may ask for the step under way, or for the columns so far.
             let goes_on = match &on_progress {
                 Some(callback) => {
-                    let answer = callback.call1(py, (self.inner.time(),))?;
-                    answer.is_none(py) || answer.is_truthy(py)?
+                    let answer = callback.call1((time,))?;
+                    answer.is_none() || answer.is_truthy()?
                 }
                 None => true,
             };
@@ -75,7 +79,7 @@ impl Simulation {
                     status.set_item("cause", error.cause)?;
                 }
             }
-            status.set_item("time", self.inner.time())?;
+            status.set_item("time", time)?;
             return Ok(status);
         }
     }

@@ -1,8 +1,8 @@
 //! A point of a body against a plane: one normal row and two tangential rows.
 //!
 //! Normal: e = depth, T = N = max(0, k (e + τ ė)), the law of ropes. Tangential: a spring of the same
-//! stiffness between the point and an anchor on the plane (Cundall and Strack 1979), e = s, the
-//! deflection, which the state remembers. While |T| ≤ μN it sticks: no creep, and corners that are
+//! stiffness between the point and an anchor on the plane (Cundall and Strack 1979), e = s, the distance
+//! along the tangent from the anchor, whose coordinate the state remembers. While |T| ≤ μN it sticks: no creep, and corners that are
 //! redundant share by their stiffness. Where the bound is reached the anchor slides along so that it holds.
 
 use glam::DVec3;
@@ -54,6 +54,9 @@ impl Constraint for Contact {
     fn evaluate(&self, tree: &Tree, kinematics: &Kinematics, value: &mut [f64], gradient: &mut [f64]) {
         let point = kinematics.point(Some(self.body), self.at);
         value[0] = self.plane.depth(point);
+        for (k, tangent) in self.plane.tangents.iter().enumerate() {
+            value[1 + k] = tangent.dot(point) - value[1 + k];
+        }
         let count = self.dofs.len();
         for (entry, &dof) in self.dofs.iter().enumerate() {
             let column = kinematics.point_column(tree, dof, point);
@@ -63,18 +66,17 @@ impl Constraint for Contact {
         }
     }
 
-    fn stiffness_groups(&self) -> Vec<Vec<usize>> {
-        Vec::new()
+    fn curvature_groups(&self) -> Vec<(usize, Vec<usize>)> {
+        (0..3).map(|row| (row, self.dofs.clone())).collect()
     }
 
-    fn geometric_stiffness(
-        &self,
-        _tree: &Tree,
-        _kinematics: &Kinematics,
-        _tension: &[f64],
-        _group: usize,
-        _columns: &mut [DVec3],
-    ) -> f64 {
-        0.0
+    /// The plane is flat: only the point's own path is curved.
+    fn curvature(&self, tree: &Tree, kinematics: &Kinematics, group: usize, block: &mut [f64]) {
+        let point = kinematics.point(Some(self.body), self.at);
+        let direction = [-self.plane.normal, self.plane.tangents[0], self.plane.tangents[1]][group];
+        let pairs = self.dofs.iter().flat_map(|&row| self.dofs.iter().map(move |&dof| (row, dof)));
+        for (value, (row, dof)) in block.iter_mut().zip(pairs) {
+            *value = direction.dot(kinematics.point_column_change(tree, row, dof, point));
+        }
     }
 }

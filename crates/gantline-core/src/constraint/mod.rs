@@ -6,8 +6,6 @@
 pub mod contact;
 pub mod rope;
 
-use glam::DVec3;
-
 use crate::tree::Tree;
 use crate::tree::kinematics::Kinematics;
 use contact::Contact;
@@ -64,24 +62,16 @@ pub trait Constraint {
     fn laws(&self, first_row: usize) -> Vec<Law>;
 
     /// Values g and gradients ∂g/∂q of all rows, in the order of [`Constraint::row_dofs`]. `value` comes in
-    /// with what the state remembers of the row (the deflection of a sticking contact) and is left where
-    /// geometry does not determine it.
+    /// with what the state remembers of the row (where the anchor of a sticking contact is).
     fn evaluate(&self, tree: &Tree, kinematics: &Kinematics, value: &mut [f64], gradient: &mut [f64]);
 
-    /// Groups of degrees of freedom that geometric stiffness couples.
-    fn stiffness_groups(&self) -> Vec<Vec<usize>>;
+    /// Groups of degrees of freedom whose motion turns the gradient, each with the row (0 is the first of
+    /// this constraint) that it belongs to.
+    fn curvature_groups(&self) -> Vec<(usize, Vec<usize>)>;
 
-    /// Geometric stiffness of one group under the forces `tension` of the rows: fills `columns` with one
-    /// vector c per degree of freedom of the group and returns the factor f of K = f Σ cᵢ·cⱼ, which is
-    /// positive semidefinite by construction.
-    fn geometric_stiffness(
-        &self,
-        tree: &Tree,
-        kinematics: &Kinematics,
-        tension: &[f64],
-        group: usize,
-        columns: &mut [DVec3],
-    ) -> f64;
+    /// Derivative of the gradient within one group, ∂G_j/∂q_k at `block[j · size + k]`, for increments as
+    /// in [`Tree::advance`]. Its product with T is the exact geometric stiffness, with v the part of ∂ė/∂q.
+    fn curvature(&self, tree: &Tree, kinematics: &Kinematics, group: usize, block: &mut [f64]);
 }
 
 /// Any constraint.

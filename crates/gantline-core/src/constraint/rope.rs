@@ -69,6 +69,30 @@ impl Rope {
     pub fn straights<'a>(&'a self, kinematics: &'a Kinematics) -> impl Iterator<Item = Straight> + 'a {
         self.route.parts.iter().map(move |part| part.locate(kinematics))
     }
+
+    /// The part of the geometric stiffness of one straight part that is positive semidefinite by construction:
+    /// fills `columns` with the transversal relative velocity c per degree of freedom of the group and returns
+    /// the factor f of K = f Σ cᵢ·cⱼ, f = T/ℓ [N/m].
+    pub fn geometric_stiffness(
+        &self,
+        tree: &Tree,
+        kinematics: &Kinematics,
+        tension: f64,
+        group: usize,
+        columns: &mut [DVec3],
+    ) -> f64 {
+        let straight = self.route.parts[group].locate(kinematics);
+        let part = &self.part_dofs[group];
+        let across = |vector: DVec3| vector - straight.direction * straight.direction.dot(vector);
+        let (from, to) = columns.split_at_mut(part.from.len());
+        for (column, &(dof, _)) in from.iter_mut().zip(&part.from) {
+            *column = -across(kinematics.point_column(tree, dof, straight.from));
+        }
+        for (column, &(dof, _)) in to.iter_mut().zip(&part.to) {
+            *column = across(kinematics.point_column(tree, dof, straight.to));
+        }
+        if straight.length > 0.0 { tension / straight.length } else { 0.0 }
+    }
 }
 
 impl Constraint for Rope {
@@ -100,29 +124,35 @@ impl Constraint for Rope {
         value[0] = length - self.length;
     }
 
-    fn stiffness_groups(&self) -> Vec<Vec<usize>> {
+    fn curvature_groups(&self) -> Vec<(usize, Vec<usize>)> {
         let dofs = |list: &[(usize, usize)]| list.iter().map(|&(dof, _)| dof).collect::<Vec<_>>();
-        self.part_dofs.iter().map(|part| [dofs(&part.from), dofs(&part.to)].concat()).collect()
+        self.part_dofs.iter().map(|part| (0, [dofs(&part.from), dofs(&part.to)].concat())).collect()
     }
 
-    fn geometric_stiffness(
-        &self,
-        tree: &Tree,
-        kinematics: &Kinematics,
-        tension: &[f64],
-        group: usize,
-        columns: &mut [DVec3],
-    ) -> f64 {
+    /// ∂G_j/∂q_k = c_j·c_k/ℓ + n·(∂J_j/∂q_k of the end − of the start): the part turns, and its ends move on
+    /// curves.
+    fn curvature(&self, tree: &Tree, kinematics: &Kinematics, group: usize, block: &mut [f64]) {
         let straight = self.route.parts[group].locate(kinematics);
-        let part = &self.part_dofs[group];
+        let PartDofs { from, to } = &self.part_dofs[group];
+        let size = from.len() + to.len();
+        let inverse = if straight.length > 0.0 { 1.0 / straight.length } else { 0.0 };
+        let ends = |index: usize| match index.checked_sub(from.len()) {
+            None => (from[index].0, straight.from, -1.0),
+            Some(index) => (to[index].0, straight.to, 1.0),
+        };
         let across = |vector: DVec3| vector - straight.direction * straight.direction.dot(vector);
-        let (from, to) = columns.split_at_mut(part.from.len());
-        for (column, &(dof, _)) in from.iter_mut().zip(&part.from) {
-            *column = -across(kinematics.point_column(tree, dof, straight.from));
+        for j in 0..size {
+            let (row, point, sign) = ends(j);
+            let turned = across(kinematics.point_column(tree, row, point)) * (sign * inverse);
+            for k in 0..size {
+                let (dof, other, other_sign) = ends(k);
+                let mut value = other_sign * turned.dot(kinematics.point_column(tree, dof, other));
+                if (j < from.len()) == (k < from.len()) {
+                    let bent = kinematics.point_column_change(tree, row, dof, point);
+                    value += sign * straight.direction.dot(bent);
+                }
+                block[j * size + k] = value;
+            }
         }
-        for (column, &(dof, _)) in to.iter_mut().zip(&part.to) {
-            *column = across(kinematics.point_column(tree, dof, straight.to));
-        }
-        if straight.length > 0.0 { tension[0] / straight.length } else { 0.0 }
     }
 }

@@ -88,6 +88,27 @@ impl Timeline {
         }
     }
 
+    /// Acceleration at `time` [s] and its derivative, of the piece of motion that is under way at `from`: at the
+    /// end of a ramp the value before it and not after it.
+    pub fn acceleration(&self, from: f64, time: f64) -> (f64, f64) {
+        let next = self.ramps.partition_point(|ramp| ramp.at <= from);
+        let under_way = next.checked_sub(1).map(|last| &self.ramps[last]);
+        let Some(ramp) = under_way.filter(|ramp| from - ramp.at < ramp.duration) else { return (0.0, 0.0) };
+        let (s, slope) = ((time - ramp.at) / ramp.duration, (ramp.to - ramp.from) / ramp.duration);
+        match ramp.shape {
+            RampShape::Linear => (slope, 0.0),
+            RampShape::Smooth => {
+                (slope * 6.0 * s * (1.0 - s), slope * 6.0 * (1.0 - 2.0 * s) / ramp.duration)
+            }
+        }
+    }
+
+    /// The next time after `time` [s] at which a ramp starts or ends.
+    pub fn next_break(&self, time: f64) -> f64 {
+        let breaks = self.ramps.iter().flat_map(|ramp| [ramp.at, ramp.at + ramp.duration]);
+        breaks.filter(|&at| at > time).fold(f64::INFINITY, f64::min)
+    }
+
     /// From `at` [s] on, within `duration` [s], the velocity goes to `velocity`. Later ramps are dropped.
     /// Returns the end of the ramp [s].
     pub fn ramp(&mut self, at: f64, duration: f64, velocity: f64, shape: RampShape) -> f64 {

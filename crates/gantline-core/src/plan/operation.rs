@@ -115,6 +115,24 @@ impl PlanState {
         }
     }
 
+    /// The next time after `time` [s] at which something is due that is known now: the start or end of a step,
+    /// of a ramp.
+    pub fn next_time(&self, plan: &[Step], time: f64) -> f64 {
+        let due = match (self.phase, plan.get(self.step)) {
+            (Phase::Waiting(ready), Some(step)) => ready.max(step.start_at.unwrap_or(ready)),
+            (Phase::UntilTime(end), Some(_)) => end,
+            _ => f64::INFINITY,
+        };
+        let due = if due > time { due } else { f64::INFINITY };
+        self.timelines.iter().map(|timeline| timeline.next_break(time)).fold(due, f64::min)
+    }
+
+    /// True where the step under way waits for a condition and `support`, the normal force of each contact group
+    /// [N], fulfils it.
+    pub fn is_fulfilled(&self, plan: &[Step], support: &[f64]) -> bool {
+        self.phase == Phase::UntilCondition && plan.get(self.step).is_some_and(|step| holds(&step.until, support))
+    }
+
     /// Name of the step that has begun and not ended, if any.
     pub fn current<'a>(&self, plan: &'a [Step]) -> Option<&'a str> {
         match self.phase {

@@ -7,7 +7,7 @@
 //! reached; then their force is μN against the slip, found by fixed point.
 
 use super::kkt::Kkt;
-use super::ldl::ZeroPivot;
+use super::symbolic::ZeroPivot;
 use crate::constraint::Law;
 use crate::system::System;
 use serde::{Deserialize, Serialize};

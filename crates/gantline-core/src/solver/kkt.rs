@@ -8,20 +8,17 @@
 //! with the driven degrees of freedom moved to the right side. The pattern is found once; a row that does
 //! not act is an identity row, so the pattern stays while ropes go slack and contacts open.
 
-use super::ldl::{Ldl, ZeroPivot};
-use super::order::{Node, NodeKind, elimination_order};
+use super::layout::{Layout, NONE};
+use super::ldl::Ldl;
 use super::stiffness::Stiffness;
+use super::symbolic::ZeroPivot;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
-
-/// Entries that touch a driven degree of freedom have no place in the matrix.
-const NONE: usize = usize::MAX;
 
 /// The matrix, its pattern and its factors.
 #[derive(Debug, Clone)]
 pub struct Kkt {
-    /// Degrees of freedom that are unknown.
-    free: Vec<usize>,
+    layout: Layout,
     /// Geometric stiffness of the step.
     pub stiffness: Stiffness,
     ldl: Ldl,
@@ -38,30 +35,44 @@ pub struct Kkt {
 impl Kkt {
     /// Pattern and elimination order for `system`.
     pub fn new(system: &System) -> Self {
-        let free: Vec<usize> =
-            (0..system.tree.velocities).filter(|&dof| system.driven[dof].is_none()).collect();
-        let mut unknown = vec![NONE; system.tree.velocities];
-        for (index, &dof) in free.iter().enumerate() {
-            unknown[dof] = index;
-        }
-        let mass = MassMatrix::new(&system.tree);
+        let layout = Layout::new(system);
         let stiffness = Stiffness::new(system);
-        let pairs = Pairs::new(system, &mass, &stiffness, &unknown, free.len());
-        let order = unknown_order(system, &unknown, free.len(), &pairs);
-        let ldl = Ldl::new(order, pairs.all());
-        let slot = |&(a, b): &(usize, usize)| {
-            if a == NONE || b == NONE { NONE } else { ldl.slot(a, b).unwrap_or(NONE) }
+        let ldl = Ldl::new(layout.symbolic.clone());
+        let slot = |a: usize, b: usize| {
+            if a == NONE || b == NONE {
+                return NONE;
+            }
+            layout.symbolic.slot(a, b).map_or(NONE, |(slot, _)| slot)
         };
-        let size = ldl.size();
+        let unknown = |dof: usize| layout.unknown[dof];
+        let mass = MassMatrix::new(&system.tree);
+        let mut mass_slots = Vec::with_capacity(mass.values.len());
+        for dof in 0..system.tree.velocities {
+            let columns = &mass.columns[mass.row_start[dof]..mass.row_start[dof + 1]];
+            mass_slots.extend(columns.iter().map(|&other| slot(unknown(dof), unknown(other))));
+        }
+        let mut row_slots = Vec::with_capacity(system.rows.dofs.len());
+        for row in 0..system.rows.count() {
+            let dofs = &system.rows.dofs[system.rows.start[row]..system.rows.start[row + 1]];
+            row_slots.extend(dofs.iter().map(|&dof| slot(layout.row(row), unknown(dof))));
+        }
+        let mut stiffness_slots = Vec::new();
+        for window in stiffness.start.windows(2) {
+            let dofs = &stiffness.dofs[window[0]..window[1]];
+            for (i, &a) in dofs.iter().enumerate() {
+                stiffness_slots.extend(dofs[..=i].iter().map(|&b| slot(unknown(a), unknown(b))));
+            }
+        }
+        let size = ldl.pattern().size();
         Self {
-            mass_slots: pairs.mass.iter().map(slot).collect(),
-            row_slots: pairs.rows.iter().map(slot).collect(),
-            stiffness_slots: pairs.stiffness.iter().map(slot).collect(),
-            diagonal_slots: (0..size).map(|index| slot(&(index, index))).collect(),
-            base: vec![0.0; ldl.clone().values_mut().len()],
+            diagonal_slots: (0..size).map(|index| slot(index, index)).collect(),
+            mass_slots,
+            row_slots,
+            stiffness_slots,
+            base: vec![0.0; ldl.pattern().rows.len()],
             right: vec![0.0; size],
             solution: vec![0.0; size],
-            free,
+            layout,
             stiffness,
             ldl,
         }
@@ -69,7 +80,7 @@ impl Kkt {
 
     /// Entries of L, a measure of cost.
     pub fn fill(&self) -> usize {
-        self.ldl.fill()
+        self.ldl.pattern().l_rows.len()
     }
 
     /// Sets the matrix of a step of length `h` with all rows acting.
@@ -92,11 +103,11 @@ impl Kkt {
                 }
             }
         }
-        for (index, &dof) in self.free.iter().enumerate() {
+        for (index, &dof) in self.layout.free.iter().enumerate() {
             self.base[self.diagonal_slots[index]] += h * system.tree.damping[dof];
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
-            let diagonal = self.diagonal_slots[self.free.len() + row];
+            let diagonal = self.diagonal_slots[self.layout.row(row)];
             self.base[diagonal] = -law.compliance() / (h * (h + law.damping_time()));
         }
     }
@@ -114,7 +125,7 @@ impl Kkt {
                     values[slot] = 0.0;
                 }
             }
-            values[self.diagonal_slots[self.free.len() + row]] = -1.0;
+            values[self.diagonal_slots[self.layout.row(row)]] = -1.0;
         }
         self.ldl.factorise()
     }
@@ -122,23 +133,20 @@ impl Kkt {
     /// Solves for velocities and impulses. `force` is the right side of every degree of freedom with the
     /// driven columns already moved there; `rows` that of every row. Driven entries of `v` stay.
     pub fn solve(&mut self, force: &[f64], rows: &[f64], v: &mut [f64], impulse: &mut [f64]) {
-        for (index, &dof) in self.free.iter().enumerate() {
+        for (index, &dof) in self.layout.free.iter().enumerate() {
             self.right[index] = force[dof];
         }
-        self.right[self.free.len()..].copy_from_slice(rows);
+        self.right[self.layout.free.len()..].copy_from_slice(rows);
         self.ldl.solve(&self.right, &mut self.solution);
-        for (index, &dof) in self.free.iter().enumerate() {
+        for (index, &dof) in self.layout.free.iter().enumerate() {
             v[dof] = self.solution[index];
         }
-        impulse.copy_from_slice(&self.solution[self.free.len()..]);
+        impulse.copy_from_slice(&self.solution[self.layout.free.len()..]);
     }
 
     /// Name of the body or constraint that an unknown belongs to.
     pub fn element<'a>(&self, system: &'a System, unknown: usize) -> &'a str {
-        match unknown.checked_sub(self.free.len()) {
-            Some(row) => system.constraint_of_row(row).name(),
-            None => &system.tree.bodies[system.tree.owner[self.free[unknown]]].name,
-        }
+        self.layout.element(system, unknown)
     }
 }
 
@@ -148,78 +156,4 @@ fn add(base: &mut [f64], slots: &[usize], values: impl Iterator<Item = f64>) {
             base[slot] += value;
         }
     }
-}
-
-/// Pairs of unknowns that couple, in the order in which their values come.
-struct Pairs {
-    mass: Vec<(usize, usize)>,
-    rows: Vec<(usize, usize)>,
-    stiffness: Vec<(usize, usize)>,
-}
-
-impl Pairs {
-    fn new(
-        system: &System,
-        mass: &MassMatrix,
-        stiffness: &Stiffness,
-        unknown: &[usize],
-        free: usize,
-    ) -> Self {
-        let mass = (0..system.tree.velocities)
-            .flat_map(|dof| (mass.row_start[dof]..mass.row_start[dof + 1]).map(move |slot| (dof, slot)))
-            .map(|(dof, slot)| (unknown[dof], unknown[mass.columns[slot]]))
-            .collect();
-        let rows = (0..system.rows.count())
-            .flat_map(|row| (system.rows.start[row]..system.rows.start[row + 1]).map(move |e| (row, e)))
-            .map(|(row, entry)| (free + row, unknown[system.rows.dofs[entry]]))
-            .collect();
-        let mut pairs = Vec::new();
-        for window in stiffness.start.windows(2) {
-            let dofs = &stiffness.dofs[window[0]..window[1]];
-            for (i, &a) in dofs.iter().enumerate() {
-                pairs.extend(dofs[..=i].iter().map(|&b| (unknown[a], unknown[b])));
-            }
-        }
-        Self { mass, rows, stiffness: pairs }
-    }
-
-    fn all(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let pairs = self.mass.iter().chain(&self.rows).chain(&self.stiffness);
-        pairs.copied().filter(|&(a, b)| a != NONE && b != NONE)
-    }
-}
-
-/// Elimination order of the unknowns: joints and rows as blocks.
-fn unknown_order(system: &System, unknown: &[usize], free: usize, pairs: &Pairs) -> Vec<usize> {
-    let tree = &system.tree;
-    let mut node_of_body = vec![NONE; tree.bodies.len()];
-    let mut nodes: Vec<Node> = Vec::new();
-    let mut members: Vec<Vec<usize>> = Vec::new();
-    for (index, body) in tree.bodies.iter().enumerate() {
-        let own = body.first_velocity..body.first_velocity + body.joint.velocities();
-        let unknowns: Vec<usize> = own.map(|dof| unknown[dof]).filter(|&unknown| unknown != NONE).collect();
-        let above = body.parent.map(|parent| node_of_body[parent]).filter(|&node| node != NONE);
-        if unknowns.is_empty() {
-            node_of_body[index] = above.unwrap_or(NONE);
-            continue;
-        }
-        node_of_body[index] = nodes.len();
-        nodes.push(Node { size: unknowns.len(), kind: NodeKind::Joint { above } });
-        members.push(unknowns);
-    }
-    for (row, law) in system.rows.laws.iter().enumerate() {
-        nodes.push(Node { size: 1, kind: NodeKind::Row { compliant: law.compliance() > 0.0 } });
-        members.push(vec![free + row]);
-    }
-    let mut node_of_unknown = vec![0; free + system.rows.count()];
-    for (node, unknowns) in members.iter().enumerate() {
-        for &unknown in unknowns {
-            node_of_unknown[unknown] = node;
-        }
-    }
-    let mut edges: Vec<(usize, usize)> =
-        pairs.all().map(|(a, b)| (node_of_unknown[a], node_of_unknown[b])).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    elimination_order(&nodes, &edges).into_iter().flat_map(|node| members[node].clone()).collect()
 }

@@ -2,6 +2,9 @@
 
 pub mod complementarity;
 pub mod kkt;
+pub mod layout;
 pub mod ldl;
+pub mod ldu;
 pub mod order;
 pub mod stiffness;
+pub mod symbolic;

@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use crate::constraint::Constraint;
 use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::System;
@@ -15,8 +16,6 @@ pub const EXPLICIT: f64 = 0.25;
 /// Groups of degrees of freedom with one vector each.
 #[derive(Debug, Clone)]
 pub struct Stiffness {
-    /// (constraint, group of the constraint) of every group.
-    source: Vec<(usize, usize)>,
     /// Start of every group in `dofs` and `columns`.
     pub start: Vec<usize>,
     /// Degrees of freedom.
@@ -34,16 +33,15 @@ pub struct Stiffness {
 impl Stiffness {
     /// Groups of all constraints of `system`.
     pub fn new(system: &System) -> Self {
-        let (mut source, mut start, mut dofs) = (Vec::new(), vec![0], Vec::new());
-        for (index, constraint) in system.constraints.iter().enumerate() {
-            for (group, members) in constraint.stiffness_groups().into_iter().enumerate() {
-                source.push((index, group));
+        let (mut start, mut dofs) = (vec![0], Vec::new());
+        for rope in system.ropes() {
+            for (_, members) in rope.curvature_groups() {
                 dofs.extend(members);
                 start.push(dofs.len());
             }
         }
-        let (columns, zeros) = (vec![DVec3::ZERO; dofs.len()], vec![0.0; source.len()]);
-        Self { source, start, dofs, columns, factor: zeros.clone(), implicit: zeros, explicit: 0.0 }
+        let (columns, zeros) = (vec![DVec3::ZERO; dofs.len()], vec![0.0; start.len() - 1]);
+        Self { start, dofs, columns, factor: zeros.clone(), implicit: zeros, explicit: 0.0 }
     }
 
     /// K under the tensions of the last step, and the weights of a step of length `h` [s].
@@ -54,25 +52,25 @@ impl Stiffness {
     /// weights are 0 and K only serves the books.
     pub fn update(&mut self, system: &System, state: &State, frame: &Frame, h: f64, used: bool) {
         self.explicit = if used { EXPLICIT } else { 0.0 };
-        for (group, &(constraint, part)) in self.source.iter().enumerate() {
-            let range = self.start[group]..self.start[group + 1];
-            let rows = system.rows.first[constraint]..system.rows.first[constraint + 1];
-            let factor = system.constraints[constraint].geometric_stiffness(
-                &system.tree,
-                &frame.kinematics,
-                &state.tension[rows],
-                part,
-                &mut self.columns[range.clone()],
-            );
-            self.factor[group] = factor;
-            let mobility: f64 = self.dofs[range.clone()]
-                .iter()
-                .zip(&self.columns[range])
-                .filter(|&(&dof, _)| system.driven[dof].is_none())
-                .map(|(&dof, column)| column.length_squared() / system.tree.inertia_scale[dof])
-                .sum();
-            let a = h * h * factor * mobility;
-            self.implicit[group] = if used { EXPLICIT + 0.75 * a / (1.0 + a) } else { 0.0 };
+        let mut group = 0;
+        for (index, rope) in system.ropes().enumerate() {
+            let tension = state.tension[system.rows.first[index]];
+            for part in 0..rope.route.parts.len() {
+                let range = self.start[group]..self.start[group + 1];
+                let columns = &mut self.columns[range.clone()];
+                let factor =
+                    rope.geometric_stiffness(&system.tree, &frame.kinematics, tension, part, columns);
+                self.factor[group] = factor;
+                let mobility: f64 = self.dofs[range.clone()]
+                    .iter()
+                    .zip(&self.columns[range])
+                    .filter(|&(&dof, _)| system.driven[dof].is_none())
+                    .map(|(&dof, column)| column.length_squared() / system.tree.inertia_scale[dof])
+                    .sum();
+                let a = h * h * factor * mobility;
+                self.implicit[group] = if used { EXPLICIT + 0.75 * a / (1.0 + a) } else { 0.0 };
+                group += 1;
+            }
         }
     }
 

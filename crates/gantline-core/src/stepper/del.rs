@@ -35,7 +35,7 @@ use super::frame::Frame;
 use crate::event::EventLog;
 use crate::solver::complementarity::{Complementarity, Problem};
 use crate::solver::kkt::Kkt;
-use crate::solver::ldl::ZeroPivot;
+use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::bias::NewtonEuler;

@@ -94,7 +94,7 @@ impl StepFlows<'_> {
         let after = before + self.h * rate;
         let spring = if is_friction(law) { after } else { after.max(0.0) } / compliance;
         let damper = flow - self.h * spring * rate;
-        if row < system.rows.first[system.ropes] {
+        if row < system.rows.first[system.rope_count] {
             state.ledger.rope_damping += damper;
         } else {
             state.ledger.contact_damping += damper;
@@ -112,7 +112,7 @@ impl StepFlows<'_> {
 
     /// Logs what changed in the step. A time within it is found by letting the law's value run linearly.
     pub fn events(&self, system: &System, state: &State, log: &mut EventLog) {
-        for row in 0..system.rows.first[system.ropes] {
+        for row in 0..system.rows.first[system.rope_count] {
             let (old, new) = (state.modes[row] != Mode::Slack, self.rows.modes[row] != Mode::Slack);
             if old != new {
                 let kind = if new { EventKind::Taut } else { EventKind::Slack };
@@ -133,13 +133,13 @@ impl StepFlows<'_> {
                 log.push(time, EventKind::SetDown, index);
             }
         }
-        for (index, first) in system.rows.first[system.ropes..].windows(2).enumerate() {
+        for (index, first) in system.rows.first[system.rope_count..].windows(2).enumerate() {
             let row = first[0] + 1;
             let (old, new) = (state.modes[row], self.rows.modes[row]);
             if old == Mode::Acting && new == Mode::Slipping {
-                log.push(state.time, EventKind::Slip, system.ropes + index);
+                log.push(state.time, EventKind::Slip, system.rope_count + index);
             } else if old == Mode::Slipping && new == Mode::Acting {
-                log.push(state.time, EventKind::Stick, system.ropes + index);
+                log.push(state.time, EventKind::Stick, system.rope_count + index);
             }
         }
     }
@@ -150,16 +150,14 @@ impl StepFlows<'_> {
         state.time + share * self.h
     }
 
-    /// Moves forces, modes and the deflections of friction rows into the state.
+    /// Moves forces, modes and the anchors of friction rows into the state. An anchor that slips follows so
+    /// that the deflection after the step carries the force; one that sticks stays.
     pub fn remember(&self, system: &System, state: &mut State, frame: &Frame) {
         for (row, law) in system.rows.laws.iter().enumerate() {
-            if is_friction(law) {
-                state.memory[row] = match self.rows.modes[row] {
-                    Mode::Acting => {
-                        frame.value[row] + self.h * system.rows.rate(&frame.gradient, row, self.v)
-                    }
-                    Mode::Slipping | Mode::Slack => self.rows.tension[row] * law.compliance(),
-                };
+            if is_friction(law) && self.rows.modes[row] != Mode::Acting {
+                let travel = self.h * system.rows.rate(&frame.gradient, row, self.v);
+                let deflection = self.rows.tension[row] * law.compliance();
+                state.memory[row] += frame.value[row] + travel - deflection;
             }
         }
         state.tension.copy_from_slice(&self.rows.tension);

@@ -31,9 +31,14 @@ impl Frame {
 
     /// Evaluates everything at the configuration of `state`.
     pub fn update(&mut self, system: &System, state: &State) {
-        self.kinematics.update(&system.tree, &state.q);
+        self.update_rows(system, &state.q, &state.memory);
         self.mass.update(&system.tree, &self.kinematics);
-        self.value.copy_from_slice(&state.memory);
+    }
+
+    /// Evaluates poses and rows, not the mass matrix, at the configuration `q`.
+    pub fn update_rows(&mut self, system: &System, q: &[f64], memory: &[f64]) {
+        self.kinematics.update(&system.tree, q);
+        self.value.copy_from_slice(memory);
         let rows = &system.rows;
         for (constraint, first) in system.constraints.iter().zip(rows.first.windows(2)) {
             let entries = rows.start[first[0]]..rows.start[first[1]];

@@ -26,8 +26,10 @@ pub struct Wrench {
 /// Inverse dynamics. Reused from step to step.
 #[derive(Debug, Clone)]
 pub struct NewtonEuler {
-    twists: Vec<Twist>,
-    accelerations: Vec<Twist>,
+    /// Velocities of all bodies at the last update.
+    pub twists: Vec<Twist>,
+    /// Accelerations of all bodies at the last update.
+    pub accelerations: Vec<Twist>,
     /// After [`NewtonEuler::update`]: what the joint of every body has to transmit to it.
     pub wrenches: Vec<Wrench>,
 }
@@ -41,11 +43,6 @@ impl NewtonEuler {
             accelerations: vec![Twist::default(); bodies],
             wrenches: vec![Wrench::default(); bodies],
         }
-    }
-
-    /// Velocities of all bodies at the last update.
-    pub fn twists(&self) -> &[Twist] {
-        &self.twists
     }
 
     /// Generalised force M v̇ + c(q, v) − f_gravity that the motion needs; `acceleration` none is v̇ = 0.

@@ -1,5 +1,7 @@
 //! Poses and velocity columns of all bodies at a configuration.
 
+use std::cmp::Ordering;
+
 use glam::DVec3;
 
 use super::Tree;
@@ -58,6 +60,23 @@ impl Kinematics {
     pub fn point_column(&self, tree: &Tree, dof: usize, point: DVec3) -> DVec3 {
         let column = &self.columns[dof];
         column.linear + column.angular.cross(point - self.pose[tree.owner[dof]].position)
+    }
+
+    /// Change of the column of `row` at a world point [m] when `dof` moves; both move the point's body.
+    ///
+    /// A degree of freedom above the column's joint turns the column, one below it moves the point. Within a
+    /// joint the columns of rotations are fixed in the body and turn with it.
+    pub fn point_column_change(&self, tree: &Tree, row: usize, dof: usize, point: DVec3) -> DVec3 {
+        let (row_owner, dof_owner) = (tree.owner[row], tree.owner[dof]);
+        let column = &self.columns[row];
+        match dof_owner.cmp(&row_owner) {
+            Ordering::Less => self.columns[dof].angular.cross(self.point_column(tree, row, point)),
+            Ordering::Equal => {
+                let arm = point - self.pose[row_owner].position;
+                self.columns[dof].angular.cross(column.angular.cross(arm))
+            }
+            Ordering::Greater => column.angular.cross(self.point_column(tree, dof, point)),
+        }
     }
 
     /// Velocities of all bodies under the velocity coordinates `v`.

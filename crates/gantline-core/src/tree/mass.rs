@@ -87,6 +87,12 @@ impl MassMatrix {
         }
     }
 
+    /// Where the entry (row, column) is, column ≤ row, the column's joint on the way up from the row's.
+    pub fn slot(&self, row: usize, column: usize) -> usize {
+        let range = self.row_start[row]..self.row_start[row + 1];
+        range.start + self.columns[range.clone()].partition_point(|&other| other < column)
+    }
+
     /// Diagonal entry of a degree of freedom.
     pub fn diagonal(&self, dof: usize) -> f64 {
         self.values[self.row_start[dof + 1] - 1]

@@ -11,6 +11,7 @@ pub mod mass;
 pub mod point;
 pub mod pose;
 pub mod slider;
+pub mod tangent;
 
 use glam::{DMat3, DVec3};
 
@@ -55,6 +56,8 @@ pub struct Tree {
     pub owner: Vec<usize>,
     /// For every body the degrees of freedom that move it, ascending.
     pub support: Vec<Vec<usize>>,
+    /// For every body itself and the bodies that hang on it, parents first.
+    pub subtree: Vec<Vec<usize>>,
     /// Viscous damping of every degree of freedom [N s/m or N m s/rad].
     pub damping: Vec<f64>,
     /// A typical inertia of every degree of freedom [kg or kg m²], to turn errors into forces.
@@ -78,9 +81,17 @@ impl Tree {
             dofs.extend(own);
             support.push(dofs);
         }
+        let mut subtree: Vec<Vec<usize>> = vec![Vec::new(); bodies.len()];
+        for index in 0..bodies.len() {
+            let mut above = Some(index);
+            while let Some(body) = above {
+                subtree[body].push(index);
+                above = bodies[body].parent;
+            }
+        }
         let damping = vec![0.0; velocities];
         let inertia_scale = vec![1.0; velocities];
-        Self { bodies, gravity, positions, velocities, owner, support, damping, inertia_scale }
+        Self { bodies, gravity, positions, velocities, owner, support, subtree, damping, inertia_scale }
     }
 
     /// Degrees of freedom that move the point's body; none for the world.

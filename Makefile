@@ -1,0 +1,51 @@
+# gantline: `make help` lists what there is. Every target does its own set-up, in this folder, without root.
+.DEFAULT_GOAL := help
+SHELL := bash
+.SHELLFLAGS := -euo pipefail -c
+MAKEFLAGS += --no-print-directory
+
+BIN := .venv/bin
+export PYO3_PYTHON := $(CURDIR)/$(BIN)/python
+# Inside the local environment whatever the caller had active.
+export VIRTUAL_ENV := $(CURDIR)/.venv
+export PATH := $(CURDIR)/$(BIN):$(PATH)
+unexport PYTHONPATH PYTHONHOME
+
+.PHONY: help setup demo test lint bench docs lock clean
+
+help: ## list the targets
+	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
+
+setup: ## make .venv: locked packages, gantline and its compiled core
+	@tools/setup.sh
+
+demo: setup ## simulate the lift of scenarios/equalizer; table, pictures and recording in build/demo
+	@gantline run scenarios/equalizer -o build/demo
+
+test: setup lint ## all tests and lints
+	cargo test --workspace --exclude gantline-py --locked --quiet
+	pytest
+
+lint: setup ## formatting, clippy, ruff, mypy, import-linter
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
+	ruff check --quiet
+	ruff format --check --quiet
+	mypy python/gantline tests
+	lint-imports --no-cache
+
+bench: setup ## time every scenario
+	python benchmarks/speed.py
+
+docs: setup ## the documentation as web pages in build/docs
+	sphinx-build -W --keep-going -q -b html docs build/docs
+	@echo "build/docs/index.html"
+
+lock: setup ## renew requirements/*.txt from requirements/uv.in and pyproject.toml
+	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 requirements/uv.in -o requirements/uv.txt
+	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --group dev --group docs pyproject.toml -o requirements/dev.txt
+
+clean: ## remove everything that the other targets made
+	rm -rf .venv .venv-tools .setup.lock build target .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -f python/gantline/_core*.so
+	find python tests docs -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,0 +1,39 @@
+"""Sphinx configuration; `make docs` builds with warnings as errors."""
+
+import sys
+from importlib import metadata
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent / "extensions"))
+
+project = "gantline"
+author = "The gantline authors"
+project_copyright = "The gantline authors; Apache-2.0"
+release = version = metadata.version("gantline")
+
+extensions = [
+    "gantline_docs",
+    "gantline_evidence",
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
+]
+exclude_patterns = ["extensions"]
+nitpicky = False
+
+myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "fieldlist", "colon_fence"]
+myst_heading_anchors = 3
+myst_dmath_double_inline = True
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_typehints_format = "short"
+napoleon_google_docstring = True
+napoleon_numpy_docstring = False
+
+html_theme = "furo"
+html_title = f"gantline {release}"
+html_copy_source = False
+html_show_sphinx = False

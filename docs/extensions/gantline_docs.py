@@ -1,0 +1,132 @@
+"""Directives that take text from where it is kept, so it cannot go stale.
+
+`lift-keys`: all keys of a lift file as tables, made of the JSON Schema.
+`module-text`: a module's docstring as Markdown.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator
+from importlib import import_module
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
+
+from gantline.scenario import json_schema
+
+Schema = dict[str, Any]
+
+
+def written_out(schema: Any, shared: Schema) -> Any:
+    """The same schema with shared kinds of value, which are no mappings, in place of references to them."""
+    if isinstance(schema, list):
+        return [written_out(item, shared) for item in schema]
+    if not isinstance(schema, dict):
+        return schema
+    name = schema.get("$ref", "").rsplit("/", 1)[-1]
+    if name in shared:
+        return {**shared[name], **{key: value for key, value in schema.items() if key != "$ref"}}
+    return {key: written_out(value, shared) for key, value in schema.items()}
+
+
+def whole_schema() -> Schema:
+    """The schema of a lift file with references to mappings only."""
+    root = json_schema()
+    shared = {name: kind for name, kind in root["$defs"].items() if "properties" not in kind}
+    whole: Schema = written_out(root, shared)
+    return whole
+
+
+def targets(schema: Schema, path: str) -> Iterator[tuple[str, str]]:
+    """Definitions that a value may be, each with the path at which it then stands in a file."""
+    if "$ref" in schema:
+        yield schema["$ref"].rsplit("/", 1)[1], path
+    for named in schema.get("patternProperties", {}).values():
+        yield from targets(named, f"{path}.<name>")
+    if isinstance(schema.get("items"), dict):
+        yield from targets(schema["items"], f"{path}[]")
+    for kind in ("oneOf", "anyOf", "allOf"):
+        for option in schema.get(kind, []):
+            yield from targets(option, path)
+
+
+def kind_of(definition: Schema) -> str:
+    """What tells this definition from its alternatives: `type: hinge`, or its first required key."""
+    constant = definition["properties"].get("type", {}).get("const")
+    return f"type: {constant}" if constant else definition["required"][-1]
+
+
+def written(schema: Schema) -> str:
+    """How a value is written."""
+    if "const" in schema:
+        return f"`{schema['const']}`"
+    if "enum" in schema:
+        return " or ".join(f"`{value}`" for value in dict.fromkeys(str(v).lower() for v in schema["enum"]))
+    if schema.get("examples"):
+        return f"`{schema['examples'][0]}`"
+    if isinstance(schema.get("items"), dict):
+        inside = written(schema["items"]).strip("`")
+        if inside in ("", "a text or name"):
+            return "a list"
+        return f"`[{', '.join([inside] * schema.get('minItems', 1))}]`"
+    options = [written(option) for kind in ("anyOf", "oneOf") for option in schema.get(kind, [])]
+    options = [option for option in options if option and option != "`0`"]
+    if not options and "string" in schema.get("type", ""):
+        return "a text or name"
+    return " or ".join(dict.fromkeys(options))
+
+
+def sections(root: Schema) -> Iterator[str]:
+    """Markdown of every mapping that a lift file may hold, each once, in the order of a file."""
+    waiting: list[tuple[str, str, Schema]] = [("", "", root)]
+    seen: dict[str, str] = {}
+    while waiting:
+        name, path, definition = waiting.pop(0)
+        rows = []
+        found: list[tuple[str, str, Schema]] = []
+        for key, value in definition["properties"].items():
+            inside = list(targets(value, f"{path}.{key}" if path else key))
+            for target, place in inside:
+                if target not in seen:
+                    mapping = root["$defs"][target]
+                    seen[target] = f"{place} ({kind_of(mapping)})" if len(inside) > 1 else place
+                    found.append((target, seen[target], mapping))
+            see = ", ".join(f"`{seen[target]}`" for target, _ in inside)
+            how = f"see {see}" if see else written(value) or "a text or name"
+            meaning = value.get("description") or " ".join(root["$defs"][t]["description"] for t, _ in inside)
+            needed = "yes" if key in definition.get("required", []) else ""
+            rows.append(f"| `{key}` | {needed} | {how} | {meaning} |")
+        waiting = found + waiting
+        title = f"`{path}`" if name else "The file"
+        head = "| key | needed | written | meaning |\n|---|---|---|---|\n"
+        yield f"## {title}\n\n{definition.get('description', '')}\n\n{head}" + "\n".join(rows) + "\n"
+
+
+class LiftKeys(SphinxDirective):
+    """Puts the tables where the directive stands."""
+
+    def run(self) -> list[nodes.Node]:
+        """The tables."""
+        text = "\n".join(sections(whole_schema()))
+        return self.parse_text_to_nodes(text, allow_section_headings=True)
+
+
+class ModuleText(SphinxDirective):
+    """Puts the docstring of a module, which is Markdown, where the directive stands."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """The docstring without its first sentence."""
+        text = inspect.getdoc(import_module(self.arguments[0])) or ""
+        return self.parse_text_to_nodes(text.partition("\n\n")[2])
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Register the directives."""
+    app.add_directive("lift-keys", LiftKeys)
+    app.add_directive("module-text", ModuleText)
+    return {"parallel_read_safe": True}

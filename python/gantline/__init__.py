@@ -1,0 +1,53 @@
+"""Simulate heavy lifts: what every rope, sheave, lug and hook carries, and when.
+
+The names below load what they need when first used, so `import gantline` costs nothing.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from gantline.results.recording import Recording, open_recording
+    from gantline.scenario import Scenario, ScenarioError, load_scenario
+    from gantline.simulation import Simulation, SimulationError, simulate
+
+    __version__: str
+
+__all__ = [
+    "Recording",
+    "Scenario",
+    "ScenarioError",
+    "Simulation",
+    "SimulationError",
+    "__version__",
+    "load_scenario",
+    "open_recording",
+    "simulate",
+]
+
+_HOMES = {
+    "Recording": "gantline.results.recording",
+    "open_recording": "gantline.results.recording",
+    "Scenario": "gantline.scenario",
+    "ScenarioError": "gantline.scenario",
+    "load_scenario": "gantline.scenario",
+    "Simulation": "gantline.simulation",
+    "SimulationError": "gantline.simulation",
+    "simulate": "gantline.simulation",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from gantline.version import version
+
+        return version()
+    if name in _HOMES:
+        return getattr(import_module(_HOMES[name]), name)
+    raise AttributeError(f"module 'gantline' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

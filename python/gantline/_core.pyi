@@ -1,0 +1,48 @@
+"""The simulator in Rust: a document in, columns out, a few verbs."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+class Simulation:
+    """A system ready to run.
+
+    Args:
+        document: The system as JSON text.
+        settings: Integrator, duration and sampling as JSON text.
+
+    Raises:
+        ValueError: If the document or the settings are not right.
+    """
+
+    def __init__(self, document: str, settings: str) -> None: ...
+    def run(
+        self, on_progress: Callable[[float], bool] | None = None, until: float | None = None
+    ) -> dict[str, Any]:
+        """Go on to `until` [s] or to the end; the answer holds status, time, element, cause and message."""
+
+    def columns(self) -> dict[str, npt.NDArray[np.float64]]:
+        """What was recorded so far, by name."""
+
+    def names(self) -> dict[str, list[str]]:
+        """Names along the dimensions of the columns."""
+
+    def time(self) -> float:
+        """Simulated time [s]."""
+
+    def current_step(self) -> str | None:
+        """Name of the step of the plan that is under way."""
+
+    def energy_remainder(self) -> float:
+        """Largest energy remainder over all steps so far, relative to kinetic + elastic + |drive work|."""
+
+    def save(self) -> bytes:
+        """The state, exactly."""
+
+    def restore(self, state: bytes) -> None:
+        """Go on from a state that `save` gave."""
+
+    def counters(self) -> dict[str, int]:
+        """Steps, factorisations and what else was counted."""

@@ -1,0 +1,89 @@
+"""From a scenario to the system that the core simulates."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any
+
+from gantline.assembly.describe import rig, scene
+from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
+from gantline.assembly.operations import operations
+from gantline.assembly.parts import Parts
+from gantline.assembly.plain import add_mechanics
+from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
+from gantline.scenario import Scenario, resolve
+
+__all__ = ["Assembly", "assemble"]
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """A lift in words of mechanics.
+
+    Attributes:
+        document: bodies, ropes, contacts, drives and plan, as the core reads them (private, never saved).
+        settings: method, duration and sampling.
+        rig: who carries whom and what is allowed, for results and checks.
+        scene: what is needed to draw.
+    """
+
+    document: dict[str, Any]
+    settings: dict[str, Any]
+    rig: dict[str, Any]
+    scene: dict[str, Any]
+
+    def document_text(self) -> str:
+        """The document as JSON, floats exact."""
+        return json.dumps(self.document, allow_nan=False)
+
+    def settings_text(self) -> str:
+        """The settings as JSON, floats exact."""
+        return json.dumps(self.settings, allow_nan=False)
+
+
+def assemble(scenario: Scenario) -> Assembly:
+    """Build the system of a scenario.
+
+    Args:
+        scenario: as `load_scenario` gives it.
+
+    Returns:
+        The system with all that is said about it.
+
+    Raises:
+        ScenarioError: if the lift cannot be built as written (a load that would tip, a sling too short, ...).
+    """
+    rigging = resolve(scenario)
+    parts = Parts()
+    add_hooks(parts, scenario, rigging)
+    add_equalizers(parts, rigging)
+    lifted: LiftedLoad | None = None
+    weight = 0.0
+    if scenario.load is not None:
+        lifted = lifted_load(scenario.load, rigging)
+        weight = lifted.mass * scenario.simulation.gravity
+        add_load(parts, scenario, scenario.load, lifted)
+        add_slings(parts, scenario, rigging, lifted.lugs)
+    add_mechanics(parts, scenario)
+    parts.plan.extend(operations(scenario, weight))
+    return Assembly(
+        document=parts.document(scenario.simulation.gravity),
+        settings=_settings(scenario),
+        rig=rig(scenario, rigging, lifted),
+        scene=scene(scenario, rigging, lifted, parts),
+    )
+
+
+def _settings(scenario: Scenario) -> dict[str, Any]:
+    given = scenario.simulation
+    return {
+        "integrator": {
+            "type": given.integrator,
+            "step": given.step,
+            "paper": given.paper,
+            "geometric_stiffness": given.geometric_stiffness,
+        },
+        "duration": scenario.duration,
+        "sample_interval": given.sample_interval,
+    }

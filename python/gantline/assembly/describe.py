@@ -1,0 +1,212 @@
+"""What results, checks and drawings need to know of a lift: `rig` and `scene`."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.operations import moved_drives
+from gantline.assembly.parts import Json, Parts
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.gear import Shackle
+from gantline.scenario.load import PLATE_NORMALS
+from gantline.scenario.plan import Bound, HoldStep
+from gantline.scenario.rigging import SlingRigging
+
+__all__ = ["rig", "scene"]
+
+#: Joints with translations of their own: a sheave on such a body is a moving sheave.
+_MOVING = ("slider", "point", "free")
+
+
+def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> Json:
+    """Who carries whom, and what is allowed; SI."""
+    head = scenario.lift
+    return {
+        "title": head.title,
+        "number": head.number,
+        "revision": head.revision,
+        "remark": head.remark,
+        "gravity": scenario.simulation.gravity,
+        "loads": [_load(scenario, lifted)] if lifted is not None else [],
+        "hooks": [_hook(scenario, rigging, name) for name in scenario.cranes or {}],
+        "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
+        "slings": [_sling(scenario, sling) for sling in rigging.slings.values()],
+        "limits": _limits(scenario),
+        "plan": [_step(step) for step in scenario.plan],
+    }
+
+
+def _force(scenario: Scenario, mass: float | None) -> float | None:
+    return None if mass is None else mass * scenario.simulation.gravity
+
+
+def _load(scenario: Scenario, lifted: LiftedLoad) -> Json:
+    load = scenario.load
+    assert load is not None
+    contacts = [f"{load.name}.corner_{place}" for place in range(1, len(lifted.corners) + 1)]
+    return {
+        "name": load.name,
+        "body": load.name,
+        "weight": _force(scenario, lifted.mass),
+        "calculated_mass": load.weight.calculated,
+        "contingency": load.weight.contingency,
+        "design_mass": load.weight.design,
+        "contact_group": load.name if scenario.ground is not None else None,
+        "contacts": contacts if scenario.ground is not None else [],
+        "lugs": {
+            name: {
+                "at": lifted.lugs[name],
+                "main_plate_normal": list(PLATE_NORMALS[lug.main_plate]),
+                "capacity": _force(scenario, lug.capacity),
+            }
+            for name, lug in load.lugs.items()
+        },
+        "centre_of_gravity_from_datum": [float(part) for part in lifted.centre],
+    }
+
+
+def _hook(scenario: Scenario, rigging: Rigging, name: str) -> Json:
+    crane = (scenario.cranes or {})[name]
+    bearing = [equalizer.name for equalizer in rigging.equalizers.values() if equalizer.hook == name]
+    if any(sling.equalizer is None and sling.hook == name for sling in rigging.slings.values()):
+        bearing = [name]  # the hook's own joint carries its slings, their shackles and its equalizers
+    return {
+        "name": name,
+        "crane": name,
+        "bearing_joints": bearing,
+        "direct_slings": [],
+        "rated_capacity": _force(scenario, crane.rated_capacity),
+        "rating_includes_hook_block": crane.rating_includes_hook_block,
+        "hoist_weight_extra": crane.hook_block_mass * scenario.simulation.gravity,
+        "drive_body": name,
+    }
+
+
+def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
+    equalizer = rigging.equalizers[name]
+    hanging = [sling for sling in rigging.slings.values() if sling.equalizer == name]
+    return {
+        "name": name,
+        "hook": equalizer.hook,
+        "body": name,
+        "equalizing_rope": f"{name}.equalizing",
+        "slings": [f"sling.{sling.name}" for sling in sorted(hanging, key=lambda sling: sling.sheave or 0)],
+        "moving_sheaves": [f"{name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))],
+        "travel_up": equalizer.travel.up,
+        "travel_down": equalizer.travel.down,
+        "rated_capacity": _force(scenario, equalizer.rated_capacity),
+        "heading_joint": name,
+    }
+
+
+def _sling(scenario: Scenario, sling: SlingRigging) -> Json:
+    assert scenario.load is not None
+    return {
+        "name": sling.name,
+        "rope": f"sling.{sling.name}",
+        "from": sling.upper_body,
+        "to_load": scenario.load.name,
+        "to_lug": sling.lug,
+        "length": sling.length,
+        "tolerance": sling.tolerance,
+        "minimum_breaking_force": sling.rope.breaking_force,
+        "shackles": {
+            end: _shackle(scenario, *given)
+            for end, given in (("top", sling.top), ("bottom", sling.bottom))
+            if given is not None
+        },
+        "segment": f"sling.{sling.name}/0",
+    }
+
+
+def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:
+    return {"name": name, "working_load_limit": _force(scenario, shackle.working_load_limit)}
+
+
+def _limits(scenario: Scenario) -> Json:
+    return {} if scenario.limits is None else scenario.limits.model_dump(exclude_none=True)
+
+
+def _step(step: Any) -> Json:
+    kind = "hold" if isinstance(step, HoldStep) else step.verb
+    require = {}
+    if step.require is not None:
+        for measure in type(step.require).model_fields:
+            bound = getattr(step.require, measure)
+            if isinstance(bound, Bound):
+                require[measure] = {bound.relation: bound.value}
+    return {
+        "step": step.step,
+        "kind": kind,
+        "drives": moved_drives(step),
+        "report": list(step.report),
+        "require": require,
+    }
+
+
+def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:
+    """What is needed to draw the system: bodies with shapes, sheaves, kinds of ropes, the ground."""
+    return {
+        "bodies": [_body(scenario, rigging, lifted, body) for body in parts.bodies.values()],
+        "sheaves": _sheaves(parts),
+        "ropes": [{"name": rope["name"], "kind": _rope_kind(rope["name"], rigging)} for rope in parts.ropes],
+        "ground": None if scenario.ground is None else {"level": scenario.ground.level},
+        "axes": None,
+    }
+
+
+def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body: Json) -> Json:
+    name = body["name"]
+    shape: Json | None = None
+    kind = "body"
+    load = scenario.load
+    plain = scenario.mechanics.bodies.get(name) if scenario.mechanics is not None else None
+    if load is not None and lifted is not None and name == load.name:
+        kind = "load"
+        middle = np.array([0.0, 0.0, load.shape.box[2] / 2]) - lifted.centre
+        shape = {"type": "box", "size": list(load.shape.box), "centre": [float(part) for part in middle]}
+    elif name in rigging.equalizers:
+        kind = "frame"
+        frame = rigging.equalizers[name].frame
+        size = [frame.length, frame.width, frame.height]
+        shape = {"type": "box", "size": size, "centre": list(body["centre_of_gravity"])}
+    elif name in (scenario.cranes or {}):
+        kind = "hook"
+    elif plain is None:
+        kind = "sheave"
+    elif plain.shape is not None:
+        shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
+    return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
+
+
+def _sheaves(parts: Parts) -> list[Json]:
+    """Every half turn of a rope is a sheave; it moves if its body has translations of its own."""
+    found = []
+    for rope in parts.ropes:
+        for guide in rope["route"]:
+            if guide["type"] != "half_turn":
+                continue
+            enter, leave = np.array(guide["enter"]), np.array(guide["leave"])
+            axis = np.cross(guide["bulge"], leave - enter)
+            found.append(
+                {
+                    "body": guide["body"],
+                    "centre": [float(part) for part in (enter + leave) / 2],
+                    "axis": [float(part) for part in axis / np.linalg.norm(axis)],
+                    "radius": math.dist(guide["enter"], guide["leave"]) / 2,
+                    "kind": "moving" if parts.bodies[guide["body"]]["joint"]["type"] in _MOVING else "fixed",
+                }
+            )
+    return found
+
+
+def _rope_kind(name: str, rigging: Rigging) -> str:
+    if name.startswith("sling.") and name[len("sling.") :] in rigging.slings:
+        return "sling"
+    if name in [f"{equalizer}.equalizing" for equalizer in rigging.equalizers]:
+        return "equalizing"
+    return "rope"

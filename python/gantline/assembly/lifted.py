@@ -1,0 +1,140 @@
+"""The load as a rigid body with what is lumped on its lugs, and how it rests on the ground."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.assembly.parts import Parts
+from gantline.assembly.resting import TipsOver, rest_on_ground
+from gantline.assembly.spatial import (
+    Array,
+    about_axis,
+    inertia_list,
+    inertia_matrix,
+    point_inertia,
+    quaternion_product,
+    rotation_matrix,
+    rotation_vector,
+    solid_box,
+)
+from gantline.assembly.yard import lower_lump
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.load import Load, LoadInertia
+
+__all__ = ["LiftedLoad", "add_load", "lifted_load"]
+
+#: A load may sink into the ground by this share of its height.
+_DEEPEST = 0.05
+
+
+@dataclass(frozen=True)
+class LiftedLoad:
+    """The load with everything that is lumped on it.
+
+    Attributes:
+        mass: mass [kg].
+        centre: centre of gravity from the datum, axes of the load (3,) [m].
+        inertia: about the centre of gravity, axes of the load (3, 3) [kg m^2].
+        corners: corners of its box from the centre of gravity (8, 3) [m]; the lower four first.
+        lugs: position of each lug from the centre of gravity [m].
+    """
+
+    mass: float
+    centre: Array
+    inertia: Array
+    corners: Array
+    lugs: dict[str, list[float]]
+
+
+def lifted_load(load: Load, rigging: Rigging) -> LiftedLoad:
+    """Mass, centre of gravity and inertia of the load with lower shackles and lower halves of slings."""
+    own = load.weight.simulated
+    middle = np.array(load.centre_of_gravity.at)
+    lumps = [(lower_lump(sling), np.array(load.lugs[sling.lug].at)) for sling in rigging.slings.values()]
+    lumps = [(mass, at) for mass, at in lumps if mass > 0]
+    mass = own + sum(lump for lump, _ in lumps)
+    centre = middle
+    if lumps:
+        centre = (own * middle + np.sum([lump * at for lump, at in lumps], axis=0)) / mass
+    inertia = _own_inertia(load) + point_inertia(own, middle - centre)
+    for lump, at in lumps:
+        inertia = inertia + point_inertia(lump, at - centre)
+    x, y, z = load.shape.box
+    around = [(-x / 2, -y / 2), (x / 2, -y / 2), (x / 2, y / 2), (-x / 2, y / 2)]
+    corners = np.array([(*plan, height) for height in (0.0, z) for plan in around]) - centre
+    lugs = {name: [float(part) for part in np.array(lug.at) - centre] for name, lug in load.lugs.items()}
+    return LiftedLoad(mass, centre, inertia, corners, lugs)
+
+
+def _own_inertia(load: Load) -> Array:
+    if isinstance(load.inertia, LoadInertia):
+        given = load.inertia
+        return inertia_matrix((given.xx, given.yy, given.zz, given.xy, given.xz, given.yz))
+    return solid_box(load.weight.simulated, load.shape.box)
+
+
+def add_load(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -> None:
+    """The load as a free body at its centre of gravity, its corners as contacts with the ground.
+
+    Raises:
+        ScenarioError: if the load shall be at rest and would tip over or sink in.
+    """
+    orientation = about_axis((0.0, 0.0, 1.0), load.heading)
+    position = np.array(load.position) + rotation_matrix(orientation) @ lifted.centre
+    if scenario.starts_at_rest:
+        height, turn = _at_rest(scenario, load, lifted, orientation)
+        position[2] = height
+        orientation = quaternion_product(turn, orientation)
+    parts.add_body(
+        load.name,
+        {
+            "type": "free",
+            "position": [float(part) for part in position],
+            "orientation": orientation,
+            "velocity": [0.0, 0.0, 0.0],
+            "angular_velocity": [0.0, 0.0, 0.0],
+        },
+        mass=lifted.mass,
+        inertia=inertia_list(lifted.inertia),
+    )
+    ground = scenario.ground
+    if ground is None:
+        return
+    for place, corner in enumerate(lifted.corners, start=1):
+        parts.contacts.append(
+            {
+                "name": f"{load.name}.corner_{place}",
+                "group": load.name,
+                "body": load.name,
+                "at": [float(part) for part in corner],
+                "plane_point": [0.0, 0.0, ground.level],
+                "plane_normal": [0.0, 0.0, 1.0],
+                "stiffness": ground.stiffness,
+                "damping_time": ground.damping / ground.stiffness,
+                "friction": ground.friction,
+            }
+        )
+
+
+def _at_rest(
+    scenario: Scenario, load: Load, lifted: LiftedLoad, orientation: list[float]
+) -> tuple[float, list[float]]:
+    """Height of the centre of gravity and the turn from the given attitude when the load has settled."""
+    ground = scenario.ground
+    assert ground is not None  # a load that stands on the ground has been checked to have one
+    corners = lifted.corners @ rotation_matrix(orientation).T
+    weight = lifted.mass * scenario.simulation.gravity
+    depth = weight / (4 * ground.stiffness)
+    if depth > _DEEPEST * load.shape.box[2]:
+        sentence = f"the load would sink {depth:.3g} m into this ground; a greater stiffness is right"
+        raise scenario.error(("ground", "stiffness"), f"{sentence}, such as 200 MN/m")
+    try:
+        resting = rest_on_ground(corners, weight, ground.stiffness)
+    except TipsOver:
+        x, y, _ = lifted.centre
+        sentence = f"the load would tip over: its centre of gravity, with rigging, is at ({x:g}, {y:g}) m"
+        advice = "which is not well within the corners it stands on; move it towards the middle"
+        raise scenario.error(("load", "centre_of_gravity"), f"{sentence}, {advice}") from None
+    return ground.level + resting.height, rotation_vector(resting.turn)

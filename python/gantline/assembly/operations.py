@@ -1,0 +1,64 @@
+"""The plan into operations of drives."""
+
+from __future__ import annotations
+
+from gantline.assembly.parts import Json
+from gantline.assembly.yard import hoist_drive
+from gantline.scenario import Scenario
+from gantline.scenario.plan import HoistStep, HoldStep, LowerStep, Step
+
+__all__ = ["moved_drives", "operations"]
+
+
+def operations(scenario: Scenario, weight: float) -> list[Json]:
+    """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
+    return [_operation(scenario, step, place, weight) for place, step in enumerate(scenario.plan)]
+
+
+def moved_drives(step: Step) -> list[str]:
+    """Names of the drives that a step moves."""
+    if isinstance(step, HoldStep):
+        return []
+    return [hoist_drive(hook) for hook in step.hooks]
+
+
+def _operation(scenario: Scenario, step: Step, place: int, weight: float) -> Json:
+    if isinstance(step, HoldStep):
+        until = (
+            {"type": "end_of_run"}
+            if isinstance(step.hold, str)
+            else {"type": "duration", "duration": step.hold}
+        )
+        return {"name": step.step, "moves": [], "start_at": 0.0 if place == 0 else None, "until": until}
+    cranes = scenario.cranes or {}
+    moves = []
+    for hook in step.hooks:
+        acceleration = step.acceleration if step.acceleration is not None else cranes[hook].hoist.acceleration
+        moves.append(
+            {
+                "drive": hoist_drive(hook),
+                "velocity": step.direction * step.speed,
+                "acceleration": acceleration,
+                "shape": "linear",
+            }
+        )
+    start = step.start_at if step.start_at is not None or place > 0 else 0.0
+    return {
+        "name": step.step,
+        "moves": moves,
+        "start_at": start,
+        "until": _until(scenario, step, weight),
+    }
+
+
+def _until(scenario: Scenario, step: HoistStep | LowerStep, weight: float) -> Json:
+    if step.brake_from is not None:
+        return {"type": "brake_from", "time": step.brake_from}
+    if step.by is not None:
+        return {"type": "distance", "distance": step.direction * step.by}
+    assert step.until is not None and scenario.load is not None  # checked when the file was read
+    group = scenario.load.name
+    if step.until.load_transferred is not None:
+        share = step.until.load_transferred
+        return {"type": "load_transferred", "group": group, "weight": weight, "at_least": share}
+    return {"type": "clear", "group": group}

@@ -1,0 +1,141 @@
+"""The parts of a system while it is put together, and where they are at the start."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from gantline.assembly.spatial import IDENTITY, Array, about_axis, rotation_matrix, unit
+
+__all__ = ["ORIGIN", "Parts", "end", "half_turn", "material"]
+
+ORIGIN = (0.0, 0.0, 0.0)
+
+Json = dict[str, Any]
+
+
+@dataclass
+class Parts:
+    """Bodies, ropes, contacts, drives and steps, in the form of the document that the core reads.
+
+    Attributes:
+        bodies: bodies by name, parents before their children.
+        ropes: ropes in order.
+        contacts: contact points in order.
+        drives: drives by name.
+        plan: steps in order.
+    """
+
+    bodies: dict[str, Json] = field(default_factory=dict)
+    ropes: list[Json] = field(default_factory=list)
+    contacts: list[Json] = field(default_factory=list)
+    drives: dict[str, Json] = field(default_factory=dict)
+    plan: list[Json] = field(default_factory=list)
+
+    def add_body(
+        self,
+        name: str,
+        joint: Json,
+        *,
+        parent: str | None = None,
+        position: Sequence[float] = ORIGIN,
+        orientation: Sequence[float] = IDENTITY,
+        mass: float = 0.0,
+        centre_of_gravity: Sequence[float] = ORIGIN,
+        inertia: Sequence[float] = (0.0,) * 6,
+    ) -> None:
+        """Add a body on a joint; `position` and `orientation` place the joint in the parent."""
+        self.bodies[name] = {
+            "name": name,
+            "parent": parent,
+            "placement": {"position": list(position), "orientation": list(orientation)},
+            "joint": joint,
+            "mass": mass,
+            "centre_of_gravity": list(centre_of_gravity),
+            "inertia": list(inertia),
+        }
+
+    def add_drive(self, name: str, ramps: Sequence[Json] = ()) -> None:
+        """Add a drive, at rest unless `ramps` give its motion in advance."""
+        self.drives[name] = {"name": name, "ramps": list(ramps)}
+
+    def add_rope(self, name: str, length: float, rope_material: Json, route: Sequence[Json]) -> None:
+        """Add a rope with its unstretched length [m]."""
+        self.ropes.append({"name": name, "length": length, "material": rope_material, "route": list(route)})
+
+    def pose(self, name: str | None) -> tuple[Array, Array]:
+        """World position (3,) and rotation matrix (3, 3) of a body frame at the start; None is the world."""
+        if name is None:
+            return np.zeros(3), np.eye(3)
+        body = self.bodies[name]
+        position, rotation = self.pose(body["parent"])
+        position = position + rotation @ np.array(body["placement"]["position"])
+        rotation = rotation @ rotation_matrix(body["placement"]["orientation"])
+        joint = body["joint"]
+        if joint["type"] == "hinge":
+            rotation = rotation @ rotation_matrix(about_axis(joint["axis"], joint["position"]))
+        elif joint["type"] == "slider":
+            position = position + rotation @ (np.array(unit(joint["axis"])) * joint["position"])
+        elif joint["type"] in ("point", "free"):
+            position = position + rotation @ np.array(joint["position"])
+        if joint["type"] in ("ball", "free"):
+            rotation = rotation @ rotation_matrix(joint["orientation"])
+        return position, rotation
+
+    def place(self, body: str | None, at: Sequence[float]) -> Array:
+        """World position (3,) of a point of a body at the start [m]."""
+        position, rotation = self.pose(body)
+        place: Array = position + rotation @ np.array(at)
+        return place
+
+    def route_length(self, route: Sequence[Json]) -> float:
+        """Length of a route at the start, straight parts and arcs [m]."""
+        total = 0.0
+        before: Array | None = None
+        for guide in route:
+            arrive = self.place(guide["body"], guide["at"] if guide["type"] == "end" else guide["enter"])
+            if before is not None:
+                total += float(np.linalg.norm(arrive - before))
+            before = arrive
+            if guide["type"] == "half_turn":
+                total += math.pi * math.dist(guide["enter"], guide["leave"]) / 2
+                before = self.place(guide["body"], guide["leave"])
+        return total
+
+    def document(self, gravity: float) -> Json:
+        """The document for the core."""
+        return {
+            "gravity": [0.0, 0.0, -gravity],
+            "bodies": list(self.bodies.values()),
+            "ropes": self.ropes,
+            "contacts": self.contacts,
+            "drives": list(self.drives.values()),
+            "plan": self.plan,
+        }
+
+
+def end(body: str | None, at: Sequence[float] = ORIGIN) -> Json:
+    """A dead end of a rope on a body (None: the world)."""
+    return {"type": "end", "body": body, "at": list(at)}
+
+
+def half_turn(body: str, enter: Sequence[float], leave: Sequence[float], bulge: Sequence[float]) -> Json:
+    """Half a turn over a sheave, from `enter` to `leave`, on the side of `bulge`; body axes."""
+    return {
+        "type": "half_turn",
+        "body": body,
+        "enter": list(enter),
+        "leave": list(leave),
+        "bulge": unit(bulge),
+    }
+
+
+def material(stiffness: float | None, damping_time: float) -> Json:
+    """Material of a rope by its axial stiffness EA [N]; None says inextensible."""
+    if stiffness is None:
+        return {"type": "inextensible"}
+    return {"type": "elastic", "axial_stiffness": stiffness, "damping_time": damping_time}

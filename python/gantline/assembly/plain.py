@@ -1,0 +1,151 @@
+"""The section `mechanics` into mechanics, one to one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from gantline.assembly.parts import Json, Parts, end, half_turn, material
+from gantline.assembly.spatial import IDENTITY, about_axis
+from gantline.scenario import Scenario
+from gantline.scenario.mechanics import (
+    Ball,
+    Body,
+    BodyInertia,
+    Fixed,
+    Guide,
+    HingeJoint,
+    Joint,
+    Mechanics,
+    Point,
+    RopeEnd,
+    Rotation,
+    Slider,
+)
+
+__all__ = ["add_mechanics"]
+
+_WORLD = "world"
+#: Largest stretch of a rope at the start.
+_MOST_STRAIN = 0.02
+_ROUNDING = 1e-9
+
+
+def add_mechanics(parts: Parts, scenario: Scenario) -> None:
+    """Add plain bodies, ropes and contacts.
+
+    Raises:
+        ScenarioError: if a rope is too short for its route at the start.
+    """
+    mechanics = scenario.mechanics
+    if mechanics is None:
+        return
+    for name in _parents_first(mechanics):
+        _add_body(parts, name, mechanics.bodies[name])
+    for name, rope in (mechanics.ropes or {}).items():
+        kind = (scenario.ropes or {})[rope.rope]
+        route = [_guide(guide) for guide in rope.route]
+        routed = parts.route_length(route)
+        length = routed if isinstance(rope.length, str) else rope.length
+        allowed = _ROUNDING if kind.inextensible else _MOST_STRAIN
+        if routed > length * (1 + allowed):
+            sentence = f"the rope is {length:g} m, but its route has {routed:.9g} m at the start"
+            raise scenario.error(
+                ("mechanics", "ropes", name, "length"),
+                f"{sentence}; make it longer, or write 'length: as_routed'",
+            )
+        if routed < _ROUNDING:
+            raise scenario.error(
+                ("mechanics", "ropes", name, "route"), "has no length; its ends are in one place"
+            )
+        parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
+    for name, contact in (mechanics.contacts or {}).items():
+        parts.contacts.append(
+            {
+                "name": name,
+                "group": contact.group or contact.body,
+                "body": contact.body,
+                "at": list(contact.at),
+                "plane_point": list(contact.plane.point),
+                "plane_normal": list(contact.plane.normal),
+                "stiffness": contact.stiffness,
+                "damping_time": contact.damping / contact.stiffness,
+                "friction": contact.friction,
+            }
+        )
+
+
+def _parents_first(mechanics: Mechanics) -> list[str]:
+    """Names of the bodies, each after its parent; otherwise in the order of the file."""
+    order: list[str] = []
+    for name in mechanics.bodies:
+        line: list[str] = []
+        current: str | None = name
+        while current is not None and current in mechanics.bodies and current not in order:
+            line.append(current)
+            current = mechanics.bodies[current].parent
+        order.extend(reversed(line))
+    return order
+
+
+def _add_body(parts: Parts, name: str, body: Body) -> None:
+    parts.add_body(
+        name,
+        _joint(parts, name, body.joint),
+        parent=None if body.parent in (None, _WORLD) else body.parent,
+        position=body.at,
+        orientation=_quaternion(body.orientation),
+        mass=body.mass,
+        centre_of_gravity=body.centre_of_gravity,
+        inertia=_inertia(body.inertia),
+    )
+
+
+def _inertia(inertia: BodyInertia | None) -> Sequence[float]:
+    if inertia is None:
+        return (0.0,) * 6
+    return (inertia.xx, inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz)
+
+
+def _quaternion(rotation: Rotation | None) -> list[float]:
+    return list(IDENTITY) if rotation is None else about_axis(rotation.about, rotation.angle)
+
+
+def _joint(parts: Parts, name: str, joint: Joint) -> Json:
+    if isinstance(joint, Fixed):
+        return {"type": "fixed"}
+    if isinstance(joint, (HingeJoint, Slider)):
+        drive = None
+        if joint.motion is not None:
+            drive = f"{name}.motion"
+            parts.add_drive(drive, [_ramp(ramp) for ramp in joint.motion])
+        return {
+            "type": joint.type,
+            "axis": list(joint.axis),
+            "position": joint.position,
+            "velocity": joint.velocity,
+            "damping": joint.damping,
+            "drive": drive,
+        }
+    if isinstance(joint, Ball):
+        turning = list(joint.angular_velocity)
+        return {"type": "ball", "orientation": _quaternion(joint.orientation), "angular_velocity": turning}
+    if isinstance(joint, Point):
+        return {"type": "point", "position": list(joint.position), "velocity": list(joint.velocity)}
+    return {
+        "type": "free",
+        "position": list(joint.position),
+        "orientation": _quaternion(joint.orientation),
+        "velocity": list(joint.velocity),
+        "angular_velocity": list(joint.angular_velocity),
+    }
+
+
+def _ramp(ramp: Any) -> Json:
+    return {"at": ramp.at, "duration": ramp.duration, "velocity": ramp.velocity, "shape": ramp.shape}
+
+
+def _guide(guide: Guide) -> Json:
+    if isinstance(guide, RopeEnd):
+        return end(None if guide.body == _WORLD else guide.body, guide.at)
+    return half_turn(guide.body, guide.enter, guide.leave, guide.bulge)

@@ -1,0 +1,160 @@
+"""Yard words into mechanics: hooks, equalizers and slings. The load has a module of its own."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from gantline.assembly.parts import Json, Parts, end, half_turn, material
+from gantline.assembly.spatial import inertia_list, solid_box
+from gantline.scenario import Scenario
+from gantline.scenario.rigging import EqualizerRigging, Rigging, SlingRigging
+
+__all__ = ["add_equalizers", "add_hooks", "add_slings", "hoist_drive", "lower_lump", "upper_lump"]
+
+#: A load that has settled hangs in slack slings: they may be too short by this much at most [m].
+_TAUT = 1e-6
+#: Largest stretch of a sling at the start of a lift that is not at rest.
+_MOST_STRAIN = 0.02
+
+
+def hoist_drive(hook: str) -> str:
+    """Name of the drive that hoists a hook."""
+    return f"{hook}.hoist"
+
+
+def upper_lump(sling: SlingRigging) -> float:
+    """Mass at the upper end of a sling: the upper shackle and half the rope [kg]."""
+    return _half_rope(sling) + (sling.top[1].mass if sling.top else 0.0)
+
+
+def lower_lump(sling: SlingRigging) -> float:
+    """Mass at the lug of a sling: the lower shackle and half the rope [kg]."""
+    return _half_rope(sling) + (sling.bottom[1].mass if sling.bottom else 0.0)
+
+
+def _half_rope(sling: SlingRigging) -> float:
+    return sling.rope.mass_per_length * sling.length / 2
+
+
+def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
+    """Each hook is a vertical slider that its hoist drives; slings right under it lump their mass on it."""
+    for name, crane in (scenario.cranes or {}).items():
+        direct = [
+            sling for sling in rigging.slings.values() if sling.equalizer is None and sling.hook == name
+        ]
+        drive = hoist_drive(name)
+        parts.add_drive(drive)
+        parts.add_body(
+            name,
+            _slider((0.0, 0.0, 1.0), drive),
+            position=crane.at,
+            mass=math.fsum(upper_lump(sling) for sling in direct),
+        )
+
+
+def add_equalizers(parts: Parts, rigging: Rigging) -> None:
+    """Frames on a vertical hinge under their hooks, moving sheaves as sliders in them, equalizing ropes."""
+    for equalizer in rigging.equalizers.values():
+        _add_frame(parts, equalizer)
+        carried = {
+            sling.sheave: upper_lump(sling)
+            for sling in rigging.slings.values()
+            if sling.equalizer == equalizer.name
+        }
+        sheaves = equalizer.moving_sheaves
+        for place, along in enumerate(sheaves.along, start=1):
+            parts.add_body(
+                f"{equalizer.name}.{place}",
+                _slider((0.0, 0.0, -1.0), None),  # travel down is positive
+                parent=equalizer.name,
+                position=(along, 0.0, -sheaves.below_hook),
+                mass=sheaves.mass + carried.get(place, 0.0),
+            )
+        route = _equalizing_route(equalizer)
+        rope = material(equalizer.rope.stiffness, equalizer.rope.damping_time)
+        parts.add_rope(f"{equalizer.name}.equalizing", parts.route_length(route), rope, route)
+
+
+def _slider(axis: Sequence[float], drive: str | None) -> Json:
+    return {
+        "type": "slider",
+        "axis": list(axis),
+        "position": 0.0,
+        "velocity": 0.0,
+        "damping": 0.0,
+        "drive": drive,
+    }
+
+
+def _add_frame(parts: Parts, equalizer: EqualizerRigging) -> None:
+    frame = equalizer.frame
+    box = np.diag(solid_box(frame.mass, (frame.length, frame.width, frame.height)))
+    given = (frame.inertia_about_length, frame.inertia_about_width, frame.inertia_about_vertical)
+    inertia = [float(own if value is None else value) for own, value in zip(box, given, strict=True)]
+    hinge = {
+        "type": "hinge",
+        "axis": [0.0, 0.0, 1.0],
+        "position": equalizer.heading,
+        "velocity": 0.0,
+        "damping": equalizer.hinge.damping,
+        "drive": None,
+    }
+    parts.add_body(
+        equalizer.name,
+        hinge,
+        parent=equalizer.hook,
+        mass=frame.mass,
+        centre_of_gravity=(0.0, 0.0, -frame.centre_of_gravity_below_hook),
+        inertia=inertia_list(np.diag(inertia)),
+    )
+
+
+def _equalizing_route(equalizer: EqualizerRigging) -> list[Json]:
+    """Dead end, around moving sheave 1, over fixed sheave 1, around moving sheave 2, ..., dead end."""
+    name = equalizer.name
+    ends, fixed, moving = equalizer.rope_ends, equalizer.fixed_sheaves, equalizer.moving_sheaves
+    radius = moving.pitch_diameter / 2
+    around = half_turn(name, (-radius, 0.0, 0.0), (radius, 0.0, 0.0), (0.0, 0.0, -1.0))
+    route = [end(name, (ends.along[0], 0.0, -ends.below_hook))]
+    for place in range(len(moving.along)):
+        route.append({**around, "body": f"{name}.{place + 1}"})
+        if place < len(fixed.along):
+            along, high, reach = fixed.along[place], -fixed.below_hook, fixed.pitch_diameter / 2
+            route.append(
+                half_turn(name, (along - reach, 0.0, high), (along + reach, 0.0, high), (0.0, 0.0, 1.0))
+            )
+    return [*route, end(name, (ends.along[1], 0.0, -ends.below_hook))]
+
+
+def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[str, list[float]]) -> None:
+    """Each sling from its moving sheave (or hook) to its lug; `lugs` are positions in the load's body frame.
+
+    Raises:
+        ScenarioError: if a sling is too short for where its ends are at the start.
+    """
+    if scenario.load is None:
+        return
+    for sling in rigging.slings.values():
+        route = [end(sling.upper_body), end(scenario.load.name, lugs[sling.lug])]
+        distance = parts.route_length(route)
+        short = distance - sling.length
+        allowed = _TAUT if scenario.starts_at_rest or sling.rope.inextensible else _MOST_STRAIN * sling.length
+        if short > allowed:
+            lug = f"{scenario.load.name}.{sling.lug}"
+            apart = f"from '{sling.upper_body}' to '{lug}' it is {_not_shorter(distance, sling.length)} m"
+            sentence = f"the sling is {sling.length:g} m, but {apart} at the start; "
+            advice = "lower the hook or make the sling longer"
+            if scenario.starts_at_rest and short <= _MOST_STRAIN * sling.length:
+                advice += ", or write 'start: as_given' if it shall pull from the start"
+            raise scenario.error(("slings", sling.name), sentence + advice)
+        rope = material(sling.rope.stiffness, sling.rope.damping_time)
+        parts.add_rope(f"sling.{sling.name}", sling.length, rope, route)
+
+
+def _not_shorter(distance: float, length: float) -> str:
+    """Distance with as many digits as it takes to tell it from the length."""
+    digits = max(3, 1 - math.floor(math.log10(distance - length)))
+    return f"{distance:.{min(digits, 9)}f}"

@@ -1,0 +1,32 @@
+"""`gantline new`: a commented lift file to start from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gantline.cli.messages import stop, writing
+
+
+def new(
+    folder: Annotated[
+        Path, typer.Argument(metavar="FOLDER", help="Folder of the new lift; made if it is not there.")
+    ],
+) -> None:
+    """Write a commented lift file to start from, with the schema by which editors check it while typing."""
+    from gantline.scenario import FILE_NAME, schema_text, template
+
+    files = {folder / FILE_NAME: template(), folder / "lift.schema.json": schema_text()}
+    if folder.exists() and not folder.is_dir():
+        stop(f"{folder}: is a file; the name of a folder is needed")
+    if (folder / FILE_NAME).exists():
+        stop(f"{folder / FILE_NAME}: exists already; nothing was written")
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        for path, text in files.items():
+            path.write_text(text, encoding="utf-8")
+    for path in files:
+        typer.echo(path)
+    typer.echo(f"Next: gantline run {folder}")

@@ -1,0 +1,198 @@
+"""`gantline run`: simulate a lift, write its recording and pictures, print its table."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NoReturn
+
+import typer
+
+from gantline.cli.messages import (
+    BAD_INPUT,
+    CHECK_FAILED,
+    COULD_NOT_GO_ON,
+    DONE,
+    INTERRUPTED,
+    scenario_errors,
+    stop,
+    warn,
+    writing,
+)
+from gantline.cli.progress import progress
+
+if TYPE_CHECKING:
+    from gantline.checks import Verdict
+    from gantline.results.recording import Recording
+    from gantline.simulation import Simulation, SimulationError
+
+
+def run(
+    lift: Annotated[
+        Path, typer.Argument(metavar="LIFT", help="Lift file, or the folder that holds its scenario.yaml.")
+    ],
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="DIR",
+            help="Folder to write into.  [default: results/<name of the lift>]",
+        ),
+    ] = None,
+    integrator: Annotated[
+        str | None, typer.Option(help="Method in place of that of the lift file: del.")
+    ] = None,
+    step: Annotated[
+        str | None, typer.Option(metavar="TIME", help="Step of the method, such as '1 ms'.")
+    ] = None,
+    sample_interval: Annotated[
+        str | None, typer.Option(metavar="TIME", help="Time between samples, such as '20 ms'.")
+    ] = None,
+    duration: Annotated[
+        str | None, typer.Option(metavar="TIME", help="Time to simulate, such as '40 s'.")
+    ] = None,
+    plots: Annotated[bool, typer.Option("--plots/--no-plots", help="Draw pictures.")] = True,
+    profile: Annotated[bool, typer.Option("--profile", help="Show where the time went.")] = False,
+) -> None:
+    """Simulate a lift; write its recording and pictures into a folder and print its table.
+
+    Ctrl-C stops the lift, saves what there is and ends with code 130.
+    """
+    clock = _Clock()
+    overrides = {
+        "integrator": integrator,
+        "step": _seconds("--step", step),
+        "sample_interval": _seconds("--sample-interval", sample_interval),
+        "duration": _seconds("--duration", duration),
+    }
+    simulation = _prepare(lift, overrides)
+    folder = _folder(output if output is not None else Path("results") / _name_of(lift))
+    clock.lap("prepare")
+    recording = _simulate(simulation, folder)
+    clock.lap("simulate")
+    with writing(folder):
+        written = recording.save(folder / "recording.nc")
+    clock.lap("save")
+    failed = _print_table(recording, simulation)
+    clock.lap("table")
+    typer.echo(f"Recording   {written}")
+    if plots:
+        _draw(recording, folder)
+        clock.lap("pictures")
+    if profile:
+        _print_profile(clock, recording)
+    if recording.attributes["status"] == "stopped":
+        warn(f"stopped at {recording.time[-1]:.2f} s of {simulation.duration:g} s")
+        raise typer.Exit(INTERRUPTED)
+    raise typer.Exit(CHECK_FAILED if failed else DONE)
+
+
+class _Clock:
+    """Wall time by stage [s]."""
+
+    def __init__(self) -> None:
+        self.laps: list[tuple[str, float]] = []
+        self._last = time.perf_counter()
+
+    def lap(self, stage: str) -> None:
+        now = time.perf_counter()
+        self.laps.append((stage, now - self._last))
+        self._last = now
+
+
+def _seconds(option: str, text: str | None) -> float | None:
+    from gantline.units import UnitError, quantity
+
+    if text is None:
+        return None
+    try:
+        return quantity(text, "time")
+    except UnitError as problem:
+        stop(f"{option}: {problem}")
+
+
+def _prepare(lift: Path, overrides: dict[str, str | float | None]) -> Simulation:
+    with scenario_errors():
+        from gantline.simulation import SettingError, Simulation
+
+        try:
+            return Simulation(lift, **overrides)
+        except SettingError as problem:
+            stop(str(problem), BAD_INPUT)
+
+
+def _name_of(lift: Path) -> str:
+    place = lift.resolve()
+    return (
+        place.name if place.is_dir() else place.parent.name if place.name == "scenario.yaml" else place.stem
+    )
+
+
+def _folder(folder: Path) -> Path:
+    """The folder to write into, made and tried before a long run."""
+    if folder.exists() and not folder.is_dir():
+        stop(f"{folder}: is a file; --output needs a folder")
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        handle, trial = tempfile.mkstemp(prefix=".trial.", dir=folder)
+        os.close(handle)
+        os.unlink(trial)
+    return folder
+
+
+def _simulate(simulation: Simulation, folder: Path) -> Recording:
+    from gantline.simulation import SimulationError
+
+    try:
+        with progress(simulation.duration) as report:
+            return simulation.run(on_progress=report)
+    except SimulationError as problem:
+        _save_failure(problem, folder)
+
+
+def _save_failure(problem: SimulationError, folder: Path) -> NoReturn:
+    with writing(folder):
+        written = problem.recording.save(folder / "recording.nc")
+        state = folder / "state.bin"
+        state.write_bytes(problem.state)
+    stop(f"{problem}\n  recording up to then: {written}\n  last good state: {state}", COULD_NOT_GO_ON)
+
+
+def _print_table(recording: Recording, simulation: Simulation) -> bool:
+    """Print the final table; the answer is whether a check failed."""
+    from gantline.checks import check_recording, has_failed
+    from gantline.cli.summary import summary
+
+    checks = check_recording(recording)
+    typer.echo("\n".join(summary(recording, checks, _styled)))
+    simulated = float(recording.time[-1])
+    passed = simulation.integration_time
+    speed = f", {simulated / passed:.3g} times real time" if passed > 0.0 else ""
+    typer.echo(f"Integration {simulated:g} s in {passed:.2f} s{speed}")
+    return has_failed(checks)
+
+
+def _styled(verdict: Verdict) -> str:
+    colours = {"ok": typer.colors.GREEN, "warning": typer.colors.YELLOW, "failed": typer.colors.RED}
+    text = verdict.value.upper() if verdict.value == "failed" else verdict.value
+    return f"  {typer.style(f'{text:<11}', fg=colours.get(verdict.value))}"
+
+
+def _draw(recording: Recording, folder: Path) -> None:
+    from gantline.plot import save_pictures
+
+    with writing(folder):
+        paths = save_pictures(recording, folder)
+    for index, path in enumerate(paths):
+        typer.echo(f"{'Pictures' if index == 0 else '':<12}{path}")
+
+
+def _print_profile(clock: _Clock, recording: Recording) -> None:
+    typer.echo()
+    for stage, passed in clock.laps:
+        typer.echo(f"{stage:<12}{passed:8.3f} s")
+    for name, count in recording.attributes["counters"].items():
+        typer.echo(f"{name:<32}{count:>14,}")

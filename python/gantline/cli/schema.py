@@ -1,0 +1,27 @@
+"""`gantline schema`: the JSON Schema of lift files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gantline.cli.messages import writing
+
+
+def schema(
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="File to write instead of printing.")
+    ] = None,
+) -> None:
+    """Print the JSON Schema of lift files, by which editors complete and check while typing."""
+    from gantline.scenario import schema_text
+
+    text = schema_text()
+    if output is None:
+        typer.echo(text, nl=not text.endswith("\n"))
+        return
+    with writing(output):
+        output.write_text(text, encoding="utf-8")
+    typer.echo(output)

@@ -1,0 +1,319 @@
+"""The final table of a lift, in the units and the order in which a lifting engineer reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from gantline.checks import Check, Verdict
+from gantline.cli.table import ABSENT, pairs, table
+from gantline.results import series
+from gantline.results.metrics import ENERGY_BOUND, metrics_of
+from gantline.results.recording import Recording
+from gantline.results.rig import Equalizer, Rig
+from gantline.units import format_quantity
+
+
+def show(value: float | None, unit: str, digits: int) -> str:
+    """A value with its unit, or a dash."""
+    return ABSENT if value is None else format_quantity(value, unit, digits)
+
+
+def summary(recording: Recording, checks: list[Check], style: Callable[[Verdict], str]) -> list[str]:
+    """Lines of the final table.
+
+    Args:
+        recording: Of the lift.
+        checks: What was checked.
+        style: How a verdict is written (with colour on a terminal).
+
+    Returns:
+        The lines.
+    """
+    rig = recording.rig
+    metrics = metrics_of(recording)
+    parts = [
+        heading(rig),
+        _loads(recording, metrics),
+        _slings(recording),
+        _used(recording),
+        *(_equalizer(recording, equalizer) for equalizer in rig.equalizers),
+        _hooks(recording),
+        [] if rig.slings else _ropes(recording),
+        _hold_points(recording),
+        _checks(rig, checks, style),
+        _trust(recording, metrics),
+    ]
+    return [line for part in parts if part for line in (*part, "")]
+
+
+def heading(rig: Rig) -> list[str]:
+    """Number, revision, title and remark of a lift."""
+    revision = f" rev {rig.revision}" if rig.number and rig.revision else ""
+    title = "  ".join(word for word in (f"{rig.number}{revision}", rig.title) if word)
+    return [line for line in (title, rig.remark) if line]
+
+
+def weights(rig: Rig) -> list[str]:
+    """Weights of the loads, calculated and design."""
+    lines = []
+    for load in rig.loads:
+        text = f"Load {load.name}: simulated weight {show(load.weight / rig.gravity, 't', 1)}"
+        if load.calculated_mass is not None and load.contingency is not None and load.design_mass is not None:
+            calculated, design = show(load.calculated_mass, "t", 1), show(load.design_mass, "t", 1)
+            text += f"; calculated {calculated} x contingency {load.contingency:.2f} = design {design}"
+        lines.append(text)
+    return lines
+
+
+def _loads(recording: Recording, metrics: dict[str, float]) -> list[str]:
+    rows: list[tuple[str, str]] = []
+    for load in recording.rig.loads:
+        tilt = series.peak(recording, recording.column("load_tilt", load.name))
+        transferred = recording.column("load_transferred", load.name)
+        clear = series.load_is_clear(recording, load)
+        place = recording.column("body_position", load.body)
+        drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
+        rise = float(place[-1, 2] - place[0, 2])
+        rows += [
+            ("load transferred", f"{show(float(transferred[-1]), '%', 1)} at the end"),
+            ("tilt", f"{show(tilt[0], 'deg', 2)} at most, at {show(tilt[1], 's', 2)}" if tilt else ABSENT),
+            (
+                "drift when clear",
+                f"{show(float(drift[clear].max()), 'm', 3)} at most" if clear.any() else ABSENT,
+            ),
+            ("height above start", f"{show(rise, 'm', 3)} at the end"),
+        ]
+    if not rows:
+        return []
+    lift_off = metrics.get("lift_off_time")
+    rows.insert(
+        0,
+        ("lift-off", f"at {show(lift_off, 's', 2)}" if lift_off is not None else "never clear of a support"),
+    )
+    return [*weights(recording.rig), *pairs("", rows)[1:]]
+
+
+def _slings(recording: Recording) -> list[str]:
+    clear = series.is_clear(recording)
+    window = series.quiet_window(recording)
+    rows = []
+    for sling in recording.rig.slings:
+        tension = series.sling_tension(recording, sling)
+        force, time = series.rope_peak(recording, sling.rope)
+        angle = series.sling_angle(recording, sling)
+        carrying = series.is_carrying(tension)
+        rows.append(
+            (
+                sling.name,
+                show(series.static_value(recording, tension, window), "kN", 1),
+                show(force, "kN", 1),
+                show(time, "s", 2),
+                show(float(tension[clear].min()) if clear.any() else None, "kN", 1),
+                show(series.static_value(recording, angle, window), "deg", 1),
+                show(float(angle[carrying].max()) if carrying.any() else None, "deg", 1),
+            )
+        )
+    head = ("Sling", "static", "peak", "at", "least clear", "angle", "largest")
+    return table(head, rows, "lrrrrrr") if rows else []
+
+
+def _used(recording: Recording) -> list[str]:
+    """What each sling uses of its rope, shackles and lug."""
+    window = series.quiet_window(recording)
+    rows = []
+    for sling in recording.rig.slings:
+        tension = series.sling_tension(recording, sling)
+        force = series.rope_peak(recording, sling.rope)[0]
+        static = series.static_value(recording, tension, window)
+        limits = [s["working_load_limit"] for s in sling.shackles.values() if s.get("working_load_limit")]
+        load = recording.rig.load(sling.to_load)
+        lug = load.lugs.get(sling.to_lug or "") if load else None
+        aside = series.out_of_plane_angle(recording, sling)
+        carrying = series.is_carrying(tension)
+        rows.append(
+            (
+                sling.name,
+                show(_share(force, sling.minimum_breaking_force), "%", 1),
+                show(_share(static, min(limits, default=None)), "%", 1),
+                show(_share(force, lug.capacity if lug else None), "%", 1),
+                show(
+                    float(aside[carrying].max()) if aside is not None and carrying.any() else None, "deg", 1
+                ),
+            )
+        )
+    if not any(cell != ABSENT for row in rows for cell in row[1:]):
+        return []
+    head = (
+        "Used",
+        "of minimum breaking force (peak)",
+        "of working load limit (static)",
+        "of lug capacity (peak)",
+        "out of plane",
+    )
+    return table(head, rows, "lrrrr")
+
+
+def _share(force: float | None, of: float | None) -> float | None:
+    return None if force is None or not of else force / of
+
+
+def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
+    rows: list[tuple[str, str]] = []
+    if equalizer.equalizing_rope:
+        rope = equalizer.equalizing_rope
+        force, time = series.rope_peak(recording, rope)
+        static = series.static_value(recording, recording.column("rope_tension", rope))
+        rows.append(
+            (
+                "equalizing rope",
+                f"{show(static, 'kN', 1)} static, {show(force, 'kN', 1)} peak at {show(time, 's', 2)}",
+            )
+        )
+    clear = series.is_clear(recording)
+    if equalizer.slings and clear.any():
+        spread = series.tension_spread(recording, equalizer)
+        most, last = float(spread[clear].max()), float(spread[-1])
+        rows.append(
+            ("tension spread", f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end")
+        )
+    rows += [
+        (f"travel used {way}", _travel(recording, equalizer, sign, stroke))
+        for way, sign, stroke in (("up", -1.0, equalizer.travel_up), ("down", 1.0, equalizer.travel_down))
+        if stroke and equalizer.moving_sheaves
+    ]
+    return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
+
+
+def _travel(recording: Recording, equalizer: Equalizer, sign: float, stroke: float) -> str:
+    travel = {sheave: sign * recording.column("sheave_travel", sheave) for sheave in equalizer.moving_sheaves}
+    sheave = max(travel, key=lambda name: float(travel[name].max()))
+    furthest = max(0.0, float(travel[sheave].max()))
+    time = float(recording.time[int(travel[sheave].argmax())])
+    text = f"{show(furthest / stroke, '%', 1)} of {show(stroke, 'm', 3)} ({sheave} at {show(time, 's', 2)})"
+    clear = series.is_clear(recording)
+    if clear.any():
+        furthest = max(0.0, *(float(values[clear].max()) for values in travel.values()))
+        text += f", {show(furthest / stroke, '%', 1)} when clear"
+    return f"{text}, margin {show(stroke - furthest, 'mm', 0)}"
+
+
+def _hooks(recording: Recording) -> list[str]:
+    window = series.quiet_window(recording)
+    rows = []
+    for hook in recording.rig.hooks:
+        for name in ("hook_load", "hoist_load"):
+            force = recording.column(name, hook.name)
+            static = series.static_value(recording, force, window)
+            highest, time = float(force.max()), float(recording.time[int(force.argmax())])
+            is_rated_for = name == ("hoist_load" if hook.rating_includes_hook_block else "hook_load")
+            used = _share(highest, hook.rated_capacity) if is_rated_for else None
+            rows.append(
+                (
+                    hook.name if name == "hook_load" else "",
+                    name.replace("_", " "),
+                    show(static, "kN", 1),
+                    show(highest, "kN", 1),
+                    show(time, "s", 2),
+                    ABSENT if not static else f"{highest / static:.3f}",
+                    show(used, "%", 1),
+                )
+            )
+    if not rows:
+        return []
+    head = ("Hook", "", "static", "peak", "at", "dynamic factor", "of rated capacity")
+    return table(head, rows, "llrrrrr")
+
+
+def _ropes(recording: Recording) -> list[str]:
+    rows = []
+    for rope in recording.coordinates.get("rope", ()):
+        force, time = series.rope_peak(recording, rope)
+        last = float(recording.column("rope_tension", rope)[-1])
+        unit, digits = ("kN", 1) if force >= 1e3 else ("N", 3)
+        rows.append((rope, show(last, unit, digits), show(force, unit, digits), show(time, "s", 2)))
+    return table(("Rope", "at the end", "peak", "at"), rows, "lrrr") if rows else []
+
+
+def _hold_points(recording: Recording) -> list[str]:
+    from gantline.checks import end_of_step
+
+    lines: list[str] = []
+    for step in recording.rig.plan:
+        at = end_of_step(recording, step.step) if step.report else None
+        if at is None:
+            continue
+        sample = int(np.argmax(at))
+        measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in step.report}
+        rows = [(measure.replace("_", " "), text) for measure, text in measured.items() if text]
+        lines += pairs(f"At the end of '{step.step}', {show(float(recording.time[sample]), 's', 2)}", rows)
+    return lines
+
+
+def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
+    """Values of a measure that a step reports, at one sample."""
+    rig = recording.rig
+    sources: dict[str, tuple[str, str, int, dict[str, str]]] = {
+        "sling_tension": ("rope_tension", "kN", 1, {sling.name: sling.rope for sling in rig.slings}),
+        "equalizing_rope_tension": (
+            "rope_tension",
+            "kN",
+            1,
+            {e.name: e.equalizing_rope for e in rig.equalizers},
+        ),
+        "equalizer_travel": (
+            "sheave_travel",
+            "m",
+            3,
+            {s: s for e in rig.equalizers for s in e.moving_sheaves},
+        ),
+        "hook_load": ("hook_load", "kN", 1, {hook.name: hook.name for hook in rig.hooks}),
+        "hoist_load": ("hoist_load", "kN", 1, {hook.name: hook.name for hook in rig.hooks}),
+        "load_tilt": ("load_tilt", "deg", 2, {load.name: load.name for load in rig.loads}),
+        "load_transferred": ("load_transferred", "%", 1, {load.name: load.name for load in rig.loads}),
+    }
+    if measure not in sources:
+        yield "not known here"
+        return
+    variable, unit, digits, names = sources[measure]
+    for name, label in names.items():
+        if label:
+            yield f"{name} {show(float(recording.column(variable, label)[sample]), unit, digits)}"
+
+
+def _checks(rig: Rig, checks: list[Check], style: Callable[[Verdict], str]) -> list[str]:
+    if not checks:
+        return []
+    rule = rig.limits.get("rule")
+    rows = [
+        (check.name, check.shown(check.value), check.shown(check.limit), _place(check)) for check in checks
+    ]
+    lines = table((f"Check ({rule})" if rule else "Check", "value", "limit", ""), rows, "lrrl")
+    lines[0] = f"{'':<13}{lines[0]}"
+    return [
+        lines[0],
+        *(f"{style(check.verdict)}{line}" for check, line in zip(checks, lines[1:], strict=True)),
+    ]
+
+
+def _place(check: Check) -> str:
+    parts = [
+        check.where,
+        f"at {check.time:.2f} s" if check.time is not None else "",
+        f"(end of '{check.step}')" if check.step else "",
+        f"({check.remark})" if check.remark else "",
+    ]
+    return " ".join(part for part in parts if part)
+
+
+def _trust(recording: Recording, metrics: dict[str, float]) -> list[str]:
+    remainder = metrics.get("energy_remainder")
+    lines = []
+    if remainder is not None:
+        verdict = "the balance closes" if remainder <= ENERGY_BOUND else "THE BALANCE DOES NOT CLOSE"
+        lines.append(
+            f"Energy remainder {remainder:.1e} of the largest energy, bound {ENERGY_BOUND:.0e}: {verdict}"
+        )
+    warnings = recording.attributes.get("warnings") or []
+    return lines + [f"Warning: {warning}" for warning in warnings]

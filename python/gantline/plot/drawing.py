@@ -1,0 +1,352 @@
+"""Drawn views of the system at chosen times: from the side and from above, and each equalizer close up."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.patches import Polygon, Rectangle
+
+from gantline.plot.moments import moments
+from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
+from gantline.plot.style import FAINT, INK, KILO, QUIET, force_unit, shortened
+from gantline.results.recording import Recording
+from gantline.results.rig import Equalizer
+from gantline.results.variable import FloatArray
+
+_TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
+_SLACK_BELOW = 1e-3  # of the largest tension shown
+_FILL = {"load": "#C9D6E2", "frame": "#8FA3B5"}
+_EDGE = {"load": "#5B7286", "frame": "#4A5F73"}
+
+
+@dataclass(frozen=True)
+class View:
+    """Directions in the world that are right, up and towards the viewer on paper, unit vectors."""
+
+    right: FloatArray
+    up: FloatArray
+    toward: FloatArray
+
+    def project(self, points: FloatArray) -> FloatArray:
+        """Points on paper [m], shape (..., 2), of points in space, shape (..., 3)."""
+        return np.stack([points @ self.right, points @ self.up], axis=-1)
+
+
+SIDE = View(np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0]))
+TOP = View(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
+
+
+def system(recording: Recording) -> Figure | None:
+    """Side and top view at start, slings taut, lift-off, peak and end; None if there is nothing to draw."""
+    shown = [(name, snapshot(recording, sample)) for name, sample in moments(recording)]
+    if not any(len(snap.ropes) or len(snap.boxes) for _, snap in shown):
+        return None
+    extent = np.concatenate([snap.extent() for _, snap in shown])
+    ground = (recording.attributes.get("scene") or {}).get("ground")
+    if ground is not None:
+        extent = np.concatenate([extent, [[*extent.mean(axis=0)[:2], float(ground["level"])]]])
+    norm = _norm(shown)
+    windows = [_window(SIDE.project(extent), below=0.8), _window(TOP.project(extent))]
+    windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
+    windows[1][0] = windows[0][0] = _hull(windows[0][0], windows[1][0])
+    figure, panels = _strip(recording, "The system", len(shown), windows)
+    for column, (name, snap) in enumerate(shown):
+        for view, row in ((SIDE, panels[0]), (TOP, panels[1])):
+            draw(row[column], snap, view, norm)
+        if ground is not None:
+            _draw_ground(panels[0][column], float(ground["level"]))
+        _title(panels[0][column], name, snap.time)
+        _label_lugs(panels[1][column], snap)
+    panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
+    panels[1][0].set_ylabel("top view (x, y)", fontsize=8, color=QUIET)
+    _scale_bar(panels[0][-1], 0.03)
+    _tension_bar(figure, [panel for row in panels for panel in row], norm)
+    return figure
+
+
+def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
+    """One equalizer close up, seen across its frame, at the same times; None if its frame is not drawn."""
+    shown = [(name, snapshot(recording, sample)) for name, sample in moments(recording)]
+    if not which.moving_sheaves or which.name not in shown[0][1].frame_axes:
+        return None
+    norm = _norm(shown)
+    views = [_across(snap.frame_axes[which.name]) for _, snap in shown]
+    origins = [
+        view.project(snap.frame_origin[which.name]) for view, (_, snap) in zip(views, shown, strict=True)
+    ]
+    paths = [
+        view.project(part) - origin
+        for view, origin, (_, snap) in zip(views, origins, shown, strict=True)
+        for part in _of_equalizer(snap, which)
+    ]
+    window = _window(np.concatenate(paths), below=1.2, above=0.6)
+    figure, (row,) = _strip(recording, f"Equalizer {which.name}", len(shown), [window])
+    for panel, view, origin, (name, snap) in zip(row, views, origins, shown, strict=True):
+        panel.set_xlim(*(window[0] + origin[0]))
+        panel.set_ylim(*(window[1] + origin[1]))
+        _draw_strokes(panel, recording, snap, view, which)
+        draw(panel, snap, view, norm, large=True)
+        _title(panel, name, snap.time)
+        _label_sheaves(panel, snap, view, which)
+    row[0].set_ylabel("seen across the frame\n(ticks: ends of stroke)", fontsize=7.5, color=QUIET)
+    _scale_bar(row[-1], 0.925)
+    _tension_bar(figure, list(row), norm)
+    return figure
+
+
+def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: bool = False) -> None:
+    """Draw a snapshot into a panel.
+
+    Args:
+        panel: Where to draw; its limits are kept.
+        snap: What to draw.
+        view: From where it is seen.
+        norm: From tension [N] to the colour scale.
+        large: Whether sheaves are large enough on paper to show their rims.
+    """
+    limits = panel.get_xlim(), panel.get_ylim()
+    for box in snap.boxes:
+        _draw_box(panel, box, view)
+        if box.name in snap.frame_origin:
+            _draw_hanger(panel, box, snap.frame_origin[box.name], view)
+    for rope in snap.ropes:
+        _draw_rope(panel, rope, view, norm, 2.0 if large else 1.1)
+    for sheave in snap.sheaves:
+        outline = view.project(sheave.circle)
+        face, edge = ("white", INK) if sheave.moves else ("#B9C4CE", "#4A5F73")
+        panel.add_patch(
+            Polygon(outline, facecolor=face, edgecolor=edge, linewidth=1.1 if large else 0.6, zorder=3.5)
+        )
+        if large:
+            panel.plot(*outline[:-1].mean(axis=0), "o", color=edge, markersize=2.2, zorder=3.6)
+    for name, point in snap.points.items():
+        panel.plot(
+            *view.project(point), marker="v" if name in snap.hooks else "s", color=INK, markersize=4, zorder=4
+        )
+    for centre in snap.centres.values():
+        panel.plot(
+            *view.project(centre), marker="o", color="white", markeredgecolor=INK, markersize=5, zorder=4
+        )
+        panel.plot(*view.project(centre), marker="+", color=INK, markersize=5, markeredgewidth=0.8, zorder=4)
+    panel.set_xlim(*limits[0])
+    panel.set_ylim(*limits[1])
+
+
+def _draw_box(panel: Axes, box: Box, view: View) -> None:
+    fill, edge = _FILL.get(box.kind, "#DDDDDD"), _EDGE.get(box.kind, QUIET)
+    is_frame = box.kind == "frame"
+    for face in box.faces:
+        normal = np.cross(face[1] - face[0], face[2] - face[1])
+        if normal @ view.toward > 1e-9 * np.linalg.norm(normal):
+            outline = view.project(face)
+            panel.add_patch(
+                Polygon(outline, facecolor=fill, edgecolor="none", alpha=0.35 if is_frame else 1.0, zorder=1)
+            )
+            panel.add_patch(
+                Polygon(outline, fill=False, edgecolor=edge, linewidth=0.8, zorder=2.5 if is_frame else 1)
+            )
+
+
+def _draw_hanger(panel: Axes, frame: Box, bearing: FloatArray, view: View) -> None:
+    """The link from the hook's bearing to the top of a frame."""
+    corners = frame.faces.reshape(-1, 3)
+    top = corners[corners[:, 2] > corners[:, 2].max() - 1e-3 * np.ptp(corners[:, 2])].mean(axis=0)
+    line = view.project(np.stack([bearing, top]))
+    panel.plot(line[:, 0], line[:, 1], color=_EDGE["frame"], linewidth=2.0, solid_capstyle="butt", zorder=2.4)
+
+
+def _draw_strokes(panel: Axes, recording: Recording, snap: Snapshot, view: View, which: Equalizer) -> None:
+    """Where the centre of each moving sheave may travel: a faint line with a tick at either end."""
+    sample = int(np.argmin(np.abs(recording.time - snap.time)))
+    for sheave in snap.sheaves:
+        if sheave.body not in which.moving_sheaves or not (which.travel_up and which.travel_down):
+            continue
+        along, height = view.project(sheave.circle)[:-1].mean(axis=0)
+        start = height + float(recording.column("sheave_travel", sheave.body)[sample])
+        ends = [start + which.travel_up, start - which.travel_down]
+        panel.plot([along, along], ends, color="#9FB0BF", linewidth=0.8, zorder=2.6)
+        for end in ends:
+            panel.plot([along - 0.18, along + 0.18], [end, end], color="#9FB0BF", linewidth=0.8, zorder=2.6)
+
+
+def _draw_rope(panel: Axes, rope: RopePath, view: View, norm: Normalize, width: float) -> None:
+    path = view.project(rope.path)
+    is_slack = rope.tension <= _SLACK_BELOW * float(norm.vmax or 1.0)
+    panel.plot(
+        path[:, 0],
+        path[:, 1],
+        color="#8A8A8A" if is_slack else _TENSION(norm(rope.tension)),
+        linewidth=0.7 * width if is_slack else width,
+        linestyle=(0, (3, 1.5)) if is_slack else "-",
+        zorder=3.7 if rope.kind == "equalizing" else 3,
+    )
+
+
+def _norm(shown: Sequence[tuple[str, Snapshot]]) -> Normalize:
+    highest = max((rope.tension for _, snap in shown for rope in snap.ropes), default=0.0)
+    return Normalize(0.0, highest if highest > 0.0 else 1.0)
+
+
+def _across(frame: FloatArray) -> View:
+    """Seen across a frame: its length to the right."""
+    return View(frame[:, 0], frame[:, 2], -frame[:, 1])
+
+
+def _of_equalizer(snap: Snapshot, which: Equalizer) -> list[FloatArray]:
+    parts = [rope.path for rope in snap.ropes if rope.name == which.equalizing_rope]
+    parts += [sheave.circle for sheave in snap.sheaves if sheave.body in (which.body, *which.moving_sheaves)]
+    parts += [box.faces.reshape(-1, 3) for box in snap.boxes if box.name == which.body]
+    return parts
+
+
+def _hull(one: FloatArray, other: FloatArray) -> FloatArray:
+    return np.array([min(one[0], other[0]), max(one[1], other[1])])
+
+
+def _at_least(limits: FloatArray, span: float) -> FloatArray:
+    more = max(0.0, span - float(np.ptp(limits))) / 2.0
+    wider: FloatArray = limits + np.array([-more, more])
+    return wider
+
+
+def _window(points: FloatArray, below: float = 0.0, above: float = 0.0) -> FloatArray:
+    """Limits ((left, right), (low, high)) that hold points on paper with a margin."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = 0.05 * float(np.max(high - low)) + 1e-3
+    span = np.maximum(high - low, 0.2 * float(np.max(high - low)))
+    middle = (low + high) / 2.0
+    limits = np.stack([middle - span / 2.0 - margin, middle + span / 2.0 + margin], axis=1)
+    limits[1] += (-below, above)
+    return limits
+
+
+def _strip(
+    recording: Recording, title: str, columns: int, windows: Sequence[FloatArray]
+) -> tuple[Figure, list[list[Axes]]]:
+    """A figure with a column for each moment and a row for each window, all to one scale."""
+    width = float(np.ptp(windows[0][0]))
+    heights = [float(np.ptp(window[1])) for window in windows]
+    scale = min(2.2 / width, 8.2 / sum(heights))
+    size = (max(6.0, scale * width * columns + 0.5), scale * sum(heights) + 1.0 + 0.22 * len(heights))
+    figure = Figure(figsize=size)
+    figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.04, w_pad=0.03, hspace=0.01, wspace=0.01))
+    figure.suptitle(
+        f"{title}: {shortened(recording.title, 60)}", fontsize=12, fontweight="bold", x=0.01, ha="left"
+    )
+    grid = figure.add_gridspec(len(windows), columns, height_ratios=heights)
+    rows = [
+        [figure.add_subplot(grid[row, column]) for column in range(columns)] for row in range(len(windows))
+    ]
+    for row, window in zip(rows, windows, strict=True):
+        for panel in row:
+            panel.set_aspect("equal")
+            panel.set_xlim(*window[0])
+            panel.set_ylim(*window[1])
+            panel.grid(visible=False)
+            panel.set_xticks([])
+            panel.set_yticks([])
+            for spine in panel.spines.values():
+                spine.set_visible(True)
+                spine.set_color(FAINT)
+    return figure, rows
+
+
+def _draw_ground(panel: Axes, level: float) -> None:
+    left, right = panel.get_xlim()
+    low, _ = panel.get_ylim()
+    panel.add_patch(
+        Rectangle((left, low), right - left, level - low, facecolor="#ECE7DF", edgecolor="none", zorder=0)
+    )
+    panel.plot([left, right], [level, level], color="#8C7B62", linewidth=1.0, zorder=0.5)
+
+
+def _title(panel: Axes, name: str, time: float) -> None:
+    panel.set_title(f"{name}\n{time:.2f} s" if name else f"{time:.2f} s", fontsize=9, color=INK)
+
+
+def _label_lugs(panel: Axes, snap: Snapshot) -> None:
+    centre = np.mean([TOP.project(lug) for lug in snap.lugs.values()], axis=0) if snap.lugs else np.zeros(2)
+    for name, lug in snap.lugs.items():
+        place = TOP.project(lug)
+        panel.plot(*place, "o", color=INK, markersize=2.2, zorder=4)
+        away = place - centre
+        away = away / np.linalg.norm(away) if np.linalg.norm(away) > 1e-6 else np.array([0.0, -1.0])
+        panel.annotate(
+            name,
+            (float(place[0]), float(place[1])),
+            xytext=(8.0 * float(away[0]), 8.0 * float(away[1])),
+            textcoords="offset points",
+            fontsize=6.5,
+            ha="center",
+            va="center",
+        )
+
+
+def _label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) -> None:
+    tension = {rope.name: rope.tension for rope in snap.ropes}
+    low = float(panel.get_ylim()[0])
+    slings = dict(zip(which.moving_sheaves, which.slings, strict=False))
+    for sheave in snap.sheaves:
+        if sheave.body not in slings:
+            continue
+        along = float(view.project(sheave.circle)[:-1, 0].mean())
+        rope = slings[sheave.body]
+        force = tension.get(rope, 0.0) / KILO
+        panel.text(
+            along,
+            low,
+            f"{rope.removeprefix('sling.')}\n{force:.0f} kN",
+            fontsize=6.5,
+            ha="center",
+            va="bottom",
+            color=INK,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
+            zorder=5,
+        )
+
+
+def _scale_bar(panel: Axes, height_fraction: float) -> None:
+    """A bar of a round length at the right of a panel, at this fraction of its height."""
+    (left, right), (low, high) = panel.get_xlim(), panel.get_ylim()
+    target = 0.3 * (right - left)
+    power = 10.0 ** np.floor(np.log10(target))
+    length = float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= target))
+    end = right - 0.05 * (right - left)
+    height = low + height_fraction * (high - low)
+    panel.plot(
+        [end - length, end], [height, height], color=INK, linewidth=2.2, solid_capstyle="butt", zorder=6
+    )
+    panel.annotate(
+        f"{length:g} m",
+        (end - length / 2.0, height),
+        xytext=(0, 2.5),
+        textcoords="offset points",
+        ha="center",
+        va="bottom",
+        fontsize=7,
+        zorder=6,
+    )
+
+
+def _tension_bar(figure: Figure, panels: list[Axes], norm: Normalize) -> None:
+    scale, unit = force_unit(float(norm.vmax or 1.0))
+    bar = figure.colorbar(
+        ScalarMappable(Normalize(0.0, float(norm.vmax or 1.0) / scale), _TENSION),
+        ax=panels,
+        orientation="horizontal",
+        fraction=0.04,
+        aspect=70,
+        shrink=0.6,
+        pad=0.02,
+    )
+    bar.set_label(f"Rope tension [{unit}]; slack ropes are dashed grey", fontsize=8)
+    bar.ax.tick_params(labelsize=7.5, length=2)
+    bar.outline.set_visible(False)

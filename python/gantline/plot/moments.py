@@ -1,0 +1,56 @@
+"""The times at which a lift is worth drawing."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+
+
+def moments(recording: Recording) -> list[tuple[str, int]]:
+    """Name and sample of each moment in order: start, slings taut, lift-off, peak, end.
+
+    A system without slings is shown at start and end and twice between. Moments that fall on one sample are
+    shown once.
+
+    Args:
+        recording: Any recording.
+
+    Returns:
+        At least one moment.
+    """
+    end = float(recording.time[-1])
+    slings = {sling.rope for sling in recording.rig.slings}
+    times: list[tuple[str, float | None]]
+    if slings:
+        peak = max(series.rope_peak(recording, rope) for rope in slings)[1]
+        times = [
+            ("slings taut", _all_taut(recording, slings, peak)),
+            ("lift-off", series.lift_off_time(recording)),
+            ("peak tension", peak),
+        ]
+    else:
+        start = float(recording.time[0])
+        times = [("", start + (end - start) / 3.0), ("", start + 2.0 * (end - start) / 3.0)]
+    named = [("start", 0)]
+    named += [(name, _sample(recording, time)) for name, time in times if time is not None]
+    named.append(("end", len(recording.time) - 1))
+    taken: dict[int, str] = {}
+    for name, sample in named:
+        taken.setdefault(sample, name)
+    return [(name, sample) for sample, name in sorted(taken.items())]
+
+
+def _all_taut(recording: Recording, slings: set[str], peak: float) -> float | None:
+    """When the last sling began to carry before the peak [s]; None if all always did or one never did."""
+    tensions = [recording.column("rope_tension", rope) for rope in slings]
+    taut = np.all([series.is_carrying(tension) for tension in tensions], axis=0)
+    before = np.flatnonzero(~taut & (recording.time < peak))
+    if not before.size or before[-1] + 1 >= len(taut) or recording.time[before[-1] + 1] >= peak:
+        return None
+    return float(recording.time[before[-1] + 1])
+
+
+def _sample(recording: Recording, time: float) -> int:
+    return min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1)

@@ -1,0 +1,78 @@
+"""Which pictures a recording gets, and writing them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+
+import matplotlib
+from matplotlib.figure import Figure
+
+from gantline.plot import drawing, traces
+from gantline.plot.energy import energy
+from gantline.plot.style import RC
+from gantline.results.recording import Recording
+
+#: Every kind of picture by its file name; those that a lift does not have give None.
+PICTURES: dict[str, Callable[[Recording], Figure | None]] = {
+    "sling_tension": traces.sling_tension,
+    "equalizing_rope_tension": traces.equalizing_rope_tension,
+    "rope_tension": traces.rope_tension,
+    "sheave_travel": traces.sheave_travel,
+    "attitude": traces.attitude,
+    "motion": traces.motion,
+    "hook_load": traces.hook_load,
+    "energy": energy,
+    "system": drawing.system,
+}
+
+
+def figures(recording: Recording) -> Iterator[tuple[str, Figure]]:
+    """Make the pictures that a recording can have, one at a time.
+
+    Args:
+        recording: Any recording; one with fewer than two samples has no pictures.
+
+    Yields:
+        Name of a picture (a file name without suffix) and its figure.
+    """
+    if len(recording.time) < 2:
+        return
+    makers = dict(PICTURES)
+    for equalizer in recording.rig.equalizers:
+        makers[f"equalizer_{equalizer.name}"] = partial(drawing.equalizer, which=equalizer)
+    for name, make in makers.items():
+        with matplotlib.rc_context(RC):
+            figure = make(recording)
+        if figure is not None:
+            yield name, figure
+
+
+def save_pictures(recording: Recording, directory: str | Path) -> list[Path]:
+    """Write the pictures of a recording as PNG files.
+
+    Args:
+        recording: Any recording.
+        directory: Folder to write into; it must exist.
+
+    Returns:
+        Paths of the files.
+
+    Raises:
+        OSError: If they cannot be written there.
+    """
+    paths = []
+    for name, figure in figures(recording):
+        path = Path(directory) / f"{name}.png"
+        temporary = path.with_name(f".{path.name}.part")
+        try:
+            with matplotlib.rc_context(RC):
+                figure.savefig(temporary, format="png")
+            os.replace(temporary, path)
+        except BaseException:
+            temporary.unlink(missing_ok=True)
+            raise
+        paths.append(path)
+    return paths

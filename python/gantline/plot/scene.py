@@ -1,0 +1,178 @@
+"""The system at one sample, as points, lines and faces in space: what the drawings project."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gantline.results.recording import Recording
+from gantline.results.rotation import axes
+from gantline.results.variable import FloatArray
+
+_FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+_CIRCLE = np.linspace(0.0, 2.0 * np.pi, 49)
+
+
+@dataclass(frozen=True)
+class Box:
+    """A box-shaped body: name, kind and its six faces [m], shape (6, 4, 3)."""
+
+    name: str
+    kind: str
+    faces: FloatArray
+
+
+@dataclass(frozen=True)
+class Sheave:
+    """A sheave: its body, whether it moves, and its circle [m], shape (49, 3)."""
+
+    body: str
+    moves: bool
+    circle: FloatArray
+
+
+@dataclass(frozen=True)
+class RopePath:
+    """A rope: name, kind, drawn path [m] of shape (points, 3), tension [N]."""
+
+    name: str
+    kind: str
+    path: FloatArray
+    tension: float
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """Everything that is drawn at one sample.
+
+    Attributes:
+        time: Of the sample [s].
+        boxes: Bodies with a shape.
+        sheaves: All sheaves.
+        ropes: All ropes.
+        points: Bodies without shape and sheave, by name [m]: hooks and plain bodies.
+        hooks: Which of these points are hooks.
+        centres: Centres of gravity of the loads, by name [m].
+        lugs: Lower ends of the slings, by the sling's name [m].
+        frame_axes: Axes of every equalizer's frame, by name, as columns of a matrix (3, 3).
+        frame_origin: Origin of every equalizer's frame, the bearing of its hook, by name [m].
+    """
+
+    time: float
+    boxes: Sequence[Box]
+    sheaves: Sequence[Sheave]
+    ropes: Sequence[RopePath]
+    points: Mapping[str, FloatArray]
+    hooks: frozenset[str]
+    centres: Mapping[str, FloatArray]
+    lugs: Mapping[str, FloatArray]
+    frame_axes: Mapping[str, FloatArray]
+    frame_origin: Mapping[str, FloatArray]
+
+    def extent(self) -> FloatArray:
+        """All points that the drawing must hold [m], shape (points, 3)."""
+        parts = [box.faces.reshape(-1, 3) for box in self.boxes]
+        parts += [sheave.circle for sheave in self.sheaves]
+        parts += [rope.path for rope in self.ropes]
+        parts += [point[None] for point in (*self.points.values(), *self.frame_origin.values())]
+        return np.concatenate(parts)
+
+
+def snapshot(recording: Recording, sample: int) -> Snapshot:
+    """The system at one sample.
+
+    Args:
+        recording: A recording with the attribute `scene`.
+        sample: Index of the sample.
+
+    Returns:
+        What is to be drawn, world axes.
+    """
+    scene: Mapping[str, Any] = recording.attributes.get("scene") or {}
+    names = recording.coordinates.get("body", ())
+    bodies = {entry["name"]: entry for entry in scene.get("bodies", ()) if entry["name"] in names}
+    place = _Places(recording, sample, bodies)
+    sheaves = [entry for entry in scene.get("sheaves", ()) if entry["body"] in bodies]
+    plain = set(bodies) - {entry["body"] for entry in sheaves}
+    boxes = [
+        Box(name, entry.get("kind", "body"), place.world(name, _box_faces(entry["shape"])))
+        for name, entry in bodies.items()
+        if (entry.get("shape") or {}).get("type") == "box"
+    ]
+    plain -= {box.name for box in boxes}
+    loads = {load.name: load.body for load in recording.rig.loads}
+    frames = {e.name: e.body for e in recording.rig.equalizers if e.body in bodies}
+    ropes = _ropes(recording, sample, scene)
+    ends = {rope.name: rope.path[-1] for rope in ropes}
+    return Snapshot(
+        float(recording.time[sample]),
+        boxes,
+        [Sheave(e["body"], e.get("kind") == "moving", place.world(e["body"], _circle(e))) for e in sheaves],
+        ropes,
+        {name: place.origin(name) for name in bodies if name in plain},
+        frozenset(name for name in plain if bodies[name].get("kind") == "hook"),
+        {name: place.centre(body) for name, body in loads.items()},
+        {sling.name: ends[sling.rope] for sling in recording.rig.slings if sling.rope in ends},
+        {name: place.axes(body) for name, body in frames.items()},
+        {name: place.origin(body) for name, body in frames.items()},
+    )
+
+
+class _Places:
+    """Where bodies are at one sample."""
+
+    def __init__(self, recording: Recording, sample: int, bodies: Mapping[str, Any]) -> None:
+        self._recording = recording
+        self._sample = sample
+        self._bodies = bodies
+
+    def centre(self, body: str) -> FloatArray:
+        place: FloatArray = self._recording.column("body_position", body)[self._sample]
+        return place
+
+    def axes(self, body: str) -> FloatArray:
+        return axes(self._recording.column("body_orientation", body)[self._sample])
+
+    def world(self, body: str, points: FloatArray) -> FloatArray:
+        """Points of a body's frame in the world; the recorded position is that of the centre of gravity."""
+        offset = points - np.asarray(self._bodies[body].get("centre_of_gravity") or (0.0, 0.0, 0.0))
+        moved: FloatArray = self.centre(body) + offset @ self.axes(body).T
+        return moved
+
+    def origin(self, body: str) -> FloatArray:
+        return self.world(body, np.zeros(3))
+
+
+def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[RopePath]:
+    if "rope_point" not in recording:
+        return []
+    kinds = {entry["name"]: entry.get("kind", "rope") for entry in scene.get("ropes", ())}
+    owner = recording["rope_of_point"].values
+    points = recording["rope_point"].values[sample]
+    tension = recording["rope_tension"].values[sample]
+    return [
+        RopePath(rope, kinds.get(rope, "rope"), points[owner == rope], float(tension[index]))
+        for index, rope in enumerate(recording.coordinates["rope"])
+        if (owner == rope).any()
+    ]
+
+
+def _box_faces(shape: Mapping[str, Any]) -> FloatArray:
+    half = np.asarray(shape["size"], dtype=np.float64) / 2.0
+    signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
+    corners = np.asarray(shape.get("centre") or (0.0, 0.0, 0.0)) + signs * half
+    return np.stack([corners[list(face)] for face in _FACES])
+
+
+def _circle(sheave: Mapping[str, Any]) -> FloatArray:
+    axis = np.asarray(sheave["axis"], dtype=np.float64)
+    axis = axis / np.linalg.norm(axis)
+    aside = np.cross(axis, (0.0, 0.0, 1.0) if abs(axis[2]) < 0.9 else (1.0, 0.0, 0.0))
+    aside = aside / np.linalg.norm(aside)
+    up = np.cross(aside, axis)
+    around = np.outer(np.cos(_CIRCLE), aside) + np.outer(np.sin(_CIRCLE), up)
+    circle: FloatArray = np.asarray(sheave["centre"], dtype=np.float64) + float(sheave["radius"]) * around
+    return circle

@@ -1,0 +1,315 @@
+"""One look for all pictures: fonts, colours, axes, event marks and labels.
+
+Colours are those of Okabe and Ito (2008), which remain distinct in the common kinds of colour blindness.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
+from matplotlib.ticker import MaxNLocator
+
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import FloatArray
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A5195", "#4D4D4D")
+INK = "#222222"
+QUIET = "#6B6B6B"
+FAINT = "#D9D9D9"
+ALARM = "#B3261E"
+
+KILO = 1e3
+_LETTER = 0.58 / 72.0  # mean width of a letter, inch per point of size
+TONNE_FORCE = 9.81e3  # N; only pictures speak of tonne-force
+
+RC: Any = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9.0,
+    "text.color": INK,
+    "axes.labelcolor": INK,
+    "axes.labelsize": 9.0,
+    "axes.edgecolor": QUIET,
+    "axes.linewidth": 0.7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.axisbelow": True,
+    "axes.grid": True,
+    "axes.grid.axis": "y",
+    "grid.color": "#E6E6E6",
+    "grid.linewidth": 0.6,
+    "xtick.color": QUIET,
+    "ytick.color": QUIET,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "xtick.labelsize": 8.5,
+    "ytick.labelsize": 8.5,
+    "lines.linewidth": 1.5,
+    "lines.solid_capstyle": "round",
+    "lines.solid_joinstyle": "round",
+    "legend.frameon": False,
+    "savefig.dpi": 200,
+    "savefig.facecolor": "white",
+}
+
+
+def time_figure(
+    recording: Recording, title: str, heights: Sequence[float], height: float = 4.2
+) -> tuple[Figure, list[Axes]]:
+    """A figure with panels over time, one above the other, under a title and a strip of the plan's steps.
+
+    Args:
+        recording: What is shown.
+        title: What the picture shows.
+        heights: Relative heights of the panels, from the top.
+        height: Of the whole figure [inch].
+
+    Returns:
+        The figure and its panels.
+    """
+    figure = Figure(figsize=(7.4, height))
+    figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.05, w_pad=0.06, hspace=0.03))
+    steps = _steps(recording)
+    tall = any(_fit(name, (end - begin) / (steps[-1][1] - steps[0][0]))[1] > 1 for begin, end, name in steps)
+    strip = [(0.3 if tall else 0.2) * sum(heights) / height] if steps else []
+    grid = figure.add_gridspec(len(strip) + len(heights), 1, height_ratios=[*strip, *heights])
+    panels: list[Axes] = []
+    for row in range(len(heights)):
+        panels.append(figure.add_subplot(grid[len(strip) + row], sharex=panels[0] if panels else None))
+    time = recording.time
+    panels[0].set_xlim(float(time[0]), float(time[-1]) if time[-1] > time[0] else float(time[0]) + 1.0)
+    for panel in panels[:-1]:
+        panel.tick_params(labelbottom=False)
+    panels[-1].set_xlabel("Time [s]")
+    top = panels[0]
+    if steps:
+        top = figure.add_subplot(grid[0], sharex=panels[0])
+        _draw_strip(top, steps)
+    top.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=7)
+    top.set_title(shortened(recording.title, 70), loc="right", fontsize=8.5, color=QUIET, pad=7)
+    _mark_lift_off(recording, panels)
+    return figure, panels
+
+
+def force_unit(largest: float) -> tuple[float, str]:
+    """Unit for forces up to this one [N]: its size [N] and its name."""
+    return (KILO, "kN") if largest >= KILO else (1.0, "N")
+
+
+def force_axis(panel: Axes, label: str, unit: str) -> None:
+    """Label a panel with its unit of force, and kilonewtons with tonne-force on the right."""
+    panel.set_ylabel(f"{label} [{unit}]")
+    if unit != "kN":
+        return
+    right = panel.secondary_yaxis("right", functions=(_to_tonne_force, _from_tonne_force))
+    right.set_ylabel("tonne-force [t]", color=QUIET)
+    right.tick_params(colors=QUIET, labelcolor=QUIET)
+    right.spines["right"].set_visible(True)
+    right.spines["right"].set_color(FAINT)
+
+
+def curves(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> None:
+    """Draw curves that may lie upon each other: the first is the widest, so that each can be seen."""
+    widths = np.linspace(3.0, 1.0, len(values)) if len(values) > 1 else [1.6]
+    for index, ((name, curve), width) in enumerate(zip(values.items(), widths, strict=True)):
+        panel.plot(time, curve, color=colour(index), linewidth=float(width), label=name)
+
+
+def legend(panel: Axes, most_columns: int = 8) -> None:
+    """Name the curves of a panel in a row above it, inside its frame."""
+    lines = [line for line in panel.get_lines() if not str(line.get_label()).startswith("_")]
+    keys = [Line2D([], [], color=line.get_color(), linewidth=2.4) for line in lines]
+    labels = [str(line.get_label()) for line in lines]
+    columns = min(most_columns, max(1, len(labels)))
+    panel.legend(
+        keys,
+        labels,
+        ncols=columns,
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        borderaxespad=0.2,
+        handlelength=1.3,
+        handletextpad=0.5,
+        columnspacing=1.4,
+        fontsize=8.5,
+    )
+
+
+def label_ends(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> None:
+    """Write each curve's name beside its right end; names that would touch move apart and keep a leader."""
+    low, high = sorted(panel.get_ylim())
+    gap = (high - low) * 0.085 * _size_factor(panel)
+    inverted = panel.yaxis_inverted()
+    ends = sorted(((float(curve[-1]), index, name) for index, (name, curve) in enumerate(values.items())))
+    places = _apart([end for end, _, _ in ends], gap, low, high)
+    for (end, index, name), place in zip(ends, places, strict=True):
+        fraction = (high - place) / (high - low) if inverted else (place - low) / (high - low)
+        panel.annotate(
+            name,
+            xy=(float(time[-1]), end),
+            xytext=(1.035, fraction),
+            textcoords="axes fraction",
+            color=colour(index),
+            fontsize=8.5,
+            va="center",
+            ha="left",
+            annotation_clip=False,
+            arrowprops={
+                "arrowstyle": "-",
+                "color": colour(index),
+                "linewidth": 0.6,
+                "shrinkA": 1,
+                "shrinkB": 1,
+                "relpos": (0, 0.5),
+            },
+        )
+
+
+def limit_line(panel: Axes, value: float, text: str, *, below: bool = False, right: bool = False) -> None:
+    """Draw a limit as a dashed red line with its name, above it on the left unless said otherwise."""
+    panel.axhline(value, color=ALARM, linewidth=0.9, linestyle=(0, (5, 3)))
+    panel.annotate(
+        text,
+        xy=(0.994 if right else 0.006, value),
+        xycoords=("axes fraction", "data"),
+        xytext=(0, -2.5 if below else 2.5),
+        textcoords="offset points",
+        color=ALARM,
+        fontsize=8,
+        va="top" if below else "bottom",
+        ha="right" if right else "left",
+    )
+
+
+def mark_peak(panel: Axes, time: float, value: float, text: str) -> None:
+    """Mark the highest point of a panel with a dot and a text."""
+    panel.plot([time], [value], "o", color=INK, markersize=3.5, zorder=5)
+    left, right = panel.get_xlim()
+    to_left = time > left + 0.7 * (right - left)
+    panel.annotate(
+        text,
+        xy=(time, value),
+        xytext=(-6 if to_left else 6, 3),
+        textcoords="offset points",
+        ha="right" if to_left else "left",
+        va="bottom",
+        fontsize=8,
+        color=INK,
+    )
+
+
+def few_ticks(panel: Axes, count: int = 4) -> None:
+    """Use few ticks on the vertical axis of a low panel."""
+    panel.yaxis.set_major_locator(MaxNLocator(count, min_n_ticks=3))
+
+
+def shortened(text: str, most: int) -> str:
+    """A text of at most this many characters."""
+    return text if len(text) <= most else text[: most - 1].rstrip() + "…"
+
+
+def colour(index: int) -> str:
+    """Colour of the curve with this index."""
+    return COLOURS[index % len(COLOURS)]
+
+
+def _steps(recording: Recording) -> list[tuple[float, float, str]]:
+    begins = [(time, name) for time, _, name in recording.events("step_begin")]
+    end = float(recording.time[-1])
+    until = [*(time for time, _ in begins[1:]), end]
+    return [(begin, stop, name) for (begin, name), stop in zip(begins, until, strict=False) if stop > begin]
+
+
+def _draw_strip(strip: Axes, steps: list[tuple[float, float, str]]) -> None:
+    strip.set_axis_off()
+    strip.set_ylim(0.0, 1.0)
+    whole = steps[-1][1] - steps[0][0]
+    for index, (begin, end, name) in enumerate(steps):
+        tint = "#E9EEF3" if index % 2 == 0 else "#D5DFE8"
+        strip.add_patch(
+            Rectangle((begin, 0.0), end - begin, 1.0, facecolor=tint, edgecolor="white", linewidth=1.0)
+        )
+        text, lines = _fit(name, (end - begin) / whole)
+        if lines:
+            size = 8.0 if lines == 1 else 6.5
+            label = strip.text((begin + end) / 2, 0.46, text, fontsize=size, color="#3E5468")
+            label.set(ha="center", va="center", linespacing=0.95)
+
+
+def _fit(name: str, share: float) -> tuple[str, int]:
+    """A step's name as it fits into its share of the strip, and its lines: 1, 2 (smaller), 0 for none."""
+    room = 5.6 * share - 0.06  # inch
+    if len(name) * 8.0 * _LETTER <= room:
+        return name, 1
+    words = name.split()
+    halves = [(" ".join(words[:cut]), " ".join(words[cut:])) for cut in range(1, len(words))]
+    first, second = min(halves, key=lambda pair: max(map(len, pair)), default=(name, ""))
+    if max(len(first), len(second)) * 6.5 * _LETTER <= room:
+        return f"{first}\n{second}", 2
+    return "", 0
+
+
+def _mark_lift_off(recording: Recording, panels: Sequence[Axes]) -> None:
+    time = series.lift_off_time(recording)
+    if time is None:
+        return
+    for panel in panels:
+        panel.axvline(time, color=QUIET, linewidth=0.8, linestyle=(0, (1.5, 2)), zorder=1)
+    panels[0].annotate(
+        f"lift-off {time:.2f} s",
+        xy=(time, 1.0),
+        xycoords=("data", "axes fraction"),
+        xytext=(-4, -3),
+        textcoords="offset points",
+        ha="right",
+        va="top",
+        fontsize=8,
+        color=QUIET,
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+    )
+
+
+def _apart(ends: list[float], gap: float, low: float, high: float) -> list[float]:
+    """Places at least `gap` apart and inside the panel, as near to the ends (in rising order) as that allows.
+
+    Names that would touch form a group whose middle stays at the mean of its ends (pool adjacent violators).
+    """
+    groups: list[tuple[float, int]] = []  # mean of (end - gap * index), number of names
+    for index, end in enumerate(ends):
+        groups.append((end - gap * index, 1))
+        while len(groups) > 1 and groups[-2][0] > groups[-1][0]:
+            (upper, many), (lower, few) = groups.pop(), groups.pop()
+            groups.append(((upper * many + lower * few) / (many + few), many + few))
+    levels = [level for level, count in groups for _ in range(count)]
+    places = [level + gap * index for index, level in enumerate(levels)]
+    floor, ceiling = low, high
+    for index in range(len(places)):
+        floor = max(places[index], floor)
+        places[index], floor = floor, floor + gap
+    for index in reversed(range(len(places))):
+        ceiling = min(places[index], ceiling)
+        places[index], ceiling = ceiling, ceiling - gap
+    return places
+
+
+def _size_factor(panel: Axes) -> float:
+    """How much larger a line of text is in this panel than in one that is 2.2 inches high."""
+    figure = panel.get_figure(root=True)
+    assert figure is not None
+    height = float(figure.get_figheight()) * panel.get_position().height
+    return 2.2 / max(height, 0.4)
+
+
+def _to_tonne_force(kilonewton: Any) -> Any:
+    return np.asarray(kilonewton) * KILO / TONNE_FORCE
+
+
+def _from_tonne_force(tonne: Any) -> Any:
+    return np.asarray(tonne) * TONNE_FORCE / KILO

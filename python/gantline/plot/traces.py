@@ -1,0 +1,233 @@
+"""Pictures over time: tensions, travel, attitude, hook load."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from gantline.plot.style import (
+    QUIET,
+    colour,
+    curves,
+    few_ticks,
+    force_axis,
+    force_unit,
+    label_ends,
+    legend,
+    limit_line,
+    mark_peak,
+    time_figure,
+)
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.rig import Equalizer
+from gantline.results.rotation import heading
+from gantline.results.variable import BoolArray, FloatArray
+
+
+def sling_tension(recording: Recording) -> Figure | None:
+    """Tension of every sling, and the tension spread of every equalizer while clear; None without slings."""
+    slings = recording.rig.slings
+    if not slings:
+        return None
+    equalizers = [e for e in recording.rig.equalizers if e.slings]
+    clear = series.is_clear(recording)
+    has_spread = bool(equalizers) and bool(clear.any())
+    figure, panels = time_figure(recording, "Sling tension", [3.0, 1.2] if has_spread else [1.0], 4.6)
+    tensions = {sling.name: series.sling_tension(recording, sling) for sling in slings}
+    peak = max((*series.rope_peak(recording, sling.rope), sling.name) for sling in slings)
+    _force_panel(recording, panels[0], tensions, "Tension", peak)
+    if has_spread:
+        _deviation_panel(recording, panels[1], equalizers, clear)
+        figure.align_ylabels(panels)
+    return figure
+
+
+def _deviation_panel(
+    recording: Recording, panel: Axes, equalizers: list[Equalizer], clear: BoolArray
+) -> None:
+    """How far each sling is from the mean of its equalizer while the loads are clear."""
+    deviations: dict[str, FloatArray] = {}
+    colours = {sling.rope: colour(index) for index, sling in enumerate(recording.rig.slings)}
+    for equalizer in equalizers:
+        mean = np.mean([recording.column("rope_tension", rope) for rope in equalizer.slings], axis=0)
+        for rope in equalizer.slings:
+            tension = recording.column("rope_tension", rope)
+            ratio = np.divide(tension, mean, out=np.ones_like(mean), where=mean > 0.0)
+            deviations[rope] = np.where(clear, 100.0 * (ratio - 1.0), np.nan)
+    for (rope, values), width in zip(deviations.items(), np.linspace(2.6, 1.0, len(deviations)), strict=True):
+        panel.plot(recording.time, values, color=colours.get(rope, QUIET), linewidth=float(width))
+    panel.set_ylabel("From the mean\nwhen clear [%]")
+    _widen(panel, 0.2)
+    few_ticks(panel)
+    spread = max(float(series.tension_spread(recording, e)[clear].max()) for e in equalizers)
+    panel.annotate(
+        f"largest spread {100 * spread:.2f} %",
+        xy=(0.006, 0.93),
+        xycoords="axes fraction",
+        va="top",
+        fontsize=8,
+        color=QUIET,
+    )
+
+
+def equalizing_rope_tension(recording: Recording) -> Figure | None:
+    """Tension of every equalizing rope; None without equalizers."""
+    ropes = {e.name: e.equalizing_rope for e in recording.rig.equalizers if e.equalizing_rope}
+    return _ropes(recording, "Equalizing rope tension", ropes)
+
+
+def rope_tension(recording: Recording) -> Figure | None:
+    """Tension of the ropes that are neither slings nor equalizing ropes; None without such."""
+    known = {sling.rope for sling in recording.rig.slings}
+    known |= {equalizer.equalizing_rope for equalizer in recording.rig.equalizers}
+    ropes = {rope: rope for rope in recording.coordinates.get("rope", ()) if rope not in known}
+    return _ropes(recording, "Rope tension", ropes)
+
+
+def sheave_travel(recording: Recording) -> Figure | None:
+    """Travel of the moving sheaves between the ends of their stroke, downwards as they move, or None."""
+    equalizers = [e for e in recording.rig.equalizers if e.moving_sheaves]
+    if not equalizers:
+        return None
+    figure, panels = time_figure(
+        recording, "Sheave travel", [1.0] * len(equalizers), 1.4 + 2.8 * len(equalizers)
+    )
+    for equalizer, panel in zip(equalizers, panels, strict=True):
+        travel = {sheave: recording.column("sheave_travel", sheave) for sheave in equalizer.moving_sheaves}
+        for index, curve in enumerate(travel.values()):
+            width = 2.6 if index < len(travel) / 2 else 1.3
+            panel.plot(recording.time, curve, color=colour(index), linewidth=width)
+        strokes = [-(equalizer.travel_up or 0.0), equalizer.travel_down or 0.0]
+        reach = np.array([*strokes, *(c.min() for c in travel.values()), *(c.max() for c in travel.values())])
+        margin = 0.1 * max(float(np.ptp(reach)), 0.1)
+        panel.set_ylim(float(reach.max()) + margin, float(reach.min()) - margin)
+        panel.set_ylabel(f"{equalizer.name}: travel,\ndown positive [m]")
+        if equalizer.travel_up:
+            limit_line(
+                panel, -equalizer.travel_up, f"end of stroke, {equalizer.travel_up:g} m up", right=True
+            )
+        if equalizer.travel_down:
+            limit_line(
+                panel,
+                equalizer.travel_down,
+                f"end of stroke, {equalizer.travel_down:g} m down",
+                right=True,
+                below=True,
+            )
+        label_ends(panel, recording.time, travel)
+    return figure
+
+
+def attitude(recording: Recording) -> Figure | None:
+    """Tilt, heading, height and drift of the loads, with the headings of the frames; None without loads."""
+    loads = recording.rig.loads
+    if not loads:
+        return None
+    figure, panels = time_figure(recording, "Attitude", [1.0] * 4, 6.4)
+    position = {load.name: recording.column("body_position", load.body) for load in loads}
+    bodies = {load.name: load.body for load in loads} | {e.name: e.body for e in recording.rig.equalizers}
+    degrees = {
+        name: np.degrees(np.unwrap(heading(recording.column("body_orientation", body))))
+        for name, body in bodies.items()
+    }
+    tilt = {load.name: np.degrees(recording.column("load_tilt", load.name)) for load in loads}
+    height = {name: place[:, 2] - place[0, 2] for name, place in position.items()}
+    drift = {name: np.linalg.norm(place[:, :2] - place[0, :2], axis=1) for name, place in position.items()}
+    rows = (
+        ("Tilt [deg]", tilt, 0.1),
+        ("Heading [deg]", degrees, 1.0),
+        ("Height above\nstart [m]", height, 0.01),
+        ("Drift [m]", drift, 0.01),
+    )
+    for panel, (label, values, least_span) in zip(panels, rows, strict=True):
+        for index, curve in enumerate(values.values()):
+            panel.plot(recording.time, curve, color=colour(index))
+        panel.set_ylabel(label)
+        _widen(panel, least_span)
+        if values is tilt or values is drift:
+            panel.set_ylim(bottom=0.0)
+        few_ticks(panel)
+        label_ends(panel, recording.time, values)
+    figure.align_ylabels(panels)
+    return figure
+
+
+def motion(recording: Recording) -> Figure | None:
+    """Height of every body above its start, for a system without loads; None if nothing moves."""
+    if recording.rig.loads or "body_position" not in recording:
+        return None
+    heights: dict[str, FloatArray] = {}
+    for body in recording.coordinates["body"]:
+        height = recording.column("body_position", body)[:, 2]
+        if float(np.ptp(height)) > 0.0:
+            heights[body] = height - height[0]
+    if not heights:
+        return None
+    figure, (panel,) = time_figure(recording, "Motion of the bodies", [1.0], 3.8)
+    curves(panel, recording.time, heights)
+    panel.set_ylabel("Height above start [m]")
+    label_ends(panel, recording.time, heights)
+    return figure
+
+
+def hook_load(recording: Recording) -> Figure | None:
+    """Hook load of every hook, and how much of every load is transferred; None without hooks."""
+    hooks = recording.rig.hooks
+    if not hooks:
+        return None
+    loads = recording.rig.loads
+    figure, panels = time_figure(recording, "Hook load", [2.6, 1.2] if loads else [1.0], 4.6)
+    forces = {hook.name: recording.column("hook_load", hook.name) for hook in hooks}
+    name, force = max(forces.items(), key=lambda item: float(item[1].max()))
+    at = int(force.argmax())
+    _force_panel(
+        recording, panels[0], forces, "Hook load", (float(force[at]), float(recording.time[at]), name)
+    )
+    if loads:
+        for index, load in enumerate(loads):
+            transferred = recording.column("load_transferred", load.name) * 100.0
+            panels[1].plot(recording.time, transferred, color=colour(index), label=load.name)
+        if len(loads) > 1:
+            panels[1].legend(fontsize=8, ncols=4, loc="lower right")
+        panels[1].set_ylim(-4.0, 108.0)
+        panels[1].set_yticks([0, 25, 50, 75, 100])
+        panels[1].set_ylabel("Load trans-\nferred [%]")
+        figure.align_ylabels(panels)
+    return figure
+
+
+def _ropes(recording: Recording, title: str, ropes: dict[str, str]) -> Figure | None:
+    if not ropes:
+        return None
+    figure, (panel,) = time_figure(recording, title, [1.0], 3.8)
+    tensions = {name: recording.column("rope_tension", rope) for name, rope in ropes.items()}
+    peak = max((*series.rope_peak(recording, rope), name) for name, rope in ropes.items())
+    _force_panel(recording, panel, tensions, "Tension", peak)
+    return figure
+
+
+def _force_panel(
+    recording: Recording,
+    panel: Axes,
+    forces: dict[str, FloatArray],
+    label: str,
+    peak: tuple[float, float, str],
+) -> None:
+    """Forces [N] over time with their peak: force [N], time [s], name."""
+    scale, unit = force_unit(peak[0])
+    curves(panel, recording.time, {name: force / scale for name, force in forces.items()})
+    panel.set_ylim(0.0, 1.14 * peak[0] / scale if peak[0] > 0.0 else 1.0)
+    force_axis(panel, label, unit)
+    mark_peak(panel, peak[1], peak[0] / scale, f"{peak[2]}  {peak[0] / scale:.4g} {unit} at {peak[1]:.2f} s")
+    if len(forces) > 1:
+        legend(panel)
+
+
+def _widen(panel: Axes, least: float) -> None:
+    """Give a panel at least this span, so that rounding errors do not look like motion."""
+    low, high = panel.get_ylim()
+    if high - low < least:
+        middle = (low + high) / 2
+        panel.set_ylim(middle - least / 2, middle + least / 2)

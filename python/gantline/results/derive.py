@@ -1,0 +1,174 @@
+"""From the core's columns to the variables of a recording, as functions of arrays and rig."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from gantline.results.recording import Recording
+from gantline.results.rig import Hook, Load, Rig
+from gantline.results.rotation import tilt
+from gantline.results.variable import FloatArray, Variable
+
+Columns = Mapping[str, FloatArray]
+Names = Mapping[str, Sequence[str]]
+
+# name in the columns -> name in the recording, dimensions, unit, description
+_DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
+    "rope_tension": ("rope_tension", ("time", "rope"), "N", "tension of a rope, mean over its segments"),
+    "segment_tension": ("segment_tension", ("time", "segment"), "N", "tension of a segment of rope"),
+    "segment_length": ("segment_length", ("time", "segment"), "m", "length of a segment of rope, stretched"),
+    "rope_point": ("rope_point", ("time", "rope_point", "xyz"), "m", "points on the drawn path of a rope"),
+    "body_position": ("body_position", ("time", "body", "xyz"), "m", "centre of gravity of a body"),
+    "body_orientation": (
+        "body_orientation",
+        ("time", "body", "wxyz"),
+        "1",
+        "unit quaternion world from body",
+    ),
+    "body_velocity": (
+        "body_velocity",
+        ("time", "body", "xyz"),
+        "m/s",
+        "velocity of the centre of gravity, world axes",
+    ),
+    "body_angular_velocity": (
+        "body_angular_velocity",
+        ("time", "body", "xyz"),
+        "rad/s",
+        "angular velocity of a body, world axes",
+    ),
+    "joint_position": ("joint_position", ("time", "joint"), "m or rad", "position of a slider or hinge"),
+    "contact_force": ("contact_force", ("time", "contact"), "N", "normal force of a contact point"),
+    "energy": (
+        "energy",
+        ("time", "energy_kind"),
+        "J",
+        "energy by kind; gravity from the start, losses add up",
+    ),
+    "constraint_residual": (
+        "residual_constraint",
+        ("time",),
+        "m",
+        "largest excess length of an inextensible rope",
+    ),
+    "complementarity_residual": (
+        "residual_complementarity",
+        ("time",),
+        "N",
+        "largest distance of a force from its law",
+    ),
+    "rope_peak_tension": ("rope_peak_tension", ("rope",), "N", "largest tension of a rope over all steps"),
+    "rope_peak_time": ("rope_peak_time", ("rope",), "s", "time of the largest tension of a rope"),
+    "event_time": ("event_time", ("event",), "s", "time of an event"),
+}
+_NAMED = ("rope", "segment", "body", "joint", "contact", "energy_kind")
+# name in the recording, name among the names, dimension, description
+_TEXTS = (
+    ("rope_of_point", "rope_point", "rope_point", "rope to which a drawn point belongs"),
+    ("event_kind", "event_kind", "event", "kind of an event"),
+    ("event_name", "event_name", "event", "what the event happened to"),
+)
+
+
+def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attributes: Any) -> Recording:
+    """Make a recording of what the core recorded.
+
+    Args:
+        columns: Columns of the core by name.
+        names: Names along their dimensions, and `event_kind`, `event_name`.
+        rig: What results need to know of the lift, see `gantline.results.rig`.
+        attributes: Further attributes of the recording: `title`, `scene`, `settings`, ...
+
+    Returns:
+        The recording, with the variables that riggers ask for added to those of the core.
+    """
+    variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
+    for column, (name, dims, unit, description) in _DIRECT.items():
+        if columns[column].size or "event" in dims:
+            variables[name] = Variable(dims, columns[column], unit, description)
+    for name, source, dim, description in _TEXTS:
+        variables[name] = Variable((dim,), np.array(names[source], dtype=np.str_), "1", description)
+    coordinates: dict[str, Sequence[str]] = {kind: names[kind] for kind in _NAMED if len(names[kind])}
+    coordinates |= {"xyz": ("x", "y", "z"), "wxyz": ("w", "x", "y", "z")}
+    lift = Rig.from_json(rig)
+    for derived, labels in (
+        _sheave_travel(columns, names, lift),
+        _hook_loads(columns, names, lift),
+        _load_state(columns, names, lift),
+    ):
+        variables |= derived
+        coordinates |= labels
+    used = {dim for variable in variables.values() for dim in variable.dims}
+    coordinates = {dim: labels for dim, labels in coordinates.items() if dim in used}
+    return Recording(variables, coordinates, {**attributes, "rig": dict(rig)})
+
+
+_Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
+
+
+def _sheave_travel(columns: Columns, names: Names, rig: Rig) -> _Derived:
+    sheaves = [sheave for equalizer in rig.equalizers for sheave in equalizer.moving_sheaves]
+    if not sheaves:
+        return {}, {}
+    at = [list(names["joint"]).index(sheave) for sheave in sheaves]
+    position = columns["joint_position"][:, at]
+    travel = Variable(
+        ("time", "moving_sheave"),
+        position - position[:1],
+        "m",
+        "travel of a moving sheave in its frame, down positive",
+    )
+    return {"sheave_travel": travel}, {"moving_sheave": sheaves}
+
+
+def _hook_loads(columns: Columns, names: Names, rig: Rig) -> _Derived:
+    if not rig.hooks:
+        return {}, {}
+    hook_load = np.stack([_hook_load(columns, names, hook) for hook in rig.hooks], axis=1)
+    extra = np.array([hook.hoist_weight_extra for hook in rig.hooks])
+    dims = ("time", "hook")
+    return {
+        "hook_load": Variable(dims, hook_load, "N", "vertical force on the bearing of a hook"),
+        "hoist_load": Variable(dims, hook_load + extra, "N", "hook load with hook block and hanging falls"),
+    }, {"hook": [hook.name for hook in rig.hooks]}
+
+
+def _hook_load(columns: Columns, names: Names, hook: Hook) -> FloatArray:
+    bodies, ropes, points = list(names["body"]), list(names["rope"]), list(names["rope_point"])
+    total = np.zeros(len(columns["time"]))
+    for body in hook.bearing_joints:
+        total += columns["joint_force"][:, bodies.index(body), 2]
+    for sling in hook.direct_slings:
+        rope = sling if sling in ropes else f"sling.{sling}"
+        first = points.index(rope)
+        # The upper end of a sling comes first; it pulls the hook towards the next point of the rope.
+        pull = columns["rope_point"][:, first + 1] - columns["rope_point"][:, first]
+        down = -pull[:, 2] / np.linalg.norm(pull, axis=1)
+        total += columns["rope_tension"][:, ropes.index(rope)] * down
+    return total
+
+
+def _load_state(columns: Columns, names: Names, rig: Rig) -> _Derived:
+    if not rig.loads:
+        return {}, {}
+    transferred = np.stack([_transferred(columns, names, load) for load in rig.loads], axis=1)
+    bodies = [list(names["body"]).index(load.body) for load in rig.loads]
+    dims = ("time", "load")
+    return {
+        "load_transferred": Variable(dims, transferred, "1", "1 - support forces/weight of a load"),
+        "load_tilt": Variable(
+            dims,
+            tilt(columns["body_orientation"][:, bodies]),
+            "rad",
+            "angle of a load's own z axis from plumb",
+        ),
+    }, {"load": [load.name for load in rig.loads]}
+
+
+def _transferred(columns: Columns, names: Names, load: Load) -> FloatArray:
+    at = [list(names["contact"]).index(contact) for contact in load.contacts]
+    carried: FloatArray = 1.0 - columns["contact_force"][:, at].sum(axis=1) / load.weight
+    return carried

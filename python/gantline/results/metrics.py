@@ -1,0 +1,191 @@
+"""The lift in key numbers: what each metric means.
+
+All values are SI. A metric that does not exist for a lift (no load, no equalizer, never clear) is absent.
+*Clear* and *static* (a mean over the quiet window) are defined in `gantline.results.series`.
+
+- `peak_sling_tension`, `peak_sling_tension_time` [N, s]: largest tension of any sling over all steps, and
+  when
+- `peak_equalizing_rope_tension` [N]: largest tension of any equalizing rope over all steps
+- `peak_rope_tension.<rope>` [N]: largest tension of that rope over all steps
+- `final_rope_tension.<rope>` [N]: its tension at the last sample
+- `static_sling_tension.<sling rope>` [N]: its static tension
+- `least_sling_tension_when_clear` [N]: smallest tension of any sling while the loads are clear
+- `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling
+- `least_factor_on_breaking_force` [1]: smallest of minimum breaking force/peak tension of the same sling
+- `peak_tension_spread_when_clear` [1]: largest (max - min)/mean over one equalizer's slings while clear
+- `final_tension_spread` [1]: the same at the last sample
+- `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
+- `lift_off_time` [s]: when the last contact force under the last load became zero
+- `static_hook_load`, `peak_hook_load` [N]: hook load, the largest over the hooks
+- `static_hoist_load`, `peak_hoist_load` [N]: hook load with hook block and hanging falls, the largest over
+  the hooks
+- `final_load_transferred` [1]: 1 - support forces/weight at the last sample, the smallest over the loads
+- `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
+- `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity from its start
+  while clear
+- `travel_used_up`, `travel_used_down` [1]: largest travel of a moving sheave above/below its start, of its
+  stroke that way
+- `travel_used_up_when_clear`, `travel_used_down_when_clear` [1]: the same while the loads are clear
+- `final_sheave_travel.<sheave>` [m]: travel of that moving sheave at the last sample, down positive
+- `final_joint_travel.<joint>` [m or rad]: position of that hinge or slider at the last sample less that at
+  the start
+- `energy_remainder` [1]: largest magnitude of the energy that the audit cannot place, see
+  `energy_remainder`
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+
+#: Energy remainder up to which the balance counts as closed.
+ENERGY_BOUND = 1e-3
+
+_Metric = tuple[str, float | None]
+
+
+def metrics_of(recording: Recording) -> dict[str, float]:
+    """All metrics that exist for a recording, in a fixed order.
+
+    Args:
+        recording: Any recording.
+
+    Returns:
+        SI values by the names above.
+    """
+    if not len(recording.time):
+        return {}
+    parts = (_ropes, _slings, _spread, _loads, _hooks, _travel, _audit)
+    return {name: value for part in parts for name, value in part(recording) if value is not None}
+
+
+def energy_remainder(recording: Recording) -> float | None:
+    """How well the energy balance closes.
+
+    Args:
+        recording: Any recording.
+
+    Returns:
+        Largest magnitude of the remainder over time, relative to the largest of kinetic + elastic +
+        |work of drives|; 0 when nothing moved at all; None when energy was not recorded.
+    """
+    if "energy" not in recording:
+        return None
+    kinetic, elastic, work, remainder = (
+        recording.column("energy", kind) for kind in ("kinetic", "elastic", "drive_work", "remainder")
+    )
+    scale = float(np.max(kinetic + elastic + np.abs(work), initial=0.0))
+    return float(np.max(np.abs(remainder), initial=0.0)) / scale if scale > 0.0 else 0.0
+
+
+def _ropes(recording: Recording) -> Iterator[_Metric]:
+    if "rope_tension" not in recording:
+        return
+    equalizing = [e.equalizing_rope for e in recording.rig.equalizers if e.equalizing_rope]
+    yield (
+        "peak_equalizing_rope_tension",
+        _largest(series.rope_peak(recording, rope)[0] for rope in equalizing),
+    )
+    for rope in recording.coordinates["rope"]:
+        yield f"peak_rope_tension.{rope}", series.rope_peak(recording, rope)[0]
+        yield f"final_rope_tension.{rope}", float(recording.column("rope_tension", rope)[-1])
+
+
+def _slings(recording: Recording) -> Iterator[_Metric]:
+    slings = recording.rig.slings
+    if not slings:
+        return
+    clear = series.is_clear(recording)
+    window = series.quiet_window(recording)
+    highest = max(series.rope_peak(recording, sling.rope) for sling in slings)
+    yield "peak_sling_tension", highest[0]
+    yield "peak_sling_tension_time", highest[1]
+    amplification, factors, least, angles = [], [], [], []
+    for sling in slings:
+        tension = series.sling_tension(recording, sling)
+        top = series.rope_peak(recording, sling.rope)[0]
+        static = series.static_value(recording, tension, window)
+        yield f"static_sling_tension.{sling.rope}", static
+        if static:
+            amplification.append(top / static)
+        if sling.minimum_breaking_force and top > 0.0:
+            factors.append(sling.minimum_breaking_force / top)
+        if clear.any():
+            least.append(float(tension[clear].min()))
+        carrying = series.is_carrying(tension)
+        if carrying.any():
+            angles.append(float(series.sling_angle(recording, sling)[carrying].max()))
+    yield "least_sling_tension_when_clear", _smallest(least)
+    yield "dynamic_amplification_factor", _largest(amplification)
+    yield "least_factor_on_breaking_force", _smallest(factors)
+    yield "peak_sling_angle_from_vertical", _largest(angles)
+
+
+def _spread(recording: Recording) -> Iterator[_Metric]:
+    spreads = [series.tension_spread(recording, e) for e in recording.rig.equalizers if e.slings]
+    clear = series.is_clear(recording)
+    if clear.any():
+        yield "peak_tension_spread_when_clear", _largest(float(spread[clear].max()) for spread in spreads)
+    yield "final_tension_spread", _largest(float(spread[-1]) for spread in spreads)
+
+
+def _loads(recording: Recording) -> Iterator[_Metric]:
+    yield "lift_off_time", series.lift_off_time(recording)
+    if not recording.rig.loads:
+        return
+    yield "final_load_transferred", float(recording["load_transferred"].values[-1].min())
+    yield "peak_load_tilt", float(recording["load_tilt"].values.max())
+    drifts = []
+    for load in recording.rig.loads:
+        clear = series.load_is_clear(recording, load)
+        place = recording.column("body_position", load.body)[:, :2]
+        if clear.any():
+            drifts.append(float(np.linalg.norm(place - place[0], axis=1)[clear].max()))
+    yield "peak_load_drift_when_clear", _largest(drifts)
+
+
+def _hooks(recording: Recording) -> Iterator[_Metric]:
+    window = series.quiet_window(recording)
+    for name in ("hook_load", "hoist_load"):
+        if name not in recording:
+            continue
+        forces = recording[name].values.T
+        statics = (series.static_value(recording, force, window) for force in forces)
+        yield f"static_{name}", _largest(static for static in statics if static is not None)
+        yield f"peak_{name}", float(forces.max())
+
+
+def _travel(recording: Recording) -> Iterator[_Metric]:
+    clear = series.is_clear(recording)
+    for way, sign in (("up", -1.0), ("down", 1.0)):
+        used = [
+            np.maximum(0.0, sign * recording.column("sheave_travel", sheave)) / stroke
+            for equalizer in recording.rig.equalizers
+            for stroke in [equalizer.travel_up if way == "up" else equalizer.travel_down]
+            for sheave in equalizer.moving_sheaves
+            if stroke
+        ]
+        yield f"travel_used_{way}", _largest(float(share.max()) for share in used)
+        if clear.any():
+            yield f"travel_used_{way}_when_clear", _largest(float(share[clear].max()) for share in used)
+    for sheave in recording.coordinates.get("moving_sheave", ()):
+        yield f"final_sheave_travel.{sheave}", float(recording.column("sheave_travel", sheave)[-1])
+    for joint in recording.coordinates.get("joint", ()):
+        position = recording.column("joint_position", joint)
+        yield f"final_joint_travel.{joint}", float(position[-1] - position[0])
+
+
+def _audit(recording: Recording) -> Iterator[_Metric]:
+    yield "energy_remainder", energy_remainder(recording)
+
+
+def _largest(values: Iterable[float]) -> float | None:
+    return max(values, default=None)
+
+
+def _smallest(values: Iterable[float]) -> float | None:
+    return min(values, default=None)

@@ -1,0 +1,149 @@
+"""Recordings as NetCDF4 files, written and read through h5netcdf.
+
+All variables stand in the root group with `units` and `long_name`; names along a dimension are a text
+variable of the same name as the dimension, so `xarray.open_dataset` reads them as coordinates. Attributes
+are JSON text, except those that are plain text anyway (`title`, `gantline_version`, `scenario`, `status`).
+The file holds no clock time: the same recording gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import h5netcdf
+import h5py
+import numpy as np
+
+from gantline.results.recording import Recording
+from gantline.results.variable import Variable
+
+_FORMAT = 1
+_PLAIN_TEXT = frozenset({"title", "gantline_version", "scenario", "status"})
+_COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
+
+
+def save_recording(recording: Recording, path: Path) -> Path:
+    """Write a recording to `path` at once: under another name first, then renamed.
+
+    Args:
+        recording: What to write.
+        path: The file; an existing one is replaced.
+
+    Returns:
+        The path.
+
+    Raises:
+        OSError: If it cannot be written.
+    """
+    handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+    os.close(handle)
+    try:
+        with h5netcdf.File(temporary, "w") as file:
+            _write(recording, file)
+        os.chmod(temporary, 0o666 & ~_umask())
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+    return path
+
+
+def load_recording(path: Path) -> Recording:
+    """Read a recording.
+
+    Args:
+        path: A file that `save_recording` wrote.
+
+    Returns:
+        The recording.
+
+    Raises:
+        FileNotFoundError: If there is no such file.
+        ValueError: If it is not a recording.
+    """
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: no such file")
+    try:
+        with h5netcdf.File(path, "r") as file:
+            return _read(file)
+    except (OSError, KeyError) as problem:
+        raise ValueError(f"{path}: not a recording of gantline ({problem})") from problem
+
+
+def _write(recording: Recording, file: h5netcdf.File) -> None:
+    # An event-free lift has an event dimension of length 0, which NetCDF keeps as an unlimited one.
+    file.dimensions = {dim: size or None for dim, size in recording.sizes.items()}
+    for dim, labels in recording.coordinates.items():
+        names = file.create_variable(dim, (dim,), dtype=h5py.string_dtype())
+        if labels:
+            names[...] = np.array(labels, dtype=object)
+    for name, variable in recording.variables.items():
+        _write_variable(file, name, variable)
+    file.attrs["recording_format"] = _FORMAT
+    for name, value in recording.attributes.items():
+        file.attrs[name] = value if name in _PLAIN_TEXT else json.dumps(value, allow_nan=False)
+
+
+def _write_variable(file: h5netcdf.File, name: str, variable: Variable) -> None:
+    values = variable.values
+    options: dict[str, Any] = {}
+    if not variable.is_text and values.nbytes >= _COMPRESS_FROM:
+        options = {"compression": "gzip", "compression_opts": 1, "shuffle": True, "chunks": _chunks(values)}
+    target = file.create_variable(
+        name, variable.dims, dtype=h5py.string_dtype() if variable.is_text else np.float64, **options
+    )
+    if values.size:
+        target[...] = values.astype(object) if variable.is_text else values
+    target.attrs["units"] = variable.unit
+    target.attrs["long_name"] = variable.description
+
+
+def _chunks(values: np.ndarray[Any, np.dtype[Any]]) -> tuple[int, ...]:
+    """Whole rows, about one megabyte together, so that reading one time span is cheap."""
+    row = max(1, values[0].nbytes)
+    return (max(1, min(len(values), (1 << 20) // row)), *values.shape[1:])
+
+
+def _read(file: h5netcdf.File) -> Recording:
+    if "recording_format" not in file.attrs:
+        raise KeyError("no attribute recording_format")
+    if int(file.attrs["recording_format"]) > _FORMAT:
+        raise KeyError(
+            f"recording format {file.attrs['recording_format']}; this version reads up to {_FORMAT}"
+        )
+    variables: dict[str, Variable] = {}
+    coordinates: dict[str, list[str]] = {}
+    for name, stored in file.variables.items():
+        values = np.asarray(stored[...])
+        if "units" not in stored.attrs:
+            coordinates[name] = [str(label) for label in _text(values)]
+            continue
+        variables[name] = Variable(
+            tuple(stored.dimensions),
+            values if values.dtype.kind == "f" else _text(values),
+            str(stored.attrs["units"]),
+            str(stored.attrs["long_name"]),
+        )
+    attributes = {
+        name: _attribute(name, value) for name, value in file.attrs.items() if name != "recording_format"
+    }
+    return Recording(variables, coordinates, attributes)
+
+
+def _text(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[np.str_]]:
+    decoded = [v.decode() if isinstance(v, bytes) else str(v) for v in values.ravel()]
+    return np.array(decoded, dtype=np.str_).reshape(values.shape)
+
+
+def _attribute(name: str, value: Any) -> Any:
+    return str(value) if name in _PLAIN_TEXT else json.loads(str(value))
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

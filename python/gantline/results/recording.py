@@ -1,0 +1,200 @@
+"""A recording: everything that is kept of one simulated lift.
+
+It wraps columns of numbers, knows nothing of the simulator, and cannot be changed. `gantline.results.derive`
+lists its variables with their dimensions and units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from gantline.results.rig import Rig
+from gantline.results.variable import FloatArray, Variable
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class Recording:
+    """What happened in one lift, as named variables over time.
+
+    Args:
+        variables: Variables by name; `time` [s] is one of them.
+        coordinates: Names along a dimension, for example `{"rope": ["sling.S1", ...]}`.
+        attributes: What describes the whole: `title`, `gantline_version`, `scenario` (text of the lift file),
+            `settings`, `warnings`, `rig`, `scene`, `counters`, `status`.
+
+    Raises:
+        ValueError: If lengths along a dimension do not agree.
+    """
+
+    def __init__(
+        self,
+        variables: Mapping[str, Variable],
+        coordinates: Mapping[str, Sequence[str]],
+        attributes: Mapping[str, Any],
+    ) -> None:
+        self._variables = MappingProxyType(dict(variables))
+        self._coordinates = MappingProxyType({dim: tuple(labels) for dim, labels in coordinates.items()})
+        self._attributes = MappingProxyType(dict(attributes))
+        self._sizes = MappingProxyType(_sizes(self._variables, self._coordinates))
+
+    @property
+    def variables(self) -> Mapping[str, Variable]:
+        """All variables by name."""
+        return self._variables
+
+    @property
+    def coordinates(self) -> Mapping[str, tuple[str, ...]]:
+        """Names along the dimensions that have names."""
+        return self._coordinates
+
+    @property
+    def attributes(self) -> Mapping[str, Any]:
+        """What describes the recording as a whole."""
+        return self._attributes
+
+    @property
+    def sizes(self) -> Mapping[str, int]:
+        """Length of every dimension."""
+        return self._sizes
+
+    @property
+    def title(self) -> str:
+        """Title of the lift."""
+        return str(self._attributes.get("title", ""))
+
+    @property
+    def time(self) -> FloatArray:
+        """Times of the samples [s], shape (time,)."""
+        return self._variables["time"].values
+
+    @cached_property
+    def rig(self) -> Rig:
+        """What was lifted with what: loads, hooks, equalizers, slings, limits."""
+        return Rig.from_json(self._attributes.get("rig", {}))
+
+    def __getitem__(self, name: str) -> Variable:
+        try:
+            return self._variables[name]
+        except KeyError:
+            known = ", ".join(self._variables)
+            raise KeyError(f"no variable {name!r} in this recording; it has {known}") from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._variables
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._variables)
+
+    def __len__(self) -> int:
+        return len(self._variables)
+
+    def __repr__(self) -> str:
+        sizes = ", ".join(f"{dim}: {size}" for dim, size in self._sizes.items())
+        return f"<Recording {self.title!r}: {len(self._variables)} variables; {sizes}>"
+
+    def column(self, name: str, label: str) -> FloatArray:
+        """One named series of a variable, for example `column("rope_tension", "sling.S1")`.
+
+        Args:
+            name: Name of a variable that has one named dimension besides time.
+            label: A name along that dimension.
+
+        Returns:
+            The values for that name; shape (time,) for a variable over time.
+
+        Raises:
+            KeyError: If there is no such variable or name.
+        """
+        variable = self[name]
+        for axis, dim in enumerate(variable.dims):
+            labels = self._coordinates.get(dim, ())
+            if dim != "xyz" and dim != "wxyz" and label in labels:
+                values: FloatArray = np.take(variable.values, labels.index(label), axis=axis)
+                return values
+        raise KeyError(f"{name} has no {label!r}")
+
+    def events(self, kind: str | None = None) -> list[tuple[float, str, str]]:
+        """Events in order of time.
+
+        Args:
+            kind: Only this kind, for example `lift_off`.
+
+        Returns:
+            Time [s], kind and name of each.
+        """
+        if "event_time" not in self:
+            return []
+        rows = zip(
+            (float(t) for t in self["event_time"].values),
+            (str(k) for k in self["event_kind"].values),
+            (str(n) for n in self["event_name"].values),
+            strict=True,
+        )
+        return [row for row in rows if kind is None or row[1] == kind]
+
+    def metrics(self) -> dict[str, float]:
+        """The lift in key numbers, SI units; `gantline.results.metrics` defines each."""
+        from gantline.results.metrics import metrics_of
+
+        return metrics_of(self)
+
+    @cached_property
+    def dataset(self) -> xarray.Dataset:
+        """The same as an `xarray.Dataset` (dictionaries among the attributes as they are, not as text)."""
+        from gantline.results.dataset import dataset_of
+
+        return dataset_of(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write a NetCDF4 file that holds everything; same recording, same bytes.
+
+        Args:
+            path: File to write; an existing one is replaced, and only once the new one is complete.
+
+        Returns:
+            The path written.
+
+        Raises:
+            OSError: If it cannot be written there.
+        """
+        from gantline.results.netcdf import save_recording
+
+        return save_recording(self, Path(path))
+
+
+def open_recording(path: str | Path) -> Recording:
+    """Read a recording that `Recording.save` wrote.
+
+    Args:
+        path: NetCDF4 file.
+
+    Returns:
+        The recording.
+
+    Raises:
+        FileNotFoundError: If there is no such file.
+        ValueError: If the file is not a recording of gantline.
+    """
+    from gantline.results.netcdf import load_recording
+
+    return load_recording(Path(path))
+
+
+def _sizes(variables: Mapping[str, Variable], coordinates: Mapping[str, Sequence[str]]) -> dict[str, int]:
+    sizes: dict[str, int] = {}
+    for name, variable in variables.items():
+        for dim, size in zip(variable.dims, variable.values.shape, strict=True):
+            if sizes.setdefault(dim, size) != size:
+                raise ValueError(f"{name} is {size} long in {dim}, other variables {sizes[dim]}")
+    for dim, labels in coordinates.items():
+        if sizes.setdefault(dim, len(labels)) != len(labels):
+            raise ValueError(f"{len(labels)} names for the {sizes[dim]} values in {dim}")
+    return sizes

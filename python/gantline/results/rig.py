@@ -1,0 +1,220 @@
+"""What results need to know of the lift: which rope is a sling, what hangs from which hook, what is allowed.
+
+A recording carries it as its attribute `rig`, so that tables, checks and plots never ask the lift file again.
+All numbers are SI.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any, Self
+
+
+class _FromJson:
+    """Dataclasses that are made from a JSON object and pass over keys that they do not know."""
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        known = {f.name for f in fields(cls)}  # type: ignore[arg-type]
+        return cls(**{key: value for key, value in document.items() if key in known})
+
+
+@dataclass(frozen=True)
+class Lug(_FromJson):
+    """Where a sling is made fast on a load.
+
+    Attributes:
+        at: Position in the body frame of the load [m].
+        main_plate_normal: Unit vector across the main plate, body frame; None if not said.
+        capacity: What it may carry [N]; None if not said.
+    """
+
+    at: Sequence[float]
+    main_plate_normal: Sequence[float] | None = None
+    capacity: float | None = None
+
+
+@dataclass(frozen=True)
+class Load(_FromJson):
+    """What is lifted.
+
+    Attributes:
+        name: Its name.
+        body: Name of its body.
+        weight: As simulated [N], with what slings and shackles lump onto it.
+        contacts: Names of the contact points on which it stands.
+        contact_group: Name that events of these contacts carry.
+        calculated_mass: Before contingency [kg].
+        contingency: Factor on the calculated mass.
+        design_mass: With contingency [kg].
+        lugs: Lugs by name.
+    """
+
+    name: str
+    body: str
+    weight: float
+    contacts: Sequence[str] = ()
+    contact_group: str | None = None
+    calculated_mass: float | None = None
+    contingency: float | None = None
+    design_mass: float | None = None
+    lugs: Mapping[str, Lug] = field(default_factory=dict)
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        lugs = {name: Lug.from_json(lug) for name, lug in document.get("lugs", {}).items()}
+        return super().from_json({**document, "lugs": lugs})
+
+
+@dataclass(frozen=True)
+class Hook(_FromJson):
+    """A crane's hook.
+
+    Attributes:
+        name: Its name.
+        crane: The crane to which it belongs.
+        bearing_joints: Bodies that hang in the hook by a joint; the forces of these joints are hook load.
+        direct_slings: Slings that hang in the hook without an equalizer.
+        rated_capacity: Of crane or hook [N]; None if not said.
+        rating_includes_hook_block: Whether the rated capacity is for the hoist load.
+        hoist_weight_extra: Hook block and hanging falls [N] that are no part of the mechanics.
+    """
+
+    name: str
+    crane: str = ""
+    bearing_joints: Sequence[str] = ()
+    direct_slings: Sequence[str] = ()
+    rated_capacity: float | None = None
+    rating_includes_hook_block: bool = False
+    hoist_weight_extra: float = 0.0
+
+
+@dataclass(frozen=True)
+class Equalizer(_FromJson):
+    """Frame, equalizing rope and moving sheaves under one hook.
+
+    Attributes:
+        name: Its name.
+        body: Name of the frame's body.
+        hook: The hook from which it hangs.
+        equalizing_rope: Name of the rope.
+        slings: Ropes that hang from its moving sheaves, in the order of the sheaves.
+        moving_sheaves: Bodies (and joints) of the moving sheaves.
+        travel_up: Stroke above the start position [m]; None if not limited.
+        travel_down: Stroke below the start position [m]; None if not limited.
+        rated_capacity: Below the moving sheaves [N]; None if not said.
+        heading_joint: Joint about which the frame turns under its hook.
+    """
+
+    name: str
+    body: str
+    hook: str = ""
+    equalizing_rope: str = ""
+    slings: Sequence[str] = ()
+    moving_sheaves: Sequence[str] = ()
+    travel_up: float | None = None
+    travel_down: float | None = None
+    rated_capacity: float | None = None
+    heading_joint: str | None = None
+
+
+@dataclass(frozen=True)
+class Sling(_FromJson):
+    """A rope from a hook or a moving sheave to a lug.
+
+    Attributes:
+        name: Its name in the lift file.
+        rope: Its name among the ropes, `sling.<name>`.
+        from_body: Where its upper end is made fast.
+        to_load: The load at its lower end.
+        to_lug: The lug at its lower end.
+        length: Effective sling length [m].
+        minimum_breaking_force: Of its rope [N]; None if not said.
+        shackles: Shackles at `top` and `bottom`.
+    """
+
+    name: str
+    rope: str
+    from_body: str = ""
+    to_load: str | None = None
+    to_lug: str | None = None
+    length: float | None = None
+    minimum_breaking_force: float | None = None
+    shackles: Mapping[str, Any] = field(default_factory=dict)
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        return super().from_json({"from_body": document.get("from", ""), **document})
+
+
+@dataclass(frozen=True)
+class Step(_FromJson):
+    """One step of the plan.
+
+    Attributes:
+        step: Its name.
+        kind: What it does: `hoist`, `hold`, ...
+        report: Quantities to be read off at its end.
+        require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
+    """
+
+    step: str
+    kind: str = ""
+    report: Sequence[str] = ()
+    require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Rig(_FromJson):
+    """The lift as results see it.
+
+    Attributes:
+        title: Title of the lift.
+        number: Number of the lift.
+        revision: Revision of the lift file.
+        remark: Remark of its author.
+        gravity: Acceleration of gravity [m/s^2].
+        loads: What is lifted.
+        hooks: Hooks of all cranes.
+        equalizers: Equalizers of all hooks.
+        slings: Slings of all hooks.
+        limits: Limits of the lift by name, SI; `rule` says from where they come.
+        plan: Steps of the plan.
+    """
+
+    title: str = ""
+    number: str = ""
+    revision: str = ""
+    remark: str = ""
+    gravity: float = 9.81
+    loads: Sequence[Load] = ()
+    hooks: Sequence[Hook] = ()
+    equalizers: Sequence[Equalizer] = ()
+    slings: Sequence[Sling] = ()
+    limits: Mapping[str, Any] = field(default_factory=dict)
+    plan: Sequence[Step] = ()
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        parts = {
+            "loads": tuple(Load.from_json(d) for d in document.get("loads") or ()),
+            "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
+            "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
+            "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
+            "plan": tuple(Step.from_json(d) for d in document.get("plan") or ()),
+            "limits": document.get("limits") or {},
+        }
+        return super().from_json({**document, **parts})
+
+    def load(self, name: str | None) -> Load | None:
+        """The load of that name, if there is one."""
+        return next((load for load in self.loads if load.name == name), None)
+
+    def equalizer_of(self, sling: Sling) -> Equalizer | None:
+        """The equalizer from which a sling hangs, if any."""
+        return next((e for e in self.equalizers if sling.rope in e.slings), None)

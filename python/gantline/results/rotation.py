@@ -1,0 +1,39 @@
+"""Directions of bodies from their unit quaternions (w, x, y, z; world from body)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gantline.results.variable import FloatArray
+
+
+def axes(orientation: FloatArray) -> FloatArray:
+    """Rotation matrices of unit quaternions.
+
+    Args:
+        orientation: Quaternions world from body, shape (..., 4).
+
+    Returns:
+        Matrices world from body, shape (..., 3, 3); their columns are the body's axes.
+    """
+    w, x, y, z = np.moveaxis(np.asarray(orientation, dtype=np.float64), -1, 0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
+def tilt(orientation: FloatArray) -> FloatArray:
+    """Angle between a body's own z axis and plumb [rad], shape (...)."""
+    up = axes(orientation)[..., :, 2]
+    angle: FloatArray = np.arctan2(np.hypot(up[..., 0], up[..., 1]), up[..., 2])
+    return angle
+
+
+def heading(orientation: FloatArray) -> FloatArray:
+    """Angle of a body's own x axis from world x, seen from above, counter-clockwise [rad], shape (...)."""
+    forward = axes(orientation)[..., :, 0]
+    angle: FloatArray = np.arctan2(forward[..., 1], forward[..., 0])
+    return angle

@@ -1,0 +1,183 @@
+"""Series over time that metrics, checks and plots share, so that each word has one definition.
+
+- *supported force*: sum of the contact forces under a load.
+- *clear*: samples at which no load has a supported force.
+- *carrying*: samples at which a sling has more than 1 % of its largest tension; only then has it an angle.
+- *quiet window*: the end of the recording over which static values are means. It begins when the last drive
+  has
+  come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the end. The mean is
+  weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift or lower it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gantline.results.recording import Recording
+from gantline.results.rig import Equalizer, Load, Sling
+from gantline.results.rotation import axes
+from gantline.results.variable import BoolArray, FloatArray
+
+_SHORTEST_QUIET = 5.0  # s
+_CARRYING_FROM = 0.01  # of the largest tension
+
+
+def support_force(recording: Recording, load: Load) -> FloatArray:
+    """Force of all supports on a load [N], shape (time,)."""
+    total = np.zeros(len(recording.time))
+    for contact in load.contacts:
+        total += recording.column("contact_force", contact)
+    return total
+
+
+def load_is_clear(recording: Recording, load: Load) -> BoolArray:
+    """Samples at which nothing supports a load, shape (time,)."""
+    clear: BoolArray = support_force(recording, load) <= 0.0
+    return clear
+
+
+def is_clear(recording: Recording) -> BoolArray:
+    """Samples at which nothing supports any load, shape (time,); never for a lift without a load."""
+    loads = recording.rig.loads
+    clear = np.full(len(recording.time), bool(loads))
+    for load in loads:
+        clear &= load_is_clear(recording, load)
+    return clear
+
+
+def lift_off_time(recording: Recording) -> float | None:
+    """When the last load first came clear of its supports [s]; None if one never did or none stood on any."""
+    times = []
+    for load in recording.rig.loads:
+        if not load.contacts:
+            continue
+        names = {load.name, load.body, load.contact_group}
+        events = [time for time, _, name in recording.events("lift_off") if name in names]
+        supported = support_force(recording, load) > 0.0
+        freed = np.flatnonzero(supported[:-1] & ~supported[1:])
+        if events:
+            times.append(events[0])
+        elif freed.size:
+            times.append(float(recording.time[freed[0] + 1]))
+        else:
+            return None
+    return max(times, default=None)
+
+
+def trailing(mask: BoolArray) -> BoolArray:
+    """The run of true values at the end of a mask."""
+    false = np.flatnonzero(~mask)
+    last = np.zeros_like(mask)
+    last[false[-1] + 1 if false.size else 0 :] = True
+    return last
+
+
+def quiet_window(recording: Recording) -> BoolArray:
+    """Samples over which static values are means, shape (time,); all false if the loads do not end clear."""
+    window = trailing(is_clear(recording))
+    if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
+        work = recording.column("energy", "drive_work")
+        at_rest = window & trailing(np.append(np.diff(work) == 0.0, True))
+        times = recording.time[at_rest]
+        if times.size and times[-1] - times[0] >= _SHORTEST_QUIET:
+            return at_rest
+    return window
+
+
+def static_value(recording: Recording, values: FloatArray, window: BoolArray | None = None) -> float | None:
+    """Mean over the quiet window.
+
+    Args:
+        recording: The recording.
+        values: A series, shape (time,).
+        window: The quiet window, if the caller has it already.
+
+    Returns:
+        The mean, in the unit of `values`; None if the lift has no quiet window.
+    """
+    inside = quiet_window(recording) if window is None else window
+    times = recording.time[inside]
+    if not times.size:
+        return None
+    if times.size < 3:
+        return float(values[inside][-1])
+    weights = np.sin(np.pi * (times - times[0]) / (times[-1] - times[0])) ** 2 * np.gradient(times)
+    return float(np.average(values[inside], weights=weights))
+
+
+def sling_tension(recording: Recording, sling: Sling) -> FloatArray:
+    """Tension of a sling [N], shape (time,)."""
+    return recording.column("rope_tension", sling.rope)
+
+
+def is_carrying(tension: FloatArray) -> BoolArray:
+    """Samples at which a rope carries enough for its direction to mean something, shape (time,)."""
+    carrying: BoolArray = tension > _CARRYING_FROM * np.max(tension, initial=0.0)
+    return carrying
+
+
+def rope_ends(recording: Recording, rope: str) -> tuple[FloatArray, FloatArray]:
+    """First and last drawn point of a rope [m], world axes, each of shape (time, 3)."""
+    at = np.flatnonzero(recording["rope_of_point"].values == rope)
+    points = recording["rope_point"].values
+    return points[:, at[0]], points[:, at[-1]]
+
+
+def sling_direction(recording: Recording, sling: Sling) -> FloatArray:
+    """Unit vectors along a sling from its lower to its upper end, world axes, shape (time, 3)."""
+    upper, lower = rope_ends(recording, sling.rope)
+    along = upper - lower
+    unit: FloatArray = along / np.linalg.norm(along, axis=1, keepdims=True)
+    return unit
+
+
+def sling_angle(recording: Recording, sling: Sling) -> FloatArray:
+    """Angle of a sling from the vertical [rad], shape (time,)."""
+    unit = sling_direction(recording, sling)
+    angle: FloatArray = np.arctan2(np.hypot(unit[:, 0], unit[:, 1]), unit[:, 2])
+    return angle
+
+
+def out_of_plane_angle(recording: Recording, sling: Sling) -> FloatArray | None:
+    """Angle between a sling and the main plate of its lug [rad], shape (time,); None without a plate."""
+    load = recording.rig.load(sling.to_load)
+    lug = load.lugs.get(sling.to_lug or "") if load else None
+    if load is None or lug is None or lug.main_plate_normal is None:
+        return None
+    body = axes(recording.column("body_orientation", load.body))
+    normal = body @ np.asarray(lug.main_plate_normal, dtype=np.float64)
+    across = np.sum(normal * sling_direction(recording, sling), axis=1)
+    angle: FloatArray = np.abs(np.arcsin(np.clip(across, -1.0, 1.0)))
+    return angle
+
+
+def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
+    """(max - min)/mean over the slings of one equalizer, shape (time,); 0 where all are slack."""
+    tensions = np.array([recording.column("rope_tension", rope) for rope in equalizer.slings])
+    mean = tensions.mean(axis=0)
+    spread = tensions.max(axis=0) - tensions.min(axis=0)
+    ratio: FloatArray = np.divide(spread, mean, out=np.zeros_like(mean), where=mean > 0.0)
+    return ratio
+
+
+def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
+    """Largest tension of a rope over all steps, not only over the samples.
+
+    Returns:
+        Tension [N] and its time [s].
+    """
+    return (
+        float(recording.column("rope_peak_tension", rope)),
+        float(recording.column("rope_peak_time", rope)),
+    )
+
+
+def peak(
+    recording: Recording, values: FloatArray, during: BoolArray | None = None
+) -> tuple[float, float] | None:
+    """Largest sample and its time [s]; None if `during` holds no sample."""
+    inside = np.ones(len(values), dtype=np.bool_) if during is None else during
+    if not inside.any():
+        return None
+    at = int(np.argmax(np.where(inside, values, -np.inf)))
+    return float(values[at]), float(recording.time[at])

@@ -1,0 +1,44 @@
+"""One recorded quantity: numbers with their dimensions, unit and description."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Variable:
+    """Recorded values that cannot be changed.
+
+    Attributes:
+        dims: Names of the dimensions, one for each axis of `values`.
+        values: Floating-point numbers, or text (`event_kind`, `event_name`).
+        unit: SI unit, for example `N`; `1` for pure numbers and text.
+        description: What it is, in one line.
+    """
+
+    dims: tuple[str, ...]
+    values: npt.NDArray[Any]
+    unit: str
+    description: str
+
+    def __post_init__(self) -> None:
+        values = np.array(self.values)
+        if values.dtype.kind not in "fU":
+            values = values.astype(np.float64) if values.dtype.kind in "biu" else values.astype(np.str_)
+        if values.ndim != len(self.dims):
+            raise ValueError(f"{values.ndim} axes of values, but the dimensions are {self.dims}")
+        values.flags.writeable = False
+        object.__setattr__(self, "values", values)
+        object.__setattr__(self, "dims", tuple(self.dims))
+
+    @property
+    def is_text(self) -> bool:
+        """Whether the values are text and not numbers."""
+        return bool(self.values.dtype.kind == "U")

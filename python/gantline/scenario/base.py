@@ -1,0 +1,48 @@
+"""The base of all scenario models."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, ClassVar, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, model_validator
+
+from gantline.scenario.quantities import Name, found, refuse
+from gantline.scenario.tree import MapNode
+
+__all__ = ["Element", "Named"]
+
+
+class Element(BaseModel):
+    """A mapping of a lift file: known keys only, nothing converted behind the user's back, never changed."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+    #: How messages name this mapping, such as "a sling".
+    what: ClassVar[str] = "this mapping"
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _from_mapping(cls, data: Any, handler: ModelWrapValidatorHandler[Any]) -> Any:
+        if isinstance(data, MapNode):
+            data.allowed = cls.keys()
+            data.what = cls.what
+            cls.refuse_early(data)
+        elif not isinstance(data, (dict, cls)):
+            keys = ", ".join(cls.keys()[:6])
+            raise refuse(f"found {found(data)}; {cls.what} is a mapping with keys such as {keys}")
+        return handler(data)
+
+    @classmethod
+    def keys(cls) -> tuple[str, ...]:
+        """Keys that this mapping may have, as written in a file."""
+        return tuple(field.alias or name for name, field in cls.model_fields.items())
+
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """Refuse, in one sentence, what would otherwise give many; overridden where that happens."""
+
+
+T = TypeVar("T")
+
+#: A mapping of names to things of one kind; at least one.
+Named = Annotated[dict[Name, T], Field(min_length=1)]

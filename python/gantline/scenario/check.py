@@ -1,0 +1,85 @@
+"""What has to hold between the parts of a lift file, beyond each value being right for itself."""
+
+from __future__ import annotations
+
+from gantline.scenario.check_equalizer import check_equalizer
+from gantline.scenario.check_load import check_load
+from gantline.scenario.check_mechanics import check_mechanics
+from gantline.scenario.check_plan import check_plan
+from gantline.scenario.errors import ScenarioError
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.model import Scenario
+from gantline.scenario.rigging import resolve
+
+__all__ = ["check"]
+
+_MOST_STEPS = 100_000_000
+_MOST_SAMPLES = 1_000_000
+
+
+def check(scenario: Scenario) -> None:
+    """Check a scenario as a whole.
+
+    Raises:
+        ScenarioError: with every problem found.
+    """
+    findings = Findings(scenario)
+    _check_names(findings)
+    try:
+        for equalizer in resolve(scenario).equalizers.values():
+            check_equalizer(findings, equalizer)
+    except ScenarioError as error:
+        findings.problems.extend(error.problems)
+    if scenario.load is not None:
+        check_load(findings, scenario.load)
+    elif scenario.mechanics is None:
+        findings.add((), "there is nothing to lift; a lift file has a 'load' or 'mechanics'")
+    if scenario.start == "rest" and (scenario.load is None or scenario.load.stands_on is None):
+        sentence = "'rest' needs a load that stands on the ground"
+        findings.add(("start",), f"{sentence}; write 'stands_on: ground' or 'start: as_given'")
+    if scenario.mechanics is not None:
+        check_mechanics(findings, scenario.mechanics)
+    check_plan(findings)
+    _check_simulation(findings)
+    findings.raise_any()
+
+
+def _check_names(findings: Findings) -> None:
+    """Cranes, equalizers, their moving sheaves, the load and plain bodies share one set of names."""
+    scenario = findings.scenario
+    named: list[tuple[str, str, Path]] = []
+    named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
+    named += [(name, "an equalizer", ("equalizers", name)) for name in scenario.equalizers or {}]
+    if scenario.load is not None:
+        named.append((scenario.load.name, "the load", ("load", "name")))
+    if scenario.mechanics is not None:
+        named += [(name, "a body", ("mechanics", "bodies", name)) for name in scenario.mechanics.bodies]
+    taken: dict[str, str] = {}
+    for name, what, path in named:
+        if name == "world":
+            findings.add(path, f"'world' means what stands still; {what} needs another name")
+        if name in taken:
+            findings.add(path, f"'{name}' is already the name of {taken[name]}; {what} needs another name")
+        taken.setdefault(name, what)
+        for equalizer in scenario.equalizers or {}:
+            if name.startswith(f"{equalizer}.") and name[len(equalizer) + 1 :].isdecimal():
+                sentence = (
+                    f"'{name}' would be a moving sheave of '{equalizer}' too; {what} needs another name"
+                )
+                findings.add(path, sentence)
+
+
+def _check_simulation(findings: Findings) -> None:
+    settings, duration = findings.scenario.simulation, findings.scenario.duration
+    if settings.step > duration:
+        sentence = (
+            f"the step of {settings.step:g} s is longer than the duration of {duration:g} s; 1 ms is usual"
+        )
+        findings.add(("simulation", "step"), sentence)
+    for key, interval, most, usual in (
+        ("step", settings.step, _MOST_STEPS, "1 ms"),
+        ("sample_interval", settings.sample_interval, _MOST_SAMPLES, "20 ms"),
+    ):
+        if duration / interval > most:
+            sentence = f"{duration:g} s in parts of {interval:g} s are more than {most // 10**6} million"
+            findings.add(("simulation", key), f"{sentence}; {usual} is usual")

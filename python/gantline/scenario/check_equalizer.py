@@ -1,0 +1,105 @@
+"""Whether an equalizer can be built and simulated."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+from gantline.scenario.findings import Findings
+from gantline.scenario.rigging import EqualizerRigging
+
+__all__ = ["check_equalizer"]
+
+_ROUNDING = 1e-9
+
+#: Notes a problem at a dotted key of the equalizer, or of its type if the type says it.
+_Add = Callable[[str, str], None]
+
+
+def check_equalizer(findings: Findings, equalizer: EqualizerRigging) -> None:
+    """Note everything that is wrong with an equalizer, or that this version cannot simulate."""
+    given = (findings.scenario.equalizers or {})[equalizer.name]
+    before = len(findings.problems)
+
+    def add(key: str, sentence: str) -> None:
+        parts = key.split(".")
+        own = getattr(given, parts[0]) is not None
+        base = ("equalizers", equalizer.name) if own else ("equalizer_types", str(given.type))
+        findings.add((*base, *parts), sentence)
+
+    _check_simulated(add, equalizer)
+    _check_counts(add, equalizer)
+    if len(findings.problems) == before:
+        _check_order(add, equalizer)
+        _check_places(add, equalizer)
+
+
+def _check_simulated(add: _Add, equalizer: EqualizerRigging) -> None:
+    for key, sheaves in (
+        ("fixed_sheaves", equalizer.fixed_sheaves),
+        ("moving_sheaves", equalizer.moving_sheaves),
+    ):
+        if sheaves.efficiency > 1:
+            add(f"{key}.efficiency", f"{sheaves.efficiency:g} is above 1; no sheave gives force back")
+        elif sheaves.efficiency != 1:
+            sentence = f"an efficiency of {sheaves.efficiency:g} cannot be simulated yet"
+            add(f"{key}.efficiency", f"{sentence}; ideal sheaves can: 1.0")
+        if sheaves.rotating_mass != 0:
+            sentence = f"a rotating mass of {sheaves.rotating_mass:g} kg cannot be simulated yet; 0 kg can"
+            add(f"{key}.rotating_mass", sentence)
+    if equalizer.hinge.friction != 0:
+        sentence = f"a hinge friction of {equalizer.hinge.friction:g} N m cannot be simulated yet; 0 kN m can"
+        add("hinge.friction", sentence)
+    if equalizer.travel.locked:
+        add("travel.locked", "locking pins cannot be simulated yet; 'locked: false' can")
+
+
+def _check_counts(add: _Add, equalizer: EqualizerRigging) -> None:
+    ends = len(equalizer.rope_ends.along)
+    fixed, moving = len(equalizer.fixed_sheaves.along), len(equalizer.moving_sheaves.along)
+    if ends != 2:
+        add("rope_ends.along", f"found {ends} rope ends; an equalizing rope has 2")
+    if fixed != moving - 1:
+        sentence = f"found {fixed} fixed and {moving} moving sheaves"
+        add("fixed_sheaves.along", f"{sentence}; right is one fixed sheave fewer than moving ones")
+
+
+def _check_order(add: _Add, equalizer: EqualizerRigging) -> None:
+    ends, fixed, moving = equalizer.rope_ends, equalizer.fixed_sheaves, equalizer.moving_sheaves
+    uppers = [ends.along[0], *fixed.along, ends.along[1]]
+    between = zip(uppers[:-1], moving.along, uppers[1:], strict=True)
+    if any(not left < middle < right for left, middle, right in between):
+        sentence = (
+            "along the frame a rope end comes first, then moving and fixed sheaves in turn, then a rope end"
+        )
+        add("moving_sheaves.along", f"{sentence}; these positions do not")
+    for key, sheaves in (("fixed_sheaves", fixed), ("moving_sheaves", moving)):
+        closest = _closest(sheaves.along)
+        if closest < sheaves.pitch_diameter - _ROUNDING:
+            sentence = f"sheaves of {sheaves.pitch_diameter:g} m that are {closest:g} m apart overlap"
+            add(f"{key}.along", f"{sentence}; set them at least a diameter apart")
+
+
+def _check_places(add: _Add, equalizer: EqualizerRigging) -> None:
+    ends, fixed, moving = equalizer.rope_ends, equalizer.fixed_sheaves, equalizer.moving_sheaves
+    half = equalizer.frame.length / 2
+    for key, part in (("rope_ends", ends), ("fixed_sheaves", fixed), ("moving_sheaves", moving)):
+        farthest = max(part.along, key=abs)
+        if abs(farthest) > half + _ROUNDING:
+            sentence = f"{farthest:g} m is outside the frame, which ends at {half:g} m from its middle"
+            add(f"{key}.along", f"{sentence}; put it inside, or make the frame longer")
+    depth = moving.below_hook - max(ends.below_hook, fixed.below_hook)
+    if depth <= 0:
+        sentence = f"the moving sheaves start {-depth:g} m above the fixed sheaves or rope ends"
+        add("moving_sheaves.below_hook", f"{sentence}; they hang below them")
+    elif equalizer.travel.up >= depth:
+        sentence = (
+            f"{equalizer.travel.up:g} m up takes the moving sheaves into the fixed ones, {depth:g} m above"
+        )
+        add("travel.up", f"{sentence}; a smaller travel is right")
+
+
+def _closest(along: Sequence[float]) -> float:
+    ordered = sorted(along)
+    gaps = [after - before for before, after in pairwise(ordered)]
+    return min(gaps, default=float("inf"))

@@ -1,0 +1,165 @@
+"""Whether the plain bodies and ropes of `mechanics` fit together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gantline.scenario.errors import nearest
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.mechanics import (
+    Ball,
+    Body,
+    Free,
+    Guide,
+    HalfTurn,
+    HingeJoint,
+    Joint,
+    Mechanics,
+    Point,
+    RopeEnd,
+    Slider,
+    SpeedRamp,
+    TurnRamp,
+)
+from gantline.scenario.model import Scenario
+
+__all__ = ["check_mechanics"]
+
+_ROUNDING = 1 + 1e-9
+_SMALLEST = 1e-9
+
+
+def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
+    """Note everything that is wrong with `mechanics`."""
+    scenario = findings.scenario
+    known = [*_yard_bodies(scenario), *mechanics.bodies]
+    for name, body in mechanics.bodies.items():
+        path: Path = ("mechanics", "bodies", name)
+        _check_parent(findings, mechanics, name, body, known)
+        _check_joint(findings, (*path, "joint"), body.joint)
+        if body.orientation is not None:
+            _check_direction(findings, (*path, "orientation", "about"), body.orientation.about)
+        _check_mass(findings, path, body)
+    slings = [f"sling.{sling}" for sling in scenario.slings or {}]
+    taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
+    for name, rope in (mechanics.ropes or {}).items():
+        path = ("mechanics", "ropes", name)
+        if rope.rope not in (scenario.ropes or {}):
+            sentence = f"'{rope.rope}' is not a name of 'ropes'; {nearest(rope.rope, scenario.ropes or {})}"
+            findings.add((*path, "rope"), sentence)
+        for place, guide in enumerate(rope.route):
+            is_last = place in (0, len(rope.route) - 1)
+            _check_guide(findings, (*path, "route", place), guide, is_last, known)
+        if name in taken:
+            findings.add(path, f"'{name}' is already the name of a rope of the rigging; use another name")
+    corners = [f"{scenario.load.name}.corner_{place}" for place in range(1, 9)] if scenario.load else []
+    for name, contact in (mechanics.contacts or {}).items():
+        path = ("mechanics", "contacts", name)
+        if contact.body not in known:
+            findings.add((*path, "body"), f"'{contact.body}' is not a body; {nearest(contact.body, known)}")
+        if name in corners:
+            findings.add(path, f"'{name}' is already the name of a corner of the load; use another name")
+        _check_direction(findings, (*path, "plane", "normal"), contact.plane.normal)
+
+
+def _yard_bodies(scenario: Scenario) -> list[str]:
+    """Names of the bodies that the yard words make."""
+    names = list(scenario.cranes or {})
+    for name, equalizer in (scenario.equalizers or {}).items():
+        kind = (scenario.equalizer_types or {}).get(equalizer.type or "")
+        sheaves = equalizer.moving_sheaves or (kind.moving_sheaves if kind is not None else None)
+        names.append(name)
+        names += [f"{name}.{place + 1}" for place in range(len(sheaves.along) if sheaves is not None else 0)]
+    if scenario.load is not None:
+        names.append(scenario.load.name)
+    return names
+
+
+def _check_parent(
+    findings: Findings, mechanics: Mechanics, name: str, body: Body, known: Sequence[str]
+) -> None:
+    path: Path = ("mechanics", "bodies", name, "parent")
+    if body.parent is not None and body.parent not in (*known, "world"):
+        findings.add(path, f"'{body.parent}' is not a body; {nearest(body.parent, known)}")
+    chain = [name]
+    parent = body.parent
+    while parent is not None and parent in mechanics.bodies and parent not in chain:
+        chain.append(parent)
+        parent = mechanics.bodies[parent].parent
+    if parent == name:
+        loop = " -> ".join([*chain, name])
+        findings.add(path, f"hangs in a circle ({loop}); in the end every body hangs on the world")
+
+
+def _check_joint(findings: Findings, path: Path, joint: Joint) -> None:
+    if isinstance(joint, (Ball, Free)) and joint.orientation is not None:
+        _check_direction(findings, (*path, "orientation", "about"), joint.orientation.about)
+    if not isinstance(joint, (HingeJoint, Slider)):
+        return
+    _check_direction(findings, (*path, "axis"), joint.axis)
+    if joint.motion is not None:
+        if joint.velocity != 0:
+            sentence = "a joint with a given motion starts at rest; leave 'velocity' out"
+            findings.add((*path, "velocity"), sentence)
+        _check_motion(findings, (*path, "motion"), joint.motion)
+
+
+def _check_motion(findings: Findings, path: Path, motion: Sequence[SpeedRamp | TurnRamp]) -> None:
+    end = 0.0
+    for place, ramp in enumerate(motion):
+        if ramp.at < end:
+            sentence = f"{ramp.at:g} s is before the end of the change before it, at {end:g} s"
+            findings.add((*path, place, "at"), f"{sentence}; one change follows the other")
+        end = max(end, ramp.at + ramp.duration)
+
+
+def _check_mass(findings: Findings, path: Path, body: Body) -> None:
+    joint, inertia = body.joint, body.inertia
+    if isinstance(joint, (Point, Free)) and body.mass <= 0:
+        findings.add(
+            (*path, "mass"), f"a {joint.type} body without mass cannot move as forces say; give it a mass"
+        )
+    if isinstance(joint, Free) and any(body.centre_of_gravity):
+        sentence = "the axes of a free body begin at its centre of gravity; leave this out"
+        findings.add((*path, "centre_of_gravity"), sentence)
+    if inertia is None:
+        if isinstance(joint, Free):
+            findings.add(path, "'inertia' is missing; a free body needs it")
+        return
+    a, b, c = inertia.xx, inertia.yy, inertia.zz
+    largest = max(a, b, c)
+    products = ((inertia.yz, a), (inertia.xz, b), (inertia.xy, c))
+    if min(a, b, c) < 0 or (isinstance(joint, Free) and min(a, b, c) == 0):
+        bound = "above zero" if isinstance(joint, Free) else "never negative"
+        findings.add((*path, "inertia"), f"xx, yy and zz of this body are {bound}")
+    elif largest > (a + b + c - largest) * _ROUNDING or any(
+        2 * abs(p) > own * _ROUNDING for p, own in products
+    ):
+        sentence = "no body has such an inertia; each of xx, yy, zz is at most the sum of the other two"
+        findings.add((*path, "inertia"), f"{sentence}, and products are small")
+
+
+def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, known: Sequence[str]) -> None:
+    is_end = isinstance(guide, RopeEnd)
+    if is_end != is_last:
+        findings.add((*path, "type"), "a route begins and ends with 'type: end', with only sheaves between")
+    allowed = [*known, "world"] if is_end else known
+    if guide.body not in allowed:
+        findings.add((*path, "body"), f"'{guide.body}' is not a body; {nearest(guide.body, allowed)}")
+    if isinstance(guide, HalfTurn):
+        _check_direction(findings, (*path, "bulge"), guide.bulge)
+        across = [leave - enter for enter, leave in zip(guide.enter, guide.leave, strict=True)]
+        along = sum(a * b for a, b in zip(across, guide.bulge, strict=True))
+        if _size(across) < _SMALLEST:
+            findings.add((*path, "leave"), "is the same place as 'enter'; a sheave has a diameter")
+        elif abs(along) > 1e-6 * _size(across) * _size(guide.bulge):
+            findings.add((*path, "bulge"), "has to be square to the line from 'enter' to 'leave'")
+
+
+def _size(direction: Sequence[float]) -> float:
+    return float(sum(part * part for part in direction) ** 0.5)
+
+
+def _check_direction(findings: Findings, path: Path, direction: Sequence[float]) -> None:
+    if _size(direction) < _SMALLEST:
+        findings.add(path, "has no length; a direction is written like [0, 0, 1]")

@@ -1,0 +1,202 @@
+"""Cranes and equalizers."""
+
+from __future__ import annotations
+
+from typing import ClassVar, Literal
+
+from pydantic import Field
+
+from gantline.scenario.base import Element
+from gantline.scenario.errors import nearest
+from gantline.scenario.quantities import (
+    Angle,
+    Flag,
+    Lengths,
+    Mass,
+    Name,
+    NotNegativeLength,
+    Position,
+    PositiveAcceleration,
+    PositiveInertia,
+    PositiveLength,
+    PositiveMass,
+    PositiveSpeed,
+    Ratio,
+    RotationalDamping,
+    Torque,
+    found,
+    refuse,
+)
+from gantline.scenario.tree import MapNode
+
+__all__ = [
+    "Equalizer",
+    "EqualizerFrame",
+    "EqualizerParts",
+    "EqualizerType",
+    "FixedHook",
+    "FixedSheaves",
+    "Hinge",
+    "Hoist",
+    "MovingSheaves",
+    "RopeEnds",
+    "Travel",
+]
+
+#: Crane types that the format will have and that this version cannot simulate.
+_COMING_CRANES = ("goliath", "sheerleg", "floating_crane", "crawler", "crawler_crane")
+
+
+class Hoist(Element):
+    """What the hoist of a hook can do."""
+
+    what: ClassVar[str] = "a hoist"
+
+    speed: PositiveSpeed = Field(description="Highest hoisting speed.")
+    creep: PositiveSpeed | None = Field(None, description="Creep speed.")
+    acceleration: PositiveAcceleration = Field(
+        description="Highest acceleration; also used where a step names none."
+    )
+
+
+class FixedHook(Element):
+    """A hook that moves up and down as told, with no crane behind it."""
+
+    what: ClassVar[str] = "a crane"
+
+    type: Literal["fixed_hook"] = Field(description="Type of crane: 'fixed_hook'.")
+    at: Position = Field(description="Bearing point of the hook at the start.")
+    rated_capacity: PositiveMass | None = Field(None, description="Rated capacity.")
+    rating_includes_hook_block: Flag = Field(
+        False,
+        description="true: the rated capacity is compared with the hoist load, false: with the hook load.",
+    )
+    hook_block_mass: Mass = Field(
+        0.0, description="Mass of hook block and hanging falls; counts in the hoist load."
+    )
+    hoist: Hoist = Field(description="Speed and acceleration of the hoist.")
+
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """A crane of another type has other keys: say only that the type is not there."""
+        kind = data.get("type")
+        if kind is None or kind == "fixed_hook":
+            return
+        if kind in _COMING_CRANES:
+            raise refuse(
+                f"cranes of type {found(kind)} cannot be simulated yet; 'type: fixed_hook' can", "type"
+            )
+        raise refuse(f"{found(kind)} is not a type of crane; {nearest(str(kind), ['fixed_hook'])}", "type")
+
+
+class EqualizerFrame(Element):
+    """The frame of an equalizer."""
+
+    what: ClassVar[str] = "the frame of an equalizer"
+
+    mass: PositiveMass = Field(description="Mass without moving sheaves.")
+    length: PositiveLength = Field(description="Length, along the row of sheaves.")
+    width: PositiveLength = Field(description="Width.")
+    height: PositiveLength = Field(description="Height.")
+    centre_of_gravity_below_hook: NotNegativeLength = Field(
+        description="Depth of the frame's centre of gravity below the bearing of the hook."
+    )
+    inertia_about_vertical: PositiveInertia | None = Field(
+        None, description="Inertia about the vertical through its centre; of a solid box if not given."
+    )
+    inertia_about_length: PositiveInertia | None = Field(
+        None, description="Inertia about its length axis; of a solid box if not given."
+    )
+    inertia_about_width: PositiveInertia | None = Field(
+        None, description="Inertia about its width axis; of a solid box if not given."
+    )
+
+
+class Hinge(Element):
+    """The hinge of an equalizer under its hook."""
+
+    what: ClassVar[str] = "the hinge of an equalizer"
+
+    axis: Literal["vertical"] = Field("vertical", description="Axis of the hinge.")
+    friction: Torque = Field(0.0, description="Friction torque; only 0 can be simulated yet.")
+    damping: RotationalDamping = Field(0.0, description="Damping of the turning.")
+
+
+class RopeEnds(Element):
+    """The two dead ends of the equalizing rope on the frame."""
+
+    what: ClassVar[str] = "rope_ends"
+
+    along: Lengths = Field(description="The two positions along the frame.")
+    below_hook: PositiveLength = Field(description="Depth below the bearing of the hook.")
+
+
+class FixedSheaves(Element):
+    """The sheaves that are fixed in the frame."""
+
+    what: ClassVar[str] = "fixed_sheaves"
+
+    along: Lengths = Field(description="Positions along the frame.")
+    below_hook: PositiveLength = Field(description="Depth of their centres below the bearing of the hook.")
+    pitch_diameter: PositiveLength = Field(description="Diameter on which the rope's axis lies.")
+    efficiency: Ratio = Field(1.0, description="Efficiency of one sheave; only 1.0 can be simulated yet.")
+    rotating_mass: Mass = Field(
+        0.0, description="Mass that turns with the rope; only 0 can be simulated yet."
+    )
+
+
+class MovingSheaves(FixedSheaves):
+    """The sheaves that travel up and down; each carries one sling."""
+
+    what: ClassVar[str] = "moving_sheaves"
+
+    below_hook: PositiveLength = Field(
+        description="Depth of their centres below the hook's bearing, at the start."
+    )
+    mass: PositiveMass = Field(description="Mass of one moving sheave with block, pin and eye.")
+    guided: Literal["vertical"] = Field("vertical", description="How the frame guides them.")
+
+
+class Travel(Element):
+    """How far moving sheaves may travel from where they start."""
+
+    what: ClassVar[str] = "travel"
+
+    up: NotNegativeLength = Field(description="Travel up from the start.")
+    down: NotNegativeLength = Field(description="Travel down from the start.")
+    locked: Flag = Field(False, description="true: locking pins are in; cannot be simulated yet.")
+
+
+class EqualizerParts(Element):
+    """All that an equalizer type may say; a type says all of it, an equalizer only what differs."""
+
+    what: ClassVar[str] = "an equalizer"
+
+    rated_capacity: PositiveMass | None = Field(None, description="Rated capacity below its moving sheaves.")
+    frame: EqualizerFrame | None = Field(None, description="The frame.")
+    hinge: Hinge | None = Field(None, description="The hinge under the hook; without friction if not given.")
+    rope: Name | None = Field(None, description="Equalizing rope, a name of 'ropes'.")
+    rope_ends: RopeEnds | None = Field(None, description="Dead ends of the equalizing rope.")
+    fixed_sheaves: FixedSheaves | None = Field(None, description="Sheaves fixed in the frame.")
+    moving_sheaves: MovingSheaves | None = Field(None, description="Sheaves that travel.")
+    travel: Travel | None = Field(None, description="Limits of travel.")
+
+
+class EqualizerType(EqualizerParts):
+    """A type of equalizer, for several equalizers of one make."""
+
+    what: ClassVar[str] = "an equalizer type"
+
+
+class Equalizer(EqualizerParts):
+    """An equalizer under a hook."""
+
+    what: ClassVar[str] = "an equalizer"
+
+    type: Name | None = Field(
+        None, description="A name of 'equalizer_types' that gives what is not said here."
+    )
+    hangs_from: Name = Field(description="The hook it hangs from.")
+    heading: Angle = Field(
+        0.0, description="Direction of the frame's length at the start, from world x towards y."
+    )

@@ -1,0 +1,90 @@
+"""What is wrong with a lift file: problems with their place, and the error that carries them."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+__all__ = ["MOST_SHOWN", "Problem", "ScenarioError", "closest", "join_path", "nearest", "shorten"]
+
+#: Most problems that one message lists.
+MOST_SHOWN: Final = 20
+
+#: Longest piece of a user's text that a message repeats.
+_LONGEST: Final = 60
+
+PathPart = str | int
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing that is wrong: line (from 1; None for the file as a whole), path and sentence."""
+
+    line: int | None
+    path: str
+    sentence: str
+
+
+class ScenarioError(ValueError):
+    """A lift file cannot be used; ``str()`` is the whole message, one problem per line.
+
+    Attributes:
+        source: the file as the user named it.
+        problems: every problem found, in the order of the file.
+    """
+
+    def __init__(self, source: str, problems: Sequence[Problem]) -> None:
+        """Order the problems by line, each one once."""
+        unique = dict.fromkeys(problems)
+        self.source = source
+        self.problems = tuple(sorted(unique, key=lambda problem: problem.line or 0))
+        super().__init__(self._message())
+
+    def _message(self) -> str:
+        lines = []
+        for problem in self.problems[:MOST_SHOWN]:
+            place = self.source if problem.line is None else f"{self.source}:{problem.line}"
+            path = f"{problem.path}: " if problem.path else ""
+            lines.append(f"{place}: {path}{problem.sentence}")
+        if len(self.problems) > MOST_SHOWN:
+            lines.append(f"{self.source}: and {len(self.problems) - MOST_SHOWN} more")
+        return "\n".join(lines)
+
+
+def join_path(path: Sequence[PathPart]) -> str:
+    """Path as a message shows it; places in lists count from 1: ``plan[2].speed``."""
+    text = ""
+    for part in path:
+        if isinstance(part, int):
+            text += f"[{part + 1}]"
+        else:
+            text += f".{shorten(part)}" if text else shorten(part)
+    return text
+
+
+def shorten(text: str) -> str:
+    """A user's text made fit to be repeated in one line of a message."""
+    text = " ".join(text.split())
+    text = "".join(character if character.isprintable() else "?" for character in text)
+    return text if len(text) <= _LONGEST else text[:_LONGEST] + "..."
+
+
+def closest(word: str, known: Iterable[str]) -> str | None:
+    """The known word that is written most like a word; None if none is like it."""
+    by_lower = {name.lower(): name for name in reversed(list(known))}
+    near = difflib.get_close_matches(word.lower()[:200], list(by_lower), n=1, cutoff=0.6)
+    return by_lower[near[0]] if near else None
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Second half of a sentence about an unknown word: the closest known one, or all of them if few."""
+    known = list(known)
+    likely = closest(word, known)
+    if likely is not None:
+        return f"did you mean '{likely}'?"
+    if not known:
+        return "there is none"
+    listed = ", ".join(f"'{name}'" for name in known[:12])
+    return f"known here: {listed}" + (", ..." if len(known) > 12 else "")

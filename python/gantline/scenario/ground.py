@@ -1,0 +1,65 @@
+"""The ground, and the plain head of a lift file."""
+
+from __future__ import annotations
+
+from typing import ClassVar, Literal
+
+from pydantic import Field
+
+from gantline.scenario.base import Element
+from gantline.scenario.quantities import (
+    Acceleration,
+    Damping,
+    Flag,
+    Length,
+    PositiveStiffness,
+    PositiveTime,
+    Ratio,
+    Text,
+)
+
+__all__ = ["Ground", "LiftHead", "SimulationSettings"]
+
+
+class LiftHead(Element):
+    """What the lift is called."""
+
+    what: ClassVar[str] = "lift"
+
+    title: Text = Field(description="Title of the lift.")
+    number: Text | None = Field(None, description="Number of the lift plan.")
+    revision: Text | None = Field(None, description="Revision of the lift plan.")
+    remark: Text | None = Field(None, description="A remark for people.")
+
+
+class Ground(Element):
+    """Level ground under the load."""
+
+    what: ClassVar[str] = "ground"
+
+    level: Length = Field(0.0, description="Height of the ground.")
+    friction: Ratio = Field(0.0, description="Coefficient of friction between load and ground.")
+    stiffness: PositiveStiffness = Field(
+        200e6, description="Stiffness under each corner; 200 MN/m if not given."
+    )
+    damping: Damping = Field(2e6, description="Damping under each corner; 2 MN s/m if not given.")
+    acts_at: Literal["corners"] = Field("corners", description="Where the ground acts on the load.")
+
+
+class SimulationSettings(Element):
+    """How the lift is simulated; every key has a default."""
+
+    what: ClassVar[str] = "simulation"
+
+    integrator: Literal["del"] = Field(
+        "del", description="The method: 'del' is the paper's, with a fixed step."
+    )
+    step: PositiveTime = Field(1e-3, description="Time step; 1 ms if not given.")
+    paper: Flag = Field(False, description="true: exactly as in the paper, without geometric stiffness.")
+    geometric_stiffness: Flag = Field(
+        True, description="false: leave the geometric stiffness of taut ropes out."
+    )
+    sample_interval: PositiveTime = Field(
+        20e-3, description="Time between recorded samples; 20 ms if not given."
+    )
+    gravity: Acceleration = Field(9.81, description="Gravity; 9.81 m/s^2 if not given.")

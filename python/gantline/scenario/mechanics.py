@@ -1,0 +1,271 @@
+"""Plain bodies, joints, sheaves and ropes, for what yard words cannot say."""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from gantline.scenario.base import Element, Named
+from gantline.scenario.quantities import (
+    Angle,
+    AngularSpeed,
+    AngularVelocity,
+    Damping,
+    Inertia,
+    Length,
+    ListOf,
+    Mass,
+    Name,
+    Number,
+    Position,
+    PositiveStiffness,
+    PositiveTime,
+    Quantity,
+    Ratio,
+    RotationalDamping,
+    Sizes,
+    Speed,
+    Text,
+    Time,
+    Velocity,
+    WordOr,
+)
+
+__all__ = [
+    "Ball",
+    "Body",
+    "BodyInertia",
+    "BodyShape",
+    "Contact",
+    "Fixed",
+    "Free",
+    "Guide",
+    "HalfTurn",
+    "HingeJoint",
+    "Joint",
+    "Mechanics",
+    "MechanicsRope",
+    "Plane",
+    "Point",
+    "RopeEnd",
+    "Rotation",
+    "Slider",
+    "SpeedRamp",
+    "TurnRamp",
+]
+
+Direction = Annotated[tuple[float, float, float], ListOf(Number(least=-1e6, most=1e6), 3)]
+ORIGIN = (0.0, 0.0, 0.0)
+
+
+class Rotation(Element):
+    """An orientation: turned by an angle about an axis."""
+
+    what: ClassVar[str] = "an orientation"
+
+    about: Direction = Field(description="Axis of the turn, three plain numbers.")
+    angle: Angle = Field(description="Angle of the turn, right-handed.")
+
+
+class BodyInertia(Element):
+    """Inertia of a body about its centre of gravity, body axes; products as off-diagonal terms."""
+
+    what: ClassVar[str] = "the inertia of a body"
+
+    xx: Inertia = Field(description="About x.")
+    yy: Inertia = Field(description="About y.")
+    zz: Inertia = Field(description="About z.")
+    xy: Inertia = Field(0.0, description="Off-diagonal term xy.")
+    xz: Inertia = Field(0.0, description="Off-diagonal term xz.")
+    yz: Inertia = Field(0.0, description="Off-diagonal term yz.")
+
+
+class SpeedRamp(Element):
+    """A change of speed of a given motion."""
+
+    what: ClassVar[str] = "a step of a motion"
+
+    at: Time = Field(description="When it begins.")
+    duration: PositiveTime = Field(description="How long it takes.")
+    velocity: Speed = Field(description="Speed after it, along the axis.")
+    shape: Literal["linear", "smooth"] = Field("smooth", description="How the speed changes.")
+
+
+class TurnRamp(Element):
+    """A change of angular speed of a given motion."""
+
+    what: ClassVar[str] = "a step of a motion"
+
+    at: Time = Field(description="When it begins.")
+    duration: PositiveTime = Field(description="How long it takes.")
+    velocity: AngularSpeed = Field(description="Angular speed after it, about the axis.")
+    shape: Literal["linear", "smooth"] = Field("smooth", description="How the speed changes.")
+
+
+class Fixed(Element):
+    """No motion against the parent."""
+
+    what: ClassVar[str] = "a fixed joint"
+
+    type: Literal["fixed"] = Field(description="Kind of joint.")
+
+
+class HingeJoint(Element):
+    """Turning about one axis."""
+
+    what: ClassVar[str] = "a hinge"
+
+    type: Literal["hinge"] = Field(description="Kind of joint.")
+    axis: Direction = Field(description="Axis in the parent's axes, three plain numbers.")
+    position: Angle = Field(0.0, description="Angle at the start.")
+    velocity: AngularSpeed = Field(0.0, description="Angular speed at the start.")
+    damping: RotationalDamping = Field(0.0, description="Damping of the turning.")
+    motion: list[TurnRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
+
+
+class Slider(Element):
+    """Sliding along one axis."""
+
+    what: ClassVar[str] = "a slider"
+
+    type: Literal["slider"] = Field(description="Kind of joint.")
+    axis: Direction = Field(description="Axis in the parent's axes, three plain numbers.")
+    position: Length = Field(0.0, description="Travel at the start.")
+    velocity: Speed = Field(0.0, description="Speed at the start.")
+    damping: Damping = Field(0.0, description="Damping of the sliding.")
+    motion: list[SpeedRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
+
+
+class Ball(Element):
+    """Turning about a point."""
+
+    what: ClassVar[str] = "a ball joint"
+
+    type: Literal["ball"] = Field(description="Kind of joint.")
+    orientation: Rotation | None = Field(None, description="Orientation at the start.")
+    angular_velocity: AngularVelocity = Field(ORIGIN, description="Angular velocity at the start, body axes.")
+
+
+class Point(Element):
+    """Three translations, no turning."""
+
+    what: ClassVar[str] = "a point joint"
+
+    type: Literal["point"] = Field(description="Kind of joint.")
+    position: Position = Field(ORIGIN, description="Position at the start, from 'at'.")
+    velocity: Velocity = Field(ORIGIN, description="Velocity at the start.")
+
+
+class Free(Element):
+    """All six motions."""
+
+    what: ClassVar[str] = "a free joint"
+
+    type: Literal["free"] = Field(description="Kind of joint.")
+    position: Position = Field(ORIGIN, description="Position at the start, from 'at'.")
+    orientation: Rotation | None = Field(None, description="Orientation at the start.")
+    velocity: Velocity = Field(ORIGIN, description="Velocity at the start.")
+    angular_velocity: AngularVelocity = Field(ORIGIN, description="Angular velocity at the start, body axes.")
+
+
+Joint = Annotated[Fixed | HingeJoint | Slider | Ball | Point | Free, Field(discriminator="type")]
+
+
+class BodyShape(Element):
+    """A box that stands for a body in pictures."""
+
+    what: ClassVar[str] = "the shape of a body"
+
+    box: Sizes = Field(description="Sizes along x, y, z of the body.")
+    centre: Position = Field(ORIGIN, description="Its middle in the body's axes.")
+
+
+class Body(Element):
+    """A rigid body on a joint."""
+
+    what: ClassVar[str] = "a body"
+
+    parent: Name | None = Field(None, description="Body it hangs on; the world if not given.")
+    at: Position = Field(ORIGIN, description="Place of the joint in the parent's axes.")
+    orientation: Rotation | None = Field(None, description="Orientation of the joint in the parent's axes.")
+    joint: Joint = Field(description="The joint to the parent.")
+    mass: Mass = Field(0.0, description="Mass.")
+    centre_of_gravity: Position = Field(ORIGIN, description="Centre of gravity in the body's axes.")
+    inertia: BodyInertia | None = Field(
+        None, description="Inertia about the centre of gravity; 0 if not given."
+    )
+    shape: BodyShape | None = Field(None, description="A box to draw.")
+    remark: Text | None = Field(None, description="A remark for people.")
+
+
+class RopeEnd(Element):
+    """A dead end of a rope."""
+
+    what: ClassVar[str] = "an end of a rope"
+
+    type: Literal["end"] = Field(description="Kind of guide.")
+    body: Name = Field(description="Body that it is fixed to, or 'world'.")
+    at: Position = Field(ORIGIN, description="Place in the body's axes.")
+
+
+class HalfTurn(Element):
+    """Half a turn over a sheave, at fixed places of a body, as in the paper."""
+
+    what: ClassVar[str] = "a half turn over a sheave"
+
+    type: Literal["half_turn"] = Field(description="Kind of guide.")
+    body: Name = Field(description="Body that the sheave belongs to.")
+    enter: Position = Field(description="Where the rope comes on, in the body's axes.")
+    leave: Position = Field(description="Where the rope goes off, in the body's axes.")
+    bulge: Direction = Field(description="Side on which the rope lies on the sheave, three plain numbers.")
+
+
+Guide = Annotated[RopeEnd | HalfTurn, Field(discriminator="type")]
+
+
+class MechanicsRope(Element):
+    """A rope along a route."""
+
+    what: ClassVar[str] = "a rope of mechanics"
+
+    rope: Name = Field(description="Kind of rope, a name of 'ropes'.")
+    length: Annotated[
+        float | Literal["as_routed"], WordOr(("as_routed",), Quantity("length", "positive"))
+    ] = Field(description="Unstretched length; 'as_routed': just taut at the start.")
+    route: list[Guide] = Field(min_length=2, description="Ends and sheaves, in order.")
+
+
+class Plane(Element):
+    """A plane that a contact point meets."""
+
+    what: ClassVar[str] = "a plane"
+
+    point: Position = Field(ORIGIN, description="A point of the plane.")
+    normal: Direction = Field((0.0, 0.0, 1.0), description="Direction to the free side, three plain numbers.")
+
+
+class Contact(Element):
+    """A point of a body that may meet a plane."""
+
+    what: ClassVar[str] = "a contact"
+
+    body: Name = Field(description="Body that the point belongs to.")
+    at: Position = Field(ORIGIN, description="The point in the body's axes.")
+    plane: Plane = Field(description="The plane, fixed in the world.")
+    stiffness: PositiveStiffness = Field(description="Stiffness.")
+    damping: Damping = Field(0.0, description="Damping.")
+    friction: Ratio = Field(0.0, description="Coefficient of friction.")
+    group: Name | None = Field(
+        None, description="Contacts of one group lift off together; the body if not given."
+    )
+
+
+class Mechanics(Element):
+    """Plain bodies, ropes and contacts."""
+
+    what: ClassVar[str] = "mechanics"
+
+    bodies: Named[Body] = Field(description="Bodies by name.")
+    ropes: Named[MechanicsRope] | None = Field(None, description="Ropes by name.")
+    contacts: Named[Contact] | None = Field(None, description="Contacts by name.")

@@ -1,0 +1,100 @@
+"""The whole lift file as one model."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Field, PrivateAttr
+
+from gantline.scenario.base import Element, Named
+from gantline.scenario.crane import Equalizer, EqualizerType, FixedHook
+from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
+from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
+from gantline.scenario.ground import Ground, LiftHead, SimulationSettings
+from gantline.scenario.load import Load
+from gantline.scenario.mechanics import Mechanics
+from gantline.scenario.plan import Limits, Step
+from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
+from gantline.scenario.tree import MapNode, line_of
+
+__all__ = ["COMING", "Scenario"]
+
+#: Sections that the format will have and that this version does not know.
+COMING = ("axes", "cases", "hook_types", "structures", "supports", "vessels", "watch", "wind")
+
+
+class _FormatReader(Reader):
+    """Reads ``format: 1``."""
+
+    def read(self, value: object) -> int:
+        """The format, which is 1."""
+        if value != "1":
+            raise refuse(f"found format {found(value)}; this version reads 'format: 1'")
+        return 1
+
+    def shown(self) -> dict[str, Any]:
+        """The number, or the same as text."""
+        return {"enum": [1, "1"]}
+
+
+class Scenario(Element):
+    """A lift file: every quantity a float in SI units, names as written. Made by `load_scenario`."""
+
+    what: ClassVar[str] = "a lift file"
+
+    format: Annotated[int, _FormatReader()] = Field(description="Format of the file: 1.")
+    lift: LiftHead = Field(description="What the lift is called.")
+    duration: PositiveTime = Field(description="Time to simulate.")
+    start: Literal["rest", "as_given"] | None = Field(
+        None,
+        description="'rest': the load has settled on the ground; 'as_given': from the positions given. "
+        "If not given: 'rest' for a load that stands on the ground.",
+    )
+    ground: Ground | None = Field(None, description="Level ground; none if not given.")
+    ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
+    shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
+    load: Load | None = Field(None, description="The load.")
+    cranes: Named[FixedHook] | None = Field(None, description="Cranes by name.")
+    equalizer_types: Named[EqualizerType] | None = Field(None, description="Types of equalizer by name.")
+    equalizers: Named[Equalizer] | None = Field(None, description="Equalizers by name.")
+    sling_defaults: SlingDefaults | None = Field(
+        None, description="What slings have unless they say otherwise."
+    )
+    slings: Named[Sling] | None = Field(None, description="Slings by name.")
+    plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
+    limits: Limits | None = Field(None, description="Limits that the lift is checked against.")
+    simulation: SimulationSettings = Field(SimulationSettings(), description="How the lift is simulated.")
+    mechanics: Mechanics | None = Field(None, description="Plain bodies, joints, sheaves and ropes.")
+
+    _text: str = PrivateAttr("")
+    _source: str = PrivateAttr("")
+    _tree: MapNode = PrivateAttr(default_factory=MapNode)
+
+    @property
+    def text(self) -> str:
+        """The lift file as it was read."""
+        return self._text
+
+    @property
+    def source(self) -> str:
+        """The lift file as the user named it."""
+        return self._source
+
+    def read_from(self, source: str, text: str, tree: MapNode) -> Scenario:
+        """The same scenario, knowing the file it came from; messages about it then have lines."""
+        self._source, self._text, self._tree = source, text, tree
+        return self
+
+    def problem(self, path: tuple[PathPart, ...], sentence: str) -> Problem:
+        """A problem at a path of this file, with its line."""
+        return Problem(line_of(self._tree, path), join_path(path), sentence)
+
+    def error(self, path: tuple[PathPart, ...], sentence: str) -> ScenarioError:
+        """An error with one problem at a path of this file."""
+        return ScenarioError(self._source, [self.problem(path, sentence)])
+
+    @property
+    def starts_at_rest(self) -> bool:
+        """Whether the load has settled on the ground before the lift begins."""
+        stands = self.load is not None and self.load.stands_on is not None
+        return self.start == "rest" or (self.start is None and stands)

@@ -1,0 +1,271 @@
+"""The plan of a lift: steps that follow each other, and the limits that are checked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+
+from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic.json_schema import JsonSchemaValue
+
+from gantline.scenario.base import Element
+from gantline.scenario.errors import nearest
+from gantline.scenario.quantities import (
+    Names,
+    Number,
+    PositiveAcceleration,
+    PositiveAngle,
+    PositiveLength,
+    PositiveSpeed,
+    Quantity,
+    Ratio,
+    Reader,
+    Text,
+    Time,
+    WordOr,
+    found,
+    refuse,
+)
+from gantline.units import example, units_of
+
+__all__ = [
+    "MEASURES",
+    "Bound",
+    "Condition",
+    "HoistStep",
+    "HoldStep",
+    "Limits",
+    "LowerStep",
+    "MovingStep",
+    "Require",
+    "Step",
+]
+
+
+class Bound(NamedTuple):
+    """A requirement on a measure: `relation` is ``below`` or ``above``, `value` in SI units."""
+
+    relation: str
+    value: float
+
+
+@dataclass(frozen=True)
+class BoundReader(Reader):
+    """Reads ``below 1 deg`` and ``above 10 kN``."""
+
+    dimension: str
+
+    def read(self, value: object) -> Bound:
+        """The bound."""
+        words = value.split(maxsplit=1) if isinstance(value, str) else []
+        if len(words) != 2 or words[0] not in ("below", "above"):
+            right = example(self.dimension).split("like '")[1].split("'")[0]
+            raise refuse(
+                f"found {found(value)}; a requirement is written like 'below {right}' or 'above {right}'"
+            )
+        return Bound(words[0], Quantity(self.dimension, "not_negative").read(words[1]))
+
+    def shown(self) -> JsonSchemaValue:
+        """A string that begins with a relation."""
+        right = example(self.dimension).split("like '")[1].split("'")[0]
+        units = "|".join(
+            unit.replace("^", "\\^").replace("/", "\\/") for unit in units_of(self.dimension) if unit
+        )
+        return {
+            "type": "string",
+            "pattern": rf"^(below|above)\s+[0-9.eE+\-]+\s*({units})?$",
+            "examples": [f"below {right}"],
+        }
+
+
+AngleBound = Annotated[Bound, BoundReader("angle")]
+ForceBound = Annotated[Bound, BoundReader("force")]
+RatioBound = Annotated[Bound, BoundReader("ratio")]
+
+#: Measures that a step may report.
+MEASURES = (
+    "sling_tension",
+    "equalizing_rope_tension",
+    "equalizer_travel",
+    "hook_load",
+    "hoist_load",
+    "load_tilt",
+    "load_transferred",
+)
+
+
+@dataclass(frozen=True)
+class MeasuresReader(Reader):
+    """Reads the list of measures that a step reports."""
+
+    def read(self, value: object) -> tuple[str, ...]:
+        """The measures."""
+        items = [value] if isinstance(value, str) else value
+        if not isinstance(items, list) or not items:
+            raise refuse(
+                f"found {found(value)}; a list of measures is needed, such as [hook_load, sling_tension]"
+            )
+        for item in items:
+            if item not in MEASURES:
+                raise refuse(f"{found(item)} is not a measure; {nearest(str(item), MEASURES)}")
+        return tuple(str(item) for item in items)
+
+    def shown(self) -> JsonSchemaValue:
+        """A list of the known measures."""
+        return {"type": "array", "items": {"enum": list(MEASURES)}, "minItems": 1}
+
+
+class Require(Element):
+    """What has to hold at the end of a step."""
+
+    what: ClassVar[str] = "require"
+
+    load_tilt: AngleBound | None = Field(None, description="Angle of the load's own z axis from plumb.")
+    equalizer_travel_used: RatioBound | None = Field(None, description="Travel used, of the stroke.")
+    tension_spread: RatioBound | None = Field(
+        None, description="(max - min)/mean over one equalizer's slings."
+    )
+    sling_tension: ForceBound | None = Field(None, description="Tension of every sling.")
+    hook_load: ForceBound | None = Field(None, description="Hook load of every hook.")
+    load_transferred: RatioBound | None = Field(None, description="1 - support forces/weight.")
+
+
+class Condition(Element):
+    """What a step waits for."""
+
+    what: ClassVar[str] = "until"
+
+    load_transferred: Annotated[float, Quantity("ratio", "positive")] | None = Field(
+        None, description="Share of the load's weight that has left its supports."
+    )
+    supports: Literal["clear"] | None = Field(
+        None, description="'clear': the load has left all its supports."
+    )
+
+    @model_validator(mode="after")
+    def _exactly_one(self) -> Condition:
+        given = [self.load_transferred is not None, self.supports is not None]
+        if sum(given) != 1:
+            raise refuse("a step waits for one thing: 'load_transferred: 50 %' or 'supports: clear'")
+        if self.load_transferred is not None and self.load_transferred > 1:
+            raise refuse(f"load_transferred is {self.load_transferred * 100:g} %; it can reach 100 % at most")
+        return self
+
+
+class _AnyStep(Element):
+    step: Text = Field(description="Name of the step.")
+    report: Annotated[tuple[str, ...], MeasuresReader()] = Field(
+        (), description="Measures to report at its end."
+    )
+    require: Require | None = Field(None, description="What has to hold at its end.")
+
+
+class MovingStep(_AnyStep):
+    """A step that moves hooks up or down."""
+
+    speed: PositiveSpeed = Field(description="Speed of the hooks.")
+    acceleration: PositiveAcceleration | None = Field(None, description="The hoist's own if not given.")
+    start_at: Time | None = Field(
+        None, description="Time of the start; when the step before ends if not given."
+    )
+    brake_from: Time | None = Field(None, description="Time from which the hooks brake.")
+    until: Condition | None = Field(None, description="Condition on which the hooks brake.")
+    by: PositiveLength | None = Field(None, description="Distance after which the hooks are at rest.")
+
+    @model_validator(mode="after")
+    def _one_end(self) -> MovingStep:
+        given = [name for name in ("brake_from", "until", "by") if getattr(self, name) is not None]
+        if len(given) != 1:
+            listed = " and ".join(f"'{name}'" for name in given) or "none of them"
+            raise refuse(f"a step ends by one of 'brake_from', 'until' and 'by'; found {listed}")
+        return self
+
+
+class HoistStep(MovingStep):
+    """A step that hoists."""
+
+    what: ClassVar[str] = "a hoist step"
+
+    hoist: Names = Field(description="Hook or hooks to hoist.")
+
+    verb: ClassVar[str] = "hoist"
+    direction: ClassVar[float] = 1.0
+
+    @property
+    def hooks(self) -> tuple[str, ...]:
+        """Hooks that move."""
+        return self.hoist
+
+
+class LowerStep(MovingStep):
+    """A step that lowers."""
+
+    what: ClassVar[str] = "a lower step"
+
+    lower: Names = Field(description="Hook or hooks to lower.")
+
+    verb: ClassVar[str] = "lower"
+    direction: ClassVar[float] = -1.0
+
+    @property
+    def hooks(self) -> tuple[str, ...]:
+        """Hooks that move."""
+        return self.lower
+
+
+class HoldStep(_AnyStep):
+    """A step that waits."""
+
+    what: ClassVar[str] = "a hold step"
+
+    hold: Annotated[float | Literal["until_end"], WordOr(("until_end",), Quantity("time", "positive"))] = (
+        Field(description="How long, or 'until_end'.")
+    )
+
+
+def _verb(data: Any) -> str | None:
+    if isinstance(data, dict):
+        verbs = [verb for verb in ("hoist", "lower", "hold") if verb in data]
+        return f"{verbs[0]} step" if verbs else None
+    return None
+
+
+Step = Annotated[
+    Annotated[HoistStep, Tag("hoist step")]
+    | Annotated[LowerStep, Tag("lower step")]
+    | Annotated[HoldStep, Tag("hold step")],
+    Discriminator(
+        _verb,
+        custom_error_type="gantline",
+        custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower' and 'hold'",
+    ),
+]
+
+
+class Limits(Element):
+    """Limits that the lift is checked against."""
+
+    what: ClassVar[str] = "limits"
+
+    rule: Text | None = Field(None, description="Rule and edition that the limits come from.")
+    load_tilt: PositiveAngle | None = Field(None, description="Tilt of the load.")
+    sling_angle_from_vertical: PositiveAngle | None = Field(
+        None, description="Angle of slings from the vertical."
+    )
+    lug_out_of_plane_angle: PositiveAngle | None = Field(
+        None, description="Angle of slings to the lug's plate."
+    )
+    sling_factor_on_breaking_force: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
+        None, description="Least factor of breaking force over peak tension."
+    )
+    smallest_sling_tension_when_clear: Annotated[float, Quantity("force", "not_negative")] | None = Field(
+        None, description="Least tension of any sling once the load is clear."
+    )
+    tension_spread_when_clear: Ratio | None = Field(
+        None, description="(max - min)/mean of slings once clear."
+    )
+    equalizer_travel_used: Ratio | None = Field(None, description="Travel used, of the stroke.")
+    hook_dynamic_factor: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
+        None, description="Dynamic over static hook load."
+    )
+    hoist_load_of_rated_capacity: Ratio | None = Field(None, description="Hoist load of rated capacity.")

@@ -1,0 +1,339 @@
+"""Field types of the scenario models: quantities with units, plain numbers, names, texts.
+
+Every value arrives as the text that stands in the file. A type here turns it into a float in SI units (or a
+name, a number, a truth value), refuses it with a plain sentence, and describes itself to editors through the
+JSON Schema.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Annotated, Any, Final
+
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import PydanticCustomError, core_schema
+
+from gantline.scenario.errors import shorten
+from gantline.units import DIMENSIONS, UnitError, example, quantity, units_of
+
+#: Largest size of a quantity that is taken for meant [SI]; anything beyond is a slip of the pen.
+_LARGEST: Final[dict[str, tuple[float, str]]] = {
+    "length": (1e5, "100 km"),
+    "mass": (1e9, "1000000 t"),
+    "time": (1e6, "1000000 s"),
+    "force": (1e13, "1e7 MN"),
+    "angle": (100.0, "5729 deg"),
+    "speed": (1e3, "1000 m/s"),
+    "angular_speed": (1e4, "1e4 rad/s"),
+    "acceleration": (1e4, "1e4 m/s^2"),
+    "stiffness": (1e13, "1e7 MN/m"),
+    "damping": (1e13, "1e7 MN s/m"),
+    "torque": (1e12, "1e6 MN m"),
+    "rotational_damping": (1e12, "1e6 MN m s"),
+    "inertia": (1e15, "1e12 t m^2"),
+    "mass_per_length": (1e5, "100 t/m"),
+    "stress": (1e13, "1e4 GPa"),
+    "ratio": (1e4, "1e4"),
+}
+
+#: Smallest size of a quantity that has to be above zero [SI]; below it arithmetic has no room left.
+_SMALLEST: Final = 1e-9
+
+_NUMBER: Final = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
+NAME_PATTERN: Final = r"[A-Za-z0-9_.\-]+"
+_LONGEST_NAME: Final = 64
+_LONGEST_TEXT: Final = 2000
+
+
+def refuse(sentence: str, key: str | None = None) -> PydanticCustomError:
+    """The error by which a validator refuses a value, or the `key` of a mapping, with a sentence of ours."""
+    context = {"sentence": sentence} if key is None else {"sentence": sentence, "key": key}
+    return PydanticCustomError("gantline", "{sentence}", context)
+
+
+def found(value: object) -> str:
+    """What a value is, for the first half of a message."""
+    if isinstance(value, dict):
+        return "a mapping"
+    if isinstance(value, list):
+        return "a list"
+    return f"'{shorten(str(value))}'"
+
+
+def one_line(sentence: str) -> str:
+    """A sentence that repeats user text, on one printable line."""
+    return "".join(character if character.isprintable() else "?" for character in " ".join(sentence.split()))
+
+
+@dataclass(frozen=True)
+class Reader:
+    """A field type that reads one text; subclasses say how, and how the JSON Schema shows it."""
+
+    def read(self, value: object) -> Any:
+        """Value from the text that stands in the file."""
+        raise NotImplementedError
+
+    def shown(self) -> JsonSchemaValue:
+        """JSON Schema of the text."""
+        raise NotImplementedError
+
+    def __get_pydantic_core_schema__(
+        self, _source: Any, _handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        """Validate with `read` alone."""
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(
+        self, _schema: core_schema.CoreSchema, _handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        """Describe with `shown` alone."""
+        return self.shown()
+
+
+@dataclass(frozen=True)
+class Quantity(Reader):
+    """A quantity with a unit, within bounds that make sense."""
+
+    dimension: str
+    sign: str = "any"  # any, positive (above zero), not_negative
+
+    def read(self, value: object) -> float:
+        """Value [SI unit of the dimension]."""
+        if not isinstance(value, str):
+            raise refuse(f"found {found(value)}; {example(self.dimension)}")
+        try:
+            number = quantity(value, self.dimension)
+        except UnitError as error:
+            raise refuse(one_line(str(error))) from None
+        self._check(number, shorten(value))
+        return number
+
+    def _check(self, number: float, text: str) -> None:
+        largest, shown = _LARGEST[self.dimension]
+        name = example(self.dimension).split(" is written")[0].split(" ", 1)[1]
+        if self.sign != "any" and number < 0:
+            bound = "above zero" if self.sign == "positive" else "zero or more"
+            raise refuse(f"'{text}' is negative; this {name} has to be {bound}")
+        if self.sign == "positive" and number == 0:
+            raise refuse(f"'{text}' is zero; this {name} has to be above zero")
+        if self.sign == "positive" and number < _SMALLEST:
+            raise refuse(f"'{text}' is absurdly small; check the number and its unit")
+        if abs(number) > largest:
+            raise refuse(f"'{text}' is absurdly large (more than {shown}); check the number and its unit")
+
+    def shown(self) -> JsonSchemaValue:
+        """A string with the units of the dimension, or a bare zero."""
+        units = "|".join(re.escape(unit).replace("\\ ", " ") for unit in units_of(self.dimension) if unit)
+        optional = "?" if "" in DIMENSIONS[self.dimension] else ""
+        examples = re.findall(r"'([^']*)'", example(self.dimension))
+        text = {
+            "type": "string",
+            "pattern": rf"^\s*{_NUMBER}\s*({units}){optional}\s*$",
+            "examples": examples,
+        }
+        zero = {"type": "string", "pattern": r"^\s*[+-]?0+(\.0*)?\s*$"}
+        bare = {"type": "number"} if optional else {"const": 0}
+        return {"anyOf": [text, bare] if optional else [text, zero, bare]}
+
+
+@dataclass(frozen=True)
+class Number(Reader):
+    """A plain number without a unit."""
+
+    least: float = -1e12
+    most: float = 1e12
+    whole: bool = False
+
+    def read(self, value: object) -> float | int:
+        """The number."""
+        text = value if isinstance(value, str) else ""
+        if not re.fullmatch(r"[+-]?[0-9]+" if self.whole else _NUMBER, text.strip(), re.ASCII):
+            kind = "a whole number like '1'" if self.whole else "a plain number like '1.05'"
+            raise refuse(f"found {found(value)}; {kind} is needed")
+        number = float(text)
+        if not self.least <= number <= self.most:
+            raise refuse(f"'{shorten(text)}' is out of range; from {self.least:g} to {self.most:g} is right")
+        return int(number) if self.whole else number
+
+    def shown(self) -> JsonSchemaValue:
+        """A number, or the same number as text."""
+        kind = "integer" if self.whole else "number"
+        return {
+            "anyOf": [
+                {"type": kind, "minimum": self.least, "maximum": self.most},
+                {"type": "string", "pattern": r"^[+-]?[0-9]+$" if self.whole else rf"^{_NUMBER}$"},
+            ]
+        }
+
+
+@dataclass(frozen=True)
+class Truth(Reader):
+    """`true` or `false`, and no other word."""
+
+    def read(self, value: object) -> bool:
+        """The truth value."""
+        if value not in ("true", "false"):
+            raise refuse(f"found {found(value)}; 'true' or 'false' is needed")
+        return value == "true"
+
+    def shown(self) -> JsonSchemaValue:
+        """A truth value, or the same as text."""
+        return {"enum": [True, False, "true", "false"]}
+
+
+@dataclass(frozen=True)
+class NameText(Reader):
+    """A name: letters, digits, ``_``, ``-`` and ``.``; always text."""
+
+    def read(self, value: object) -> str:
+        """The name as text."""
+        if not isinstance(value, str) or not re.fullmatch(NAME_PATTERN, value, re.ASCII):
+            raise refuse(f"found {found(value)}; a name has letters, digits, '_', '-' and '.' only")
+        if len(value) > _LONGEST_NAME:
+            raise refuse(f"found {found(value)}; a name has at most {_LONGEST_NAME} characters")
+        return str(value)
+
+    def shown(self) -> JsonSchemaValue:
+        """A string of the letters that names have; YAML readers of editors may take ``1`` for a number."""
+        return {"type": ["string", "number", "boolean"], "pattern": f"^{NAME_PATTERN}$"}
+
+
+@dataclass(frozen=True)
+class Word(Reader):
+    """One of a few words, which may look like numbers."""
+
+    words: tuple[str, ...]
+
+    def read(self, value: object) -> str:
+        """The word."""
+        if value not in self.words:
+            raise refuse(f"found {found(value)}; right is {' or '.join(repr(word) for word in self.words)}")
+        return str(value)
+
+    def shown(self) -> JsonSchemaValue:
+        """The words, and the numbers that YAML readers of editors may take them for."""
+        return {"enum": [*self.words, *(int(word) for word in self.words if word.isdecimal())]}
+
+
+@dataclass(frozen=True)
+class FreeText(Reader):
+    """Any text, such as a title."""
+
+    def read(self, value: object) -> str:
+        """The text."""
+        if not isinstance(value, str):
+            raise refuse(f"found {found(value)}; a text is needed")
+        if len(value) > _LONGEST_TEXT:
+            raise refuse(f"found a text of {len(value)} characters; at most {_LONGEST_TEXT} are allowed")
+        if not value.strip():
+            raise refuse("found an empty text; write something or leave the key out")
+        return str(value)
+
+    def shown(self) -> JsonSchemaValue:
+        """A string; YAML readers of editors may take it for a number."""
+        return {"type": ["string", "number", "boolean"]}
+
+
+@dataclass(frozen=True)
+class ListOf(Reader):
+    """A list of values of one field type, of a given length or at least one."""
+
+    item: Reader
+    count: int | None = None
+    least: int = 1
+    scalar: bool = False  # one value may stand alone, without brackets
+
+    def read(self, value: object) -> tuple[Any, ...]:
+        """The values."""
+        needed = f"a list of {self.count}" if self.count is not None else "a list"
+        if self.scalar and isinstance(value, str):
+            value = [value]
+        if not isinstance(value, list):
+            raise refuse(f"found {found(value)}; {needed} is needed, such as {self._example()}")
+        if self.count is not None and len(value) != self.count:
+            raise refuse(f"found a list of {len(value)}; {needed} is needed, such as {self._example()}")
+        if len(value) < self.least:
+            raise refuse(
+                f"found a list of {len(value)}; at least {self.least} are needed, such as {self._example()}"
+            )
+        items = []
+        for place, item in enumerate(value, start=1):
+            try:
+                items.append(self.item.read(item))
+            except PydanticCustomError as error:
+                raise refuse(f"item {place}: {error.message()}") from None
+        return tuple(items)
+
+    def _example(self) -> str:
+        if isinstance(self.item, Quantity):
+            one = re.findall(r"'([^']*)'", example(self.item.dimension))[0]
+        else:
+            one = "0" if isinstance(self.item, Number) else "name"
+        return "[" + ", ".join([one] * (self.count or self.least)) + "]"
+
+    def shown(self) -> JsonSchemaValue:
+        """An array, or one item where that is allowed."""
+        least = self.least if self.count is None else self.count
+        array: JsonSchemaValue = {"type": "array", "items": self.item.shown(), "minItems": least}
+        if self.count is not None:
+            array["maxItems"] = self.count
+        return {"anyOf": [self.item.shown(), array]} if self.scalar else array
+
+
+@dataclass(frozen=True)
+class WordOr(Reader):
+    """One of a few words, or a value of another field type."""
+
+    words: tuple[str, ...]
+    other: Reader
+
+    def read(self, value: object) -> Any:
+        """The word, or the other value."""
+        if isinstance(value, str) and value in self.words:
+            return str(value)
+        try:
+            return self.other.read(value)
+        except PydanticCustomError as error:
+            listed = " or ".join(f"'{word}'" for word in self.words)
+            raise refuse(f"{error.message()}; or {listed}") from None
+
+    def shown(self) -> JsonSchemaValue:
+        """The words, or the other."""
+        return {"anyOf": [{"enum": list(self.words)}, self.other.shown()]}
+
+
+Length = Annotated[float, Quantity("length")]
+PositiveLength = Annotated[float, Quantity("length", "positive")]
+NotNegativeLength = Annotated[float, Quantity("length", "not_negative")]
+Mass = Annotated[float, Quantity("mass", "not_negative")]
+PositiveMass = Annotated[float, Quantity("mass", "positive")]
+PositiveForce = Annotated[float, Quantity("force", "positive")]
+NotNegativeForce = Annotated[float, Quantity("force", "not_negative")]
+Time = Annotated[float, Quantity("time", "not_negative")]
+PositiveTime = Annotated[float, Quantity("time", "positive")]
+Angle = Annotated[float, Quantity("angle")]
+PositiveAngle = Annotated[float, Quantity("angle", "positive")]
+Speed = Annotated[float, Quantity("speed")]
+PositiveSpeed = Annotated[float, Quantity("speed", "positive")]
+AngularSpeed = Annotated[float, Quantity("angular_speed")]
+PositiveAcceleration = Annotated[float, Quantity("acceleration", "positive")]
+Acceleration = Annotated[float, Quantity("acceleration", "not_negative")]
+PositiveStiffness = Annotated[float, Quantity("stiffness", "positive")]
+Damping = Annotated[float, Quantity("damping", "not_negative")]
+RotationalDamping = Annotated[float, Quantity("rotational_damping", "not_negative")]
+Torque = Annotated[float, Quantity("torque", "not_negative")]
+PositiveInertia = Annotated[float, Quantity("inertia", "positive")]
+Inertia = Annotated[float, Quantity("inertia")]
+Ratio = Annotated[float, Quantity("ratio", "not_negative")]
+Position = Annotated[tuple[float, float, float], ListOf(Quantity("length"), 3)]
+Sizes = Annotated[tuple[float, float, float], ListOf(Quantity("length", "positive"), 3)]
+Margins = Annotated[tuple[float, float, float], ListOf(Quantity("length", "not_negative"), 3)]
+Velocity = Annotated[tuple[float, float, float], ListOf(Quantity("speed"), 3)]
+AngularVelocity = Annotated[tuple[float, float, float], ListOf(Quantity("angular_speed"), 3)]
+Lengths = Annotated[tuple[float, ...], ListOf(Quantity("length"))]
+Flag = Annotated[bool, Truth()]
+Name = Annotated[str, NameText()]
+Names = Annotated[tuple[str, ...], ListOf(NameText(), scalar=True)]
+Text = Annotated[str, FreeText()]

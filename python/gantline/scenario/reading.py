@@ -1,0 +1,63 @@
+"""From a lift file to a scenario."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from gantline.scenario.check import check
+from gantline.scenario.errors import Problem, ScenarioError
+from gantline.scenario.model import Scenario
+from gantline.scenario.translate import translate
+from gantline.scenario.tree import parse_text, read_text
+
+__all__ = ["FILE_NAME", "load_scenario", "parse_scenario"]
+
+#: Name of the lift file in a folder that stands for a lift.
+FILE_NAME = "scenario.yaml"
+
+
+def load_scenario(path: str | Path) -> Scenario:
+    """Read a lift file, or the ``scenario.yaml`` of a folder.
+
+    Args:
+        path: the file or its folder.
+
+    Returns:
+        The scenario, checked as far as it can be without building the system.
+
+    Raises:
+        ScenarioError: with every problem that was found, each with line, path and what would be right.
+    """
+    file = Path(path)
+    if _is_folder(file):
+        if not (file / FILE_NAME).is_file():
+            sentence = f"is a folder without {FILE_NAME}; a lift file or its folder is needed"
+            raise ScenarioError(str(file), [Problem(None, "", sentence)])
+        file = file / FILE_NAME
+    source = str(file)
+    return parse_scenario(read_text(file, source), source)
+
+
+def parse_scenario(text: str, source: str = "scenario.yaml") -> Scenario:
+    """Scenario of a lift file's text; `source` is the file that messages name.
+
+    Raises:
+        ScenarioError: as `load_scenario`.
+    """
+    tree = parse_text(text, source)
+    try:
+        scenario = Scenario.model_validate(tree)
+    except ValidationError as error:
+        raise ScenarioError(source, translate(error.errors(include_url=False), tree)) from None
+    scenario.read_from(source, text, tree)
+    check(scenario)
+    return scenario
+
+
+def _is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):  # a name that no file can have; reading it says so
+        return False

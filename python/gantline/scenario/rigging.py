@@ -1,0 +1,252 @@
+"""Who hangs on whom: names looked up, types and defaults filled in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from gantline.scenario.crane import (
+    Equalizer,
+    EqualizerFrame,
+    FixedSheaves,
+    Hinge,
+    MovingSheaves,
+    RopeEnds,
+    Travel,
+)
+from gantline.scenario.errors import nearest
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.gear import RopeMaterial, Shackle, SlingDefaults
+from gantline.scenario.model import Scenario
+
+__all__ = ["EqualizerRigging", "Rigging", "SlingRigging", "resolve", "split_reference"]
+
+_EQUALIZER_NEEDS = ("frame", "rope", "rope_ends", "fixed_sheaves", "moving_sheaves", "travel")
+
+
+@dataclass(frozen=True)
+class EqualizerRigging:
+    """An equalizer with all its parts."""
+
+    name: str
+    hook: str
+    heading: float
+    rated_capacity: float | None
+    frame: EqualizerFrame
+    hinge: Hinge
+    rope: RopeMaterial
+    rope_ends: RopeEnds
+    fixed_sheaves: FixedSheaves
+    moving_sheaves: MovingSheaves
+    travel: Travel
+
+
+@dataclass(frozen=True)
+class SlingRigging:
+    """A sling between a moving sheave (or a hook) and a lug; `sheave` counts from 1."""
+
+    name: str
+    hook: str
+    equalizer: str | None
+    sheave: int | None
+    lug: str
+    length: float
+    tolerance: float
+    rope: RopeMaterial
+    top: tuple[str, Shackle] | None
+    bottom: tuple[str, Shackle] | None
+
+    @property
+    def upper_body(self) -> str:
+        """Name of the body that holds the upper end."""
+        return self.hook if self.equalizer is None else f"{self.equalizer}.{self.sheave}"
+
+
+@dataclass(frozen=True)
+class Rigging:
+    """All equalizers and slings of a lift."""
+
+    equalizers: dict[str, EqualizerRigging]
+    slings: dict[str, SlingRigging]
+
+
+def resolve(scenario: Scenario) -> Rigging:
+    """Look up every name of the rigging.
+
+    Raises:
+        ScenarioError: with every name that leads nowhere and every part that is missing.
+    """
+    findings = Findings(scenario)
+    equalizers = {}
+    for name in scenario.equalizers or {}:
+        one = _equalizer(findings, name)
+        if one is not None:
+            equalizers[name] = one
+    slings = {}
+    holders: dict[str, str] = {}
+    for name in scenario.slings or {}:
+        sling = _sling(findings, name)
+        if sling is None:
+            continue
+        slings[name] = sling
+        if sling.equalizer is not None and sling.upper_body in holders:
+            sentence = (
+                f"moving sheave '{sling.upper_body}' already carries sling '{holders[sling.upper_body]}'"
+            )
+            findings.add(("slings", name, "from"), f"{sentence}; each moving sheave carries one sling")
+        holders.setdefault(sling.upper_body, name)
+    findings.raise_any()
+    return Rigging(equalizers, slings)
+
+
+def split_reference(text: str, owners: Iterable[str]) -> tuple[str, str] | None:
+    """Owner and member of a dotted name, the longest owner first; None if no owner fits."""
+    fitting = [owner for owner in owners if text.startswith(owner + ".") and len(text) > len(owner) + 1]
+    if not fitting:
+        return None
+    owner = max(fitting, key=len)
+    return owner, text[len(owner) + 1 :]
+
+
+def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
+    given = (findings.scenario.equalizers or {})[name]
+    path = ("equalizers", name)
+    before = len(findings.problems)
+    _check_hook(findings, name, given)
+    parts: dict[str, Any] = {}
+    kind = None
+    if given.type is not None:
+        types = findings.scenario.equalizer_types or {}
+        kind = types.get(given.type)
+        if kind is None:
+            sentence = f"'{given.type}' is not a name of 'equalizer_types'; {nearest(given.type, types)}"
+            findings.add((*path, "type"), sentence)
+            return None
+    for key in (*_EQUALIZER_NEEDS, "hinge", "rated_capacity"):
+        parts[key] = getattr(given, key)
+        if parts[key] is None and kind is not None:
+            parts[key] = getattr(kind, key)
+    missing = [key for key in _EQUALIZER_NEEDS if parts[key] is None]
+    for key in missing:
+        findings.add(path, f"'{key}' is missing; an equalizer needs it, or a type that has it")
+    if "rope" not in missing:
+        where = (*path, "rope") if given.rope is not None else ("equalizer_types", str(given.type), "rope")
+        parts["rope"] = _material(findings, parts["rope"], where)
+    if len(findings.problems) > before:
+        return None
+    parts["hinge"] = parts["hinge"] or Hinge()
+    return EqualizerRigging(name=name, hook=given.hangs_from, heading=given.heading, **parts)
+
+
+def _check_hook(findings: Findings, name: str, given: Equalizer) -> None:
+    equalizers = findings.scenario.equalizers or {}
+    hook = given.hangs_from
+    if hook in (findings.scenario.cranes or {}):
+        return
+    chain = [name]
+    while hook in equalizers and hook not in chain:
+        chain.append(hook)
+        hook = equalizers[hook].hangs_from
+    if hook in chain:
+        loop = " -> ".join([*chain, hook])
+        sentence = f"hangs in a circle ({loop}); an equalizer hangs from the hook of a crane"
+    elif given.hangs_from in equalizers:
+        sentence = f"'{given.hangs_from}' is an equalizer; an equalizer hangs from the hook of a crane"
+    else:
+        sentence = (
+            f"'{given.hangs_from}' is not a hook; {nearest(given.hangs_from, findings.scenario.cranes or {})}"
+        )
+    findings.add(("equalizers", name, "hangs_from"), sentence)
+
+
+def _material(findings: Findings, name: str, path: Path) -> RopeMaterial | None:
+    ropes = findings.scenario.ropes or {}
+    if name not in ropes:
+        findings.add(path, f"'{name}' is not a name of 'ropes'; {nearest(name, ropes)}")
+    return ropes.get(name)
+
+
+def _sling(findings: Findings, name: str) -> SlingRigging | None:
+    given = (findings.scenario.slings or {})[name]
+    defaults = findings.scenario.sling_defaults or SlingDefaults()
+    path = ("slings", name)
+    before = len(findings.problems)
+    upper = _upper_end(findings, given.from_, (*path, "from"))
+    lug = _lug(findings, given.to, (*path, "to"))
+    length = given.length if given.length is not None else defaults.length
+    if length is None:
+        findings.add(path, "'length' is missing; a sling needs it (effective length, unloaded)")
+    rope_name = given.rope if given.rope is not None else defaults.rope
+    rope = None
+    if rope_name is None:
+        findings.add(path, "'rope' is missing; a sling needs it (a name of 'ropes')")
+    else:
+        where = (*path, "rope") if given.rope is not None else ("sling_defaults", "rope")
+        rope = _material(findings, rope_name, where)
+    shackles = given.shackles if given.shackles is not None else defaults.shackles
+    base = (*path, "shackles") if given.shackles is not None else ("sling_defaults", "shackles")
+    top = _shackle(findings, shackles.top if shackles else None, (*base, "top"))
+    bottom = _shackle(findings, shackles.bottom if shackles else None, (*base, "bottom"))
+    tolerance = given.tolerance if given.tolerance is not None else defaults.tolerance
+    if len(findings.problems) > before or upper is None or lug is None or length is None or rope is None:
+        return None
+    hook, equalizer, sheave = upper
+    return SlingRigging(name, hook, equalizer, sheave, lug, length, tolerance or 0.0, rope, top, bottom)
+
+
+def _upper_end(findings: Findings, text: str, path: Path) -> tuple[str, str | None, int | None] | None:
+    cranes, equalizers = findings.scenario.cranes or {}, findings.scenario.equalizers or {}
+    if text in cranes:
+        return text, None, None
+    split = split_reference(text, equalizers)
+    if split is None:
+        holders = [*(f"{name}.1" for name in equalizers), *cranes]
+        sentence = f"'{text}' is neither a moving sheave nor a hook; {nearest(text, holders)}"
+        findings.add(path, sentence)
+        return None
+    name, sheave = split
+    count = _count_of_moving_sheaves(findings.scenario, name)
+    if count is None:
+        return None  # the equalizer itself has been reported
+    if (
+        not sheave.isascii()
+        or not sheave.isdecimal()
+        or str(int(sheave)) != sheave
+        or not 1 <= int(sheave) <= count
+    ):
+        sentence = f"'{name}' has no moving sheave '{sheave}'; it has '{name}.1' to '{name}.{count}'"
+        findings.add(path, sentence)
+        return None
+    return equalizers[name].hangs_from, name, int(sheave)
+
+
+def _count_of_moving_sheaves(scenario: Scenario, name: str) -> int | None:
+    given = (scenario.equalizers or {})[name]
+    sheaves = given.moving_sheaves
+    if sheaves is None and given.type is not None and given.type in (scenario.equalizer_types or {}):
+        sheaves = (scenario.equalizer_types or {})[given.type].moving_sheaves
+    return None if sheaves is None else len(sheaves.along)
+
+
+def _lug(findings: Findings, text: str, path: Path) -> str | None:
+    load = findings.scenario.load
+    if load is None:
+        findings.add(path, f"'{text}' is not a lug; there is no 'load' in this file")
+        return None
+    split = split_reference(text, [load.name])
+    if split is not None and split[1] in load.lugs:
+        return split[1]
+    known = [f"{load.name}.{lug}" for lug in load.lugs]
+    findings.add(path, f"'{text}' is not a lug; {nearest(text, known)}")
+    return None
+
+
+def _shackle(findings: Findings, name: str | None, path: Path) -> tuple[str, Shackle] | None:
+    if name is None:
+        return None
+    shackles = findings.scenario.shackles or {}
+    if name not in shackles:
+        findings.add(path, f"'{name}' is not a name of 'shackles'; {nearest(name, shackles)}")
+        return None
+    return name, shackles[name]

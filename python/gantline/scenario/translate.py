@@ -1,0 +1,94 @@
+"""From the validator's errors to sentences that a lifting engineer understands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pydantic_core import ErrorDetails
+
+from gantline.scenario.errors import PathPart, Problem, closest, join_path, nearest, shorten
+from gantline.scenario.model import COMING
+from gantline.scenario.quantities import found
+from gantline.scenario.tree import ListNode, MapNode, line_of
+
+__all__ = ["translate"]
+
+
+def translate(errors: Sequence[ErrorDetails], tree: MapNode) -> list[Problem]:
+    """Problems for validation errors, with the lines of the tree that was validated."""
+    return [_problem(error, tree) for error in errors]
+
+
+def _problem(error: ErrorDetails, tree: MapNode) -> Problem:
+    loc = error["loc"]
+    if "key" in (error.get("ctx") or {}):
+        loc = (*loc, error["ctx"]["key"])
+    path, node, parent = _locate(loc, tree)
+    return Problem(line_of(tree, path), join_path(path), _sentence(error, path, node, parent))
+
+
+def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...], Any, Any]:
+    """Path in the file of a place in the models (tags of unions left out), its node, the node around it."""
+    path: list[PathPart] = []
+    node: Any = tree
+    parent: Any = tree
+    for part in loc:
+        inside = isinstance(node, MapNode) and part in node
+        inside = inside or (isinstance(node, ListNode) and isinstance(part, int) and part < len(node))
+        if inside:
+            path.append(part)
+            parent, node = node, node[part]
+    return tuple(path), node, parent
+
+
+def _sentence(error: ErrorDetails, path: Sequence[PathPart], node: Any, parent: Any) -> str:
+    kind = error["type"]
+    context: Mapping[str, Any] = error.get("ctx") or {}
+    last = str(error["loc"][-1]) if error["loc"] else ""
+    if kind == "gantline":
+        return error["msg"]
+    if kind == "missing":
+        return _missing(last, node)
+    if kind == "extra_forbidden":
+        return _unknown_key(last, path, parent)
+    if kind == "literal_error":
+        return f"found {found(node)}; right is {context.get('expected', 'another word')}"
+    if kind in ("union_tag_invalid", "union_tag_not_found"):
+        return _kind_of_thing(context, node)
+    if kind == "too_short" and not context.get("actual_length"):
+        return "is empty; leave it out or fill it"
+    if kind == "too_short":
+        return f"found {context['actual_length']} entries; at least {context['min_length']} needed"
+    if kind in ("dict_type", "model_type", "model_attributes_type"):
+        return f"found {found(node)}; a mapping is needed"
+    if kind in ("list_type", "tuple_type"):
+        return f"found {found(node)}; a list is needed"
+    return f"found {found(node)}, which is not right here"
+
+
+def _missing(key: str, node: Any) -> str:
+    if not isinstance(node, MapNode):
+        return f"'{key}' is missing"
+    misspelt = closest(key, [name for name in node if name not in node.allowed])
+    hint = f" (is '{shorten(misspelt)}' a misspelt '{key}'?)" if misspelt is not None else ""
+    return f"'{key}' is missing; {node.what or 'this mapping'} needs it{hint}"
+
+
+def _unknown_key(key: str, path: Sequence[PathPart], parent: Any) -> str:
+    shown = shorten(key)
+    if len(path) == 1 and key in COMING:
+        return f"'{shown}' cannot be simulated yet; leave it out"
+    if not isinstance(parent, MapNode) or not parent.allowed:
+        return f"'{shown}' is not a key that is known here"
+    unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
+    return f"'{shown}' is not a key of {parent.what}; {nearest(key, unused)}"
+
+
+def _kind_of_thing(context: Mapping[str, Any], node: Any) -> str:
+    if not isinstance(node, dict):
+        return f"found {found(node)}; a mapping with a 'type' is needed"
+    if "type" not in node:
+        return "'type' is missing; it says what kind of thing this is"
+    known = [tag.strip(" '") for tag in str(context.get("expected_tags", "")).split(",")]
+    return f"{found(node['type'])} is not a type that is known here; {nearest(str(node['type']), known)}"

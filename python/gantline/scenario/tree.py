@@ -1,0 +1,279 @@
+"""The strict reader of YAML: text in, a tree of mappings, lists and texts with line numbers out.
+
+Every scalar stays the text that was written, so ``L.1``, ``1`` and ``on`` are names and never numbers or
+truth values. The tree is built from the parser's events, one after the other: aliases are refused when they
+are met, before anything could be multiplied, and nesting is bounded without recursion.
+"""
+
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+from typing import Any, Final
+
+from ruamel.yaml import YAML
+from ruamel.yaml.error import MarkedYAMLError, YAMLError
+from ruamel.yaml.events import (
+    AliasEvent,
+    DocumentEndEvent,
+    DocumentStartEvent,
+    Event,
+    MappingEndEvent,
+    MappingStartEvent,
+    ScalarEvent,
+    SequenceEndEvent,
+    SequenceStartEvent,
+)
+from ruamel.yaml.reader import ReaderError
+
+from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path, shorten
+
+__all__ = ["LARGEST_FILE", "ListNode", "MapNode", "Node", "TextNode", "line_of", "parse_text", "read_text"]
+
+#: Largest lift file that is read [byte].
+LARGEST_FILE: Final = 5_000_000
+_DEEPEST: Final = 32
+_YAML_TAG: Final = "tag:yaml.org,2002:"
+_TYPES: Final = " (equalizer_types and sling_defaults say once what many share)"
+
+
+class TextNode(str):
+    """A scalar as written, with its line."""
+
+    line: int
+
+
+class ListNode(list[Any]):
+    """A list with its line."""
+
+    line: int
+
+
+class MapNode(dict[str, Any]):
+    """A mapping with its line and the line of each key.
+
+    Attributes:
+        line: line of the mapping's start, from 1.
+        key_lines: line of each key.
+        allowed: keys that the model which read this mapping knows; set while it is validated.
+        what: what that model is called in messages.
+    """
+
+    line: int
+    key_lines: dict[str, int]
+    allowed: tuple[str, ...] = ()
+    what: str = ""
+
+
+Node = TextNode | ListNode | MapNode
+
+
+def read_text(path: Path, source: str) -> str:
+    """Text of a lift file.
+
+    Raises:
+        ScenarioError: if there is no such file, or it is a folder, too large, not readable or not UTF-8.
+    """
+    try:
+        status = path.stat()
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else "not a usable file name"
+        raise _whole(source, f"cannot be read ({reason}); a lift file or its folder is needed") from None
+    if not stat.S_ISREG(status.st_mode):
+        raise _whole(source, "is not a file; a lift file or its folder is needed")
+    if status.st_size > LARGEST_FILE:
+        size = status.st_size / 1e6
+        raise _whole(source, f"has {size:.1f} MB; a lift file has at most {LARGEST_FILE / 1e6:.0f} MB")
+    try:
+        with path.open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+    except OSError as error:
+        raise _whole(source, f"cannot be read ({error.strerror})") from None
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise ScenarioError(
+            source, [Problem(line, "", f"byte {error.start + 1} is not UTF-8 text; save the file as UTF-8")]
+        ) from None
+
+
+def parse_text(text: str, source: str) -> MapNode:
+    """Tree of a YAML text.
+
+    Raises:
+        ScenarioError: if it is not YAML, is not a mapping, or uses what lift files do not have: aliases,
+            tags, several documents, duplicate keys.
+    """
+    builder = _Builder(source)
+    try:
+        for event in YAML(typ="safe", pure=True).parse(text):
+            builder.take(event)
+    except ReaderError as error:
+        line = text.count("\n", 0, error.position) + 1
+        raise ScenarioError(
+            source, [Problem(line, "", "a character that YAML does not allow; save the file as plain text")]
+        ) from None
+    except MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        found = shorten(str(error.problem or error.context or "unknown")).replace("<", "").replace(">", "")
+        raise ScenarioError(
+            source,
+            [
+                Problem(
+                    mark.line + 1 if mark else None, "", f"not YAML: {found}; check indentation and brackets"
+                )
+            ],
+        ) from None
+    except (YAMLError, ValueError, OverflowError) as error:
+        if isinstance(error, ScenarioError):
+            raise
+        raise _whole(source, f"not YAML: {shorten(str(error))}; check indentation and brackets") from None
+    return builder.finish()
+
+
+def line_of(tree: MapNode, path: tuple[PathPart, ...]) -> int:
+    """Line of the thing at a path, or of the deepest part of the path that exists."""
+    node: Any = tree
+    line = tree.line
+    for part in path:
+        if isinstance(node, MapNode) and part in node:
+            line = node.key_lines[str(part)]
+            node = node[str(part)]
+        elif isinstance(node, ListNode) and isinstance(part, int) and part < len(node):
+            node = node[part]
+            line = node.line
+        else:
+            break
+    return line
+
+
+def _whole(source: str, sentence: str) -> ScenarioError:
+    return ScenarioError(source, [Problem(None, "", sentence)])
+
+
+class _Builder:
+    """Builds the tree from events; keeps open collections on a stack of its own."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.root: Node | None = None
+        self.stack: list[MapNode | ListNode] = []
+        self.keys: list[TextNode | None] = []  # the key that waits for its value, for each open collection
+        self.documents = 0
+        self.problems: list[Problem] = []
+
+    def take(self, event: Event) -> None:
+        line = event.start_mark.line + 1
+        if isinstance(event, DocumentStartEvent):
+            self.documents += 1
+            if self.documents > 1:
+                raise self._stop(line, "a second YAML document begins here; a lift file holds one")
+        elif isinstance(event, AliasEvent):
+            raise self._stop(
+                line, f"the alias '*{shorten(event.anchor)}' is not allowed; write the value out{_TYPES}"
+            )
+        elif isinstance(event, (ScalarEvent, MappingStartEvent, SequenceStartEvent)):
+            self._refuse_decoration(event, line)
+            self._begin(event, line)
+        elif isinstance(event, (MappingEndEvent, SequenceEndEvent)):
+            self.stack.pop()
+            self.keys.pop()
+            if self.keys:
+                self.keys[-1] = None
+        elif (
+            isinstance(event, DocumentEndEvent) and self.stack
+        ):  # pragma: no cover - the parser refuses this itself
+            raise self._stop(line, "not YAML: the file ends too early")
+
+    def finish(self) -> MapNode:
+        if self.problems:
+            raise ScenarioError(self.source, self.problems)
+        if self.root is None or (isinstance(self.root, TextNode) and not self.root.strip()):
+            raise _whole(self.source, "is empty; a lift file begins with 'format: 1'")
+        if not isinstance(self.root, MapNode):
+            kind = "a list" if isinstance(self.root, ListNode) else f"the text '{shorten(self.root)}'"
+            raise self._stop(
+                self.root.line, f"found {kind}; a lift file is a mapping that begins with 'format: 1'"
+            )
+        return self.root
+
+    def _refuse_decoration(self, event: Any, line: int) -> None:
+        if event.anchor is not None:
+            raise self._stop(
+                line, f"the anchor '&{shorten(event.anchor)}' is not allowed; write the value out{_TYPES}"
+            )
+        if event.tag is not None:
+            tag = shorten(str(event.tag).replace(_YAML_TAG, "!!"))
+            raise self._stop(line, f"the tag '{tag}' is not allowed; write the plain value")
+
+    def _begin(self, event: Any, line: int) -> None:
+        if isinstance(event, ScalarEvent):
+            text = TextNode(event.value)
+            text.line = line
+            if self.stack and isinstance(self.stack[-1], MapNode) and self.keys[-1] is None:
+                self._key(text)
+                return
+            if text == "" and event.style is None and self.stack:
+                self._empty(line)
+            self._place(text)
+            return
+        if self.stack and isinstance(self.stack[-1], MapNode) and self.keys[-1] is None:
+            raise self._stop(line, "a list or mapping stands where a key is needed; a key is a plain name")
+        if len(self.stack) >= _DEEPEST:
+            raise self._stop(line, f"nested more than {_DEEPEST} deep; a lift file needs far less")
+        node: MapNode | ListNode
+        if isinstance(event, MappingStartEvent):
+            node = MapNode()
+            node.key_lines = {}
+        else:
+            node = ListNode()
+        node.line = line
+        self._place(node)
+        self.stack.append(node)
+        self.keys.append(None)
+
+    def _key(self, key: TextNode) -> None:
+        mapping = self.stack[-1]
+        assert isinstance(mapping, MapNode)
+        if key == "<<":
+            raise self._stop(key.line, f"the merge key '<<' is not allowed; write the values out{_TYPES}")
+        if key in mapping:
+            first = mapping.key_lines[key]
+            sentence = f"'{shorten(key)}' is given twice (first in line {first}); each name stands once"
+            self.problems.append(Problem(key.line, self._path(), sentence))
+        mapping.key_lines.setdefault(key, key.line)
+        self.keys[-1] = key
+
+    def _empty(self, line: int) -> None:
+        key = self.keys[-1]
+        if key is not None:
+            sentence = "nothing is given here; write a value or leave the key out"
+            self.problems.append(Problem(key.line, self._path(key), sentence))
+        else:
+            self.problems.append(
+                Problem(line, self._path(), "an item of the list is empty; write a value or remove it")
+            )
+
+    def _place(self, node: Node) -> None:
+        if not self.stack:
+            self.root = node
+            return
+        parent = self.stack[-1]
+        if isinstance(parent, ListNode):
+            parent.append(node)
+            return
+        key = self.keys[-1]
+        assert key is not None
+        parent.setdefault(str(key), node)
+        if isinstance(node, TextNode):
+            self.keys[-1] = None  # that of a collection stays until its end, for paths
+
+    def _path(self, *last: str) -> str:
+        parts: list[PathPart] = []
+        for node, key in zip(self.stack[:-1], self.keys[:-1], strict=True):
+            parts.append(len(node) - 1 if isinstance(node, ListNode) else str(key))
+        return join_path([*parts, *last])
+
+    def _stop(self, line: int, sentence: str) -> ScenarioError:
+        return ScenarioError(self.source, [*self.problems, Problem(line, "", sentence)])

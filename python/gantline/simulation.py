@@ -1,0 +1,226 @@
+"""Simulate a lift: from a lift file to a recording."""
+
+from __future__ import annotations
+
+import json
+import math
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from gantline import _core
+from gantline.assembly import assemble
+from gantline.results.derive import recording_of
+from gantline.results.metrics import ENERGY_BOUND, energy_remainder
+from gantline.results.recording import Recording
+from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.scenario.errors import Problem
+from gantline.version import version
+
+Progress = Callable[[float], bool | None]
+
+#: Settings of the integrator; the other settings are those of the run.
+_OF_INTEGRATOR = ("step", "paper", "geometric_stiffness")
+_TIMES = ("step", "duration", "sample_interval")
+
+
+class SettingError(ValueError):
+    """A setting of the simulation is not usable; the message says which and why."""
+
+
+class SimulationError(RuntimeError):
+    """The simulation could not go on.
+
+    Attributes:
+        recording: What was recorded up to then.
+        time: Simulated time of the failure [s].
+        element: The rope, body or contact at which it failed; empty if it belongs to none.
+        cause: What failed, in one sentence.
+        state: The last good state, for `Simulation.restore`.
+    """
+
+    def __init__(self, recording: Recording, time: float, element: str, cause: str, state: bytes) -> None:
+        place = f" at {element}" if element else ""
+        super().__init__(f"the simulation could not go on at t = {time:.3f} s{place}: {cause}")
+        self.recording = recording
+        self.time = time
+        self.element = element
+        self.cause = cause
+        self.state = state
+
+
+def simulate(
+    lift: str | Path | Scenario, *, on_progress: Progress | None = None, **overrides: Any
+) -> Recording:
+    """Simulate a lift from its start to its end.
+
+    Ctrl-C stops cleanly; the recording then reaches as far as the simulation got and its attribute `status`
+    is
+    `stopped`.
+
+    Args:
+        lift: A lift file, its folder, or a loaded scenario.
+        on_progress: Called about ten times a second with the simulated time [s]; returning False stops.
+        overrides: Settings in place of those of the lift file: `integrator` ("del"), `step` [s], `paper`,
+            `geometric_stiffness`, `duration` [s], `sample_interval` [s].
+
+    Returns:
+        The recording.
+
+    Raises:
+        ScenarioError: If the lift file is not right.
+        SettingError: If an override is not right.
+        SimulationError: If the simulation could not go on; it carries what was recorded.
+    """
+    return Simulation(lift, **overrides).run(on_progress=on_progress)
+
+
+class Simulation:
+    """A lift that is ready to run, to be stopped, saved, and gone on with.
+
+    Args:
+        lift: A lift file, its folder, or a loaded scenario.
+        overrides: Settings in place of those of the lift file, see `simulate`.
+
+    Raises:
+        ScenarioError: If the lift file is not right.
+        SettingError: If an override is not right.
+    """
+
+    def __init__(self, lift: str | Path | Scenario, **overrides: Any) -> None:
+        self.scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
+        self.assembly = assemble(self.scenario)
+        self.settings = _overridden(self.assembly.settings, overrides)
+        self.status = "ready"
+        self.integration_time = 0.0
+        try:
+            self._core = _core.Simulation(
+                self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
+            )
+        except ValueError as problem:
+            raise ScenarioError(str(self.scenario.source), [Problem(None, "", str(problem))]) from problem
+
+    @property
+    def duration(self) -> float:
+        """Simulated time at which the run ends [s]."""
+        return float(self.settings["duration"])
+
+    def run(self, *, until: float | None = None, on_progress: Progress | None = None) -> Recording:
+        """Go on to the end, or to a time.
+
+        Args:
+            until: Simulated time at which to pause [s]; None for the end of the lift.
+            on_progress: Called about ten times a second with the simulated time [s]; returning False stops.
+
+        Returns:
+            Everything recorded so far.
+
+        Raises:
+            SimulationError: If the simulation could not go on.
+        """
+        started = time.perf_counter()
+        with _stop_on_interrupt() as is_interrupted:
+
+            def goes_on(now: float) -> bool:
+                return not (is_interrupted() or (on_progress is not None and on_progress(now) is False))
+
+            outcome = self._core.run(goes_on, until)
+        self.integration_time += time.perf_counter() - started
+        self.status = str(outcome["status"])
+        if self.status == "failed":
+            raise SimulationError(
+                self.recording(),
+                float(outcome["time"]),
+                str(outcome.get("element", "")),
+                str(outcome.get("cause") or outcome.get("message", "")),
+                self.save(),
+            )
+        return self.recording()
+
+    def recording(self) -> Recording:
+        """Everything recorded so far."""
+        recording = self._recording([])
+        remainder = energy_remainder(recording)
+        if remainder is None or remainder <= ENERGY_BOUND:
+            return recording
+        missed = f"remainder {remainder:.2g} of the largest energy, bound {ENERGY_BOUND:g}"
+        return self._recording([f"the energy balance does not close: {missed}"])
+
+    def _recording(self, warnings: list[str]) -> Recording:
+        return recording_of(
+            self._core.columns(),
+            self._core.names(),
+            self.assembly.rig,
+            title=str(self.assembly.rig.get("title", "")),
+            gantline_version=version(),
+            scenario=self.scenario.text,
+            settings=self.settings,
+            warnings=[*getattr(self.assembly, "warnings", ()), *warnings],
+            scene=self.assembly.scene,
+            counters=self._core.counters(),
+            status=self.status,
+        )
+
+    def save(self) -> bytes:
+        """The state of the simulation, from which `restore` goes on with the same bytes of results."""
+        return self._core.save()
+
+    def restore(self, state: bytes) -> None:
+        """Go back (or on) to a saved state of the same lift with the same settings.
+
+        Args:
+            state: What `save` gave.
+
+        Raises:
+            ValueError: If it is no state of this lift.
+        """
+        self._core.restore(state)
+        self.status = "ready"
+
+
+def _overridden(settings: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[str, Any]:
+    merged: dict[str, Any] = {**settings, "integrator": dict(settings["integrator"])}
+    for name, value in overrides.items():
+        if value is None:
+            continue
+        if name in _TIMES and not (_is_number(value) and math.isfinite(value) and value > 0.0):
+            raise SettingError(f"{name}: {value!r} is not a time above zero in seconds")
+        if name == "integrator":
+            merged["integrator"]["type"] = value
+        elif name in _OF_INTEGRATOR:
+            merged["integrator"][name] = value
+        elif name in ("duration", "sample_interval"):
+            merged[name] = float(value)
+        else:
+            known = ", ".join(("integrator", *_OF_INTEGRATOR, "duration", "sample_interval"))
+            raise SettingError(f"{name}: not a setting of the simulation; there are {known}")
+    return merged
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+@contextmanager
+def _stop_on_interrupt() -> Iterator[Callable[[], bool]]:
+    """Turn the first Ctrl-C into a wish to stop; a second one interrupts at once."""
+    if threading.current_thread() is not threading.main_thread():
+        yield lambda: False
+        return
+    wished = threading.Event()
+    before = signal.getsignal(signal.SIGINT)
+
+    def wish(_signal: int, _frame: FrameType | None) -> None:
+        wished.set()
+        signal.signal(signal.SIGINT, before)
+
+    signal.signal(signal.SIGINT, wish)
+    try:
+        yield wished.is_set
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -1,0 +1,161 @@
+"""Everyday units of a yard, to and from SI.
+
+A quantity is a text like ``300 t``, ``0.3 m/min`` or ``2 MN s/m``. Inside the program every quantity is a
+float in SI units (radians for angles). A dimensional quantity without a unit is an error, except zero:
+``mass: 300`` must never come to mean 300 kg.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from typing import Final
+
+__all__ = ["DIMENSIONS", "UnitError", "example", "format_quantity", "quantity", "units_of"]
+
+_TONNE: Final = 1000.0
+_MINUTE: Final = 60.0
+_HOUR: Final = 3600.0
+_DEGREE: Final = math.pi / 180.0
+
+#: Factors to SI by dimension; the first units of each are the ones that messages show as examples.
+DIMENSIONS: Final[dict[str, dict[str, float]]] = {
+    "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3},
+    "mass": {"t": _TONNE, "kg": 1.0, "g": 1e-3},
+    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "min": _MINUTE, "h": _HOUR},
+    "force": {"kN": 1e3, "N": 1.0, "MN": 1e6},
+    "angle": {"deg": _DEGREE, "rad": 1.0},
+    "speed": {"m/min": 1 / _MINUTE, "m/s": 1.0, "mm/s": 1e-3, "km/h": 1e3 / _HOUR},
+    "angular_speed": {
+        "deg/s": _DEGREE,
+        "rad/s": 1.0,
+        "deg/min": _DEGREE / _MINUTE,
+        "rev/min": 2 * math.pi / _MINUTE,
+    },
+    "acceleration": {"m/s^2": 1.0, "mm/s^2": 1e-3},
+    "stiffness": {"MN/m": 1e6, "kN/m": 1e3, "N/m": 1.0, "N/mm": 1e3, "kN/mm": 1e6},
+    "damping": {"MN s/m": 1e6, "kN s/m": 1e3, "N s/m": 1.0},
+    "torque": {"kN m": 1e3, "N m": 1.0, "MN m": 1e6},
+    "rotational_damping": {"kN m s": 1e3, "N m s": 1.0, "MN m s": 1e6},
+    "inertia": {"t m^2": _TONNE, "kg m^2": 1.0},
+    "mass_per_length": {"kg/m": 1.0, "t/m": _TONNE},
+    "stress": {"MPa": 1e6, "GPa": 1e9, "kPa": 1e3, "Pa": 1.0, "N/mm^2": 1e6, "kN/mm^2": 1e9},
+    "ratio": {"%": 1e-2, "": 1.0},
+}
+
+#: How a message names a dimension and what it shows as a right example.
+_WORDS: Final[dict[str, tuple[str, str]]] = {
+    "length": ("a length", "'23 m' or '66 mm'"),
+    "mass": ("a mass", "'300 t' or '20 kg'"),
+    "time": ("a time", "'40 s' or '2 ms'"),
+    "force": ("a force", "'200 MN' or '10 kN'"),
+    "angle": ("an angle", "'2 deg' or '0.1 rad'"),
+    "speed": ("a speed", "'3 m/min' or '0.1 m/s'"),
+    "angular_speed": ("an angular speed", "'0.5 deg/s' or '0.1 rad/s'"),
+    "acceleration": ("an acceleration", "'0.1 m/s^2'"),
+    "stiffness": ("a stiffness", "'200 MN/m' or '5 kN/m'"),
+    "damping": ("a damping", "'2 MN s/m' or '5 kN s/m'"),
+    "torque": ("a torque", "'5 kN m'"),
+    "rotational_damping": ("a rotational damping", "'5 kN m s'"),
+    "inertia": ("an inertia", "'110.9 t m^2' or '500 kg m^2'"),
+    "mass_per_length": ("a mass per length", "'16.8 kg/m'"),
+    "stress": ("a stress", "'1960 MPa'"),
+    "ratio": ("a share", "'5 %' or '0.05'"),
+}
+
+_NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
+_QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(\S.*)?", re.ASCII)
+_LONGEST: Final = 60
+
+
+class UnitError(ValueError):
+    """A text is not the quantity that is needed; the message is a plain sentence."""
+
+
+def units_of(dimension: str) -> tuple[str, ...]:
+    """Unit symbols that a dimension may be written in."""
+    return tuple(DIMENSIONS[dimension])
+
+
+def example(dimension: str) -> str:
+    """Sentence part that names a dimension with examples: ``a mass is written like '300 t' or '20 kg'``."""
+    name, examples = _WORDS[dimension]
+    return f"{name} is written like {examples}"
+
+
+def quantity(text: str, dimension: str) -> float:
+    """Value of a written quantity.
+
+    Args:
+        text: the quantity as written, such as ``300 t``.
+        dimension: a key of `DIMENSIONS`.
+
+    Returns:
+        The value [SI unit of the dimension].
+
+    Raises:
+        UnitError: if the text is no finite number with a unit of this dimension.
+    """
+    shown = text if len(text) <= _LONGEST else text[:_LONGEST] + "..."
+    match = _QUANTITY.fullmatch(text.strip())
+    if match is None:
+        raise UnitError(_not_a_number(shown, dimension))
+    number = float(match.group(1))
+    unit = _plain(match.group(2) or "")
+    if not math.isfinite(number):
+        raise UnitError(f"'{shown}' is too large to be a number; {example(dimension)}")
+    units = DIMENSIONS[dimension]
+    if unit in units:
+        value = number * units[unit]
+        if not math.isfinite(value):
+            raise UnitError(f"'{shown}' is too large to be a number; {example(dimension)}")
+        return value
+    if unit == "":
+        if number == 0.0:
+            return 0.0
+        raise UnitError(f"'{shown}' has no unit; {example(dimension)}")
+    raise UnitError(_wrong_unit(shown, unit, dimension))
+
+
+def format_quantity(value: float, unit: str, digits: int) -> str:
+    """Write an SI value in a unit: ``format_quantity(702043, "kN", 1) == "702.0 kN"``.
+
+    Args:
+        value: the value [SI].
+        unit: a unit symbol of `DIMENSIONS`.
+        digits: decimals after the point.
+
+    Raises:
+        UnitError: if the unit is not known.
+    """
+    for units in DIMENSIONS.values():
+        if unit in units:
+            return f"{value / units[unit]:.{digits}f} {unit}".rstrip()
+    raise UnitError(f"'{unit}' is not a known unit")
+
+
+def _plain(unit: str) -> str:
+    """One spelling for one unit: no superscripts, product dots or repeated spaces."""
+    unit = unit.replace("²", "^2").replace("·", " ").replace("*", " ").replace("µs", "us")
+    return " ".join(unit.split())
+
+
+def _not_a_number(shown: str, dimension: str) -> str:
+    if re.fullmatch(r"[+-]?\.?(nan|inf|infinity)\b.*", shown.strip(), re.IGNORECASE):
+        return f"'{shown}' is not a finite number; {example(dimension)}"
+    return f"'{shown}' is not a number with a unit; {example(dimension)}"
+
+
+def _wrong_unit(shown: str, unit: str, dimension: str) -> str:
+    if re.match(r",[0-9]", unit):
+        return f"'{shown}' has a decimal comma; a decimal point is needed: {example(dimension)}"
+    for other, units in DIMENSIONS.items():
+        if unit in units:
+            name, examples = _WORDS[dimension]
+            return f"'{shown}' is {_WORDS[other][0]}; needed is {name}, written like {examples}"
+    known = [symbol for symbol in DIMENSIONS[dimension] if symbol]
+    lowered = {symbol.lower(): symbol for symbol in reversed(known)}
+    near = difflib.get_close_matches(unit.lower(), list(lowered), n=1, cutoff=0.5)
+    hint = f"did you mean '{lowered[near[0]]}'?" if near else example(dimension)
+    return f"'{unit}' in '{shown}' is not a unit of {_WORDS[dimension][0].split(' ', 1)[1]}; {hint}"

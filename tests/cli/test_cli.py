@@ -1,0 +1,126 @@
+"""The command line without a simulation: help, version, schema, new, and what it loads."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import gantline
+from gantline.cli.app import app
+
+HEAVY = (
+    "numpy",
+    "scipy",
+    "h5py",
+    "h5netcdf",
+    "xarray",
+    "pandas",
+    "matplotlib",
+    "pydantic",
+    "ruamel",
+    "rich",
+    "gantline._core",
+    "gantline.scenario",
+    "gantline.simulation",
+    "gantline.results",
+)
+
+
+def gantline_says(*words: str) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, words)
+    return result.exit_code, result.stdout, result.stderr
+
+
+@pytest.mark.parametrize("words", [["--help"], ["--version"]])
+def test_help_loads_only_the_command_line(words: list[str]) -> None:
+    code = f"""
+import sys
+sys.argv = ["gantline", *{words!r}]
+from gantline.cli import main
+try:
+    main()
+except SystemExit as end:
+    assert not end.code, end.code
+loaded = [name for name in {HEAVY!r} if name in sys.modules]
+sys.exit(", ".join(loaded) or 0)
+"""
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout
+
+
+def test_every_verb_is_in_the_help() -> None:
+    code, out, _ = gantline_says("--help")
+    assert code == 0
+    for verb in ("run", "check", "new", "schema"):
+        assert f"\n  {verb} " in out
+    assert "3 the simulation could" in out
+
+
+def test_version_is_that_of_the_package() -> None:
+    assert gantline_says("--version") == (0, f"gantline {gantline.__version__}\n", "")
+
+
+def test_the_module_is_the_command() -> None:
+    result = subprocess.run(
+        [sys.executable, "-m", "gantline", "--version"], capture_output=True, text=True, check=False
+    )
+    assert (result.returncode, result.stdout) == (0, f"gantline {gantline.__version__}\n")
+
+
+@pytest.mark.parametrize("words", [[], ["lift"], ["run"], ["run", "lift.yaml", "--speed", "2"]])
+def test_a_wrong_command_is_bad_input(words: list[str]) -> None:
+    code, _, err = gantline_says(*words)
+    assert code == 2
+    assert "Traceback" not in err
+
+
+def test_schema_is_json_and_can_be_written(tmp_path: Path) -> None:
+    code, out, _ = gantline_says("schema")
+    assert code == 0
+    assert "properties" in json.loads(out)
+    path = tmp_path / "lift.schema.json"
+    assert gantline_says("schema", "-o", str(path))[0] == 0
+    assert json.loads(path.read_text()) == json.loads(out)
+
+
+def test_schema_into_a_missing_folder(tmp_path: Path) -> None:
+    code, _, err = gantline_says("schema", "-o", str(tmp_path / "none" / "lift.schema.json"))
+    assert code == 2
+    assert "cannot be written (no such file or directory)" in err
+
+
+def test_a_new_lift_is_in_order(tmp_path: Path) -> None:
+    folder = tmp_path / "my lift"
+    code, out, _ = gantline_says("new", str(folder))
+    assert code == 0
+    assert sorted(path.name for path in folder.iterdir()) == ["lift.schema.json", "scenario.yaml"]
+    assert f"gantline run {folder}" in out
+    code, out, err = gantline_says("check", str(folder))
+    assert (code, err) == (0, "")
+    assert "in order" in out
+
+
+def test_new_never_overwrites(tmp_path: Path) -> None:
+    (tmp_path / "scenario.yaml").write_text("mine")
+    code, _, err = gantline_says("new", str(tmp_path))
+    assert code == 2
+    assert "exists already; nothing was written" in err
+    assert [path.name for path in tmp_path.iterdir()] == ["scenario.yaml"]
+    assert (tmp_path / "scenario.yaml").read_text() == "mine"
+    code, _, err = gantline_says("new", str(tmp_path / "scenario.yaml"))
+    assert code == 2
+    assert "is a file" in err
+
+
+def test_check_names_what_is_wrong(tmp_path: Path) -> None:
+    lift = tmp_path / "lift.yaml"
+    lift.write_text("format: 1\nlift: {titel: wrong}\n")
+    code, out, err = gantline_says("check", str(lift))
+    assert (code, out) == (2, "")
+    assert "lift.yaml:2" in err
+    assert "title" in err
+    assert "Traceback" not in err

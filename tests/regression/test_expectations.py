@@ -1,0 +1,55 @@
+"""Every scenario does what its `expect.yaml` says: keys of `metrics()`, each with the source of its value."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from ruamel.yaml import YAML
+
+import gantline
+from gantline.units import DIMENSIONS, UnitError, quantity
+
+SCENARIOS = sorted(path.parent for path in (Path(__file__).parents[2] / "scenarios").glob("*/scenario.yaml"))
+
+
+def si(text: str) -> tuple[float, str]:
+    """Value and dimension of a quantity with a unit; every unit belongs to one dimension."""
+    for dimension in DIMENSIONS:
+        try:
+            value = quantity(text, dimension)
+        except UnitError:
+            continue
+        return value, dimension
+    raise AssertionError(f"'{text}' is not a quantity with a unit")
+
+
+def margin(within: str, value: float, dimension: str) -> float:
+    """Tolerance as a difference: a share of the value, or a quantity of its dimension."""
+    size, kind = si(within)
+    if kind == "ratio" and dimension != "ratio":
+        return abs(value) * size
+    assert kind == dimension, f"'within: {within}' does not belong to a value of dimension {dimension}"
+    return size
+
+
+@pytest.mark.parametrize("folder", SCENARIOS, ids=lambda folder: folder.name)
+def test_a_scenario_does_what_it_promises(folder: Path) -> None:
+    expected: dict[str, dict[str, Any]] = YAML(typ="safe").load(folder / "expect.yaml")
+    metrics = gantline.simulate(folder).metrics()
+    wrong = []
+    for key, entry in expected.items():
+        assert set(entry) == {"value", "within", "source"}, key
+        value, dimension = si(str(entry["value"]))
+        if not abs(metrics[key] - value) <= margin(entry["within"], value, dimension):
+            wrong.append(f"{key}: {metrics[key]:g}, not {entry['value']} within {entry['within']}")
+    assert wrong == []
+
+
+def test_a_margin_is_a_share_or_a_quantity() -> None:
+    assert margin("1 %", 700e3, "force") == pytest.approx(7e3)
+    assert margin("1 cm", 1.77, "length") == pytest.approx(0.01)
+    assert margin("0.2 %", 0.012, "ratio") == pytest.approx(0.002)
+    with pytest.raises(AssertionError, match="does not belong"):
+        margin("1 s", 1.77, "length")

@@ -1,0 +1,87 @@
+"""A core that is told what to do, in place of the compiled one."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import gantline._core
+import gantline.simulation
+from sample_lift import sample_columns, sample_rig, sample_scene
+
+SETTINGS = {
+    "integrator": {"type": "del", "step": 0.001, "paper": False, "geometric_stiffness": True},
+    "duration": 4.0,
+    "sample_interval": 1.0,
+}
+
+
+class FakeCore:
+    """Steps a second at a time, tells the time after each, and fails at `fails_at`."""
+
+    fails_at = float("inf")
+    remainder = 0.0
+    refuses = ""
+
+    def __init__(self, document: str, settings: str) -> None:
+        if self.refuses:
+            raise ValueError(self.refuses)
+        self.document, self.settings = json.loads(document), json.loads(settings)
+        self.now = 0
+
+    def run(self, on_progress: Callable[[float], bool] | None, until: float | None = None) -> dict[str, Any]:
+        end = self.settings["duration"] if until is None else until
+        while self.now < end:
+            if self.now >= self.fails_at:
+                return {
+                    "status": "failed",
+                    "time": self.now,
+                    "element": "sling.S1",
+                    "cause": "a pivot is zero",
+                }
+            self.now += 1
+            if on_progress is not None and not on_progress(float(self.now)):
+                return {"status": "stopped", "time": self.now}
+        return {"status": "done", "time": self.now}
+
+    def columns(self) -> dict[str, Any]:
+        return self._sample()[0]
+
+    def names(self) -> dict[str, Any]:
+        return self._sample()[1]
+
+    def _sample(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        time = np.arange(self.now + 1.0)
+        energy = {"kinetic": np.ones(len(time)), "remainder": np.full(len(time), self.remainder)}
+        return sample_columns(time, tension=np.full((len(time), 5), 1e5), energy=energy)
+
+    def save(self) -> bytes:
+        return str(self.now).encode()
+
+    def restore(self, state: bytes) -> None:
+        self.now = int(state)
+
+    def counters(self) -> dict[str, int]:
+        return {"steps": self.now}
+
+
+@pytest.fixture
+def core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
+    """Lifts of any name run on a core of this class, whose attributes a test may set."""
+
+    class Core(FakeCore):
+        pass
+
+    scenario = SimpleNamespace(text="format: 1\n", source="lift.yaml")
+    assembly = SimpleNamespace(
+        document={}, settings=SETTINGS, rig=sample_rig(), scene=sample_scene(), document_text=lambda: "{}"
+    )
+    monkeypatch.setattr(gantline._core, "Simulation", Core)
+    monkeypatch.setattr(gantline.simulation, "load_scenario", lambda lift: scenario)
+    monkeypatch.setattr(gantline.simulation, "assemble", lambda scenario: assembly)
+    return Core

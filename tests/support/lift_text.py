@@ -1,0 +1,81 @@
+"""Small lift files that tests spoil in one place at a time."""
+
+from __future__ import annotations
+
+BASE = """\
+format: 1
+lift:
+  title: A test lift
+duration: 20 s
+start: rest
+ground: {level: 0 m, friction: 0.5, stiffness: 200 MN/m, damping: 2 MN s/m}
+ropes:
+  sling: {axial_stiffness: 100 MN, damping_time: 2 ms, mass: none}
+  thick: {axial_stiffness: 100 MN, damping_time: 2 ms}
+shackles:
+  wb40: {working_load_limit: 40 t, mass: 0 kg}
+load:
+  name: block
+  shape: {box: [8 m, 6 m, 3 m]}
+  position: [0 m, 0 m, 0 m]
+  weight: {calculated: 60 t, contingency: 1.05}
+  centre_of_gravity: {at: [0 m, 0 m, 1.5 m]}
+  stands_on: ground
+  lugs:
+    L1: {at: [-3 m, 0 m, 3 m], capacity: 40 t}
+    L2: {at: [ 3 m, 0 m, 3 m], capacity: 40 t}
+    L3: {at: [ 0 m, 0 m, 3 m], capacity: 40 t}
+cranes:
+  hook:
+    type: fixed_hook
+    at: [0 m, 0 m, 20 m]
+    rated_capacity: 100 t
+    hoist: {speed: 6 m/min, acceleration: 0.1 m/s^2}
+equalizers:
+  e1:
+    hangs_from: hook
+    frame: {mass: 5 t, length: 4 m, width: 1 m, height: 2 m, centre_of_gravity_below_hook: 2 m}
+    hinge: {damping: 1 kN m s}
+    rope: thick
+    rope_ends: {along: [-1.2 m, 1.2 m], below_hook: 3 m}
+    fixed_sheaves: {along: [0 m], below_hook: 3 m, pitch_diameter: 0.8 m}
+    moving_sheaves: {along: [-0.8 m, 0.8 m], below_hook: 5 m, pitch_diameter: 0.8 m, mass: 200 kg}
+    travel: {up: 1 m, down: 1 m}
+slings:
+  S1: {from: e1.1, to: block.L1, length: 13 m, rope: sling, shackles: {top: wb40, bottom: wb40}}
+  S2: {from: e1.2, to: block.L2, length: 13 m, rope: sling, tolerance: 0.25 %}
+plan:
+  - {step: hoist, hoist: hook, speed: 3 m/min, start_at: 0 s, brake_from: 10 s}
+  - {step: hold, hold: until_end}
+limits: {rule: example, load_tilt: 2 deg}
+simulation: {step: 1 ms, sample_interval: 20 ms}
+"""
+
+MECHANICS = """\
+format: 1
+lift: {title: A weight on a rope}
+duration: 2 s
+ropes:
+  ideal: {inextensible: true}
+mechanics:
+  bodies:
+    beam: {at: [0 m, 0 m, 5 m], joint: {type: fixed}}
+    left: {parent: beam, at: [-0.2 m, 0 m, -3 m], joint: {type: slider, axis: [0, 0, 1]}, mass: 10 kg}
+    right: {parent: beam, at: [0.2 m, 0 m, -3 m], joint: {type: slider, axis: [0, 0, 1]}, mass: 11 kg}
+  ropes:
+    rope:
+      rope: ideal
+      length: as_routed
+      route:
+        - {type: end, body: left}
+        - {type: half_turn, body: beam, enter: [-0.2 m, 0 m, 0 m], leave: [0.2 m, 0 m, 0 m], bulge: [0, 0, 1]}
+        - {type: end, body: right}
+  contacts:
+    foot: {body: right, at: [0 m, 0 m, -1 m], plane: {normal: [0, 0, 1]}, stiffness: 1 MN/m}
+"""
+
+
+def spoiled(old: str, new: str, base: str = BASE) -> str:
+    """The base with one piece replaced; the piece stands there exactly once."""
+    assert base.count(old) == 1, f"{old!r} stands {base.count(old)} times in the lift"
+    return base.replace(old, new)

@@ -1,0 +1,219 @@
+"""Checks: verdicts at, below and above each limit."""
+
+import math
+
+import numpy as np
+import pytest
+
+from gantline.checks import LIMITS, Check, Verdict, check_recording, end_of_step, has_failed
+from gantline.results.recording import Recording
+from sample_lift import WEIGHT, ringing_lift, sample_recording, sample_rig
+
+HIGHEST = 600e3 + 100e3 * math.sin(2 * math.pi * 0.24)
+
+
+def only(recording: Recording) -> Check:
+    (check,) = check_recording(recording)
+    return check
+
+
+def with_limit(**limits: object) -> Check:
+    return only(ringing_lift(rig=sample_rig(**limits)))
+
+
+def with_travel(up: float = 0.0, down: float = 0.0) -> Check:
+    travel = np.zeros((3, 5))
+    travel[1, 0], travel[1, 1] = -up, down
+    rig = sample_rig(equalizer_travel_used=0.9)
+    return only(sample_recording(np.arange(3.0), tension=np.full((3, 5), 1e5), travel=travel, rig=rig))
+
+
+def test_every_limit_of_a_lift_file_can_be_checked() -> None:
+    from gantline.scenario.plan import Limits, Require
+
+    known = (set(Limits.model_fields) | set(Require.model_fields)) - {"rule"}
+    assert known <= set(LIMITS)
+
+
+def test_travel_over_its_limit_is_a_warning_and_over_its_stroke_a_failure() -> None:
+    assert with_travel(up=0.9 * 1.4).verdict is Verdict.OK
+    warning = with_travel(down=0.93 * 1.9)
+    assert warning.verdict is Verdict.WARNING
+    assert (warning.where, warning.time) == ("e1.2 down", 1.0)
+    assert warning.value == pytest.approx(0.93)
+    failed = with_travel(up=1.01 * 1.4)
+    assert (failed.verdict, failed.where) == (Verdict.FAILED, "e1.1 up")
+    assert failed.remark == "e1.1 up 101.0% at 1.00 s: it would have met its stop, which is not simulated"
+
+
+def test_travel_past_the_stroke_before_the_load_is_clear_is_a_warning() -> None:
+    travel = np.zeros((3, 5))
+    travel[:, 2] = [0.0, -1.05 * 1.4, -0.5 * 1.4]
+    contact = np.array([[1.0] * 4, [1.0] * 4, [0.0] * 4])
+    rig = sample_rig(equalizer_travel_used=0.9)
+    recording = sample_recording(
+        np.arange(3.0), tension=np.full((3, 5), 1e5), travel=travel, contact=contact, rig=rig
+    )
+    check = only(recording)
+    assert (check.verdict, check.time) == (Verdict.WARNING, 2.0)
+    assert check.value == pytest.approx(0.5)
+    assert check.remark.startswith("e1.3 up 105.0% at 1.00 s")
+    metrics = recording.metrics()
+    assert metrics["travel_used_up"] == pytest.approx(1.05)
+    assert metrics["travel_used_up_when_clear"] == pytest.approx(0.5)
+
+
+def test_travel_required_at_the_end_of_a_step_warns_up_to_the_whole_stroke() -> None:
+    travel = np.full((2001, 5), 0.0)
+    travel[1:, 0] = 0.93 * 1.9
+    rig = rig_with_requirement("hoist", equalizer_travel_used={"below": 0.9})
+    assert only(ringing_lift(travel=travel, rig=rig)).verdict is Verdict.WARNING
+
+
+def test_load_tilt() -> None:
+    tilt = np.linspace(0.0, 0.02, 2001)
+    assert only(ringing_lift(tilt=tilt, rig=sample_rig(load_tilt=0.0201))).verdict is Verdict.OK
+    failed = only(ringing_lift(tilt=tilt, rig=sample_rig(load_tilt=0.0199)))
+    assert (failed.verdict, failed.where, failed.time) == (Verdict.FAILED, "block", 40.0)
+
+
+def test_angles_count_only_while_a_sling_carries() -> None:
+    angle = math.atan2(math.hypot(4.1, 2.5), 36.483 - 8.65 - 5.0)  # S2, see test_metrics
+    check = with_limit(sling_angle_from_vertical=angle + 1e-6)
+    assert (check.verdict, check.where) == (Verdict.OK, "S2")
+    assert check.time is not None
+    assert check.time >= 10.0
+    assert with_limit(sling_angle_from_vertical=angle - 1e-6).verdict is Verdict.FAILED
+
+
+def test_out_of_plane_angle_is_named_by_its_lug() -> None:
+    check = with_limit(lug_out_of_plane_angle=math.radians(10.0))
+    assert check.verdict is Verdict.OK
+    assert check.where in ("block.L1", "block.L5")  # 2.5 m across the plate on the shortest way
+    assert check.value == pytest.approx(math.asin(2.5 / math.hypot(0.7, 2.5, 22.833)))
+
+
+def test_factor_on_breaking_force_is_a_least_value() -> None:
+    factor = 3039e3 / (1.01 * HIGHEST)
+    check = with_limit(sling_factor_on_breaking_force=4.0)
+    assert (check.verdict, check.where) == (Verdict.OK, "S2")
+    assert check.value == pytest.approx(factor)
+    assert with_limit(sling_factor_on_breaking_force=factor + 0.01).verdict is Verdict.FAILED
+
+
+def test_smallest_tension_counts_only_when_clear() -> None:
+    least = 0.99 * (600e3 - 100e3 * math.sin(2 * math.pi * 0.26))
+    check = with_limit(smallest_sling_tension_when_clear=10e3)  # the slings are slack until 10 s
+    assert (check.verdict, check.where) == (Verdict.OK, "S3")
+    assert check.value == pytest.approx(least, rel=1e-3)
+    assert with_limit(smallest_sling_tension_when_clear=500e3).verdict is Verdict.FAILED
+
+
+def test_spread_counts_only_when_clear() -> None:
+    time = np.arange(4.0)
+    tension = np.array(
+        [[1.0, 2, 3, 4, 5], [1, 2, 3, 4, 5], [100, 101, 100, 100, 99], [100, 100, 100, 100, 100]]
+    )
+    contact = np.array([[1.0] * 4, [1.0] * 4, [0.0] * 4, [0.0] * 4])
+    recording = sample_recording(
+        time, tension=tension, contact=contact, rig=sample_rig(tension_spread_when_clear=0.05)
+    )
+    check = only(recording)
+    assert (check.verdict, check.time) == (Verdict.OK, 2.0)
+    assert check.value == pytest.approx(0.02)
+
+
+def test_hook_dynamic_factor() -> None:
+    static = 5 * 600e3 + 21.5e3 * 9.81
+    factor = (5 * HIGHEST + 21.5e3 * 9.81) / static
+    check = with_limit(hook_dynamic_factor=1.3)
+    assert check.verdict is Verdict.OK
+    assert check.value == pytest.approx(factor, rel=1e-6)
+    assert with_limit(hook_dynamic_factor=factor - 0.01).verdict is Verdict.FAILED
+
+
+def test_hoist_load_counts_where_the_rating_includes_the_hook_block() -> None:
+    hook_load = 5 * HIGHEST + 21.5e3 * 9.81
+    assert with_limit(hoist_load_of_rated_capacity=1.0).value == pytest.approx(hook_load / (400e3 * 9.81))
+    rig = sample_rig(hoist_load_of_rated_capacity=0.9)
+    rig["hooks"][0]["rating_includes_hook_block"] = True
+    check = only(ringing_lift(rig=rig))
+    assert check.value == pytest.approx((hook_load + 50e3) / (400e3 * 9.81))
+    assert check.verdict is Verdict.FAILED
+
+
+def test_an_unknown_limit_is_reported_and_not_dropped() -> None:
+    check = with_limit(wind_speed=16.0)
+    assert (check.name, check.verdict) == ("wind_speed", Verdict.NOT_CHECKED)
+    assert "not known" in check.remark
+
+
+def test_the_rule_is_no_limit() -> None:
+    assert check_recording(ringing_lift(rig=sample_rig(rule="example"))) == []
+
+
+def test_a_load_that_never_came_clear_is_not_checked() -> None:
+    contact = np.full((3, 4), WEIGHT / 8)
+    rig = sample_rig(tension_spread_when_clear=0.05)
+    recording = sample_recording(np.arange(3.0), tension=np.full((3, 5), 1e5), contact=contact, rig=rig)
+    check = only(recording)
+    assert check.verdict is Verdict.NOT_CHECKED
+    assert "never came clear" in check.remark
+
+
+def test_a_lift_without_what_a_limit_is_about_is_not_checked() -> None:
+    rig = {**sample_rig(load_tilt=0.03), "loads": []}
+    assert only(ringing_lift(rig=rig)).verdict is Verdict.NOT_CHECKED
+
+
+def rig_with_requirement(step: str, **require: dict[str, float]) -> dict[str, object]:
+    rig = sample_rig()
+    rig["plan"] = [{"step": step, "kind": "hoist", "require": require}]
+    return rig
+
+
+def test_a_requirement_counts_at_the_end_of_its_step() -> None:
+    tilt = np.where(
+        np.linspace(0.0, 40.0, 2001) < 15.0, 0.05, 0.01
+    )  # upright again before the step ends at 20 s
+    rig = rig_with_requirement("hoist", load_tilt={"below": 0.02})
+    check = only(ringing_lift(tilt=tilt, rig=rig))
+    assert (check.verdict, check.step, check.time) == (Verdict.OK, "hoist", 20.0)
+    assert check.value == pytest.approx(0.01)
+    strict = rig_with_requirement("hoist", load_tilt={"below": 0.005})
+    assert only(ringing_lift(tilt=tilt, rig=strict)).verdict is Verdict.FAILED
+
+
+def test_a_requirement_from_below() -> None:
+    rig = rig_with_requirement("hoist", sling_tension={"above": 550e3})
+    check = only(ringing_lift(rig=rig))
+    assert (check.verdict, check.where) == (Verdict.OK, "S3")  # the least: 0.99 of 600 kN at a full second
+    assert check.value == pytest.approx(594e3)
+    rig = rig_with_requirement("hoist", sling_tension={"above": 595e3})
+    assert only(ringing_lift(rig=rig)).verdict is Verdict.FAILED
+
+
+def test_a_requirement_of_a_step_that_did_not_end_is_not_checked() -> None:
+    rig = rig_with_requirement("set down", load_tilt={"below": 0.02})
+    check = only(ringing_lift(rig=rig))
+    assert (check.verdict, check.step) == (Verdict.NOT_CHECKED, "set down")
+
+
+def test_the_end_of_a_step_is_its_last_sample() -> None:
+    recording = ringing_lift()
+    mask = end_of_step(recording, "hoist")
+    assert mask is not None
+    assert recording.time[mask] == [20.0]
+    assert end_of_step(recording, "lower") is None
+
+
+def test_values_read_in_the_units_of_people() -> None:
+    check = with_limit(load_tilt=math.radians(2.0))
+    assert check.shown(check.limit) == "2.00 deg"
+    assert with_limit(smallest_sling_tension_when_clear=10e3).shown(10e3) == "10.0 kN"
+    assert check.shown(None) == ""
+
+
+def test_only_a_failure_fails() -> None:
+    assert not has_failed([with_travel(up=0.95 * 1.4), with_limit(wind_speed=1.0)])
+    assert has_failed([with_travel(up=1.1 * 1.4)])

@@ -1,0 +1,213 @@
+"""Pictures: which a lift has, what stands on them, and that they are drawn where things are."""
+
+import subprocess
+import sys
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from gantline.plot import figures, save_pictures
+from gantline.plot.drawing import SIDE, TOP
+from gantline.plot.moments import moments
+from gantline.plot.scene import snapshot
+from gantline.results.recording import Recording
+from sample_lift import ringing_lift, sample_recording, sample_rig, sample_scene
+
+
+def pictures(recording: Recording) -> dict[str, Figure]:
+    return dict(figures(recording))
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[str, Figure]:
+    return pictures(ringing_lift())
+
+
+def plain_system() -> Recording:
+    """Two bodies and a rope over a sheave, without yard words."""
+    recording = ringing_lift(rig={"title": "Plain"})
+    scene = {
+        "bodies": [
+            {"name": "e1.1", "shape": None, "centre_of_gravity": [0, 0, 0], "kind": "sheave"},
+            {"name": "block", "shape": None, "centre_of_gravity": [0, 0, 0], "kind": "body"},
+        ],
+        "sheaves": [
+            {"body": "e1.1", "centre": [0, 0, 0], "axis": [0, 1, 0], "radius": 0.4, "kind": "moving"}
+        ],
+        "ropes": [],
+        "ground": None,
+        "axes": None,
+    }
+    return Recording(recording.variables, recording.coordinates, {**recording.attributes, "scene": scene})
+
+
+def text_of(figure: Figure) -> str:
+    texts: list[Text] = figure.findobj(Text)
+    return "\n".join(text.get_text() for text in texts)
+
+
+def test_pictures_of_a_lift_with_an_equalizer(drawn: dict[str, Figure]) -> None:
+    assert list(drawn) == [
+        "sling_tension",
+        "equalizing_rope_tension",
+        "sheave_travel",
+        "attitude",
+        "hook_load",
+        "energy",
+        "system",
+        "equalizer_e1",
+    ]
+
+
+def test_pictures_of_a_plain_system() -> None:
+    rising = ringing_lift(hook=np.linspace(36.0, 38.0, 2001))
+    recording = Recording(
+        rising.variables, rising.coordinates, {**plain_system().attributes, "rig": {"title": "Plain"}}
+    )
+    assert list(pictures(recording)) == ["rope_tension", "motion", "energy", "system"]
+
+
+def test_a_recording_of_one_sample_has_no_pictures() -> None:
+    assert pictures(sample_recording(np.zeros(1), tension=np.zeros((1, 5)))) == {}
+
+
+def test_a_lift_that_is_slack_from_start_to_end_is_drawn(tmp_path: Path) -> None:
+    assert save_pictures(sample_recording(np.arange(3.0), tension=np.zeros((3, 5))), tmp_path)
+
+
+def test_axes_carry_names_and_units(drawn: dict[str, Figure]) -> None:
+    labels = {
+        name: " ".join(axes.get_ylabel().replace("\n", " ") for axes in figure.axes)
+        for name, figure in drawn.items()
+    }
+    assert "Tension [kN]" in labels["sling_tension"]
+    assert "From the mean when clear [%]" in labels["sling_tension"]
+    assert "travel, down positive [m]" in labels["sheave_travel"]
+    assert "Tilt [deg]" in labels["attitude"]
+    assert "Drift [m]" in labels["attitude"]
+    assert "Hook load [kN]" in labels["hook_load"]
+    assert "Energy [kJ]" in labels["energy"]
+    for name in ("sling_tension", "equalizing_rope_tension", "hook_load"):
+        assert "tonne-force [t]" in text_of(drawn[name])
+    for name in set(drawn) - {"system", "equalizer_e1"}:
+        assert "Time [s]" in [axes.get_xlabel() for axes in drawn[name].axes]
+
+
+def test_curves_show_the_recorded_values(drawn: dict[str, Figure]) -> None:
+    recording = ringing_lift()
+    lines = {str(line.get_label()): line for line in drawn["sling_tension"].axes[0].get_lines()}
+    tension = recording.column("rope_tension", "sling.S2")
+    np.testing.assert_allclose(np.asarray(lines["S2"].get_ydata(), float), tension / 1e3)
+    np.testing.assert_allclose(np.asarray(lines["S2"].get_xdata(), float), recording.time)
+
+
+def test_tonne_force_beside_kilonewtons(drawn: dict[str, Figure]) -> None:
+    left = drawn["hook_load"].axes[0]
+    (right,) = left.child_axes
+    drawn["hook_load"].draw_without_rendering()
+    assert right.get_ylim()[1] == pytest.approx(left.get_ylim()[1] / 9.81)
+
+
+def test_events_and_strokes_are_marked(drawn: dict[str, Figure]) -> None:
+    assert "lift-off 9.99 s" in text_of(drawn["sling_tension"])
+    assert "hold" in text_of(drawn["sling_tension"])
+    travel = text_of(drawn["sheave_travel"])
+    assert "1.4 m up" in travel
+    assert "1.9 m down" in travel
+
+
+def test_travel_down_is_drawn_downwards(drawn: dict[str, Figure]) -> None:
+    assert drawn["sheave_travel"].axes[0].yaxis_inverted()
+
+
+def test_names_at_the_ends_of_equal_curves_do_not_cover_each_other(drawn: dict[str, Figure]) -> None:
+    figure = drawn["sheave_travel"]
+    figure.draw_without_rendering()
+    names = [text for text in figure.axes[0].texts if text.get_text().startswith("e1.")]
+    extents = [Text.get_window_extent(text) for text in names]  # an annotation's own would include its leader
+    boxes = sorted((extent.y0, extent.y1) for extent in extents)
+    assert len(boxes) == 5
+    assert all(below[1] <= above[0] + 1.0 for below, above in pairwise(boxes))
+
+
+def test_moments_of_a_lift() -> None:
+    recording = ringing_lift()
+    shown = [(name, float(recording.time[sample])) for name, sample in moments(recording)]
+    peak = recording.metrics()["peak_sling_tension_time"]
+    # lift-off at 9.99 s falls on the sample at 10 s, at which the slings are taut as well
+    assert shown == [
+        ("start", 0.0),
+        ("slings taut", 10.0),
+        ("peak tension", pytest.approx(peak)),
+        ("end", 40.0),
+    ]
+
+
+def test_a_system_without_slings_is_shown_four_times() -> None:
+    recording = plain_system()
+    assert [recording.time[sample] for _, sample in moments(recording)] == pytest.approx(
+        [0.0, 13.34, 26.68, 40.0]
+    )
+
+
+def test_boxes_stand_where_the_bodies_are() -> None:
+    snap = snapshot(ringing_lift(), 0)
+    boxes = {box.name: box.faces.reshape(-1, 3) for box in snap.boxes}
+    # the load: 10 x 10 x 5 m with its centre of gravity in the middle, at 2.5 m
+    assert boxes["block"].min(axis=0) == pytest.approx([-5.0, -5.0, 0.0])
+    assert boxes["block"].max(axis=0) == pytest.approx([5.0, 5.0, 5.0])
+    # the frame: 3.3 m high around 5.85 m below the bearing at 36.483 m; its centre of gravity is 5 m below
+    assert boxes["e1"].max(axis=0) == pytest.approx([4.0, 0.8, 36.483 - 5.85 + 1.65])
+    assert snap.frame_origin["e1"] == pytest.approx([0.0, 0.0, 36.483])
+
+
+def test_a_turned_frame_is_drawn_turned() -> None:
+    snap = snapshot(ringing_lift(yaw=np.full(2001, np.pi / 2)), 0)
+    frame = next(box.faces.reshape(-1, 3) for box in snap.boxes if box.name == "e1")
+    assert np.ptp(frame, axis=0) == pytest.approx([1.6, 8.0, 3.3])
+    first = next(sheave.circle for sheave in snap.sheaves if sheave.body == "e1.1")
+    assert first[:-1].mean(axis=0) == pytest.approx([0.0, -3.2, 36.483 - 8.65])
+    assert np.ptp(first, axis=0) == pytest.approx([0.0, 0.8, 0.8])
+
+
+def test_views_look_along_y_and_down() -> None:
+    point = np.array([1.0, 2.0, 3.0])
+    assert SIDE.project(point) == pytest.approx([1.0, 3.0])
+    assert TOP.project(point) == pytest.approx([1.0, 2.0])
+
+
+def test_files_are_pictures_of_their_names(tmp_path: Path) -> None:
+    paths = save_pictures(ringing_lift(), tmp_path)
+    assert sorted(tmp_path.iterdir()) == sorted(paths)
+    for path in paths:
+        assert path.suffix == ".png"
+        assert path.read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_recording_without_a_scene_is_not_drawn_but_plotted() -> None:
+    recording = ringing_lift()
+    recording = Recording(recording.variables, recording.coordinates, {"rig": sample_rig(), "scene": {}})
+    names = list(pictures(recording))
+    assert "sling_tension" in names
+    assert "equalizer_e1" not in names
+    assert sample_scene()["bodies"]
+
+
+def test_pyplot_is_never_loaded() -> None:
+    code = "import gantline.plot, sys; sys.exit('matplotlib.pyplot' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_an_interrupted_picture_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupt(figure: Figure, path: Path, **options: object) -> None:
+        path.write_bytes(b"half")
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Figure, "savefig", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        save_pictures(ringing_lift(), tmp_path)
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,69 @@
+"""The documentation says what the program does: verbs, options, exit codes, metrics, variables."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import typer.main
+
+from gantline.cli import messages
+from gantline.cli.app import app
+from gantline.results import metrics
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def page(path: str) -> str:
+    return (ROOT / "docs" / path).read_text(encoding="utf-8")
+
+
+def test_every_verb_and_option_is_documented() -> None:
+    text = page("reference/command_line.md")
+    group = typer.main.get_command(app)
+    verbs = getattr(group, "commands", {})
+    assert set(verbs) >= {"run", "check", "schema", "new"}
+    words = [f"gantline {verb}" for verb in verbs]
+    for command in verbs.values():
+        for parameter in command.params:
+            names = [*parameter.opts, *parameter.secondary_opts]
+            words += [name for name in names if name.startswith("-") and name not in {"-h", "--help"}]
+    assert "--step" in words and "-o" in words
+    assert [word for word in words if f"`{word}" not in text] == []
+
+
+def test_every_exit_code_is_documented() -> None:
+    text = page("reference/command_line.md")
+    codes = [value for name, value in vars(messages).items() if name.isupper() and isinstance(value, int)]
+    assert len(codes) >= 4
+    assert [code for code in codes if f"| {code} |" not in text] == []
+
+
+def test_every_variable_of_a_recording_is_documented() -> None:
+    import sample_lift
+
+    text = page("reference/recording.md")
+    recording = sample_lift.ringing_lift()
+    assert len(recording) > 10
+    assert [name for name in recording if f"`{name}`" not in text] == []
+
+
+def test_every_metric_is_documented_where_it_is_made() -> None:
+    import sample_lift
+
+    table = metrics.__doc__ or ""
+    names = {name.split(".")[0] for name in sample_lift.ringing_lift().metrics()}
+    assert [name for name in sorted(names) if f"`{name}" not in table] == []
+
+
+def test_every_verification_says_what_it_compares_with() -> None:
+    """The page of cases shows the docstrings of these tests."""
+    silent = []
+    for folder in ("verification", "validation"):
+        for module in sorted((ROOT / "tests" / folder).glob("test_*.py")):
+            tree = ast.parse(module.read_text(encoding="utf-8"))
+            tests = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+            named = [node for node in tests if node.name.startswith("test_")]
+            assert named, module
+            silent += [f"{module.name}: {node.name}" for node in named if not ast.get_docstring(node)]
+    assert silent == []

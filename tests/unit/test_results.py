@@ -1,0 +1,234 @@
+"""Recordings: what they hold, how they are derived from columns, and their files."""
+
+import json
+import time as clock
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray
+
+import gantline
+from gantline.results.derive import recording_of
+from gantline.results.recording import Recording
+from gantline.results.variable import Variable
+from sample_lift import ENERGIES, SLINGS, WEIGHT, ringing_lift, sample_recording, sample_rig
+
+
+def short_lift(**given: Any) -> Recording:
+    return sample_recording(np.array([0.0, 1.0, 2.0]), tension=np.full((3, 5), 1e5), **given)
+
+
+def test_variables_cannot_be_changed() -> None:
+    values = np.array([1.0, 2.0])
+    variable = Variable(("time",), values, "N", "a force")
+    values[0] = 9.0
+    assert variable.values[0] == 1.0
+    with pytest.raises(ValueError, match="read-only"):
+        variable.values[0] = 3.0
+    with pytest.raises(AttributeError):
+        variable.unit = "kN"  # type: ignore[misc]
+
+
+def test_a_variable_needs_a_dimension_for_every_axis() -> None:
+    with pytest.raises(ValueError, match="2 axes"):
+        Variable(("time",), np.zeros((2, 3)), "N", "a force")
+
+
+def test_lengths_must_agree() -> None:
+    time = Variable(("time",), np.zeros(3), "s", "time")
+    force = Variable(("time", "rope"), np.zeros((4, 1)), "N", "tension")
+    with pytest.raises(ValueError, match="force is 4 long in time, other variables 3"):
+        Recording({"time": time, "force": force}, {}, {})
+    with pytest.raises(ValueError, match="2 names for the 3 values in time"):
+        Recording({"time": time}, {"time": ["a", "b"]}, {})
+
+
+def test_columns_are_found_by_name() -> None:
+    recording = ringing_lift()
+    assert recording.column("rope_tension", "sling.S2")[-1] == pytest.approx(1.01 * 600e3)
+    assert recording.column("body_position", "block").shape == (2001, 3)
+    with pytest.raises(KeyError, match=r"no variable 'rope_tensions'"):
+        recording["rope_tensions"]
+    with pytest.raises(KeyError, match=r"rope_tension has no 'sling.S9'"):
+        recording.column("rope_tension", "sling.S9")
+
+
+def test_variables_of_the_results_table_with_their_dimensions_and_units() -> None:
+    recording = short_lift()
+    table = {
+        "rope_tension": ("time rope", "N"),
+        "segment_tension": ("time segment", "N"),
+        "segment_length": ("time segment", "m"),
+        "rope_point": ("time rope_point xyz", "m"),
+        "body_position": ("time body xyz", "m"),
+        "body_orientation": ("time body wxyz", "1"),
+        "body_velocity": ("time body xyz", "m/s"),
+        "body_angular_velocity": ("time body xyz", "rad/s"),
+        "sheave_travel": ("time moving_sheave", "m"),
+        "joint_position": ("time joint", "m or rad"),
+        "contact_force": ("time contact", "N"),
+        "hook_load": ("time hook", "N"),
+        "hoist_load": ("time hook", "N"),
+        "load_transferred": ("time load", "1"),
+        "load_tilt": ("time load", "rad"),
+        "energy": ("time energy_kind", "J"),
+        "event_time": ("event", "s"),
+        "event_kind": ("event", "1"),
+        "event_name": ("event", "1"),
+        "residual_constraint": ("time", "m"),
+        "residual_complementarity": ("time", "N"),
+        "rope_peak_tension": ("rope", "N"),
+        "rope_peak_time": ("rope", "s"),
+    }
+    found = {name: (" ".join(recording[name].dims), recording[name].unit) for name in table}
+    assert found == table
+
+
+def test_hook_load_is_the_vertical_force_of_the_bearing_and_hoist_load_adds_the_hook_block() -> None:
+    recording = short_lift()
+    # five slings of 100 kN and 21.5 t of frame and sheaves; 50 kN of hook block and falls
+    assert recording.column("hook_load", "test_hook") == pytest.approx(5e5 + 21.5e3 * 9.81)
+    assert recording.column("hoist_load", "test_hook") == pytest.approx(5e5 + 21.5e3 * 9.81 + 50e3)
+
+
+def test_load_transferred_is_what_the_supports_no_longer_carry() -> None:
+    contact = np.array([[0.25] * 4, [0.125] * 4, [0.0] * 4]) * WEIGHT
+    assert short_lift(contact=contact).column("load_transferred", "block") == pytest.approx([0.0, 0.5, 1.0])
+
+
+def test_load_tilt_is_the_angle_from_plumb() -> None:
+    tilt = np.array([0.0, 1e-9, 0.3])
+    assert short_lift(tilt=tilt).column("load_tilt", "block") == pytest.approx(tilt, rel=1e-9, abs=1e-15)
+
+
+def test_sheave_travel_is_counted_from_the_start() -> None:
+    travel = np.array([[0.2] * 5, [0.5] * 5, [-0.1] * 5])
+    assert short_lift(travel=travel).column("sheave_travel", "e1.3") == pytest.approx([0.0, 0.3, -0.3])
+
+
+def test_a_sling_that_hangs_in_the_hook_adds_the_vertical_part_of_its_tension() -> None:
+    # 3-4-5 triangle: 100 N along (3, 0, -4)/5 pull the hook down with 80 N
+    one = np.zeros((1, 1))
+    columns = {
+        "time": np.zeros(1),
+        "rope_tension": one + 100.0,
+        "rope_point": np.array([[[0.0, 0.0, 4.0], [3.0, 0.0, 0.0]]]),
+        "body_position": np.zeros((1, 1, 3)),
+        "body_orientation": np.array([[[1.0, 0.0, 0.0, 0.0]]]),
+        "body_velocity": np.zeros((1, 1, 3)),
+        "body_angular_velocity": np.zeros((1, 1, 3)),
+        "joint_force": np.zeros((1, 1, 3)),
+        "segment_tension": one + 100.0,
+        "segment_length": one + 5.0,
+        "joint_position": np.zeros((1, 0)),
+        "contact_force": np.zeros((1, 0)),
+        "energy": np.zeros((1, len(ENERGIES))),
+        "constraint_residual": np.zeros(1),
+        "complementarity_residual": np.zeros(1),
+        "rope_peak_tension": np.full(1, 100.0),
+        "rope_peak_time": np.zeros(1),
+        "event_time": np.zeros(0),
+    }
+    names = {
+        "rope": ["sling.A"],
+        "segment": ["sling.A/0"],
+        "rope_point": ["sling.A", "sling.A"],
+        "body": ["hook"],
+        "joint": [],
+        "contact": [],
+        "energy_kind": ENERGIES,
+        "event_kind": [],
+        "event_name": [],
+    }
+    rig = {"hooks": [{"name": "hook", "bearing_joints": [], "direct_slings": ["sling.A"]}]}
+    recording = recording_of(columns, names, rig)
+    assert recording.column("hook_load", "hook") == pytest.approx([80.0])
+    assert "joint_position" not in recording
+    assert "contact_force" not in recording
+
+
+def test_a_file_gives_back_the_recording(tmp_path: Path) -> None:
+    recording = ringing_lift(rig=sample_rig(load_tilt=0.03, rule="example"))
+    again = gantline.open_recording(recording.save(tmp_path / "lift.nc"))
+    assert set(again) == set(recording)
+    for name, variable in recording.variables.items():
+        assert again[name].dims == variable.dims
+        assert (again[name].unit, again[name].description) == (variable.unit, variable.description)
+        np.testing.assert_array_equal(again[name].values, variable.values)
+    assert again.coordinates == recording.coordinates
+    assert again.attributes == recording.attributes
+    assert again.rig == recording.rig
+    assert again.metrics() == recording.metrics()
+
+
+def test_a_file_without_events_and_with_a_long_lift_file(tmp_path: Path) -> None:
+    recording = short_lift()
+    attributes = {**recording.attributes, "scenario": "é" * 200_000}
+    recording = Recording(recording.variables, recording.coordinates, attributes)
+    again = gantline.open_recording(recording.save(tmp_path / "lift.nc"))
+    assert again.events() == []
+    assert again.attributes["scenario"] == "é" * 200_000
+
+
+def test_same_recording_same_bytes_at_another_time(tmp_path: Path) -> None:
+    first = ringing_lift().save(tmp_path / "first.nc").read_bytes()
+    clock.sleep(1.1)  # HDF5 counts whole seconds where it keeps times
+    assert ringing_lift().save(tmp_path / "second.nc").read_bytes() == first
+
+
+def test_xarray_reads_the_root_group(tmp_path: Path) -> None:
+    path = ringing_lift().save(tmp_path / "lift.nc")
+    with xarray.open_dataset(path) as dataset:
+        tension = dataset["rope_tension"].sel(rope="sling.S2")
+        assert float(tension[-1]) == pytest.approx(1.01 * 600e3)
+        assert tension.attrs["units"] == "N"
+        assert dataset["time"].attrs == {"units": "s", "long_name": "time since the start of the lift"}
+        assert json.loads(dataset.attrs["rig"])["number"] == "EQ-300"
+        assert list(dataset["event_kind"].values[:2]) == ["step_begin", "lift_off"]
+
+
+def test_the_dataset_is_that_of_the_file(tmp_path: Path) -> None:
+    recording = ringing_lift()
+    with xarray.open_dataset(recording.save(tmp_path / "lift.nc")) as dataset:
+        xarray.testing.assert_equal(recording.dataset, dataset)
+
+
+def test_a_failed_save_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> None:
+    recording = short_lift()
+    path = recording.save(tmp_path / "lift.nc")
+    before = path.read_bytes()
+    broken = Recording(recording.variables, recording.coordinates, {"settings": {"step": float("nan")}})
+    with pytest.raises(ValueError, match="JSON"):
+        broken.save(path)
+    assert path.read_bytes() == before
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_what_is_no_recording_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match="no such file"):
+        gantline.open_recording(tmp_path / "none.nc")
+    text = tmp_path / "text.nc"
+    text.write_text("not a recording")
+    with pytest.raises(ValueError, match="not a recording of gantline"):
+        gantline.open_recording(text)
+    other = tmp_path / "other.nc"
+    xarray.Dataset({"a": ("x", [1.0])}).to_netcdf(other, engine="h5netcdf")
+    with pytest.raises(ValueError, match="not a recording of gantline"):
+        gantline.open_recording(other)
+
+
+def test_events_of_one_kind() -> None:
+    assert ringing_lift().events("lift_off") == [(9.99, "lift_off", "block")]
+    assert [event[2] for event in ringing_lift().events("step_begin")] == ["hoist", "hold"]
+
+
+def test_the_rig_knows_which_equalizer_holds_a_sling() -> None:
+    rig = ringing_lift().rig
+    assert [sling.rope for sling in rig.slings] == SLINGS
+    equalizer = rig.equalizer_of(rig.slings[0])
+    assert equalizer is not None
+    assert equalizer.name == "e1"
+    assert rig.slings[0].from_body == "e1.1"
+    assert rig.loads[0].lugs["L1"].capacity == 80e3 * 9.81

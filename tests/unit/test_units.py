@@ -1,0 +1,134 @@
+"""Everyday units: written quantities to SI and back."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gantline.units import DIMENSIONS, UnitError, example, format_quantity, quantity, units_of
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "value"),
+    [
+        ("300 t", "mass", 300e3),  # 1 t = 1000 kg
+        ("20 kg", "mass", 20.0),
+        ("250 g", "mass", 0.25),
+        ("200 MN", "force", 200e6),
+        ("10kN", "force", 10e3),
+        ("66 mm", "length", 0.066),
+        ("-2.5 m", "length", -2.5),
+        ("3 km", "length", 3e3),
+        ("3 m/min", "speed", 0.05),  # 3/60
+        ("36 km/h", "speed", 10.0),
+        ("0.1 m/s^2", "acceleration", 0.1),
+        ("0.1 m/s²", "acceleration", 0.1),
+        ("180 deg", "angle", math.pi),
+        ("1 rev/min", "angular_speed", 2 * math.pi / 60),
+        ("5 %", "ratio", 0.05),
+        ("0.05", "ratio", 0.05),
+        ("2 MN s/m", "damping", 2e6),
+        ("2 MN·s/m", "damping", 2e6),
+        ("200 MN/m", "stiffness", 200e6),
+        ("5 N/mm", "stiffness", 5e3),
+        ("5 kN m", "torque", 5e3),
+        ("5 kN  m", "torque", 5e3),
+        ("5 kN m s", "rotational_damping", 5e3),
+        ("110.9 t m^2", "inertia", 110.9e3),
+        ("16.8 kg/m", "mass_per_length", 16.8),
+        ("1960 N/mm^2", "stress", 1960e6),
+        ("2 ms", "time", 0.002),
+        ("1.5 h", "time", 5400.0),
+        ("1e2 s", "time", 100.0),
+        (".5 s", "time", 0.5),
+        (" 40 s ", "time", 40.0),
+    ],
+)
+def test_written_quantities(text: str, dimension: str, value: float) -> None:
+    assert quantity(text, dimension) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize("zero", ["0", "0.0", "-0", "0e5", "0 m"])
+def test_zero_needs_no_unit(zero: str) -> None:
+    assert quantity(zero, "length") == 0.0
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "says"),
+    [
+        ("300", "mass", "'300' has no unit; a mass is written like '300 t' or '20 kg'"),
+        ("300 kN", "mass", "'300 kN' is a force; needed is a mass, written like '300 t' or '20 kg'"),
+        ("300 T", "mass", "'T' in '300 T' is not a unit of mass; did you mean 't'?"),
+        (
+            "3 stone",
+            "mass",
+            "'stone' in '3 stone' is not a unit of mass; a mass is written like '300 t' or '20 kg'",
+        ),
+        ("5 knm", "torque", "'knm' in '5 knm' is not a unit of torque; did you mean 'kN m'?"),
+        ("2,5 m", "length", "'2,5 m' has a decimal comma; a decimal point is needed: " + example("length")),
+        ("about 3 m", "length", "'about 3 m' is not a number with a unit; " + example("length")),
+        ("nan", "length", "'nan' is not a finite number; " + example("length")),
+        ("-inf m", "length", "'-inf m' is not a finite number; " + example("length")),
+        ("1e400 m", "length", "'1e400 m' is too large to be a number; " + example("length")),
+        ("1e307 km", "length", "'1e307 km' is too large to be a number; " + example("length")),
+        ("", "time", "'' is not a number with a unit; a time is written like '40 s' or '2 ms'"),
+        ("5 %", "time", "'5 %' is a share; needed is a time, written like '40 s' or '2 ms'"),
+        ("１２ m", "length", "'１２ m' is not a number with a unit; " + example("length")),
+    ],
+)
+def test_what_is_no_quantity(text: str, dimension: str, says: str) -> None:
+    with pytest.raises(UnitError) as caught:
+        quantity(text, dimension)
+    assert str(caught.value) == says
+
+
+def test_a_long_text_is_not_repeated_whole() -> None:
+    with pytest.raises(UnitError) as caught:
+        quantity("x" * 10_000, "mass")
+    assert len(str(caught.value)) < 200
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "digits", "text"),
+    [
+        (702_043.0, "kN", 1, "702.0 kN"),
+        (0.05, "m/min", 1, "3.0 m/min"),
+        (0.933, "%", 0, "93 %"),
+        (math.radians(-69.0), "deg", 1, "-69.0 deg"),
+        (1.25, "", 2, "1.25"),
+    ],
+)
+def test_writing_a_quantity(value: float, unit: str, digits: int, text: str) -> None:
+    assert format_quantity(value, unit, digits) == text
+
+
+def test_writing_in_an_unknown_unit() -> None:
+    with pytest.raises(UnitError, match="'tf' is not a known unit"):
+        format_quantity(1.0, "tf", 1)
+
+
+def test_a_unit_belongs_to_one_dimension() -> None:
+    symbols = [symbol for dimension in DIMENSIONS for symbol in units_of(dimension)]
+    assert len(symbols) == len(set(symbols))
+
+
+@given(
+    st.sampled_from([(dimension, unit) for dimension in DIMENSIONS for unit in DIMENSIONS[dimension]]),
+    st.floats(min_value=-1e6, max_value=1e6, allow_subnormal=False),
+)
+def test_what_is_written_is_read_back(pair: tuple[str, str], number: float) -> None:
+    dimension, unit = pair
+    factor = DIMENSIONS[dimension][unit]
+    text = format_quantity(number * factor, unit, 17)
+    assert quantity(text, dimension) == pytest.approx(number * factor, rel=1e-12, abs=1e-16 * factor)
+
+
+@given(st.text(max_size=30), st.sampled_from(list(DIMENSIONS)))
+def test_any_text_is_a_quantity_or_an_error(text: str, dimension: str) -> None:
+    try:
+        assert math.isfinite(quantity(text, dimension))
+    except UnitError as error:
+        assert "\n" not in str(error).replace(text, "")

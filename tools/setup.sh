@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# Makes .venv ready: the locked Python packages, and gantline itself with its compiled core.
+#
+# Two stamps in .venv hold a digest of all that went into each half. A digest, and not the age of files, so that
+# a deleted source, another branch or a moved checkout is noticed too; a run with nothing to do takes a fraction
+# of a second.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+python=$(tools/prerequisites.sh)
+# The Python itself, not that of an environment which may be active, or of .venv, which may be made anew.
+python=$("$python" -c 'import sys; print(sys._base_executable)')
+
+# Two set-ups at a time would undo each other.
+exec 9>.setup.lock
+command -v flock >/dev/null && flock 9
+
+venv=.venv
+uv=.venv-tools/bin/uv
+
+say() { printf '== %s\n' "$*"; }
+
+digest() { sha256sum | cut -d' ' -f1; }
+
+fresh() { [ -f "$1" ] && [ "$(cat "$1")" = "$2" ]; }
+
+# What both halves rest on: this place and this Python.
+place() {
+    pwd
+    "$python" -c 'import sys; print(sys.version, sys.base_prefix)'
+}
+
+packages_digest() { { place; cat requirements/uv.txt requirements/dev.txt; } | digest; }
+
+# All inputs of the compiled core.
+core_digest() {
+    {
+        place
+        rustc --version --verbose
+        printf '%s\n' "${RUSTFLAGS:-}"
+        find crates Cargo.toml Cargo.lock pyproject.toml -type f -print0 | sort -z | xargs -0 sha256sum
+    } | digest
+}
+
+# What came of them: a library that was replaced or removed is built again.
+library_digest() { sha256sum python/gantline/_core*.so 2>/dev/null | digest; }
+
+# uv does not read pip's settings: hand on the package index, extra indexes, folders of wheels and certificates.
+pip_setting() {
+    .venv-tools/bin/python -m pip config list | sed -nE "s/^[^=]*\.$1='(.*)'\$/\1/p" | tail -n 1
+}
+
+as_pip_does() {
+    local value
+    value=$(pip_setting index-url) && [ -n "$value" ] && export UV_DEFAULT_INDEX="${UV_DEFAULT_INDEX:-$value}"
+    value=$(pip_setting extra-index-url) && [ -n "$value" ] && export UV_INDEX="${UV_INDEX:-$value}"
+    value=$(pip_setting find-links) && [ -n "$value" ] && [ -e "$value" ] && export UV_FIND_LINKS="${UV_FIND_LINKS:-$value}"
+    value=$(pip_setting cert) && [ -n "$value" ] && export SSL_CERT_FILE="${SSL_CERT_FILE:-$value}"
+    return 0
+}
+
+install_uv() {
+    say "uv, pinned, into .venv-tools"
+    rm -rf .venv-tools
+    "$python" -m venv .venv-tools
+    .venv-tools/bin/python -m pip install --quiet --disable-pip-version-check \
+        --require-hashes --only-binary :all: -r requirements/uv.txt
+}
+
+install_packages() {
+    say "locked Python packages into $venv"
+    rm -f "$venv/.stamp-packages" "$venv/.stamp-core"
+    as_pip_does
+    "$uv" venv --quiet --no-config --clear --no-python-downloads --python "$python" "$venv"
+    "$uv" pip sync --quiet --no-config --python "$venv" --require-hashes requirements/dev.txt
+}
+
+build_core() {
+    say "gantline and its core, by cargo"
+    rm -f "$venv/.stamp-core"
+    VIRTUAL_ENV="$PWD/$venv" PATH="$PWD/.venv-tools/bin:$PATH" UV_NO_CONFIG=1 UV_OFFLINE=1 \
+        "$venv/bin/maturin" develop --release --locked --uv --quiet
+}
+
+packages=$(packages_digest)
+if ! fresh "$venv/.stamp-packages" "$packages"; then
+    fresh .venv-tools/.stamp "$(digest <requirements/uv.txt)" && [ -x "$uv" ] || install_uv
+    digest <requirements/uv.txt >.venv-tools/.stamp
+    install_packages
+    echo "$packages" >"$venv/.stamp-packages"
+fi
+
+# Taken before the build, so that a source edited meanwhile is not taken for built.
+core=$(core_digest)
+if ! fresh "$venv/.stamp-core" "$core $(library_digest)"; then
+    build_core
+    echo "$core $(library_digest)" >"$venv/.stamp-core"
+fi
