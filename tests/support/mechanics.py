@@ -16,6 +16,8 @@ from gantline._core import Simulation
 G = 9.81
 Floats = NDArray[np.float64]
 Json = dict[str, Any]
+#: Coordinates of a point.
+Xyz = Sequence[float] | Floats
 
 
 def body(
@@ -48,16 +50,16 @@ def hinge(axis: Sequence[float] = (0, 1, 0), **start: Any) -> Json:
     return {"type": "hinge", "axis": list(axis), **start}
 
 
-def point(position: Sequence[float], velocity: Sequence[float] = (0, 0, 0)) -> Json:
+def point(position: Xyz, velocity: Sequence[float] = (0, 0, 0)) -> Json:
     return {"type": "point", "position": list(position), "velocity": list(velocity)}
 
 
-def free(position: Sequence[float], **start: Any) -> Json:
+def free(position: Xyz, **start: Any) -> Json:
     at_rest = {"orientation": [1, 0, 0, 0], "velocity": [0, 0, 0], "angular_velocity": [0, 0, 0]}
     return {"type": "free", "position": list(position), **at_rest, **start}
 
 
-def end(body_name: str | None, at: Sequence[float] = (0, 0, 0)) -> Json:
+def end(body_name: str | None, at: Xyz = (0, 0, 0)) -> Json:
     return {"type": "end", "body": body_name, "at": list(at)}
 
 

@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 import pytest
+
 from mechanics import G, body, document, elliptic_k, end, free, hinge, period, point, rope, simulate, slider
 
 
 @pytest.mark.parametrize("amplitude", [0.05, 1.0, 2.5])
-def test_single_pendulum_period(amplitude: float):
+def test_single_pendulum_period(amplitude: float) -> None:
     """T = 4 √(l/g) K(sin θ₀/2)."""
     length, step = 2.0, 1e-3
     exact = 4 * math.sqrt(length / G) * elliptic_k(math.sin(amplitude / 2))
@@ -21,7 +22,7 @@ def test_single_pendulum_period(amplitude: float):
     assert run.joint("m").max() == pytest.approx(amplitude, rel=2e-3)
 
 
-def test_pendulum_on_an_inextensible_rope_has_the_same_period():
+def test_pendulum_on_an_inextensible_rope_has_the_same_period() -> None:
     """The rope's row must do what the hinge does: T = 4 √(l/g) K(sin θ₀/2)."""
     length, amplitude = 5.0, 0.6
     start = (length * math.sin(amplitude), 0, -length * math.cos(amplitude))
@@ -32,7 +33,7 @@ def test_pendulum_on_an_inextensible_rope_has_the_same_period():
     assert run.columns["constraint_residual"].max() < 1e-5
 
 
-def test_double_pendulum_periods():
+def test_double_pendulum_periods() -> None:
     """30 t on 30 m with 300 t on 20 m below it: 14.026 s and 2.119 s for small angles.
 
     ω² from det(K − ω² M) = 0 with M = [(m₁+m₂) l₁², m₂ l₁ l₂; ·, m₂ l₂²], K = diag((m₁+m₂) g l₁, m₂ g l₂).
@@ -62,7 +63,7 @@ def test_double_pendulum_periods():
         assert period(run.time, run.joint("upper")) == pytest.approx(periods[index], rel=1e-5)
 
 
-def test_torque_free_body_keeps_energy_and_angular_momentum():
+def test_torque_free_body_keeps_energy_and_angular_momentum() -> None:
     """Tumbling about the middle axis: kinetic energy and |L| constant, L fixed in space to the order of h."""
     inertia = np.array([1.0, 2.0, 3.5])
     spin = [0.02, 3.0, 0.01]
@@ -93,7 +94,7 @@ def test_torque_free_body_keeps_energy_and_angular_momentum():
     assert directions[0] / directions[1] == pytest.approx(2, rel=0.15)
 
 
-def test_slider_on_an_incline():
+def test_slider_on_an_incline() -> None:
     """a = g sin α along a slider that is inclined by α; nothing else moves."""
     alpha = 0.3
     axis = (math.cos(alpha), 0, -math.sin(alpha))
@@ -102,7 +103,7 @@ def test_slider_on_an_incline():
     assert np.abs(run.joint("m") - expected).max() < 1e-11
 
 
-def test_driven_joint_follows_its_ramp_and_its_work_is_the_energy():
+def test_driven_joint_follows_its_ramp_and_its_work_is_the_energy() -> None:
     """A driven mass: position of the trapezoid, work = ½ m v² + m g z."""
     mass, speed = 500.0, 0.4
     drives = [
@@ -125,7 +126,7 @@ def test_driven_joint_follows_its_ramp_and_its_work_is_the_energy():
     assert run.energy_remainder < 1e-10
 
 
-def test_load_swings_under_an_accelerated_hook():
+def test_load_swings_under_an_accelerated_hook() -> None:
     """A hook that travels off with constant a: the load swings about tan θ = a/g, to twice that angle."""
     a, length = 0.2, 20.0
     drives = [{"name": "go", "ramps": [{"at": 0.0, "duration": 40.0, "velocity": 40.0 * a}]}]
@@ -146,7 +147,7 @@ def test_load_swings_under_an_accelerated_hook():
     assert period(run.time, run.joint("load"), about=tilt) == pytest.approx(exact, rel=1e-5)
 
 
-def test_joint_force_of_a_conical_pendulum():
+def test_joint_force_of_a_conical_pendulum() -> None:
     """A ball-jointed mass on a circle: the joint pulls m g/cos θ along the arm, ω² = g/(l cos θ)."""
     length, theta, mass = 3.0, 0.7, 12.0
     omega = math.sqrt(G / (length * math.cos(theta)))

@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 import pytest
-from mechanics import G, body, contact, document, free, simulate, slider
+
+from mechanics import G, Json, body, contact, document, free, simulate, slider
 
 MASS = 2000.0
 HALF = (1.0, 0.8, 0.5)
@@ -15,7 +16,7 @@ INERTIA = tuple(
 )
 
 
-def box_on_slope(slope: float, friction: float, stiffness: float = 1e7):
+def box_on_slope(slope: float, friction: float, stiffness: float = 1e7) -> Json:
     """A box on a plane inclined by `slope` towards +x, at rest on its springs."""
     normal = (math.sin(slope), 0, math.cos(slope))
     depth = MASS * G * math.cos(slope) / (4 * stiffness)
@@ -30,7 +31,7 @@ def box_on_slope(slope: float, friction: float, stiffness: float = 1e7):
     )
 
 
-def test_box_sticks_on_a_slope_below_the_friction_angle():
+def test_box_sticks_on_a_slope_below_the_friction_angle() -> None:
     """tan 0.25 = 0.255 < μ = 0.3: after settling nothing moves, not in an hour's share of steps."""
     run = simulate(box_on_slope(0.25, 0.3), 60.0, step=5e-3, sample_interval=1.0)
     settled = run.body("box")[2:]
@@ -39,7 +40,7 @@ def test_box_sticks_on_a_slope_below_the_friction_angle():
     assert run.columns["contact_force"][-1].sum() == pytest.approx(MASS * G * math.cos(0.25), rel=1e-9)
 
 
-def test_box_slides_on_a_slope_above_the_friction_angle():
+def test_box_slides_on_a_slope_above_the_friction_angle() -> None:
     """a = g (sin α − μ cos α)."""
     slope, friction = 0.4, 0.3
     run = simulate(box_on_slope(slope, friction), 3.0, sample_interval=0.01)
@@ -52,7 +53,7 @@ def test_box_slides_on_a_slope_above_the_friction_angle():
     assert run.energy_remainder < 1e-3
 
 
-def test_sliding_box_stops_after_its_braking_distance():
+def test_sliding_box_stops_after_its_braking_distance() -> None:
     """v²/(2 μ g) on level ground, then stays."""
     friction, speed = 0.4, 1.5
     system = box_on_slope(0.0, friction)
@@ -64,7 +65,7 @@ def test_sliding_box_stops_after_its_braking_distance():
     assert {kind for kind in run.names["event_kind"]} >= {"stick"}
 
 
-def test_four_corners_share_a_weight_off_centre():
+def test_four_corners_share_a_weight_off_centre() -> None:
     """Rigid box on four equal springs: linear distribution of force, N = W/4 (1 ± e/a)."""
     system = box_on_slope(0.0, 0.5)
     offset = 0.3
@@ -79,7 +80,7 @@ def test_four_corners_share_a_weight_off_centre():
     assert force == pytest.approx(expected, rel=2e-4)
 
 
-def test_dropped_mass_leaves_the_ground_again_without_loss():
+def test_dropped_mass_leaves_the_ground_again_without_loss() -> None:
     """Undamped contact: a dropped mass bounces back to where it came from, loss only by the method."""
     system = document(
         [body("m", slider(position=0.2), 10.0)],

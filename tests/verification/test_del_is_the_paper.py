@@ -6,15 +6,21 @@ q[k-1] only. gantline works with velocities on a sparse pattern. Both must give 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
-from mechanics import G, body, document, end, half_turn, point, rope, simulate, slider
+
+from mechanics import Floats, G, body, document, end, half_turn, point, rope, simulate, slider
+
+#: g and G at a configuration.
+Rows = Callable[[Floats], tuple[Floats, Floats]]
 
 H = 1e-3
 STEPS = 400
 
 
-def eq_15(m: np.ndarray, force: np.ndarray, rows, compliance: np.ndarray, q: np.ndarray) -> np.ndarray:
+def eq_15(m: Floats, force: Floats, rows: Rows, compliance: Floats, q: Floats) -> Floats:
     """Positions of all steps by eq. (15), from rest; `rows(q)` gives g and G."""
     history = [q, q]  # at rest: q[-1] = q[0]
     mass = np.diag(m)
@@ -27,11 +33,11 @@ def eq_15(m: np.ndarray, force: np.ndarray, rows, compliance: np.ndarray, q: np.
     return np.array(history[1:])
 
 
-def test_two_points_on_elastic_ropes():
+def test_two_points_on_elastic_ropes() -> None:
     """A double pendulum of points: constant M, G that turns, both ropes taut throughout."""
     top, first, second = np.array([0.0, 0, 10]), np.array([1.0, 0.5, 8]), np.array([2.5, 0.5, 6.5])
     ea, masses = 1e6, (30.0, 70.0)
-    lengths = [np.linalg.norm(first - top) - 1e-3, np.linalg.norm(second - first) - 1e-3]
+    lengths = [float(np.linalg.norm(part)) - 1e-3 for part in (first - top, second - first)]
     system = document(
         [body("a", point(first), masses[0]), body("b", point(second), masses[1])],
         ropes=[
@@ -40,7 +46,7 @@ def test_two_points_on_elastic_ropes():
         ],
     )
 
-    def rows(q):
+    def rows(q: Floats) -> tuple[Floats, Floats]:
         a, b = q[:3], q[3:]
         n1, n2 = (a - top) / np.linalg.norm(a - top), (b - a) / np.linalg.norm(b - a)
         g = np.array([np.linalg.norm(a - top) - lengths[0], np.linalg.norm(b - a) - lengths[1]])
@@ -56,7 +62,7 @@ def test_two_points_on_elastic_ropes():
     assert np.abs(ours - paper).max() < 1e-10
 
 
-def test_inextensible_rope_over_sheaves():
+def test_inextensible_rope_over_sheaves() -> None:
     """The chain of sheaves of section 4.1, ε = 0, against the same dense equation."""
     system = document(
         [
@@ -81,7 +87,7 @@ def test_inextensible_rope_over_sheaves():
         ],
     )
 
-    def rows(q):
+    def rows(q: Floats) -> tuple[Floats, Floats]:
         return np.array([-2 * q[0] - 2 * q[1] - q[2]]), np.array([[-2.0, -2.0, -1.0]])
 
     m = np.array([20.0, 20.0, 11.0])
@@ -92,15 +98,17 @@ def test_inextensible_rope_over_sheaves():
 
 
 @pytest.mark.parametrize("paper", [True, False])
-def test_geometric_stiffness_is_what_paper_leaves_out(paper: bool):
+def test_geometric_stiffness_is_what_paper_leaves_out(paper: bool) -> None:
     """The same taut pendulum with and without K differs; only the bare scheme is the paper's."""
     first = np.array([3.0, 0, 6])
-    length = np.linalg.norm(first - [0, 0, 10]) - 2e-3  # about the stretch that the weight gives: stays taut
+    length = (
+        float(np.linalg.norm(first - [0, 0, 10])) - 2e-3
+    )  # about the stretch that the weight gives: stays taut
     system = document(
         [body("a", point(first), 50.0)], ropes=[rope("r", length, [end(None, (0, 0, 10)), end("a")], 1e6)]
     )
 
-    def rows(q):
+    def rows(q: Floats) -> tuple[Floats, Floats]:
         d = q - np.array([0, 0, 10])
         return np.array([np.linalg.norm(d) - length]), (d / np.linalg.norm(d))[None, :]
 

@@ -6,10 +6,11 @@ import math
 
 import numpy as np
 import pytest
-from mechanics import G, body, document, end, half_turn, point, rope, simulate, slider
+
+from mechanics import G, Json, body, document, end, half_turn, point, rope, simulate, slider
 
 
-def pulleys(length: float = 50 + 4 * math.pi * 0.5):
+def pulleys(length: float = 50 + 4 * math.pi * 0.5) -> Json:
     """Section 4.1 of the paper: five vertical parts of 10 m, two moving sheaves of 20 kg, a box of 11 kg."""
     route = [
         end(None, (0, 0, 30)),
@@ -29,14 +30,14 @@ def pulleys(length: float = 50 + 4 * math.pi * 0.5):
     )
 
 
-def test_pulleys_tension_is_exact():
+def test_pulleys_tension_is_exact() -> None:
     """T = 5 g/(4/20 + 4/20 + 1/11) = 275 g/27 at every step after the first."""
     run = simulate(pulleys(), 5.0, step=1e-3)
     exact = 275 * G / 27
     assert np.abs(run.tension("rope")[2:] / exact - 1).max() < 1e-6
 
 
-def test_pulleys_displacement_converges_with_the_step():
+def test_pulleys_displacement_converges_with_the_step() -> None:
     """Box −½(2 g/27) t², sheaves +½ (g/54) t²; from rest the scheme gives ½ a t² (1 + h/t): order 1."""
     box, sheave = 0.5 * (2 * G / 27) * 25, 0.5 * (G / 54) * 25
     assert (box, sheave) == pytest.approx((9.08333, 2.27083), abs=1e-5)  # the paper page's figures
@@ -50,7 +51,7 @@ def test_pulleys_displacement_converges_with_the_step():
     assert errors[1] / errors[2] == pytest.approx(2, abs=0.01)
 
 
-def test_atwood_machine():
+def test_atwood_machine() -> None:
     """a = (m₂ − m₁) g/(m₁ + m₂), T = 2 m₁ m₂ g/(m₁ + m₂); the held sheave carries 2 T."""
     m1, m2 = 10.0, 12.0
     system = document(
@@ -74,7 +75,7 @@ def test_atwood_machine():
     assert np.abs(run.tension("r")[2:] - 2 * m1 * m2 * G / (m1 + m2)).max() < 1e-8
 
 
-def test_slack_to_taut_drop():
+def test_slack_to_taut_drop() -> None:
     """A mass that falls h before an undamped rope goes taut: peak T = m g (1 + √(1 + 2 k h/(m g)))."""
     mass, ea, length, fall = 1000.0, 1e7, 10.0, 0.5
     k = ea / length
@@ -96,7 +97,7 @@ def test_slack_to_taut_drop():
     assert run.energy_remainder < 1e-4
 
 
-def test_lift_off_at_constant_speed():
+def test_lift_off_at_constant_speed() -> None:
     """Hoisted off the ground at v by an undamped rope of stiffness k: dynamic factor 1 + v √(k/m)/g."""
     mass, ea, length, speed = 1e5, 1.5e8, 20.0, 0.1
     k = ea / length
@@ -124,7 +125,7 @@ def test_lift_off_at_constant_speed():
     assert run.events("lift_off")[0][0] == pytest.approx(lift_off, abs=2e-3)
 
 
-def test_slack_ropes_carry_nothing_and_never_push():
+def test_slack_ropes_carry_nothing_and_never_push() -> None:
     """A mass thrown up on a rope flies freely: T = 0 to the last bit, path of free fall."""
     system = document(
         [body("m", point((0, 0, 0), (1.0, 0, 4.0)), 5.0)],
@@ -136,7 +137,7 @@ def test_slack_ropes_carry_nothing_and_never_push():
     assert np.abs(run.body("m")[:, 2] - path).max() < 1e-12
 
 
-def test_rope_damping_is_lost_by_its_formula():
+def test_rope_damping_is_lost_by_its_formula() -> None:
     """A mass bobbing on a damped rope under tension: loss = ∫ k τ ė² dt, from the recorded velocities."""
     mass, ea, length, tau = 1000.0, 1e7, 10.0, 0.01
     k = ea / length

@@ -14,8 +14,9 @@ fn dense(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
         b.swap(k, pivot);
         for i in k + 1..n {
             let factor = a[i][k] / a[k][k];
-            for j in k..n {
-                a[i][j] -= factor * a[k][j];
+            let (above, below) = a.split_at_mut(i);
+            for (value, pivot) in below[0][k..].iter_mut().zip(&above[k][k..]) {
+                *value -= factor * pivot;
             }
             b[i] -= factor * b[k];
         }

@@ -97,9 +97,7 @@ impl Timeline {
         let (s, slope) = ((time - ramp.at) / ramp.duration, (ramp.to - ramp.from) / ramp.duration);
         match ramp.shape {
             RampShape::Linear => (slope, 0.0),
-            RampShape::Smooth => {
-                (slope * 6.0 * s * (1.0 - s), slope * 6.0 * (1.0 - 2.0 * s) / ramp.duration)
-            }
+            RampShape::Smooth => (slope * 6.0 * s * (1.0 - s), slope * 6.0 * (1.0 - 2.0 * s) / ramp.duration),
         }
     }
 

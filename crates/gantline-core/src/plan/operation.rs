@@ -130,7 +130,8 @@ impl PlanState {
     /// True where the step under way waits for a condition and `support`, the normal force of each contact group
     /// [N], fulfils it.
     pub fn is_fulfilled(&self, plan: &[Step], support: &[f64]) -> bool {
-        self.phase == Phase::UntilCondition && plan.get(self.step).is_some_and(|step| holds(&step.until, support))
+        self.phase == Phase::UntilCondition
+            && plan.get(self.step).is_some_and(|step| holds(&step.until, support))
     }
 
     /// Name of the step that has begun and not ended, if any.
