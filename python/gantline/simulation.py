@@ -16,7 +16,7 @@ from typing import Any
 from gantline import _core
 from gantline.assembly import assemble
 from gantline.results.derive import recording_of
-from gantline.results.metrics import ENERGY_BOUND, energy_remainder
+from gantline.results.metrics import ENERGY_BOUND
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.errors import Problem
@@ -60,8 +60,7 @@ def simulate(
     """Simulate a lift from its start to its end.
 
     Ctrl-C stops cleanly; the recording then reaches as far as the simulation got and its attribute `status`
-    is
-    `stopped`.
+    is `stopped`.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
@@ -110,6 +109,11 @@ class Simulation:
         """Simulated time at which the run ends [s]."""
         return float(self.settings["duration"])
 
+    @property
+    def current_step(self) -> str | None:
+        """Name of the step of the plan that is under way; None where there is none."""
+        return self._core.current_step()
+
     def run(self, *, until: float | None = None, on_progress: Progress | None = None) -> Recording:
         """Go on to the end, or to a time.
 
@@ -144,14 +148,11 @@ class Simulation:
 
     def recording(self) -> Recording:
         """Everything recorded so far."""
-        recording = self._recording([])
-        remainder = energy_remainder(recording)
-        if remainder is None or remainder <= ENERGY_BOUND:
-            return recording
-        missed = f"remainder {remainder:.2g} of the largest energy, bound {ENERGY_BOUND:g}"
-        return self._recording([f"the energy balance does not close: {missed}"])
-
-    def _recording(self, warnings: list[str]) -> Recording:
+        remainder = self._core.energy_remainder()
+        warnings = list(getattr(self.assembly, "warnings", ()))
+        if remainder > ENERGY_BOUND:
+            missed = f"remainder {remainder:.2g} of the largest energy, bound {ENERGY_BOUND:g}"
+            warnings.append(f"the energy balance does not close: {missed}")
         return recording_of(
             self._core.columns(),
             self._core.names(),
@@ -160,9 +161,10 @@ class Simulation:
             gantline_version=version(),
             scenario=self.scenario.text,
             settings=self.settings,
-            warnings=[*getattr(self.assembly, "warnings", ()), *warnings],
+            warnings=warnings,
             scene=self.assembly.scene,
             counters=self._core.counters(),
+            energy_remainder=remainder,
             status=self.status,
         )
 

@@ -145,6 +145,11 @@ def test_a_simulation_that_cannot_go_on(core: type[FakeCore], tmp_path: Path) ->
     assert (recording.time[-1], recording.attributes["status"]) == (2.0, "failed")
 
 
+def test_progress_names_the_step_under_way(core: type[FakeCore], tmp_path: Path) -> None:
+    lines = run("lift.yaml", "-o", tmp_path, "--no-plots").stderr.splitlines()
+    assert [line.endswith("s left (hoist)") for line in lines] == [True, True, False, False]
+
+
 def test_an_open_balance_is_said_in_so_many_words(core: type[FakeCore], tmp_path: Path) -> None:
     core.remainder = 2e-3
     result = run("lift.yaml", "-o", tmp_path, "--no-plots")

@@ -22,7 +22,7 @@ SETTINGS = {
 
 
 class FakeCore:
-    """Steps a second at a time, tells the time after each, and fails at `fails_at`."""
+    """Steps a second at a time, tells the time after each, hoists until 3 s, and fails at `fails_at`."""
 
     fails_at = float("inf")
     remainder = 0.0
@@ -57,14 +57,19 @@ class FakeCore:
 
     def _sample(self) -> tuple[dict[str, Any], dict[str, Any]]:
         time = np.arange(self.now + 1.0)
-        energy = {"kinetic": np.ones(len(time)), "remainder": np.full(len(time), self.remainder)}
-        return sample_columns(time, tension=np.full((len(time), 5), 1e5), energy=energy)
+        return sample_columns(time, tension=np.full((len(time), 5), 1e5))
 
     def save(self) -> bytes:
         return str(self.now).encode()
 
     def restore(self, state: bytes) -> None:
         self.now = int(state)
+
+    def energy_remainder(self) -> float:
+        return self.remainder
+
+    def current_step(self) -> str | None:
+        return "hoist" if self.now < 3 else None
 
     def counters(self) -> dict[str, int]:
         return {"steps": self.now}

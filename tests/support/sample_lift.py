@@ -279,6 +279,7 @@ def sample_recording(time: Array, *, rig: dict[str, Any] | None = None, **given:
         warnings=[],
         scene=sample_scene(),
         counters={"steps": 10},
+        energy_remainder=1e-4,
         status="done",
     )
 

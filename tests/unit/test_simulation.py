@@ -41,6 +41,13 @@ def test_progress_that_answers_nothing_goes_on(core: type[FakeCore]) -> None:
     assert simulate("lift.yaml", on_progress=lambda now: None).attributes["status"] == "done"
 
 
+def test_the_step_under_way_can_be_asked_for_meanwhile(core: type[FakeCore]) -> None:
+    simulation = Simulation("lift.yaml")
+    steps: list[str | None] = []
+    simulation.run(on_progress=lambda now: steps.append(simulation.current_step))
+    assert steps == ["hoist", "hoist", None, None]
+
+
 def test_an_interrupt_stops_and_keeps_what_there_is(core: type[FakeCore]) -> None:
     before = signal.getsignal(signal.SIGINT)
 
@@ -102,8 +109,10 @@ def test_what_the_core_refuses_is_an_error_of_the_lift_file(core: type[FakeCore]
 
 
 def test_an_open_energy_balance_is_a_warning_in_the_recording(core: type[FakeCore]) -> None:
-    core.remainder = 2e-3  # of a kinetic energy of 1 J; the bound is 1e-3
-    (warning,) = simulate("lift.yaml").attributes["warnings"]
+    core.remainder = 2e-3  # the bound is 1e-3
+    recording = simulate("lift.yaml")
+    assert recording.metrics()["energy_remainder"] == 2e-3
+    (warning,) = recording.attributes["warnings"]
     assert warning == "the energy balance does not close: remainder 0.002 of the largest energy, bound 0.001"
 
 

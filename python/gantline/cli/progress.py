@@ -10,29 +10,31 @@ from contextlib import contextmanager
 import typer
 
 Report = Callable[[float], None]
+Step = Callable[[], str | None]
 _LINES = 10
 _LONGEST_SILENCE = 30.0  # s
 
 
 @contextmanager
-def progress(duration: float) -> Iterator[Report]:
+def progress(duration: float, step: Step) -> Iterator[Report]:
     """Show how far a run is.
 
     Args:
         duration: Simulated time at the end [s].
+        step: Tells the name of the step of the plan that is under way.
 
     Yields:
         A function to call with the simulated time [s].
     """
     if sys.stderr.isatty():
-        with _bar(duration) as report:
+        with _bar(duration, step) as report:
             yield report
     else:
-        yield _lines(duration)
+        yield _lines(duration, step)
 
 
 @contextmanager
-def _bar(duration: float) -> Iterator[Report]:
+def _bar(duration: float, step: Step) -> Iterator[Report]:
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
@@ -43,19 +45,20 @@ def _bar(duration: float) -> Iterator[Report]:
         TextColumn("{task.fields[speed]}"),
         TimeRemainingColumn(),
         TextColumn("left"),
+        TextColumn("{task.fields[step]}", style="cyan", markup=False),
     )
     started = time.perf_counter()
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=duration, speed="")
+        task = bar.add_task("", total=duration, speed="", step="")
 
         def report(now: float) -> None:
             passed = time.perf_counter() - started
-            bar.update(task, completed=now, speed=_speed(now, passed))
+            bar.update(task, completed=now, speed=_speed(now, passed), step=step() or "")
 
         yield report
 
 
-def _lines(duration: float) -> Report:
+def _lines(duration: float, step: Step) -> Report:
     started = last = time.perf_counter()
     shown = 0
 
@@ -68,7 +71,8 @@ def _lines(duration: float) -> Report:
         passed = clock - started
         left = passed * (duration - now) / now
         typer.echo(
-            f"simulated {now:.1f} of {duration:.1f} s, {_speed(now, passed)}, {left:.0f} s left",
+            f"simulated {now:.1f} of {duration:.1f} s, {_speed(now, passed)}, {left:.0f} s left"
+            f"{_under_way(step())}",
             err=True,
         )
 
@@ -77,3 +81,7 @@ def _lines(duration: float) -> Report:
 
 def _speed(simulated: float, passed: float) -> str:
     return f"{simulated / passed:.3g} times real time" if passed > 0.0 else ""
+
+
+def _under_way(step: str | None) -> str:
+    return f" ({step})" if step else ""

@@ -29,8 +29,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `final_sheave_travel.<sheave>` [m]: travel of that moving sheave at the last sample, down positive
 - `final_joint_travel.<joint>` [m or rad]: position of that hinge or slider at the last sample less that at
   the start
-- `energy_remainder` [1]: largest magnitude of the energy that the audit cannot place, see
-  `energy_remainder`
+- `energy_remainder` [1]: largest magnitude, over all steps, of the energy that the audit cannot place,
+  relative to the largest of kinetic + elastic + |work of drives|
 """
 
 from __future__ import annotations
@@ -61,25 +61,6 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         return {}
     parts = (_ropes, _slings, _spread, _loads, _hooks, _travel, _audit)
     return {name: value for part in parts for name, value in part(recording) if value is not None}
-
-
-def energy_remainder(recording: Recording) -> float | None:
-    """How well the energy balance closes.
-
-    Args:
-        recording: Any recording.
-
-    Returns:
-        Largest magnitude of the remainder over time, relative to the largest of kinetic + elastic +
-        |work of drives|; 0 when nothing moved at all; None when energy was not recorded.
-    """
-    if "energy" not in recording:
-        return None
-    kinetic, elastic, work, remainder = (
-        recording.column("energy", kind) for kind in ("kinetic", "elastic", "drive_work", "remainder")
-    )
-    scale = float(np.max(kinetic + elastic + np.abs(work), initial=0.0))
-    return float(np.max(np.abs(remainder), initial=0.0)) / scale if scale > 0.0 else 0.0
 
 
 def _ropes(recording: Recording) -> Iterator[_Metric]:
@@ -180,7 +161,8 @@ def _travel(recording: Recording) -> Iterator[_Metric]:
 
 
 def _audit(recording: Recording) -> Iterator[_Metric]:
-    yield "energy_remainder", energy_remainder(recording)
+    remainder = recording.attributes.get("energy_remainder")
+    yield "energy_remainder", None if remainder is None else float(remainder)
 
 
 def _largest(values: Iterable[float]) -> float | None:

@@ -1,0 +1,45 @@
+"""Progress on the error stream: a bar on a terminal, plain lines elsewhere, both with the step under way."""
+
+from __future__ import annotations
+
+import io
+import sys
+
+import pytest
+
+from gantline.cli.progress import progress
+
+STEPS = {5.0: "lift off", 10.0: None}
+
+
+class Terminal(io.StringIO):
+    """An error stream that says it is a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def shown(stream: io.StringIO, monkeypatch: pytest.MonkeyPatch, *times: float) -> str:
+    """What a run of 10 s puts on the stream when it tells these times."""
+    monkeypatch.setattr(sys, "stderr", stream)
+    now = 0.0
+    with progress(10.0, lambda: STEPS[now]) as report:
+        for now in times:
+            report(now)
+    return stream.getvalue()
+
+
+def test_plain_lines_name_the_step_under_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    first, last = shown(io.StringIO(), monkeypatch, 5.0, 10.0).splitlines()
+    assert first.startswith("simulated 5.0 of 10.0 s, ")
+    assert first.endswith(" s left (lift off)")
+    assert last.startswith("simulated 10.0 of 10.0 s, ")
+    assert last.endswith(" 0 s left")
+
+
+def test_the_bar_names_the_step_under_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "140")
+    text = shown(Terminal(), monkeypatch, 5.0)
+    assert "5.0 of 10.0 s" in text
+    assert "lift off" in text
