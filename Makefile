@@ -11,7 +11,7 @@ export VIRTUAL_ENV := $(CURDIR)/.venv
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 unexport PYTHONPATH PYTHONHOME
 
-.PHONY: help setup demo test lint bench docs lock clean
+.PHONY: help setup demo test lint bench docs pictures lock clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
@@ -40,6 +40,9 @@ bench: setup ## time every scenario
 docs: setup ## the documentation as web pages in build/docs
 	sphinx-build -W --keep-going -q -b html docs build/docs
 	@echo "build/docs/index.html"
+
+pictures: setup ## draw the pictures of README and documentation anew
+	python tools/pictures.py
 
 lock: setup ## renew requirements/*.txt from requirements/uv.in and pyproject.toml
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 requirements/uv.in -o requirements/uv.txt

@@ -43,7 +43,7 @@ def test_travel_over_its_limit_is_a_warning_and_over_its_stroke_a_failure() -> N
     assert warning.value == pytest.approx(0.93)
     failed = with_travel(up=1.01 * 1.4)
     assert (failed.verdict, failed.where) == (Verdict.FAILED, "e1.1 up")
-    assert failed.remark == "e1.1 up 101.0% at 1.00 s: it would have met its stop, which is not simulated"
+    assert failed.remark == "e1.1 up 101.0 % at 1.00 s: it would have met its stop, which is not simulated"
 
 
 def test_travel_past_the_stroke_before_the_load_is_clear_is_a_warning() -> None:
@@ -57,7 +57,7 @@ def test_travel_past_the_stroke_before_the_load_is_clear_is_a_warning() -> None:
     check = only(recording)
     assert (check.verdict, check.time) == (Verdict.WARNING, 2.0)
     assert check.value == pytest.approx(0.5)
-    assert check.remark.startswith("e1.3 up 105.0% at 1.00 s")
+    assert check.remark.startswith("e1.3 up 105.0 % at 1.00 s")
     metrics = recording.metrics()
     assert metrics["travel_used_up"] == pytest.approx(1.05)
     assert metrics["travel_used_up_when_clear"] == pytest.approx(0.5)

@@ -211,3 +211,20 @@ def test_an_interrupted_picture_leaves_nothing(tmp_path: Path, monkeypatch: pyte
     with pytest.raises(KeyboardInterrupt):
         save_pictures(ringing_lift(), tmp_path)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_names_of_slings_stand_clear_of_ropes_and_centres(drawn: dict[str, Figure]) -> None:
+    snap = snapshot(ringing_lift(), 0)
+    panel = drawn["system"].axes[len(moments(ringing_lift()))]  # the top view of the start
+    width = float(np.ptp(panel.get_xlim()))
+    labels = {text.get_text(): np.array(text.get_position()) for text in panel.texts}
+    assert labels.keys() >= {"S1", "S2", "S3", "S4", "S5"}
+    centre = TOP.project(snap.centres["block"])
+    assert np.linalg.norm(labels["S3"] - centre) > 0.05 * width, "sling 3 has its lug under the centre"
+    for name, place in labels.items():
+        lug = TOP.project(snap.lugs[name])
+        assert 0.04 * width < np.linalg.norm(place - lug) < 0.11 * width
+        for rope in snap.ropes:
+            corners = TOP.project(rope.path)
+            between = np.linspace(corners[:-1], corners[1:], 30).reshape(-1, 2)
+            assert np.linalg.norm(between - place, axis=1).min() > 0.025 * width

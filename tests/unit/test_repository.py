@@ -109,7 +109,9 @@ def test_links_between_documents_lead_somewhere() -> None:
     for path in repository_files():
         if path.suffix != ".md":
             continue
-        for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", path.read_text(encoding="utf-8")):
+        text = path.read_text(encoding="utf-8")
+        targets = re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text) + re.findall(r'<img src="([^"]+)"', text)
+        for target in targets:
             if "://" not in target and not (path.parent / target).exists():
                 dead.append(f"{path.relative_to(ROOT)}: {target}")
     assert dead == []

@@ -116,7 +116,7 @@ def _travel_past_stroke(recording: Recording) -> str:
     furthest = max(_travel(recording, everywhere(recording)), key=lambda found: found.value, default=None)
     if furthest is None or furthest.value <= 1.0:
         return ""
-    place = f"{furthest.where} {furthest.value:.1%} at {furthest.time:.2f} s"
+    place = f"{furthest.where} {100.0 * furthest.value:.1f} % at {furthest.time:.2f} s"
     return f"{place}: it would have met its stop, which is not simulated"
 
 

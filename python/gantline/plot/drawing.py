@@ -24,6 +24,8 @@ from gantline.results.variable import FloatArray
 _TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _FILL = {"load": "#C9D6E2", "frame": "#8FA3B5"}
+# Directions in which a label may stand, the preferred ones first.
+_AROUND = np.array([(np.cos(a), np.sin(a)) for a in np.deg2rad([45, -45, 135, -135, *range(0, 360, 15)])])
 _EDGE = {"load": "#5B7286", "frame": "#4A5F73"}
 
 
@@ -273,21 +275,36 @@ def _title(panel: Axes, name: str, time: float) -> None:
 
 
 def _label_lugs(panel: Axes, snap: Snapshot) -> None:
-    centre = np.mean([TOP.project(lug) for lug in snap.lugs.values()], axis=0) if snap.lugs else np.zeros(2)
+    """Names of the slings beside their lugs in a top view, where ropes, edges and centres leave room."""
+    lines = [rope.path for rope in snap.ropes]
+    lines += [np.concatenate([face, face[:1]]) for box in snap.boxes for face in box.faces]
+    centres = [TOP.project(centre)[None] for centre in snap.centres.values()]
+    taken = np.concatenate([_densely(TOP.project(line)) for line in lines] + centres)
+    width = float(np.ptp(panel.get_xlim()))
     for name, lug in snap.lugs.items():
         place = TOP.project(lug)
         panel.plot(*place, "o", color=INK, markersize=2.2, zorder=4)
-        away = place - centre
-        away = away / np.linalg.norm(away) if np.linalg.norm(away) > 1e-6 else np.array([0.0, -1.0])
-        panel.annotate(
-            name,
-            (float(place[0]), float(place[1])),
-            xytext=(8.0 * float(away[0]), 8.0 * float(away[1])),
-            textcoords="offset points",
-            fontsize=6.5,
-            ha="center",
-            va="center",
-        )
+        right, up = _beside(place, taken, 0.05 * width)
+        panel.text(right, up, name, fontsize=6.5, ha="center", va="center", zorder=5)
+
+
+def _densely(path: FloatArray) -> FloatArray:
+    """Points all along a path on paper, shape (points, 2)."""
+    share = np.linspace(0.0, 1.0, 40)[:, None, None]
+    points: FloatArray = (path[:-1] + share * (path[1:] - path[:-1])).reshape(-1, 2)
+    return points
+
+
+def _beside(place: FloatArray, taken: FloatArray, reach: float) -> tuple[float, float]:
+    """Where a label stands near a place on paper: as far off as it must for room, then where most room is."""
+    places, rooms = np.empty((0, 2)), np.empty(0)
+    for distance in (reach, 1.5 * reach, 2.0 * reach):
+        places = place + distance * _AROUND
+        rooms = np.linalg.norm(places[:, None] - taken[None], axis=-1).min(axis=1)
+        if rooms.max() >= 0.8 * reach:
+            break
+    right, up = places[int(np.argmax(np.round(rooms, 6)))]
+    return float(right), float(up)
 
 
 def _label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) -> None:
@@ -302,7 +319,7 @@ def _label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) ->
         force = tension.get(rope, 0.0) / KILO
         panel.text(
             along,
-            low,
+            low + 0.02 * float(np.ptp(panel.get_ylim())),
             f"{rope.removeprefix('sling.')}\n{force:.0f} kN",
             fontsize=6.5,
             ha="center",

@@ -1,0 +1,38 @@
+"""Draws the pictures of README and documentation anew, from a run of the reference lift."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import matplotlib
+from PIL import Image
+
+import gantline
+from gantline.plot import figures
+from gantline.plot.style import RC
+
+ROOT = Path(__file__).resolve().parents[1]
+#: Name of the picture in the documentation by the name of the plot.
+PICTURES = {"sling_tension": "equalizer_tension", "system": "equalizer_views"}
+DOTS_PER_INCH = 150
+
+
+def main() -> None:
+    """Simulate, draw, and keep the files small."""
+    recording = gantline.simulate(ROOT / "scenarios" / "equalizer")
+    folder = ROOT / "docs" / "images"
+    folder.mkdir(exist_ok=True)
+    for plot, figure in figures(recording):
+        if plot not in PICTURES:
+            continue
+        drawn = io.BytesIO()
+        with matplotlib.rc_context(RC):
+            figure.savefig(drawn, format="png", dpi=DOTS_PER_INCH)
+        path = folder / f"{PICTURES[plot]}.png"
+        Image.open(drawn).convert("RGB").save(path, optimize=True)
+        print(f"{path.relative_to(ROOT)}: {path.stat().st_size / 1e3:.0f} kB")
+
+
+if __name__ == "__main__":
+    main()
