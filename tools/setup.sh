@@ -76,10 +76,11 @@ install_packages() {
 }
 
 build_core() {
+    local log="$venv/build.log"
     say "gantline and its core, by cargo"
     rm -f "$venv/.stamp-core"
     VIRTUAL_ENV="$PWD/$venv" PATH="$PWD/.venv-tools/bin:$PATH" UV_NO_CONFIG=1 UV_OFFLINE=1 \
-        "$venv/bin/maturin" develop --release --locked --uv --quiet
+        "$venv/bin/maturin" develop --release --locked --uv >"$log" 2>&1 || { cat "$log" >&2; return 1; }
 }
 
 packages=$(packages_digest)

@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 
 import gantline
 from gantline.cli.app import app
+from gantline.scenario import shipped
 
 HEAVY = (
     "numpy",
@@ -102,6 +103,30 @@ def test_a_new_lift_is_in_order(tmp_path: Path) -> None:
     code, out, err = gantline_says("check", str(folder))
     assert (code, err) == (0, "")
     assert "in order" in out
+
+
+@pytest.mark.parametrize("name", sorted(shipped()))
+def test_a_new_lift_from_one_that_comes_with_gantline(name: str, tmp_path: Path) -> None:
+    folder = tmp_path / "mine"
+    assert gantline_says("new", str(folder), "--from", name)[0] == 0
+    assert "$schema=lift.schema.json" in (folder / "scenario.yaml").read_text().splitlines()[0]
+    assert gantline_says("check", str(folder))[0] == 0
+
+
+def test_a_new_lift_from_an_unknown_name(tmp_path: Path) -> None:
+    code, _, err = gantline_says("new", str(tmp_path / "mine"), "--from", "derrick")
+    assert code == 2
+    assert "no lift 'derrick' comes with gantline; there are equalizer, equalizer_yard, pulleys" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_lift_that_comes_with_gantline_is_known_by_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert gantline_says("check", "equalizer")[0] == 0
+    (tmp_path / "equalizer").write_text("format: 2")  # a file of that name goes first
+    assert gantline_says("check", "equalizer")[0] == 2
 
 
 def test_new_never_overwrites(tmp_path: Path) -> None:

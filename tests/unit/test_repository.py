@@ -203,6 +203,17 @@ def test_the_lock_satisfies_the_project_file() -> None:
         assert item.specifier.contains(version, prereleases=True), f"{item} is locked at {version}"
 
 
+# --- lifts in the wheel --------------------------------------------------------------------------
+
+
+def test_every_scenario_comes_with_the_package() -> None:
+    links = {path.stem: path for path in (ROOT / "python/gantline/scenarios").iterdir()}
+    lifts = {path.parent.name: path for path in (ROOT / "scenarios").glob("*/scenario.yaml")}
+    assert links.keys() == lifts.keys()
+    for name, link in links.items():
+        assert link.is_symlink() and link.resolve() == lifts[name], "one copy, and links to it"
+
+
 # --- versions, change log ------------------------------------------------------------------------
 
 

@@ -12,7 +12,10 @@ from gantline.cli.messages import scenario_errors
 
 def check(
     lift: Annotated[
-        Path, typer.Argument(metavar="LIFT", help="Lift file, or the folder that holds its scenario.yaml.")
+        Path,
+        typer.Argument(
+            metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
+        ),
     ],
 ) -> None:
     """Check a lift file without simulating it; nothing is written."""

@@ -14,11 +14,18 @@ def new(
     folder: Annotated[
         Path, typer.Argument(metavar="FOLDER", help="Folder of the new lift; made if it is not there.")
     ],
+    source: Annotated[
+        str | None,
+        typer.Option(
+            "--from", metavar="NAME", help="Start from a lift that comes with gantline: equalizer, ..."
+        ),
+    ] = None,
 ) -> None:
     """Write a commented lift file to start from, with the schema by which editors check it while typing."""
     from gantline.scenario import FILE_NAME, schema_text, template
 
-    files = {folder / FILE_NAME: template(), folder / "lift.schema.json": schema_text()}
+    text = template() if source is None else _shipped(source)
+    files = {folder / FILE_NAME: text, folder / "lift.schema.json": schema_text()}
     if folder.exists() and not folder.is_dir():
         stop(f"{folder}: is a file; the name of a folder is needed")
     if (folder / FILE_NAME).exists():
@@ -30,3 +37,15 @@ def new(
     for path in files:
         typer.echo(path)
     typer.echo(f"Next: gantline run {folder}")
+
+
+def _shipped(name: str) -> str:
+    """Text of a lift that comes with gantline, with the schema beside it."""
+    from gantline.scenario import shipped
+
+    lifts = shipped()
+    if name not in lifts:
+        stop(f"--from: no lift '{name}' comes with gantline; there are {', '.join(lifts)}")
+    return (
+        lifts[name].read_text(encoding="utf-8").replace("../../schema/lift.schema.json", "lift.schema.json")
+    )

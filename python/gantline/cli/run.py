@@ -31,7 +31,10 @@ if TYPE_CHECKING:
 
 def run(
     lift: Annotated[
-        Path, typer.Argument(metavar="LIFT", help="Lift file, or the folder that holds its scenario.yaml.")
+        Path,
+        typer.Argument(
+            metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
+        ),
     ],
     output: Annotated[
         Path | None,

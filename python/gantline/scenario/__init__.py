@@ -5,6 +5,7 @@ from gantline.scenario.model import Scenario
 from gantline.scenario.reading import FILE_NAME, load_scenario, parse_scenario
 from gantline.scenario.rigging import Rigging, resolve
 from gantline.scenario.schema import json_schema, schema_text
+from gantline.scenario.shipped import shipped
 from gantline.scenario.template import template
 
 __all__ = [
@@ -18,5 +19,6 @@ __all__ = [
     "parse_scenario",
     "resolve",
     "schema_text",
+    "shipped",
     "template",
 ]

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 from gantline.scenario.check import check
 from gantline.scenario.errors import Problem, ScenarioError
 from gantline.scenario.model import Scenario
+from gantline.scenario.shipped import shipped
 from gantline.scenario.translate import translate
 from gantline.scenario.tree import parse_text, read_text
 
@@ -19,10 +20,10 @@ FILE_NAME = "scenario.yaml"
 
 
 def load_scenario(path: str | Path) -> Scenario:
-    """Read a lift file, or the ``scenario.yaml`` of a folder.
+    """Read a lift file, the ``scenario.yaml`` of a folder, or a lift that comes with gantline.
 
     Args:
-        path: the file or its folder.
+        path: the file or its folder; where there is neither, the name of a lift of `shipped`.
 
     Returns:
         The scenario, checked as far as it can be without building the system.
@@ -31,6 +32,8 @@ def load_scenario(path: str | Path) -> Scenario:
         ScenarioError: with every problem that was found, each with line, path and what would be right.
     """
     file = Path(path)
+    if str(path) in shipped() and not file.exists():
+        file = shipped()[str(path)]
     if _is_folder(file):
         if not (file / FILE_NAME).is_file():
             sentence = f"is a folder without {FILE_NAME}; a lift file or its folder is needed"
