@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from gantline.assembly.resting import TipsOver, rest_on_ground
@@ -59,6 +59,8 @@ def test_a_corner_lifts_off() -> None:
     assert_in_balance(corners(4.0, 4.0), WEIGHT, STIFFNESS)
 
 
+# Tall and light: the iteration comes down to rounding, where it must end and not cycle.
+@example(0.0, 0.147764418923772, 0.8348567386919509, (2.0, 2.0, 21.82775328036814), 0.0006600646027593729)
 @given(
     st.floats(-0.45, 0.45),
     st.floats(-0.45, 0.45),

@@ -59,16 +59,19 @@ def rest_on_ground(corners: Array, weight: float, stiffness: float) -> Resting:
     for _ in range(_MOST_STEPS):
         gradient, hessian, energy = _derivatives(state, corners, weight, stiffness)
         residual = float(np.abs(gradient * scale).max())
+        balanced = residual <= max(rounding, _TOLERANCE * weight)
         step = _newton_step(gradient * scale, hessian * np.outer(scale, scale), stiffness) * scale
         fraction = min(1.0, _LARGEST_TURN / max(_LARGEST_TURN, float(np.abs(step[1:]).max())))
         while fraction > _SMALLEST_FRACTION:
             after = state + fraction * step
             changed, _, lower = _derivatives(after, corners, weight, stiffness)
-            if lower < energy or float(np.abs(changed * scale).max()) < residual:
+            remains = float(np.abs(changed * scale).max())
+            # In balance, rounding moves the energy up and down; only a clear gain is worth a step there.
+            if remains < residual / 2 if balanced else (lower < energy or remains < residual):
                 break
             fraction /= 2
         else:  # no step betters this state
-            if residual > max(rounding, _TOLERANCE * weight):
+            if not balanced:
                 break
             if np.linalg.eigvalsh(hessian * np.outer(scale, scale))[0] < _TOLERANCE * stiffness:
                 break
