@@ -258,6 +258,7 @@ def _strip(
             for spine in panel.spines.values():
                 spine.set_visible(True)
                 spine.set_color(FAINT)
+                spine.set_zorder(6)  # above the ground that labels stand on
     return figure, rows
 
 
@@ -319,7 +320,7 @@ def _label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) ->
         force = tension.get(rope, 0.0) / KILO
         panel.text(
             along,
-            low + 0.02 * float(np.ptp(panel.get_ylim())),
+            low,
             f"{rope.removeprefix('sling.')}\n{force:.0f} kN",
             fontsize=6.5,
             ha="center",
