@@ -14,7 +14,7 @@ from types import FrameType
 from typing import Any
 
 from gantline import _core
-from gantline.assembly import assemble
+from gantline.assembly import assemble, integrator_settings
 from gantline.results.derive import recording_of
 from gantline.results.metrics import ENERGY_BOUND
 from gantline.results.recording import Recording
@@ -24,9 +24,15 @@ from gantline.version import version
 
 Progress = Callable[[float], bool | None]
 
-#: Settings of the integrator; the other settings are those of the run.
-_OF_INTEGRATOR = ("step", "paper", "geometric_stiffness")
-_TIMES = ("step", "duration", "sample_interval")
+#: Settings of the run; the other settings are those of an integrator.
+_OF_RUN = ("duration", "sample_interval")
+_ABOVE_ZERO = {
+    "step": "a time above zero in seconds",
+    "duration": "a time above zero in seconds",
+    "sample_interval": "a time above zero in seconds",
+    "tension_tolerance": "a force above zero in newtons",
+    "position_tolerance": "a length above zero in metres",
+}
 
 
 class SettingError(ValueError):
@@ -65,8 +71,9 @@ def simulate(
     Args:
         lift: A lift file, its folder, or a loaded scenario.
         on_progress: Called about ten times a second with the simulated time [s]; returning False stops.
-        overrides: Settings in place of those of the lift file: `integrator` ("del"), `step` [s], `paper`,
-            `geometric_stiffness`, `duration` [s], `sample_interval` [s].
+        overrides: Settings in place of those of the lift file: `integrator` ("adaptive", "del"),
+            `tension_tolerance` [N] and `position_tolerance` [m] of `adaptive`, `step` [s], `paper` and
+            `geometric_stiffness` of `del`, `duration` [s], `sample_interval` [s].
 
     Returns:
         The recording.
@@ -94,7 +101,7 @@ class Simulation:
     def __init__(self, lift: str | Path | Scenario, **overrides: Any) -> None:
         self.scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
         self.assembly = assemble(self.scenario)
-        self.settings = _overridden(self.assembly.settings, overrides)
+        self.settings = _overridden(self.scenario, self.assembly.settings, overrides)
         self.status = "ready"
         self.integration_time = 0.0
         try:
@@ -185,22 +192,29 @@ class Simulation:
         self.status = "ready"
 
 
-def _overridden(settings: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[str, Any]:
-    merged: dict[str, Any] = {**settings, "integrator": dict(settings["integrator"])}
-    for name, value in overrides.items():
-        if value is None:
-            continue
-        if name in _TIMES and not (_is_number(value) and math.isfinite(value) and value > 0.0):
-            raise SettingError(f"{name}: {value!r} is not a time above zero in seconds")
-        if name == "integrator":
-            merged["integrator"]["type"] = value
-        elif name in _OF_INTEGRATOR:
-            merged["integrator"][name] = value
-        elif name in ("duration", "sample_interval"):
+def _overridden(
+    scenario: Scenario, settings: Mapping[str, Any], overrides: Mapping[str, Any]
+) -> dict[str, Any]:
+    given = {name: value for name, value in overrides.items() if value is not None}
+    integrator = dict(settings["integrator"])
+    kind = given.pop("integrator", integrator["type"])
+    if kind != integrator["type"]:
+        try:
+            integrator = integrator_settings(kind, scenario.simulation)
+        except KeyError:
+            raise SettingError(f"integrator: {kind!r} is none; there are adaptive and del") from None
+    merged: dict[str, Any] = {**settings, "integrator": integrator}
+    for name, value in given.items():
+        wanted = _ABOVE_ZERO.get(name)
+        if wanted and not (_is_number(value) and math.isfinite(value) and value > 0.0):
+            raise SettingError(f"{name}: {value!r} is not {wanted}")
+        if name in _OF_RUN:
             merged[name] = float(value)
+        elif name in integrator:
+            integrator[name] = value
         else:
-            known = ", ".join(("integrator", *_OF_INTEGRATOR, "duration", "sample_interval"))
-            raise SettingError(f"{name}: not a setting of the simulation; there are {known}")
+            known = ", ".join(("integrator", *list(integrator)[1:], *_OF_RUN))
+            raise SettingError(f"{name}: not a setting of the integrator {kind}; there are {known}")
     return merged
 
 

@@ -48,7 +48,7 @@ plan:
   - {step: hoist, hoist: hook, speed: 3 m/min, start_at: 0 s, brake_from: 10 s}
   - {step: hold, hold: until_end}
 limits: {rule: example, load_tilt: 2 deg}
-simulation: {step: 1 ms, sample_interval: 20 ms}
+simulation: {integrator: del, step: 1 ms, sample_interval: 20 ms}
 """
 
 MECHANICS = """\

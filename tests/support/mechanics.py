@@ -156,6 +156,27 @@ def simulate(system: Json, duration: float, **settings: Any) -> Run:
     return finished(run, status)
 
 
+def adaptive(
+    system: Json,
+    duration: float,
+    *,
+    tension_tolerance: float | None = 1e-3,
+    position_tolerance: float | None = 1e-7,
+    sample_interval: float = 0.01,
+) -> Run:
+    """Runs a document to its end with `adaptive`."""
+    tolerances = {"tension_tolerance": tension_tolerance, "position_tolerance": position_tolerance}
+    settings = {
+        "integrator": {"type": "adaptive", **tolerances},
+        "duration": duration,
+        "sample_interval": sample_interval,
+    }
+    run = Simulation(json.dumps(system), json.dumps(settings))
+    status = run.run()
+    assert status["status"] == "done", status
+    return finished(run, status)
+
+
 def period(time: Floats, values: Floats, *, about: float = 0.0) -> float:
     """Mean period of an oscillation from its upward crossings, each interpolated linearly [s]."""
     shifted = values - about

@@ -108,7 +108,7 @@ def test_plan_and_settings_of_the_reference_lift() -> None:
     assert hold == {"name": "hold", "moves": [], "start_at": None, "until": {"type": "end_of_run"}}
     assert assembly.document["drives"] == [{"name": "test_hook.hoist", "ramps": []}]
     assert assembly.document["gravity"] == [0, 0, -9.81]
-    method = {"type": "del", "step": 0.001, "paper": False, "geometric_stiffness": True}
+    method = {"type": "adaptive", "tension_tolerance": None, "position_tolerance": None}
     assert assembly.settings == {"integrator": method, "duration": 40.0, "sample_interval": 0.02}
 
 

@@ -44,7 +44,7 @@ def try_it(text: str) -> None:
             word in message.lower() for word in ("traceback", "pydantic", "validation", "panic", "nonetype")
         )
         return
-    step = simulation.settings["integrator"]["step"]
+    step = simulation.settings["integrator"].get("step", 1e-3)
     with suppress(SimulationError):  # a singular system, for one, is found out when it shall move
         simulation.run(until=min(3 * step, simulation.duration))
 

@@ -78,7 +78,8 @@ def test_settings_in_place_of_those_of_the_lift_file(core: type[FakeCore]) -> No
         ({"step": 0.0}, "step: 0.0 is not a time above zero"),
         ({"duration": float("nan")}, "duration: nan is not a time above zero"),
         ({"sample_interval": "20 ms"}, "sample_interval: '20 ms' is not a time above zero"),
-        ({"steps": 3}, "steps: not a setting of the simulation; there are integrator, step"),
+        ({"steps": 3}, "steps: not a setting of the integrator del; there are integrator, step"),
+        ({"tension_tolerance": 5.0}, "tension_tolerance: not a setting of the integrator del"),
     ],
 )
 def test_settings_that_are_not_right(core: type[FakeCore], override: dict[str, Any], message: str) -> None:

@@ -49,7 +49,10 @@ Runs = Mapping[float, gantline.Recording]
 @pytest.fixture(scope="module")
 def runs() -> Runs:
     """The lift by `del` with three steps, each half of the one before."""
-    return {step: gantline.simulate(ROOT / "scenarios" / "equalizer", step=step) for step in STEPS}
+    return {
+        step: gantline.simulate(ROOT / "scenarios" / "equalizer", integrator="del", step=step)
+        for step in STEPS
+    }
 
 
 @pytest.fixture(scope="module")

@@ -63,6 +63,24 @@ def test_double_pendulum_periods() -> None:
         assert period(run.time, run.joint("upper")) == pytest.approx(periods[index], rel=1e-5)
 
 
+def test_energy_of_a_double_pendulum() -> None:
+    """E = const: to first order in h, without drift; the audit explains the difference to second order."""
+    length, mass = 1.0, 10.0
+    arm = (0, 0, -length)
+    upper = body("upper", hinge(position=1.0), mass, centre_of_gravity=arm)
+    lower = body("lower", hinge(position=-0.2), mass, parent="upper", position=arm, centre_of_gravity=arm)
+    errors, remainders = [], []
+    for step in (1e-3, 5e-4):
+        run = simulate(document([upper, lower]), 20.0, step=step)
+        energy = run.energy("kinetic") + run.energy("gravity")
+        errors.append(float(np.abs(energy - energy[0]).max() / run.energy("kinetic").max()))
+        remainders.append(run.energy_remainder)
+    assert errors[0] < 2e-3
+    assert errors[0] / errors[1] == pytest.approx(2, rel=0.1)
+    assert remainders[0] < 2e-5
+    assert remainders[0] / remainders[1] == pytest.approx(4, rel=0.1)
+
+
 def test_torque_free_body_keeps_energy_and_angular_momentum() -> None:
     """Tumbling about the middle axis: kinetic energy and |L| constant, L fixed in space to the order of h."""
     inertia = np.array([1.0, 2.0, 3.5])

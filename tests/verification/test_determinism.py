@@ -47,9 +47,8 @@ def saved_in_the_middle(name: str, folder: Path) -> Path:
     """The state of a run at its break, in a file."""
     duration, pause = LIFTS[name]
     simulation = Simulation(SCENARIOS / name, duration=duration)
-    assert simulation.run(until=pause).time[-1] == pytest.approx(pause, abs=0.021), (
-        "a sample interval at most"
-    )
+    reached = simulation.run(until=pause).time[-1]
+    assert pause - 0.021 < reached < duration, "it pauses at the end of the step that reaches the break"
     path = folder / "state"
     path.write_bytes(simulation.save())
     return path
@@ -97,7 +96,10 @@ def test_restoring_goes_back(tmp_path: Path) -> None:
 def test_a_state_of_another_lift_is_refused() -> None:
     """A state belongs to its lift and settings: anything else is an error, not a different motion."""
     state = Simulation(SCENARIOS / "equalizer").save()
-    for other in (Simulation(SCENARIOS / "pulleys"), Simulation(SCENARIOS / "equalizer", step=2e-3)):
+    for other in (
+        Simulation(SCENARIOS / "pulleys"),
+        Simulation(SCENARIOS / "equalizer", tension_tolerance=7.0),
+    ):
         with pytest.raises(ValueError, match="saved state"):
             other.restore(state)
     with pytest.raises(ValueError, match="saved state"):

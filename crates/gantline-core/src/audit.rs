@@ -10,6 +10,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::constraint::Law;
+use crate::solver::complementarity::Mode;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 
@@ -28,15 +29,9 @@ pub const KINDS: [&str; 11] = [
     "remainder",
 ];
 
-/// Energies [J]: stored ones now, flows since the start.
+/// Energies that flowed [J].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Ledger {
-    /// ½ vᵀ M v.
-    pub kinetic: f64,
-    /// −Σ m g·c.
-    pub gravity: f64,
-    /// Σ ½ k max(e, 0)² of ropes and contacts.
-    pub elastic: f64,
+pub struct Flows {
     /// Work of the drives on the system.
     pub drive_work: f64,
     /// Lost in rope dampers.
@@ -51,6 +46,31 @@ pub struct Ledger {
     pub impact: f64,
     /// Lost by the method itself.
     pub method: f64,
+}
+
+impl std::ops::AddAssign for Flows {
+    fn add_assign(&mut self, other: Self) {
+        self.drive_work += other.drive_work;
+        self.rope_damping += other.rope_damping;
+        self.joint_damping += other.joint_damping;
+        self.contact_damping += other.contact_damping;
+        self.friction += other.friction;
+        self.impact += other.impact;
+        self.method += other.method;
+    }
+}
+
+/// Stored energies now and flows since the start [J].
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Ledger {
+    /// ½ vᵀ M v.
+    pub kinetic: f64,
+    /// −Σ m g·c.
+    pub gravity: f64,
+    /// Σ ½ k max(e, 0)² of ropes and contacts.
+    pub elastic: f64,
+    /// What flowed.
+    pub flows: Flows,
     /// Stored energy at the start.
     start: f64,
     /// Gravity at the start.
@@ -72,22 +92,22 @@ impl Ledger {
     }
 
     /// Notes the stored energies after a step whose flows have been added.
-    pub fn store(&mut self, kinetic: f64, gravity: f64, elastic: f64) {
+    pub fn store(&mut self, [kinetic, gravity, elastic]: [f64; 3]) {
         (self.kinetic, self.gravity, self.elastic) = (kinetic, gravity, elastic);
-        self.scale = self.scale.max(kinetic + elastic + self.drive_work.abs());
+        self.scale = self.scale.max(kinetic + elastic + self.flows.drive_work.abs());
         self.worst = self.worst.max(self.remainder().abs());
     }
 
     /// What the balance does not explain [J].
     pub fn remainder(&self) -> f64 {
         let stored = self.kinetic + self.gravity + self.elastic - self.start;
-        let lost = self.rope_damping
-            + self.joint_damping
-            + self.contact_damping
-            + self.friction
-            + self.impact
-            + self.method;
-        stored - self.drive_work + lost
+        let lost = self.flows.rope_damping
+            + self.flows.joint_damping
+            + self.flows.contact_damping
+            + self.flows.friction
+            + self.flows.impact
+            + self.flows.method;
+        stored - self.flows.drive_work + lost
     }
 
     /// Largest |remainder| relative to the largest of kinetic + elastic + |drive work|.
@@ -101,13 +121,13 @@ impl Ledger {
             self.kinetic,
             self.gravity - self.gravity_start,
             self.elastic,
-            self.drive_work,
-            self.rope_damping,
-            self.joint_damping,
-            self.contact_damping,
-            self.friction,
-            self.impact,
-            self.method,
+            self.flows.drive_work,
+            self.flows.rope_damping,
+            self.flows.joint_damping,
+            self.flows.contact_damping,
+            self.flows.friction,
+            self.flows.impact,
+            self.flows.method,
             self.remainder(),
         ]
     }
@@ -126,7 +146,18 @@ pub fn spring_energy(law: &Law, e: f64) -> f64 {
     if compliance > 0.0 { 0.5 * stretch * stretch / compliance } else { 0.0 }
 }
 
+/// Energy in the spring of a row [J]. A friction row that slides is stretched by its force, one without normal
+/// force not at all.
+pub fn row_energy(law: &Law, mode: Mode, value: f64, tension: f64) -> f64 {
+    match (law, mode) {
+        (Law::Friction { .. }, Mode::Slack) => 0.0,
+        (Law::Friction { compliance, .. }, Mode::Slipping) => spring_energy(law, tension * compliance),
+        _ => spring_energy(law, value),
+    }
+}
+
 /// Σ spring energies of all rows at the values `value` [J].
-pub fn elastic_energy(system: &System, value: &[f64]) -> f64 {
-    system.rows.laws.iter().zip(value).map(|(law, &e)| spring_energy(law, e)).sum()
+pub fn elastic_energy(system: &System, value: &[f64], modes: &[Mode], tension: &[f64]) -> f64 {
+    let laws = system.rows.laws.iter().enumerate();
+    laws.map(|(row, law)| row_energy(law, modes[row], value[row], tension[row])).sum()
 }

@@ -67,9 +67,10 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     }
     let (constraints, groups) = build_constraints(spec, &tree)?;
     let rows = Rows::new(&constraints);
+    let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
     let rope_count = spec.ropes.len();
-    let mut system = System { tree, constraints, rope_count, rows, drives, driven, groups, plan };
+    let mut system = System { tree, constraints, rope_count, rows, rigid, drives, driven, groups, plan };
     let state = first_state(spec, &mut system, q, v)?;
     Ok((system, state))
 }
@@ -158,13 +159,12 @@ fn build_body(given: &BodySpec, parent: Option<usize>) -> Result<Body, BuildErro
     {
         return error(name, "its inertia is no inertia of a body: the matrix must not be negative");
     }
+    let orientation = unit_quaternion(name, given.placement.orientation)?;
     Ok(Body {
         name: name.clone(),
         parent,
-        placement: Pose::new(
-            unit_quaternion(name, given.placement.orientation)?,
-            DVec3::from_array(given.placement.position),
-        ),
+        placement: Pose::new(orientation, DVec3::from_array(given.placement.position)),
+        is_turned: orientation != DQuat::IDENTITY,
         joint: build_joint(name, &given.joint)?,
         mass: given.mass,
         centre_of_gravity: DVec3::from_array(given.centre_of_gravity),
@@ -409,12 +409,18 @@ fn first_state(
         time: 0.0,
         steps: 0,
         acceleration: vec![0.0; v.len()],
+        bias: vec![0.0; v.len()],
         q,
         v,
         tension: vec![0.0; rows],
         trial: vec![0.0; rows],
         modes: vec![Mode::Slack; rows],
         memory: vec![0.0; rows],
+        slip: vec![0.0; rows],
+        next_step: 0.0,
+        restart: true,
+        engaged: false,
+        engaged_step: f64::MAX,
         plan,
         ledger: Ledger::default(),
     };
@@ -439,7 +445,13 @@ fn first_state(
         system.tree.inertia_scale[dof] = if inertia > 0.0 { inertia } else { 1.0 };
     }
     for (row, law) in system.rows.laws.iter().enumerate() {
-        let Law::Unilateral { compliance, damping_time } = *law else { continue };
+        let (compliance, damping_time) = match *law {
+            Law::Unilateral { compliance, damping_time } => (compliance, damping_time),
+            Law::Friction { normal, .. } => {
+                state.modes[row] = state.modes[normal];
+                continue;
+            }
+        };
         let e = frame.value[row];
         if compliance > 0.0 {
             let rate = system.rows.rate(&frame.gradient, row, &state.v);
@@ -456,6 +468,7 @@ fn first_state(
     }
     let kinetic = 0.5 * frame.mass.quadratic(&state.v);
     let gravity = gravity_energy(system, &frame.kinematics);
-    state.ledger = Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value));
+    state.ledger =
+        Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes, &state.tension));
     Ok(state)
 }

@@ -1,6 +1,6 @@
 //! Columns of numbers over time: what a run hands on.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::audit::KINDS;
@@ -76,7 +76,6 @@ pub struct Recorder {
     applied: Vec<Wrench>,
     unused: Vec<f64>,
     sample: State,
-    increment: Vec<f64>,
 }
 
 impl Recorder {
@@ -90,12 +89,18 @@ impl Recorder {
             applied: vec![Wrench::default(); system.tree.bodies.len()],
             unused: vec![0.0; system.tree.velocities],
             sample: state.clone(),
-            increment: vec![0.0; system.tree.velocities],
         }
     }
 
-    /// Takes all samples that are due up to the end of the step.
-    pub fn record(&mut self, system: &System, span: &Span, columns: &mut Columns) {
+    /// Takes all samples that are due up to the end of the step. `motion` sets the configuration, velocities,
+    /// accelerations and forces of a state at a share of the step.
+    pub fn record(
+        &mut self,
+        system: &System,
+        span: &Span,
+        columns: &mut Columns,
+        motion: &mut dyn FnMut(&Span, f64, &mut State),
+    ) {
         let (from, to) = (span.before.time, span.after.time);
         loop {
             let time = columns.time.len() as f64 * self.interval;
@@ -104,33 +109,26 @@ impl Recorder {
                 break;
             }
             let share = ((time - from) / (to - from)).clamp(0.0, 1.0);
-            self.interpolate(system, span, share, time);
+            self.sample.time = time;
+            motion(span, share, &mut self.sample);
             self.take(system, span, share, columns);
         }
-        note_peaks(system, span.after, columns);
     }
 
-    /// The method's own motion within a step: straight in the coordinates; forces linear.
-    fn interpolate(&mut self, system: &System, span: &Span, share: f64, time: f64) {
-        let sample = &mut self.sample;
-        sample.time = time;
-        sample.v.copy_from_slice(&span.after.v);
-        sample.acceleration.copy_from_slice(&span.after.acceleration);
-        if share >= 1.0 {
-            sample.q.copy_from_slice(&span.after.q);
-            sample.tension.copy_from_slice(&span.after.tension);
-            sample.memory.copy_from_slice(&span.after.memory);
-            return;
-        }
-        let elapsed = share * (span.after.time - span.before.time);
-        for (increment, velocity) in self.increment.iter_mut().zip(&span.after.v) {
-            *increment = elapsed * velocity;
-        }
-        sample.q.copy_from_slice(&span.before.q);
-        system.tree.advance(&mut sample.q, &self.increment);
-        let forces = span.before.tension.iter().zip(&span.after.tension);
-        for (tension, (before, after)) in sample.tension.iter_mut().zip(forces) {
-            *tension = before + share * (after - before);
+    /// Keeps the largest tension of every rope: `peak` gives that of a step and its time [s], where it is more than
+    /// what is known.
+    pub fn note_peaks(
+        system: &System,
+        columns: &mut Columns,
+        mut peak: impl FnMut(usize, f64) -> Option<(f64, f64)>,
+    ) {
+        columns.rope_peak_tension.resize(system.rope_count, 0.0);
+        columns.rope_peak_time.resize(system.rope_count, 0.0);
+        for rope in 0..system.rope_count {
+            if let Some((tension, time)) = peak(rope, columns.rope_peak_tension[rope]) {
+                columns.rope_peak_tension[rope] = tension;
+                columns.rope_peak_time[rope] = time;
+            }
         }
     }
 
@@ -205,7 +203,7 @@ impl Recorder {
         self.kinematics.twists(tree, v, &mut self.twists);
         for (index, body) in tree.bodies.iter().enumerate() {
             let centre = self.kinematics.centre_of_gravity[index];
-            let turn = self.kinematics.pose[index].orientation;
+            let turn = DQuat::from_mat3(&self.kinematics.pose[index].rotation);
             let velocity = self.kinematics.point_velocity(&self.twists, Some(index), centre);
             columns.body_position.extend(centre.to_array());
             columns.body_orientation.extend([turn.w, turn.x, turn.y, turn.z]);
@@ -215,18 +213,6 @@ impl Recorder {
             if body.joint.has_axis() {
                 columns.joint_position.push(q[body.first_position]);
             }
-        }
-    }
-}
-
-fn note_peaks(system: &System, state: &State, columns: &mut Columns) {
-    columns.rope_peak_tension.resize(system.rope_count, 0.0);
-    columns.rope_peak_time.resize(system.rope_count, 0.0);
-    for rope in 0..system.rope_count {
-        let tension = state.tension[system.rows.first[rope]];
-        if tension > columns.rope_peak_tension[rope] {
-            columns.rope_peak_tension[rope] = tension;
-            columns.rope_peak_time[rope] = state.time;
         }
     }
 }

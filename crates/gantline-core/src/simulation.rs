@@ -9,6 +9,7 @@ use crate::record::{Columns, Names, Recorder, Span};
 use crate::spec::{IntegratorSpec, SettingsSpec, SystemSpec};
 use crate::state::State;
 use crate::stepper::StepError;
+use crate::stepper::adaptive::{Adaptive, Tolerance};
 use crate::stepper::del::Del;
 use crate::stepper::frame::Frame;
 use crate::system::System;
@@ -39,6 +40,17 @@ pub struct Counters {
     pub factorisations: u64,
     /// Steps whose complementarity iteration was capped.
     pub unconverged: u64,
+    /// Steps that were tried again with a shorter length.
+    pub rejected: u64,
+    /// Steps that were cut at a change of modes.
+    pub cut: u64,
+}
+
+/// The integrator of a run.
+#[derive(Debug, Clone)]
+enum Method {
+    Del(Box<Del>),
+    Adaptive(Box<Adaptive>),
 }
 
 /// Everything that goes into a checkpoint.
@@ -60,7 +72,7 @@ pub struct Simulation {
     state: State,
     before: State,
     frame: Frame,
-    method: Del,
+    method: Method,
     recorder: Recorder,
     columns: Columns,
     events: EventLog,
@@ -91,8 +103,6 @@ impl Simulation {
     pub fn new(document: &str, settings: &str) -> Result<Self, SetupError> {
         let spec: SystemSpec = serde_json::from_str(document)?;
         let parsed: SettingsSpec = serde_json::from_str(settings)?;
-        let IntegratorSpec::Del { step, paper, geometric_stiffness } = parsed.integrator;
-        above_zero("the step", step)?;
         above_zero("the duration", parsed.duration)?;
         above_zero("the sample interval", parsed.sample_interval)?;
         if parsed.duration / parsed.sample_interval > MOST_SAMPLES {
@@ -103,7 +113,7 @@ impl Simulation {
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);
         Ok(Self {
-            method: Del::new(&system, step, geometric_stiffness && !paper),
+            method: method(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),
             fingerprint: fingerprint([document, settings]),
             before: state.clone(),
@@ -129,7 +139,7 @@ impl Simulation {
 
     /// True when the run has reached `until` [s] (or its duration), within rounding.
     pub fn reached(&self, until: f64) -> bool {
-        self.state.time >= until.min(self.settings.duration) - 1e-9 * self.method.h
+        self.state.time >= until.min(self.settings.duration) * (1.0 - 1e-12) - 1e-12
     }
 
     /// Makes one step and records what is due.
@@ -138,17 +148,37 @@ impl Simulation {
     /// [`StepError`]; the state is then the last good one.
     pub fn step(&mut self) -> Result<(), StepError> {
         self.before.clone_from(&self.state);
-        let made = self.method.step(&self.system, &mut self.state, &mut self.frame, &mut self.events);
+        let Self { system, state, frame, events, .. } = self;
+        let made = match &mut self.method {
+            Method::Del(del) => del.step(system, state, frame, events),
+            Method::Adaptive(adaptive) => adaptive.step(system, state, frame, events, self.settings.duration),
+        };
         let report = made.inspect_err(|_| {
             self.state.clone_from(&self.before);
             self.frame.update(&self.system, &self.state);
         })?;
+        self.counters.rejected += report.rejected;
+        self.counters.cut += u64::from(report.cut);
         self.counters.steps += 1;
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
         let residual = report.complementarity_residual;
         let span = Span { before: &self.before, after: &self.state, residual };
-        self.recorder.record(&self.system, &span, &mut self.columns);
+        let system = &self.system;
+        let method = &mut self.method;
+        self.recorder.record(system, &span, &mut self.columns, &mut |span, share, sample| match method {
+            Method::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
+            Method::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
+        });
+        let (before, after) = (&self.before, &self.state);
+        Recorder::note_peaks(system, &mut self.columns, |rope, known| match &self.method {
+            // Rope i has row i.
+            Method::Del(_) => (after.tension[rope] > known).then_some((after.tension[rope], after.time)),
+            Method::Adaptive(adaptive) => {
+                let (tension, share) = adaptive.peak(rope, known)?;
+                Some((tension, before.time + share * (after.time - before.time)))
+            }
+        });
         Ok(())
     }
 
@@ -201,7 +231,10 @@ impl Simulation {
 
     /// Entries of the factor of the step's matrix.
     pub fn fill(&self) -> usize {
-        self.method.fill()
+        match &self.method {
+            Method::Del(del) => del.fill(),
+            Method::Adaptive(adaptive) => adaptive.fill(),
+        }
     }
 
     /// All that is needed to go on with the same bytes.
@@ -233,6 +266,28 @@ impl Simulation {
         self.counters = checkpoint.counters;
         self.before.clone_from(&self.state);
         self.frame.update(&self.system, &self.state);
+        if let Method::Adaptive(adaptive) = &mut self.method {
+            adaptive.forget();
+        }
         Ok(())
+    }
+}
+
+fn method(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Method, SetupError> {
+    match *spec {
+        IntegratorSpec::Del { step, paper, geometric_stiffness } => {
+            above_zero("the step", step)?;
+            Ok(Method::Del(Box::new(Del::new(system, step, geometric_stiffness && !paper))))
+        }
+        IntegratorSpec::Adaptive { tension_tolerance, position_tolerance } => {
+            let default = Tolerance::default_of(system);
+            let tolerance = Tolerance {
+                tension: tension_tolerance.unwrap_or(default.tension),
+                position: position_tolerance.unwrap_or(default.position),
+            };
+            above_zero("the tension tolerance", tolerance.tension)?;
+            above_zero("the position tolerance", tolerance.position)?;
+            Ok(Method::Adaptive(Box::new(Adaptive::new(system, frame, tolerance))))
+        }
     }
 }

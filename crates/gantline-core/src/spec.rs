@@ -314,6 +314,15 @@ pub struct SettingsSpec {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 pub enum IntegratorSpec {
+    /// Error-controlled steps of high order.
+    Adaptive {
+        /// Error of rope tensions allowed in a step [N]; none is a share of the weight per rope.
+        #[serde(default)]
+        tension_tolerance: Option<f64>,
+        /// Error of positions allowed in a step [m]; none is the default.
+        #[serde(default)]
+        position_tolerance: Option<f64>,
+    },
     /// Discrete Euler–Lagrange, fixed step.
     Del {
         /// Step h [s].

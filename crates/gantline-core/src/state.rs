@@ -19,6 +19,8 @@ pub struct State {
     pub v: Vec<f64>,
     /// v̇ over the last step.
     pub acceleration: Vec<f64>,
+    /// c of the last step: velocity-dependent forces minus gravity.
+    pub bias: Vec<f64>,
     /// Force of every row [N].
     pub tension: Vec<f64>,
     /// What the law asks of every row without its bound [N].
@@ -27,6 +29,16 @@ pub struct State {
     pub modes: Vec<Mode>,
     /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m].
     pub memory: Vec<f64>,
+    /// Direction in which the contact of a tangential row slides, by row.
+    pub slip: Vec<f64>,
+    /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
+    pub next_step: f64,
+    /// True at the start and after a change that makes the accelerations jump.
+    pub restart: bool,
+    /// True after rows have started to act: the next step follows a faster motion than the last did.
+    pub engaged: bool,
+    /// Length of the step that followed the last time that happened [s].
+    pub engaged_step: f64,
     /// Where the plan stands.
     pub plan: PlanState,
     /// Energy so far.

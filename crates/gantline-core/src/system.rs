@@ -81,6 +81,8 @@ pub struct System {
     pub rope_count: usize,
     /// Rows of the constraints.
     pub rows: Rows,
+    /// Rows of inextensible ropes.
+    pub rigid: Vec<usize>,
     /// Prescribed joints.
     pub drives: Vec<DriveJoint>,
     /// For every degree of freedom the drive that prescribes it.

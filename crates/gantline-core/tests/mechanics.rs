@@ -175,7 +175,8 @@ proptest! {
             let mut sums = vec![vec![0.0; system.tree.velocities]; system.rows.dofs.len()];
             for (group, (row, dofs)) in constraint.curvature_groups().into_iter().enumerate() {
                 let mut block = vec![0.0; dofs.len() * dofs.len()];
-                constraint.curvature(&system.tree, &frame.kinematics, group, &mut block);
+                let mut columns = vec![DVec3::ZERO; dofs.len()];
+                constraint.curvature(&system.tree, &frame.kinematics, group, &mut columns, &mut block);
                 let row = system.rows.first[index] + row;
                 let range = system.rows.start[row]..system.rows.start[row + 1];
                 for (j, &dof) in dofs.iter().enumerate() {

@@ -143,6 +143,8 @@ impl Simulation {
         out.set_item("steps", counters.steps)?;
         out.set_item("factorisations", counters.factorisations)?;
         out.set_item("unconverged", counters.unconverged)?;
+        out.set_item("rejected", counters.rejected)?;
+        out.set_item("cut", counters.cut)?;
         out.set_item("fill", self.inner.fill())?;
         Ok(out)
     }

@@ -13,8 +13,9 @@ from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Scenario, resolve
+from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
 
-__all__ = ["Assembly", "assemble"]
+__all__ = ["Assembly", "assemble", "integrator_settings"]
 
 
 @dataclass(frozen=True)
@@ -78,12 +79,20 @@ def assemble(scenario: Scenario) -> Assembly:
 def _settings(scenario: Scenario) -> dict[str, Any]:
     given = scenario.simulation
     return {
-        "integrator": {
-            "type": given.integrator,
-            "step": given.step,
-            "paper": given.paper,
-            "geometric_stiffness": given.geometric_stiffness,
-        },
+        "integrator": integrator_settings(given.integrator, given),
         "duration": scenario.duration,
         "sample_interval": given.sample_interval,
     }
+
+
+def integrator_settings(kind: str, given: SimulationSettings) -> dict[str, Any]:
+    """Settings of one integrator as the core takes them, from those of the lift file.
+
+    Args:
+        kind: `adaptive` or `del`.
+        given: What the lift file says; keys of the other integrator are left out.
+
+    Raises:
+        KeyError: If there is no integrator of that kind.
+    """
+    return {"type": kind, **{name: getattr(given, name) for name in INTEGRATOR_KEYS[kind]}}

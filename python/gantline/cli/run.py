@@ -46,10 +46,11 @@ def run(
         ),
     ] = None,
     integrator: Annotated[
-        str | None, typer.Option(help="Method in place of that of the lift file: del.")
+        str | None, typer.Option(help="Method in place of that of the lift file: adaptive or del.")
     ] = None,
-    step: Annotated[
-        str | None, typer.Option(metavar="TIME", help="Step of the method, such as '1 ms'.")
+    step: Annotated[str | None, typer.Option(metavar="TIME", help="Step of del, such as '1 ms'.")] = None,
+    tension_tolerance: Annotated[
+        str | None, typer.Option(metavar="FORCE", help="Error of tensions in a step of adaptive: '50 N'.")
     ] = None,
     sample_interval: Annotated[
         str | None, typer.Option(metavar="TIME", help="Time between samples, such as '20 ms'.")
@@ -67,9 +68,10 @@ def run(
     clock = _Clock()
     overrides = {
         "integrator": integrator,
-        "step": _seconds("--step", step),
-        "sample_interval": _seconds("--sample-interval", sample_interval),
-        "duration": _seconds("--duration", duration),
+        "step": _quantity("--step", step, "time"),
+        "tension_tolerance": _quantity("--tension-tolerance", tension_tolerance, "force"),
+        "sample_interval": _quantity("--sample-interval", sample_interval, "time"),
+        "duration": _quantity("--duration", duration, "time"),
     }
     simulation = _prepare(lift, overrides)
     folder = _folder(output if output is not None else Path("results") / _name_of(lift))
@@ -106,13 +108,13 @@ class _Clock:
         self._last = now
 
 
-def _seconds(option: str, text: str | None) -> float | None:
+def _quantity(option: str, text: str | None, dimension: str) -> float | None:
     from gantline.units import UnitError, quantity
 
     if text is None:
         return None
     try:
-        return quantity(text, "time")
+        return quantity(text, dimension)
     except UnitError as problem:
         stop(f"{option}: {problem}")
 

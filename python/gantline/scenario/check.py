@@ -8,6 +8,7 @@ from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
 from gantline.scenario.errors import ScenarioError
 from gantline.scenario.findings import Findings, Path
+from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.model import Scenario
 from gantline.scenario.rigging import resolve
 
@@ -71,6 +72,11 @@ def _check_names(findings: Findings) -> None:
 
 def _check_simulation(findings: Findings) -> None:
     settings, duration = findings.scenario.simulation, findings.scenario.duration
+    for kind, keys in INTEGRATOR_KEYS.items():
+        for key in keys if kind != settings.integrator else ():
+            if key in settings.model_fields_set:
+                sentence = f"'{key}' belongs to 'integrator: {kind}', this lift has '{settings.integrator}'"
+                findings.add(("simulation", key), f"{sentence}; leave it out or name the other integrator")
     if settings.step > duration:
         sentence = (
             f"the step of {settings.step:g} s is longer than the duration of {duration:g} s; 1 ms is usual"

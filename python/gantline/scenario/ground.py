@@ -12,6 +12,8 @@ from gantline.scenario.quantities import (
     Damping,
     Flag,
     Length,
+    PositiveForce,
+    PositiveLength,
     PositiveStiffness,
     PositiveTime,
     Ratio,
@@ -46,18 +48,36 @@ class Ground(Element):
     acts_at: Literal["corners"] = Field("corners", description="Where the ground acts on the load.")
 
 
+#: Keys of `simulation:` that belong to one integrator.
+INTEGRATOR_KEYS = {
+    "adaptive": ("tension_tolerance", "position_tolerance"),
+    "del": ("step", "paper", "geometric_stiffness"),
+}
+
+
 class SimulationSettings(Element):
     """How the lift is simulated; every key has a default."""
 
     what: ClassVar[str] = "simulation"
 
-    integrator: Literal["del"] = Field(
-        "del", description="The method: 'del' is the paper's, with a fixed step."
+    integrator: Literal["adaptive", "del"] = Field(
+        "adaptive",
+        description="The method: 'adaptive' controls its error, 'del' is the paper's, with a fixed step.",
     )
-    step: PositiveTime = Field(1e-3, description="Time step; 1 ms if not given.")
-    paper: Flag = Field(False, description="true: exactly as in the paper, without geometric stiffness.")
+    tension_tolerance: PositiveForce | None = Field(
+        None,
+        description="adaptive: error of tensions in a step; a ten-thousandth of the mean load of a rope "
+        "if not given.",
+    )
+    position_tolerance: PositiveLength | None = Field(
+        None, description="adaptive: error of positions in a step; 0.1 mm if not given."
+    )
+    step: PositiveTime = Field(1e-3, description="del: time step; 1 ms if not given.")
+    paper: Flag = Field(
+        False, description="del: true is exactly as in the paper, without geometric stiffness."
+    )
     geometric_stiffness: Flag = Field(
-        True, description="false: leave the geometric stiffness of taut ropes out."
+        True, description="del: false leaves the geometric stiffness of taut ropes out."
     )
     sample_interval: PositiveTime = Field(
         20e-3, description="Time between recorded samples; 20 ms if not given."

@@ -71,12 +71,25 @@ impl Constraint for Contact {
     }
 
     /// The plane is flat: only the point's own path is curved.
-    fn curvature(&self, tree: &Tree, kinematics: &Kinematics, group: usize, block: &mut [f64]) {
+    fn curvature(
+        &self,
+        tree: &Tree,
+        kinematics: &Kinematics,
+        group: usize,
+        columns: &mut [DVec3],
+        block: &mut [f64],
+    ) {
         let point = kinematics.point(Some(self.body), self.at);
         let direction = [-self.plane.normal, self.plane.tangents[0], self.plane.tangents[1]][group];
-        let pairs = self.dofs.iter().flat_map(|&row| self.dofs.iter().map(move |&dof| (row, dof)));
-        for (value, (row, dof)) in block.iter_mut().zip(pairs) {
-            *value = direction.dot(kinematics.point_column_change(tree, row, dof, point));
+        for (column, &dof) in columns.iter_mut().zip(&self.dofs) {
+            *column = kinematics.point_column(tree, dof, point);
+        }
+        let size = self.dofs.len();
+        for (j, &row) in self.dofs.iter().enumerate() {
+            for (k, &dof) in self.dofs.iter().enumerate() {
+                let change = kinematics.column_change(tree, (row, columns[j]), (dof, columns[k]), point);
+                block[j * size + k] = direction.dot(change);
+            }
         }
     }
 }

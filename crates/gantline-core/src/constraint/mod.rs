@@ -6,6 +6,8 @@
 pub mod contact;
 pub mod rope;
 
+use glam::DVec3;
+
 use crate::tree::Tree;
 use crate::tree::kinematics::Kinematics;
 use contact::Contact;
@@ -71,7 +73,15 @@ pub trait Constraint {
 
     /// Derivative of the gradient within one group, ∂G_j/∂q_k at `block[j · size + k]`, for increments as
     /// in [`Tree::advance`]. Its product with T is the exact geometric stiffness, with v the part of ∂ė/∂q.
-    fn curvature(&self, tree: &Tree, kinematics: &Kinematics, group: usize, block: &mut [f64]);
+    /// `columns` is work space for one vector per degree of freedom.
+    fn curvature(
+        &self,
+        tree: &Tree,
+        kinematics: &Kinematics,
+        group: usize,
+        columns: &mut [DVec3],
+        block: &mut [f64],
+    );
 }
 
 /// Any constraint.

@@ -42,6 +42,27 @@ fn without(a: &[usize], b: &[usize]) -> Vec<usize> {
     a.iter().copied().filter(|dof| b.binary_search(dof).is_err()).collect()
 }
 
+/// Adds `direction`·J of a world point [m] to the row's entries: l·n + a·((x − o)×n), the moment once per joint.
+fn pull(
+    tree: &Tree,
+    kinematics: &Kinematics,
+    dofs: &[(usize, usize)],
+    point: DVec3,
+    direction: DVec3,
+    gradient: &mut [f64],
+) {
+    let mut owner = usize::MAX;
+    let mut moment = DVec3::ZERO;
+    for &(dof, entry) in dofs {
+        if tree.owner[dof] != owner {
+            owner = tree.owner[dof];
+            moment = (point - kinematics.pose[owner].position).cross(direction);
+        }
+        let column = &kinematics.columns[dof];
+        gradient[entry] += column.linear.dot(direction) + column.angular.dot(moment);
+    }
+}
+
 impl Rope {
     /// A rope in `tree`.
     pub fn new(name: String, route: Route, length: f64, material: Material, tree: &Tree) -> Self {
@@ -114,12 +135,8 @@ impl Constraint for Rope {
         let mut length = self.route.arcs;
         for (straight, dofs) in self.straights(kinematics).zip(&self.part_dofs) {
             length += straight.length;
-            for &(dof, entry) in &dofs.from {
-                gradient[entry] -= straight.direction.dot(kinematics.point_column(tree, dof, straight.from));
-            }
-            for &(dof, entry) in &dofs.to {
-                gradient[entry] += straight.direction.dot(kinematics.point_column(tree, dof, straight.to));
-            }
+            pull(tree, kinematics, &dofs.from, straight.from, -straight.direction, gradient);
+            pull(tree, kinematics, &dofs.to, straight.to, straight.direction, gradient);
         }
         value[0] = length - self.length;
     }
@@ -131,27 +148,38 @@ impl Constraint for Rope {
 
     /// ∂G_j/∂q_k = c_j·c_k/ℓ + n·(∂J_j/∂q_k of the end − of the start): the part turns, and its ends move on
     /// curves.
-    fn curvature(&self, tree: &Tree, kinematics: &Kinematics, group: usize, block: &mut [f64]) {
+    fn curvature(
+        &self,
+        tree: &Tree,
+        kinematics: &Kinematics,
+        group: usize,
+        columns: &mut [DVec3],
+        block: &mut [f64],
+    ) {
         let straight = self.route.parts[group].locate(kinematics);
         let PartDofs { from, to } = &self.part_dofs[group];
-        let size = from.len() + to.len();
         let inverse = if straight.length > 0.0 { 1.0 / straight.length } else { 0.0 };
-        let ends = |index: usize| match index.checked_sub(from.len()) {
-            None => (from[index].0, straight.from, -1.0),
-            Some(index) => (to[index].0, straight.to, 1.0),
-        };
-        let across = |vector: DVec3| vector - straight.direction * straight.direction.dot(vector);
-        for j in 0..size {
-            let (row, point, sign) = ends(j);
-            let turned = across(kinematics.point_column(tree, row, point)) * (sign * inverse);
-            for k in 0..size {
-                let (dof, other, other_sign) = ends(k);
-                let mut value = other_sign * turned.dot(kinematics.point_column(tree, dof, other));
-                if (j < from.len()) == (k < from.len()) {
-                    let bent = kinematics.point_column_change(tree, row, dof, point);
-                    value += sign * straight.direction.dot(bent);
+        let (direction, size) = (straight.direction, from.len() + to.len());
+        let (columns, split) = (&mut columns[..size], from.len());
+        for (column, &(dof, _)) in columns.iter_mut().zip(from) {
+            *column = kinematics.point_column(tree, dof, straight.from);
+        }
+        for (column, &(dof, _)) in columns[split..].iter_mut().zip(to) {
+            *column = kinematics.point_column(tree, dof, straight.to);
+        }
+        let ends = [(0..split, from, straight.from, -1.0), (split..size, to, straight.to, 1.0)];
+        for (own, dofs, point, sign) in ends {
+            for (j, &(row, _)) in own.clone().zip(dofs) {
+                let block = &mut block[j * size..(j + 1) * size];
+                let turned = (columns[j] - direction * direction.dot(columns[j])) * (sign * inverse);
+                for (k, value) in block.iter_mut().enumerate() {
+                    *value = turned.dot(columns[k]) * if k < split { -1.0 } else { 1.0 };
                 }
-                block[j * size + k] = value;
+                let bent = direction * sign;
+                for (k, &(dof, _)) in own.clone().zip(dofs) {
+                    let change = kinematics.column_change(tree, (row, columns[j]), (dof, columns[k]), point);
+                    block[k] += bent.dot(change);
+                }
             }
         }
     }

@@ -127,6 +127,11 @@ impl PlanState {
         self.timelines.iter().map(|timeline| timeline.next_break(time)).fold(due, f64::min)
     }
 
+    /// True where the step under way ends on a condition.
+    pub fn waits_for_condition(&self) -> bool {
+        self.phase == Phase::UntilCondition
+    }
+
     /// True where the step under way waits for a condition and `support`, the normal force of each contact group
     /// [N], fulfils it.
     pub fn is_fulfilled(&self, plan: &[Step], support: &[f64]) -> bool {

@@ -29,9 +29,9 @@
 //! α, between ¼ and 1, damps K only where the step cannot follow ([`crate::solver::stiffness`]). c is taken at (v + v₊)/2, so a body that turns freely keeps its energy and angular momentum. With
 //! `paper`, K = 0; with constant M, D = 0, τ = 0 and all rows acting that is eq. (15) to the letter.
 
-use super::StepError;
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
+use super::{StepError, StepReport};
 use crate::event::EventLog;
 use crate::solver::complementarity::{Complementarity, Problem};
 use crate::solver::kkt::Kkt;
@@ -44,17 +44,6 @@ use crate::tree::bias::NewtonEuler;
 const BIAS_ROUNDS: usize = 12;
 /// Change of a velocity-dependent force that ends the rounds, relative to the largest generalised force.
 const BIAS_TOLERANCE: f64 = 1e-12;
-
-/// What one step says of itself.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct StepReport {
-    /// Largest distance of a force from its law [N].
-    pub complementarity_residual: f64,
-    /// Factorisations made.
-    pub factorisations: u64,
-    /// False where the complementarity iteration was capped.
-    pub converged: bool,
-}
 
 /// The integrator with its work arrays.
 #[derive(Debug, Clone)]
@@ -100,6 +89,32 @@ impl Del {
     /// Entries of the factor L.
     pub fn fill(&self) -> usize {
         self.kkt.fill()
+    }
+
+    /// Motion within the last step, from `before` to `after`: straight in the coordinates; forces linear.
+    pub fn interpolate(
+        &mut self,
+        system: &System,
+        (before, after): (&State, &State),
+        share: f64,
+        sample: &mut State,
+    ) {
+        sample.v.copy_from_slice(&after.v);
+        sample.acceleration.copy_from_slice(&after.acceleration);
+        if share >= 1.0 {
+            sample.q.copy_from_slice(&after.q);
+            sample.tension.copy_from_slice(&after.tension);
+            return;
+        }
+        for (increment, velocity) in self.increment.iter_mut().zip(&after.v) {
+            *increment = share * self.h * velocity;
+        }
+        sample.q.copy_from_slice(&before.q);
+        system.tree.advance(&mut sample.q, &self.increment);
+        let forces = before.tension.iter().zip(&after.tension);
+        for (tension, (before, after)) in sample.tension.iter_mut().zip(forces) {
+            *tension = before + share * (after - before);
+        }
     }
 
     /// One step from `state`, which `frame` belongs to; both are moved on.
@@ -188,10 +203,7 @@ impl Del {
     }
 
     fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {
-        let element = self.kkt.element(system, pivot.unknown).to_owned();
-        let cause = "the equations are singular here: a body without inertia in a direction that it can \
-                     move, or an inextensible rope that repeats another";
-        StepError { time, element, cause: cause.to_owned() }
+        super::singular(time, self.kkt.element(system, pivot.unknown).to_owned())
     }
 }
 

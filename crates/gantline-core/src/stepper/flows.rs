@@ -28,21 +28,22 @@ impl StepFlows<'_> {
     ///
     /// Multiplying the step's equation by v₊ᵀ splits the change of energy into work and losses. The method
     /// loses ½ Δvᵀ M Δv, what geometric stiffness takes beyond the work of the tension along the curved path,
-    /// and, in each spring, the convexity of its energy over the step.
+    /// in each spring the convexity of its energy over the step, and what [`StepFlows::book_bias`] says.
     pub fn book(&self, system: &System, state: &mut State, frame: &Frame, work: &mut [f64]) {
         let h = self.h;
+        self.book_bias(state);
         for (rate, (new, old)) in state.acceleration.iter_mut().zip(self.v.iter().zip(&state.v)) {
             *rate = new - old;
         }
         let jump = 0.5 * frame.mass.quadratic(&state.acceleration);
         if self.goes_taut_at_once(system, state) {
-            state.ledger.impact += jump;
+            state.ledger.flows.impact += jump;
         } else {
-            state.ledger.method += jump;
+            state.ledger.flows.method += jump;
         }
-        state.ledger.method += self.stiffness.loss(self.v, &state.v, h);
+        state.ledger.flows.method += self.stiffness.loss(self.v, &state.v, h);
         for (dof, damping) in system.tree.damping.iter().enumerate() {
-            state.ledger.joint_damping += h * damping * self.v[dof] * self.v[dof];
+            state.ledger.flows.joint_damping += h * damping * self.v[dof] * self.v[dof];
         }
         self.book_drives(system, state, frame, work);
         for row in 0..system.rows.count() {
@@ -52,6 +53,17 @@ impl StepFlows<'_> {
             *rate /= h;
         }
         state.v.copy_from_slice(self.v);
+    }
+
+    /// c is held while q moves by h v, but gravity and kinetic energy change by the integral of v·c along that way,
+    /// by the trapezoidal rule h v·(c + c₊)/2: the last step lost −½ h v·(c₊ − c). Known one step later.
+    fn book_bias(&self, state: &mut State) {
+        if state.steps > 0 {
+            let changes = self.c.iter().zip(&state.bias).zip(&state.v);
+            let gained: f64 = changes.map(|((new, old), v)| v * (new - old)).sum();
+            state.ledger.flows.method -= 0.5 * self.h * gained;
+        }
+        state.bias.copy_from_slice(self.c);
     }
 
     /// Work of the drives: the residual of their rows times their motion. `state.acceleration` holds Δv.
@@ -72,7 +84,7 @@ impl StepFlows<'_> {
             }
         }
         for drive in &system.drives {
-            state.ledger.drive_work += work[drive.dof] * self.v[drive.dof];
+            state.ledger.flows.drive_work += work[drive.dof] * self.v[drive.dof];
         }
     }
 
@@ -82,24 +94,24 @@ impl StepFlows<'_> {
         let flow = self.h * self.rows.tension[row] * rate;
         let compliance = law.compliance();
         if compliance == 0.0 {
-            state.ledger.method += flow;
+            state.ledger.flows.method += flow;
             return;
         }
         let before = frame.value[row];
         if self.rows.modes[row] == Mode::Slipping || self.rows.modes[row] == Mode::Slack && is_friction(law) {
             let after = self.rows.tension[row] * compliance;
-            state.ledger.friction += flow - spring_energy(law, after) + spring_energy(law, before);
+            state.ledger.flows.friction += flow - spring_energy(law, after) + spring_energy(law, before);
             return;
         }
         let after = before + self.h * rate;
         let spring = if is_friction(law) { after } else { after.max(0.0) } / compliance;
         let damper = flow - self.h * spring * rate;
         if row < system.rows.first[system.rope_count] {
-            state.ledger.rope_damping += damper;
+            state.ledger.flows.rope_damping += damper;
         } else {
-            state.ledger.contact_damping += damper;
+            state.ledger.flows.contact_damping += damper;
         }
-        state.ledger.method +=
+        state.ledger.flows.method +=
             self.h * spring * rate - spring_energy(law, after) + spring_energy(law, before);
     }
 
@@ -185,10 +197,15 @@ pub fn set_driven(system: &System, state: &mut State) {
     }
 }
 
-/// Notes the stored energies of the new state.
-pub fn store(system: &System, state: &mut State, frame: &Frame) {
+/// Kinetic, gravity and elastic energy of a state [J].
+pub fn stored(system: &System, state: &State, frame: &Frame) -> [f64; 3] {
     let kinetic = 0.5 * frame.mass.quadratic(&state.v);
     let gravity = gravity_energy(system, &frame.kinematics);
-    let elastic = elastic_energy(system, &frame.value);
-    state.ledger.store(kinetic, gravity, elastic);
+    let elastic = elastic_energy(system, &frame.value, &state.modes, &state.tension);
+    [kinetic, gravity, elastic]
+}
+
+/// Notes the stored energies of the new state.
+pub fn store(system: &System, state: &mut State, frame: &Frame) {
+    state.ledger.store(stored(system, state, frame));
 }

@@ -1,10 +1,26 @@
 //! Methods: one file per integrator.
 
+pub mod adaptive;
 pub mod del;
 mod flows;
 pub mod frame;
 
 use thiserror::Error;
+
+/// What one step says of itself.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct StepReport {
+    /// Largest distance of a force from its law [N].
+    pub complementarity_residual: f64,
+    /// Factorisations made.
+    pub factorisations: u64,
+    /// Attempts whose error was too large.
+    pub rejected: u64,
+    /// True where the step was cut at a change of modes.
+    pub cut: bool,
+    /// False where the complementarity iteration was capped.
+    pub converged: bool,
+}
 
 /// Why a step could not be made.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -16,4 +32,11 @@ pub struct StepError {
     pub element: String,
     /// Likely cause.
     pub cause: String,
+}
+
+/// The matrix of a step has a zero pivot at `element`.
+fn singular(time: f64, element: String) -> StepError {
+    let cause = "the equations are singular here: a body without inertia in a direction that it can move, or an \
+                 inextensible rope that repeats another";
+    StepError { time, element, cause: cause.to_owned() }
 }

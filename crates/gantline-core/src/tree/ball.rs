@@ -16,7 +16,12 @@ pub fn quaternion(q: &[f64]) -> DQuat {
 }
 
 /// Turns the quaternion in `q` by the rotation vector `increment` [rad], body axes (exponential map).
+///
+/// No increment leaves it as it is, to the last bit.
 pub fn rotate(q: &mut [f64], increment: &[f64]) {
+    if increment.iter().all(|&x| x == 0.0) {
+        return;
+    }
     let turned = quaternion(q) * DQuat::from_scaled_axis(DVec3::from_slice(increment));
     let unit = turned.normalize();
     q.copy_from_slice(&[unit.w, unit.x, unit.y, unit.z]);
@@ -26,8 +31,8 @@ impl JointModel for Ball {
     const POSITIONS: usize = 4;
     const VELOCITIES: usize = 3;
 
-    fn pose(&self, q: &[f64]) -> Pose {
-        Pose::new(quaternion(q), DVec3::ZERO)
+    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
+        joint.compose(&Pose::new(quaternion(q), DVec3::ZERO))
     }
 
     fn columns(&self, _joint: &DMat3, body: &DMat3, columns: &mut [Column]) {

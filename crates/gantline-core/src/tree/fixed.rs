@@ -13,8 +13,8 @@ impl JointModel for Fixed {
     const POSITIONS: usize = 0;
     const VELOCITIES: usize = 0;
 
-    fn pose(&self, _q: &[f64]) -> Pose {
-        Pose::IDENTITY
+    fn pose(&self, joint: &Pose, _q: &[f64]) -> Pose {
+        *joint
     }
 
     fn columns(&self, _joint: &DMat3, _body: &DMat3, _columns: &mut [Column]) {}

@@ -14,8 +14,8 @@ impl JointModel for Free {
     const POSITIONS: usize = 7;
     const VELOCITIES: usize = 6;
 
-    fn pose(&self, q: &[f64]) -> Pose {
-        Pose::new(quaternion(&q[3..7]), DVec3::from_slice(q))
+    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
+        joint.compose(&Pose::new(quaternion(&q[3..7]), DVec3::from_slice(q)))
     }
 
     fn columns(&self, joint: &DMat3, body: &DMat3, columns: &mut [Column]) {

@@ -1,6 +1,6 @@
 //! Rotation about an axis that is fixed in the parent and in the body.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DVec3};
 
 use super::joint::{Column, JointModel};
 use super::pose::Pose;
@@ -16,8 +16,9 @@ impl JointModel for Hinge {
     const POSITIONS: usize = 1;
     const VELOCITIES: usize = 1;
 
-    fn pose(&self, q: &[f64]) -> Pose {
-        Pose::new(DQuat::from_axis_angle(self.axis, q[0]), DVec3::ZERO)
+    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
+        let turned = DMat3::from_axis_angle(self.axis, q[0]);
+        Pose { rotation: joint.rotation * turned, position: joint.position }
     }
 
     fn columns(&self, joint: &DMat3, _body: &DMat3, columns: &mut [Column]) {

@@ -30,8 +30,8 @@ pub trait JointModel {
     /// Degrees of freedom.
     const VELOCITIES: usize;
 
-    /// Pose of the body in the joint frame.
-    fn pose(&self, q: &[f64]) -> Pose;
+    /// Pose of the body, that of the joint frame given.
+    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose;
 
     /// Columns in world axes; `joint` and `body` are the world rotations of the joint frame and the body.
     fn columns(&self, joint: &DMat3, body: &DMat3, columns: &mut [Column]);
@@ -86,8 +86,8 @@ impl Joint {
     }
 
     /// See [`JointModel::pose`].
-    pub fn pose(&self, q: &[f64]) -> Pose {
-        each!(self, joint, joint.pose(q))
+    pub fn pose(&self, frame: &Pose, q: &[f64]) -> Pose {
+        each!(self, joint, joint.pose(frame, q))
     }
 
     /// See [`JointModel::columns`].

@@ -41,9 +41,12 @@ impl Kinematics {
     /// Evaluates everything at the configuration `q`.
     pub fn update(&mut self, tree: &Tree, q: &[f64]) {
         for (index, body) in tree.bodies.iter().enumerate() {
-            let parent = body.parent.map_or(Pose::IDENTITY, |parent| self.pose[parent]);
-            let joint = parent.compose(&body.placement);
-            let pose = joint.compose(&body.joint.pose(&q[body.first_position..]));
+            let joint = match (body.parent, body.is_turned) {
+                (None, _) => body.placement,
+                (Some(parent), true) => self.pose[parent].compose(&body.placement),
+                (Some(parent), false) => self.pose[parent].shifted(body.placement.position),
+            };
+            let pose = body.joint.pose(&joint, &q[body.first_position..]);
             let own = body.first_velocity..body.first_velocity + body.joint.velocities();
             body.joint.columns(&joint.rotation, &pose.rotation, &mut self.columns[own]);
             self.centre_of_gravity[index] = pose.point(body.centre_of_gravity);
@@ -62,20 +65,26 @@ impl Kinematics {
         column.linear + column.angular.cross(point - self.pose[tree.owner[dof]].position)
     }
 
-    /// Change of the column of `row` at a world point [m] when `dof` moves; both move the point's body.
+    /// Change of the column of `row` at a world point [m] when `dof` moves; both move the point's body. Both are
+    /// given with their columns at the point.
     ///
     /// A degree of freedom above the column's joint turns the column, one below it moves the point. Within a
     /// joint the columns of rotations are fixed in the body and turn with it.
-    pub fn point_column_change(&self, tree: &Tree, row: usize, dof: usize, point: DVec3) -> DVec3 {
+    pub fn column_change(
+        &self,
+        tree: &Tree,
+        (row, row_column): (usize, DVec3),
+        (dof, dof_column): (usize, DVec3),
+        point: DVec3,
+    ) -> DVec3 {
         let (row_owner, dof_owner) = (tree.owner[row], tree.owner[dof]);
-        let column = &self.columns[row];
         match dof_owner.cmp(&row_owner) {
-            Ordering::Less => self.columns[dof].angular.cross(self.point_column(tree, row, point)),
+            Ordering::Less => self.columns[dof].angular.cross(row_column),
             Ordering::Equal => {
                 let arm = point - self.pose[row_owner].position;
-                self.columns[dof].angular.cross(column.angular.cross(arm))
+                self.columns[dof].angular.cross(self.columns[row].angular.cross(arm))
             }
-            Ordering::Greater => column.angular.cross(self.point_column(tree, dof, point)),
+            Ordering::Greater => self.columns[row].angular.cross(dof_column),
         }
     }
 

@@ -27,6 +27,8 @@ pub struct Body {
     pub parent: Option<usize>,
     /// Where the joint sits in the parent's frame.
     pub placement: Pose,
+    /// True where that has other axes than the parent's frame.
+    pub is_turned: bool,
     /// The joint.
     pub joint: Joint,
     /// Mass [kg].

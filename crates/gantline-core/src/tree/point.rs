@@ -1,6 +1,6 @@
 //! Three translations without rotation: a node of a rope, a mass point.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DVec3};
 
 use super::joint::{Column, JointModel};
 use super::pose::Pose;
@@ -13,8 +13,8 @@ impl JointModel for Point {
     const POSITIONS: usize = 3;
     const VELOCITIES: usize = 3;
 
-    fn pose(&self, q: &[f64]) -> Pose {
-        Pose::new(DQuat::IDENTITY, DVec3::from_slice(q))
+    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
+        joint.shifted(DVec3::from_slice(q))
     }
 
     fn columns(&self, joint: &DMat3, _body: &DMat3, columns: &mut [Column]) {

@@ -1,6 +1,6 @@
 //! Translation along an axis that is fixed in the parent.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DVec3};
 
 use super::joint::{Column, JointModel};
 use super::pose::Pose;
@@ -16,8 +16,8 @@ impl JointModel for Slider {
     const POSITIONS: usize = 1;
     const VELOCITIES: usize = 1;
 
-    fn pose(&self, q: &[f64]) -> Pose {
-        Pose::new(DQuat::IDENTITY, self.axis * q[0])
+    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
+        joint.shifted(self.axis * q[0])
     }
 
     fn columns(&self, joint: &DMat3, _body: &DMat3, columns: &mut [Column]) {

@@ -169,3 +169,72 @@ pub fn moved(system: &System, state: &State, direction: &[f64], scale: f64) -> (
     frame.update(system, &state);
     (state, frame)
 }
+
+/// A rig to torture the methods with: 2 to 6 bodies on random joints, masses over six decades, ropes from slack to
+/// taut over four decades of stiffness, some inextensible, points over rough ground.
+pub fn torture(seeds: &[f64]) -> SystemSpec {
+    let mut draw = Draw::new(seeds);
+    let count = 2 + draw.choice(5);
+    let mut bodies: Vec<BodySpec> = Vec::new();
+    for index in 0..count {
+        let parent = if draw.number() > 0.3 && index > 0 {
+            Some(bodies[draw.choice(index)].name.clone())
+        } else {
+            None
+        };
+        let mass = 10.0_f64.powf(2.0 + 3.0 * draw.number());
+        let size = 0.3 + draw.number().abs();
+        let kind = if parent.is_none() { [1, 3, 4, 5, 5][draw.choice(5)] } else { 1 + draw.choice(4) };
+        bodies.push(BodySpec {
+            name: format!("b{index}"),
+            parent,
+            placement: PlacementSpec { position: draw.scaled(2.0), orientation: draw.orientation() },
+            joint: joint(&mut draw, kind),
+            mass,
+            centre_of_gravity: if kind == 5 { [0.0; 3] } else { draw.scaled(0.5) },
+            inertia: [mass * size, mass * size * 1.3, mass * size * 0.9, 0.0, 0.0, 0.0],
+        });
+    }
+    let contacts = (0..2 * count).map(|index| ContactSpec {
+        name: format!("c{index}"),
+        group: format!("b{}", index % count),
+        body: format!("b{}", index % count),
+        at: draw.scaled(0.7),
+        plane_point: [0.0, 0.0, -6.0],
+        plane_normal: [0.2 * draw.number(), 0.0, 1.0],
+        stiffness: 10.0_f64.powf(6.0 + draw.number()),
+        damping_time: 0.005 * (1.0 + draw.number()),
+        friction: 0.4 * (1.0 + draw.number()),
+    });
+    let contacts = contacts.collect();
+    let mut spec = SystemSpec {
+        gravity: [0.0, 0.0, -9.81],
+        bodies,
+        ropes: Vec::new(),
+        contacts,
+        drives: Vec::new(),
+        plan: Vec::new(),
+    };
+    let (system, state) = build(&spec).expect("bodies are valid");
+    let mut frame = Frame::new(&system);
+    frame.update(&system, &state);
+    for index in 0..1 + draw.choice(6) {
+        let to = draw.choice(count);
+        let from = draw.choice(count + 1).checked_sub(1).filter(|&from| from != to);
+        let ends =
+            [(from, draw.scaled(if from.is_none() { 4.0 } else { 0.8 })), (Some(to), draw.scaled(0.8))];
+        let [a, b] = ends.map(|(body, at)| frame.kinematics.point(body, glam::DVec3::from_array(at)));
+        let slack = 1.05 + 0.1 * draw.number();
+        let rigid = draw.number() > 0.7;
+        let material = if rigid {
+            MaterialSpec::Inextensible {}
+        } else {
+            let axial_stiffness = 10.0_f64.powf(6.5 + 2.0 * draw.number());
+            MaterialSpec::Elastic { axial_stiffness, damping_time: 0.003 * (1.0 + draw.number()) }
+        };
+        let route = ends.map(|(body, at)| GuideSpec::End { body: body.map(|body| format!("b{body}")), at });
+        let length = (b - a).length().max(0.5) * if rigid { slack.max(1.001) } else { slack };
+        spec.ropes.push(RopeSpec { name: format!("r{index}"), length, material, route: route.to_vec() });
+    }
+    spec
+}

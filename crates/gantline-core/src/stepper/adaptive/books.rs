@@ -1,0 +1,129 @@
+//! Energy that flowed in a step, by Gauss quadrature along its course.
+//!
+//! The course satisfies the equations of motion but for a defect: its velocity is not quite the rate of its
+//! position, its acceleration not quite what the forces give. The work of that defect is what the method itself
+//! adds or takes; it is computed like any other flow.
+
+use super::evaluation::Point;
+use super::rodas::Increment;
+use super::{Adaptive, LOOKS};
+use crate::audit::{Flows, elastic_energy, row_energy, spring_energy};
+use crate::constraint::Law;
+use crate::solver::complementarity::Mode;
+use crate::state::State;
+use crate::system::System;
+
+/// Weights of the Gauss points among [`LOOKS`].
+pub(super) const WEIGHTS: [f64; 4] =
+    [0.173_927_422_568_726_93, 0.326_072_577_431_273_07, 0.326_072_577_431_273_07, 0.173_927_422_568_726_93];
+
+/// Where the loss of a row is booked.
+fn loss_kind<'a>(system: &System, ledger: &'a mut Flows, row: usize, mode: Mode) -> &'a mut f64 {
+    match system.rows.laws[row] {
+        _ if row < system.rope_count => &mut ledger.rope_damping,
+        Law::Friction { .. } if mode == Mode::Slipping => &mut ledger.friction,
+        _ => &mut ledger.contact_damping,
+    }
+}
+
+impl Adaptive {
+    /// Looks at the course at the share `theta` of the step, and adds what flows around it in `duration` [s] to
+    /// the flows of the step.
+    pub(super) fn book_look(&mut self, system: &System, state: &State, theta: f64, duration: f64) {
+        self.rodas.course.at(theta, &mut self.point);
+        self.rodas.course.rate_at(theta, &mut self.rate);
+        let Increment { phi, v, rigid, .. } = &self.point;
+        let point = Point { base: &state.q, memory: &state.memory, phi, v, a: &self.rate.v, rigid };
+        self.probe.all(system, &point, &state.modes, &state.slip);
+        self.book_point(system, state, duration);
+    }
+
+    /// The flows of the first `length` seconds of the step anew, where it was cut.
+    pub(super) fn book_cut(&mut self, system: &System, state: &State, length: f64) {
+        self.flows = Flows::default();
+        for (look, weight) in LOOKS.iter().zip(WEIGHTS) {
+            self.book_look(system, state, look * self.made, weight * length);
+        }
+    }
+
+    /// What the flow integrals do not hold: energy that a row's law takes or gives at once with its value, by its
+    /// difference over the step (`sign` −1 at the start, +1 at the end).
+    ///
+    /// Of a rope or contact that acts, T ė = k e ė + k τ ė², and k e ė is the spring's but where e < 0. One that is
+    /// slack loses what its spring still held. One that slides loses T ṡ less what its spring gains.
+    pub(super) fn book_springs(&mut self, system: &System, state: &State, sign: f64) {
+        let here = &self.rodas.here;
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            let (mode, value) = (state.modes[row], here.frame.value[row]);
+            let lost = match (law, mode) {
+                (Law::Unilateral { .. }, Mode::Acting) => spring_energy(law, -value),
+                (Law::Unilateral { .. }, _) => -spring_energy(law, value),
+                (Law::Friction { .. }, Mode::Slipping) => -row_energy(law, mode, value, here.tension[row]),
+                (Law::Friction { .. }, _) => 0.0,
+            };
+            *loss_kind(system, &mut self.flows, row, mode) += sign * lost;
+        }
+    }
+
+    /// What springs hold [J]. A contact that starts to slide trades the damper's part of its force for a stretch of
+    /// its spring, at once: the difference is the method's.
+    pub(super) fn held(&self, system: &System, state: &State) -> f64 {
+        let here = &self.rodas.here;
+        elastic_energy(system, &here.frame.value, &state.modes, &here.tension)
+    }
+
+    fn book_point(&mut self, system: &System, state: &State, duration: f64) {
+        let (probe, v) = (&mut self.probe, &self.point.v);
+        let ledger = &mut self.flows;
+        for (dof, velocity) in v.iter().enumerate() {
+            let work = duration * probe.imbalance[dof] * velocity;
+            if system.driven[dof].is_some() {
+                ledger.drive_work += work;
+            } else {
+                ledger.method -= work;
+            }
+            ledger.joint_damping += duration * system.tree.damping[dof] * velocity * velocity;
+        }
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            let compliance = law.compliance();
+            let (rate, tension) = (probe.rate[row], probe.tension[row]);
+            if compliance == 0.0 {
+                // Its velocity along the rope is a defect of the method.
+                ledger.method += duration * tension * rate;
+                continue;
+            }
+            let mode = state.modes[row];
+            let power = match mode {
+                Mode::Slack => continue,
+                Mode::Acting => law.damping_time() / compliance * rate * rate,
+                Mode::Slipping => tension * rate,
+            };
+            *loss_kind(system, ledger, row, mode) += duration * power;
+        }
+        // The position's own defect, against gravity and springs.
+        self.rate.a.fill(0.0);
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            let e = probe.frame.value[row];
+            let stretch = if matches!(law, Law::Unilateral { .. }) { e.max(0.0) } else { e };
+            let sticks = state.modes[row] == Mode::Acting;
+            if law.compliance() > 0.0 && stretch != 0.0 && (sticks || matches!(law, Law::Unilateral { .. })) {
+                for (dof, entry) in system.rows.entries(&probe.frame.gradient, row) {
+                    self.rate.a[dof] += entry * stretch / law.compliance();
+                }
+            }
+        }
+        let defect = |dof: usize| self.rate.phi[dof] - probe.phi_rate[dof];
+        let springs: f64 = (0..v.len()).map(|dof| self.rate.a[dof] * defect(dof)).sum();
+        let mut weight = 0.0;
+        for (index, body) in system.tree.bodies.iter().enumerate() {
+            if body.mass > 0.0 {
+                let centre = probe.frame.kinematics.centre_of_gravity[index];
+                for &dof in &system.tree.support[index] {
+                    let column = probe.frame.kinematics.point_column(&system.tree, dof, centre);
+                    weight -= body.mass * system.tree.gravity.dot(column) * defect(dof);
+                }
+            }
+        }
+        ledger.method -= duration * (springs + weight);
+    }
+}

@@ -1,0 +1,94 @@
+//! The size of a step's error estimate, in tolerances.
+//!
+//! Three measures, of which the largest counts: the error of positions [m] (rotations times the radius of
+//! gyration); the root mean square of the error of tensions of the rows that act; and the same for velocities,
+//! turned into the tension to which they will lead: an error δv of a mass m on a stiffness k swings out to
+//! √(k m) δv.
+
+use super::Tolerance;
+use super::rodas::Rodas;
+use crate::constraint::Law;
+use crate::solver::complementarity::Mode;
+use crate::state::State;
+use crate::stepper::frame::Frame;
+use crate::system::System;
+
+/// Lengths and inertias that turn errors into metres and newtons.
+#[derive(Debug, Clone)]
+pub struct Weights {
+    /// Radius of gyration of rotations [m]; 1 for translations.
+    arm: Vec<f64>,
+    stiffness: Vec<f64>,
+}
+
+impl Weights {
+    /// Weights of `system`, whose first frame is `frame`.
+    pub fn new(system: &System, frame: &Frame) -> Self {
+        let arm = |dof: usize| {
+            let column = &frame.kinematics.columns[dof];
+            if column.angular == glam::DVec3::ZERO {
+                return 1.0;
+            }
+            let below = &system.tree.subtree[system.tree.owner[dof]];
+            let mass: f64 = below.iter().map(|&body| system.tree.bodies[body].mass).sum();
+            if mass > 0.0 { (frame.mass.diagonal(dof) / mass).sqrt() } else { 1.0 }
+        };
+        let size = system.tree.velocities;
+        Self { arm: (0..size).map(arm).collect(), stiffness: vec![0.0; size] }
+    }
+
+    /// Error in tolerances; at most 1 is good.
+    pub fn norm(&mut self, system: &System, state: &State, rodas: &Rodas, tolerance: &Tolerance) -> f64 {
+        let (error, here) = (&rodas.course.error, &rodas.here);
+        let free = |dof: &usize| system.driven[*dof].is_none();
+        let mut position = 0.0_f64;
+        for dof in (0..error.phi.len()).filter(free) {
+            position = position.max((error.phi[dof] * self.arm[dof]).abs() / tolerance.position);
+        }
+        self.stiffness.fill(0.0);
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            if state.modes[row] != Mode::Acting || law.compliance() == 0.0 {
+                continue;
+            }
+            let mut stretch = 0.0;
+            for (dof, entry) in system.rows.entries(&here.frame.gradient, row) {
+                stretch += entry * (error.phi[dof] + law.damping_time() * error.v[dof]);
+                self.stiffness[dof] += entry * entry / law.compliance();
+            }
+            if matches!(law, Law::Unilateral { .. }) {
+                sum += (stretch / law.compliance() / tolerance.tension).powi(2);
+                count += 1.0;
+            }
+        }
+        for (error, &row) in error.rigid.iter().zip(&system.rigid) {
+            if state.modes[row] == Mode::Acting {
+                sum += (error / tolerance.tension).powi(2);
+                count += 1.0;
+            }
+        }
+        let tension = if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 };
+        let (mut sum, mut count) = (0.0, 0.0);
+        for dof in (0..error.v.len()).filter(free) {
+            let impedance = (self.stiffness[dof] * system.tree.inertia_scale[dof]).sqrt() / self.arm[dof];
+            let swing = error.v[dof].abs() * impedance / tolerance.tension;
+            sum += swing * swing;
+            count += 1.0;
+            // Nothing holds it: what it does to positions within a second counts.
+            position = position.max(0.1 * error.v[dof].abs() * self.arm[dof] / tolerance.position);
+        }
+        let velocity = if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 };
+        if position.is_nan() || tension.is_nan() || velocity.is_nan() {
+            return f64::INFINITY;
+        }
+        position.max(tension).max(velocity)
+    }
+
+    /// Name of the element with the largest error.
+    pub fn worst(&self, system: &System, _state: &State, rodas: &Rodas) -> String {
+        let error = &rodas.course.error;
+        let size = |dof: usize| (error.v[dof] * self.arm[dof]).abs();
+        let worst = (0..error.v.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)));
+        worst.map_or_else(String::new, |dof| system.tree.bodies[system.tree.owner[dof]].name.clone())
+    }
+}

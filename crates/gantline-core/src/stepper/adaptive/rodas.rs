@@ -1,0 +1,308 @@
+//! One step of Rodas5P for the equations of motion, as differential-algebraic equations of index 1 in the
+//! increments φ of the coordinates, the velocities v and the accelerations a:
+//!
+//! ```text
+//! φ̇ = v + φ×v/2 + …        v̇ = a        0 = τ(q₀⊕φ, v, a) + D v + Gᵀ T
+//! ```
+//!
+//! Stage i, with κ = γh, ρ = a + Σ cᵢⱼ k^aⱼ/h replaced by its velocity part, x = k^φ as a rate:
+//!
+//! ```text
+//! r = φ̇ + Σ cᵢⱼ k^φⱼ/h            ρ = a + Σ cᵢⱼ k^vⱼ/h
+//! A x + Gᵀ y = −κ (τ + D v + Gᵀ T) + M (κρ + r) + κ (D + ∂τ/∂v) r
+//! B x − ε/(κ(κ+τ)) y = τ G r/(κ+τ)          (A, B: see `tangent`)
+//! k^φ = κ P x        k^v = x − r        k^a = k^v/κ − ρ
+//! ```
+//!
+//! For an inextensible rope T is an unknown too, with the equation γ = G a + Ġ v = 0:
+//!
+//! ```text
+//! (G + κ γ_v + κ² γ_q P) x = −κγ + G (κρ + r) + κ γ_v r        k^T = y/κ
+//! ```
+//!
+//! The acceleration is never solved for: the residual of inverse dynamics takes its place, so a mass matrix
+//! that changes with q costs nothing extra.
+
+use super::evaluation::{Evaluation, Point};
+use super::tableau::{A, C, D, GAMMA, H, STAGES, TIMES};
+use super::tangent::TangentMatrix;
+use crate::solver::complementarity::Mode;
+use crate::solver::symbolic::ZeroPivot;
+use crate::state::State;
+use crate::system::System;
+use crate::tree::mass::MassMatrix;
+
+/// Increments of coordinates, velocities, accelerations, and tensions of inextensible ropes.
+#[derive(Debug, Clone)]
+pub struct Increment {
+    /// φ.
+    pub phi: Vec<f64>,
+    /// Of v.
+    pub v: Vec<f64>,
+    /// Of a.
+    pub a: Vec<f64>,
+    /// Of T, by [`System::rigid`].
+    pub rigid: Vec<f64>,
+}
+
+impl Increment {
+    /// Zero, for `system`.
+    pub fn zero(system: &System) -> Self {
+        let size = system.tree.velocities;
+        let rigid = vec![0.0; system.rigid.len()];
+        Self { phi: vec![0.0; size], v: vec![0.0; size], a: vec![0.0; size], rigid }
+    }
+
+    fn set(&mut self, weights: &[f64], terms: &[Self], base: &Self) {
+        self.phi.copy_from_slice(&base.phi);
+        self.v.copy_from_slice(&base.v);
+        self.a.copy_from_slice(&base.a);
+        self.rigid.copy_from_slice(&base.rigid);
+        for (&weight, term) in weights.iter().zip(terms) {
+            if weight != 0.0 {
+                add(&mut self.phi, weight, &term.phi);
+                add(&mut self.v, weight, &term.v);
+                add(&mut self.a, weight, &term.a);
+                add(&mut self.rigid, weight, &term.rigid);
+            }
+        }
+    }
+}
+
+fn add(out: &mut [f64], weight: f64, values: &[f64]) {
+    for (out, value) in out.iter_mut().zip(values) {
+        *out += weight * value;
+    }
+}
+
+/// A step that has been computed and not yet made: a course in time from `start` on.
+#[derive(Debug, Clone)]
+pub struct Course {
+    /// Length [s].
+    pub h: f64,
+    /// v and a at the start; φ is 0.
+    start: Increment,
+    /// Motion at the end: φ, v, a.
+    pub end: Increment,
+    /// Error estimate.
+    pub error: Increment,
+    /// Terms of the dense output.
+    dense: [Increment; 3],
+}
+
+impl Course {
+    /// φ, v, a at the share `theta` of the step.
+    pub fn at(&self, theta: f64, out: &mut Increment) {
+        let rest = 1.0 - theta;
+        let [first, second, third] = [theta * rest, theta * theta * rest, theta * theta * theta * rest];
+        let mix = |k: usize, start: f64, end: &[f64], z: [&[f64]; 3]| {
+            rest * start + theta * end[k] + first * z[0][k] + second * z[1][k] + third * z[2][k]
+        };
+        let [z1, z2, z3] = &self.dense;
+        for k in 0..out.phi.len() {
+            out.phi[k] = mix(k, 0.0, &self.end.phi, [&z1.phi, &z2.phi, &z3.phi]);
+            out.v[k] = mix(k, self.start.v[k], &self.end.v, [&z1.v, &z2.v, &z3.v]);
+            out.a[k] = mix(k, self.start.a[k], &self.end.a, [&z1.a, &z2.a, &z3.a]);
+        }
+        for k in 0..out.rigid.len() {
+            let terms: [&[f64]; 3] = [&z1.rigid, &z2.rigid, &z3.rigid];
+            out.rigid[k] = mix(k, self.start.rigid[k], &self.end.rigid, terms);
+        }
+    }
+
+    /// Derivative over time of φ and v at the share `theta`, in `out.phi` and `out.v`.
+    pub fn rate_at(&self, theta: f64, out: &mut Increment) {
+        // d/dθ of (1−θ) y + θ y₊ + (θ − θ²) z₁ + (θ² − θ³) z₂ + (θ³ − θ⁴) z₃.
+        let slopes = [1.0 - 2.0 * theta, theta * (2.0 - 3.0 * theta), theta * theta * (3.0 - 4.0 * theta)];
+        let [z1, z2, z3] = &self.dense;
+        for k in 0..out.phi.len() {
+            let phi = self.end.phi[k] + slopes[0] * z1.phi[k] + slopes[1] * z2.phi[k] + slopes[2] * z3.phi[k];
+            let v = self.end.v[k] - self.start.v[k]
+                + slopes[0] * z1.v[k]
+                + slopes[1] * z2.v[k]
+                + slopes[2] * z3.v[k];
+            out.phi[k] = phi / self.h;
+            out.v[k] = v / self.h;
+        }
+    }
+}
+
+/// The method with its work arrays.
+#[derive(Debug, Clone)]
+pub struct Rodas {
+    /// The start of the step.
+    pub here: Evaluation,
+    /// The step.
+    pub course: Course,
+    /// The matrix of the stages.
+    pub matrix: TangentMatrix,
+    stage: Evaluation,
+    k: Vec<Increment>,
+    point: Increment,
+    none: Increment,
+    r: Vec<f64>,
+    rho: Vec<f64>,
+    sum: Vec<f64>,
+    force: Vec<f64>,
+    rows: Vec<f64>,
+    x: Vec<f64>,
+}
+
+impl Rodas {
+    /// Room for `system`.
+    pub fn new(system: &System) -> Self {
+        let size = system.tree.velocities;
+        let zero = || Increment::zero(system);
+        Self {
+            here: Evaluation::new(system),
+            course: Course {
+                h: 0.0,
+                start: zero(),
+                end: zero(),
+                error: zero(),
+                dense: [zero(), zero(), zero()],
+            },
+            matrix: TangentMatrix::new(system),
+            stage: Evaluation::new(system),
+            k: vec![zero(); STAGES],
+            point: zero(),
+            none: zero(),
+            r: vec![0.0; size],
+            rho: vec![0.0; size],
+            sum: vec![0.0; size],
+            force: vec![0.0; size],
+            rows: vec![0.0; system.rows.count()],
+            x: vec![0.0; size],
+        }
+    }
+
+    /// Evaluates the motion at the start of a step.
+    pub fn evaluate(&mut self, system: &System, state: &State) {
+        for (tension, &row) in self.point.rigid.iter_mut().zip(&system.rigid) {
+            *tension = state.tension[row];
+        }
+        let point = Point {
+            base: &state.q,
+            memory: &state.memory,
+            phi: &self.none.phi,
+            v: &state.v,
+            a: &state.acceleration,
+            rigid: &self.point.rigid,
+        };
+        self.here.all(system, &point, &state.modes, &state.slip);
+    }
+
+    /// Evaluates the tangents there.
+    pub fn linearise(&mut self, system: &System, state: &State, mass: &MassMatrix) {
+        self.matrix.linearise(system, &self.here, mass, state);
+    }
+
+    /// Computes a step of length `h` [s] from `state`, where [`Rodas::evaluate`] and [`Rodas::linearise`] have been called.
+    ///
+    /// # Errors
+    /// [`ZeroPivot`] where the matrix is singular.
+    pub fn attempt(
+        &mut self,
+        system: &System,
+        state: &State,
+        mass: &MassMatrix,
+        h: f64,
+    ) -> Result<(), ZeroPivot> {
+        let kappa = GAMMA * h;
+        self.course.start.v.copy_from_slice(&state.v);
+        self.course.start.a.copy_from_slice(&state.acceleration);
+        for (tension, &row) in self.course.start.rigid.iter_mut().zip(&system.rigid) {
+            *tension = state.tension[row];
+        }
+        let (modes, slip) = (&state.modes, &state.slip);
+        self.matrix.factorise(system, &self.here, mass, state, kappa)?;
+        for stage in 0..STAGES {
+            self.point.set(A[stage], &self.k, &self.course.start);
+            if stage > 0 {
+                let Increment { phi, v, a, rigid } = &self.point;
+                let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
+                self.stage.all(system, &point, modes, slip);
+            }
+            self.stage_sides(system, state, mass, stage, h);
+            self.matrix.solve(&self.force, &self.rows, &mut self.x);
+            let k = &mut self.k[stage];
+            self.matrix.increments(system, &state.v, kappa, &self.x, &mut k.phi);
+            for dof in 0..self.x.len() {
+                k.v[dof] = self.x[dof] - self.r[dof];
+                k.a[dof] = k.v[dof] / kappa - self.rho[dof];
+            }
+            for (tension, &row) in k.rigid.iter_mut().zip(&system.rigid) {
+                *tension = self.matrix.row_solution(row) / kappa;
+            }
+        }
+        self.finish(h);
+        Ok(())
+    }
+
+    /// Right sides of a stage, and the rates of the driven degrees of freedom.
+    fn stage_sides(&mut self, system: &System, state: &State, mass: &MassMatrix, stage: usize, h: f64) {
+        let kappa = GAMMA * h;
+        let at = if stage == 0 { &self.here } else { &self.stage };
+        self.r.copy_from_slice(&at.phi_rate);
+        self.rho.copy_from_slice(&self.point.a);
+        for (&weight, k) in C[stage].iter().zip(&self.k) {
+            add(&mut self.r, weight / h, &k.phi);
+            add(&mut self.rho, weight / h, &k.v);
+        }
+        for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+            let dof = drive.dof;
+            let (now, _) = timeline.acceleration(state.time, state.time + TIMES[stage] * h);
+            let (_, jerk) = timeline.acceleration(state.time, state.time);
+            let k_a = now - self.point.a[dof] + h * D[stage] * jerk;
+            self.x[dof] = self.r[dof] + kappa * (k_a + self.rho[dof]);
+        }
+        for dof in 0..self.sum.len() {
+            self.sum[dof] = kappa * self.rho[dof] + self.r[dof];
+        }
+        mass.multiply(&self.sum, &mut self.force);
+        self.matrix.add_damping(system, mass, &self.r, kappa, &mut self.force);
+        for (force, imbalance) in self.force.iter_mut().zip(&at.imbalance) {
+            *force -= kappa * imbalance;
+        }
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            let tau = law.damping_time();
+            self.rows[row] = match state.modes[row] {
+                Mode::Acting if tau > 0.0 => {
+                    tau * system.rows.rate(&self.here.frame.gradient, row, &self.r) / (kappa + tau)
+                }
+                Mode::Slipping => {
+                    kappa * self.matrix.slip_rate(system, &self.here, &state.slip, row, &self.r)
+                }
+                _ => 0.0,
+            };
+        }
+        for (index, &row) in system.rigid.iter().enumerate() {
+            if state.modes[row] == Mode::Acting {
+                let along = system.rows.rate(&self.here.frame.gradient, row, &self.sum);
+                let turning = self.matrix.pull_rate(system, index, &self.r);
+                self.rows[row] = along + kappa * (turning - at.pull[index]);
+            }
+        }
+    }
+
+    fn finish(&mut self, h: f64) {
+        let Course { h: length, end, error, dense, .. } = &mut self.course;
+        *length = h;
+        let last = &self.k[STAGES - 1];
+        for dof in 0..self.x.len() {
+            end.phi[dof] = self.point.phi[dof] + last.phi[dof];
+            end.v[dof] = self.point.v[dof] + last.v[dof];
+            end.a[dof] = self.point.a[dof] + last.a[dof];
+        }
+        error.phi.copy_from_slice(&last.phi);
+        error.v.copy_from_slice(&last.v);
+        error.a.copy_from_slice(&last.a);
+        for (index, end) in end.rigid.iter_mut().enumerate() {
+            *end = self.point.rigid[index] + last.rigid[index];
+            error.rigid[index] = last.rigid[index];
+        }
+        for (term, weights) in dense.iter_mut().zip(&H) {
+            term.set(weights, &self.k, &self.none);
+        }
+    }
+}

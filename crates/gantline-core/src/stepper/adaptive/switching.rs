@@ -1,0 +1,312 @@
+//! Changes of the rows' modes: seen along the course of a step, made at its end.
+
+use super::books::WEIGHTS;
+use super::evaluation::{Evaluation, Point};
+use super::rodas::Increment;
+use super::{Adaptive, LOOKS, SWITCHING};
+use crate::audit::Flows;
+use crate::constraint::{AnyConstraint, Law};
+use crate::event::{EventKind, EventLog};
+use crate::solver::complementarity::Mode;
+use crate::state::State;
+use crate::system::System;
+
+/// Speed of an anchor against the direction of sliding that counts as much as the switching tolerance of a force
+/// [m/s].
+const REVERSAL: f64 = 1e-6;
+
+/// What the laws ask at the shares [`LOOKS`] of a step.
+#[derive(Debug, Clone)]
+pub struct Looks {
+    /// Without bound, of every row [N].
+    trial: [Vec<f64>; LOOKS.len()],
+    /// At the start of the step.
+    start: Vec<f64>,
+    /// How far every look is from its law, the worst row [N].
+    far: [f64; LOOKS.len()],
+}
+
+impl Looks {
+    /// Room for `system`.
+    pub fn new(system: &System) -> Self {
+        let zeros = || vec![0.0; system.rows.count()];
+        Self { trial: std::array::from_fn(|_| zeros()), start: zeros(), far: [0.0; LOOKS.len()] }
+    }
+}
+
+impl Adaptive {
+    /// Looks at the course of the step that has been computed: how far rows are from their laws, and what flows.
+    pub(super) fn look(&mut self, system: &System, state: &State) {
+        self.looks.start.copy_from_slice(&self.rodas.here.trial);
+        self.flows = Flows::default();
+        let h = self.rodas.course.h;
+        for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
+            self.book_look(system, state, theta, weight * h);
+            self.looks.far[index] = self.farthest(system, state, &self.probe);
+            self.looks.trial[index].copy_from_slice(&self.probe.trial);
+        }
+        self.set_driven(system, state);
+        let Increment { phi, v, a, rigid } = &self.rodas.course.end;
+        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
+        self.next.all(system, &point, &state.modes, &state.slip);
+        self.looks.far[WEIGHTS.len()] = self.farthest(system, state, &self.next);
+        self.looks.trial[WEIGHTS.len()].copy_from_slice(&self.next.trial);
+    }
+
+    /// Puts driven joints exactly where their drives are at the end of the step, so that rounding does not add up.
+    fn set_driven(&mut self, system: &System, state: &State) {
+        let course = &mut self.rodas.course;
+        let time = state.time + course.h;
+        for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+            let motion = timeline.motion(time);
+            let position = state.q[system.tree.bodies[drive.body].first_position];
+            course.end.phi[drive.dof] = motion.position - position;
+            course.end.v[drive.dof] = motion.velocity;
+        }
+    }
+
+    /// Share of the step that may be made: up to where a row reaches the switching tolerance, or where the plan's
+    /// condition is fulfilled.
+    pub(super) fn cut(&mut self, system: &System, state: &State) -> f64 {
+        let allowed = SWITCHING * self.tolerance.tension;
+        let mut made = 1.0;
+        if let Some(index) = self.looks.far.iter().position(|&far| far > allowed) {
+            let mut low = if index == 0 { 0.0 } else { LOOKS[index - 1] };
+            let mut high = LOOKS[index];
+            // Anything between half of the tolerance and the tolerance will do.
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                self.probe_rows(system, state, middle);
+                let far = self.farthest(system, state, &self.probe);
+                if far > allowed {
+                    high = middle;
+                } else {
+                    low = middle;
+                    if far > 0.5 * allowed {
+                        break;
+                    }
+                }
+            }
+            made = if low > 0.0 { low } else { high };
+        }
+        self.condition(system, state, made)
+    }
+
+    /// The share at which the condition of the plan is first fulfilled, or `made`.
+    fn condition(&mut self, system: &System, state: &State, made: f64) -> f64 {
+        if !self.fulfilled(system, state, made) {
+            return made;
+        }
+        let (mut low, mut high) = (0.0, made);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if self.fulfilled(system, state, middle) { high = middle } else { low = middle }
+        }
+        high
+    }
+
+    fn fulfilled(&mut self, system: &System, state: &State, theta: f64) -> bool {
+        if !state.plan.waits_for_condition() {
+            return false;
+        }
+        self.probe_rows(system, state, theta);
+        for (sum, group) in self.support.iter_mut().zip(&system.groups) {
+            let normals = group.contacts.iter().map(|&contact| system.rows.first[contact]);
+            *sum = normals.map(|row| self.probe.tension[row].max(0.0)).sum();
+        }
+        state.plan.is_fulfilled(&system.plan, &self.support)
+    }
+
+    /// The largest distance of a row from its law [N].
+    fn farthest(&self, system: &System, state: &State, at: &Evaluation) -> f64 {
+        (0..system.rows.count()).map(|row| self.distance(system, state, row, at)).fold(0.0, f64::max)
+    }
+
+    /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
+    fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
+        match (system.rows.laws[row], state.modes[row]) {
+            (Law::Unilateral { .. }, Mode::Slack) => at.trial[row],
+            (Law::Unilateral { .. }, _) => -at.trial[row],
+            (Law::Friction { normal, .. }, _) if row != normal + 1 => 0.0,
+            (Law::Friction { .. }, Mode::Slack) => 0.0,
+            (Law::Friction { coefficient, normal, .. }, Mode::Acting) => {
+                at.trial[row].hypot(at.trial[row + 1]) - coefficient * at.trial[normal].max(0.0)
+            }
+            (Law::Friction { coefficient, normal, .. }, Mode::Slipping) => {
+                // The anchor slides as long as the point moves faster than a growing bound stretches the spring.
+                let along = at.rate[row] * state.slip[row] + at.rate[row + 1] * state.slip[row + 1];
+                let anchor = along - coefficient * at.rate[normal];
+                -anchor / REVERSAL * SWITCHING * self.tolerance.tension
+            }
+        }
+    }
+
+    /// Lets every row that has crossed over change side at the new state; true where any did. The step started
+    /// at `start` [s] and was `length` [s] long.
+    pub(super) fn switch(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        log: &mut EventLog,
+        start: f64,
+        length: f64,
+    ) -> bool {
+        let mut any = false;
+        for (index, constraint) in system.constraints.iter().enumerate() {
+            let row = system.rows.first[index];
+            if self.distance(system, state, row, &self.rodas.here) > 0.0 {
+                any = true;
+                let taut = state.modes[row] == Mode::Slack;
+                state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
+                state.engaged |= taut;
+                let time = start + length * self.crossing(row);
+                match constraint {
+                    AnyConstraint::Rope(_) => {
+                        log.push(time, if taut { EventKind::Taut } else { EventKind::Slack }, index);
+                    }
+                    AnyConstraint::Contact(contact) => {
+                        let mode = if taut { Mode::Acting } else { Mode::Slack };
+                        self.set_friction(state, row, mode);
+                        self.log_group(system, state, log, contact.group, taut, time);
+                    }
+                }
+            }
+            if let AnyConstraint::Contact(_) = constraint {
+                any |= self.switch_friction(system, state, log, index);
+            }
+        }
+        any
+    }
+
+    /// Sticking and sliding of the contact `index`.
+    fn switch_friction(&self, system: &System, state: &mut State, log: &mut EventLog, index: usize) -> bool {
+        let first = system.rows.first[index] + 1;
+        let here = &self.rodas.here;
+        if state.modes[first] == Mode::Slipping {
+            let direction = here.slip_direction(first - 1, &state.slip);
+            let turned = self.distance(system, state, first, here) > 0.0;
+            if turned {
+                // The anchor is where spring and damper carry the present force.
+                for k in 0..2 {
+                    let row = first + k;
+                    let Law::Friction { coefficient, normal, compliance, damping_time } =
+                        system.rows.laws[row]
+                    else {
+                        continue;
+                    };
+                    let force = coefficient * here.trial[normal].max(0.0) * state.slip[row];
+                    let stretch = force * compliance - damping_time * here.rate[row];
+                    state.memory[row] += here.frame.value[row] - stretch;
+                }
+                self.set_modes(state, first, Mode::Acting);
+                log.push(state.time, EventKind::Stick, index);
+            } else {
+                state.slip[first..first + 2].copy_from_slice(&direction);
+            }
+            return turned;
+        }
+        if self.distance(system, state, first, here) > 0.0 {
+            let size = here.trial[first].hypot(here.trial[first + 1]);
+            for k in 0..2 {
+                state.slip[first + k] = here.trial[first + k] / size;
+            }
+            self.set_modes(state, first, Mode::Slipping);
+            log.push(state.time, EventKind::Slip, index);
+            return true;
+        }
+        false
+    }
+
+    /// Friction follows its normal force: a contact that closes sticks where it touches.
+    fn set_friction(&self, state: &mut State, normal: usize, mode: Mode) {
+        for row in [normal + 1, normal + 2] {
+            state.memory[row] += self.rodas.here.frame.value[row];
+        }
+        self.set_modes(state, normal + 1, mode);
+    }
+
+    fn set_modes(&self, state: &mut State, first: usize, mode: Mode) {
+        state.modes[first] = mode;
+        state.modes[first + 1] = mode;
+    }
+
+    /// Lift-off when the last contact of a group has opened, set-down when the first has closed.
+    fn log_group(
+        &self,
+        system: &System,
+        state: &State,
+        log: &mut EventLog,
+        group: usize,
+        closed: bool,
+        time: f64,
+    ) {
+        let touching = system.groups[group].contacts.iter();
+        let touching = touching.filter(|&&contact| state.modes[system.rows.first[contact]] != Mode::Slack);
+        match (touching.count(), closed) {
+            (0, false) => log.push(time, EventKind::LiftOff, group),
+            (1, true) => log.push(time, EventKind::SetDown, group),
+            _ => {}
+        }
+    }
+
+    /// Share of the step that was made at which the trial force of a row went through zero.
+    fn crossing(&self, row: usize) -> f64 {
+        let course = self.looks.course(row);
+        let new_sign = self.rodas.here.trial[row] > 0.0;
+        let last = (1..POINTS).find(|&k| (course.values[k] > 0.0) == new_sign).unwrap_or(POINTS - 1);
+        let (mut low, mut high) = (course.times[last - 1], course.times[last]);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if (course.at(middle) > 0.0) == new_sign { high = middle } else { low = middle }
+        }
+        (high / self.made).min(1.0)
+    }
+
+    /// The largest force of a rope in the last step [N] and the share of the step at which it was, where it is
+    /// more than `least`.
+    pub fn peak(&self, row: usize, least: f64) -> Option<(f64, f64)> {
+        let course = self.looks.course(row);
+        let highest = (0..POINTS).max_by(|&a, &b| course.values[a].total_cmp(&course.values[b]))?;
+        // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most.
+        if course.values[highest] < 0.9 * least {
+            return None;
+        }
+        let mut low = course.times[highest.saturating_sub(1)].min(self.made);
+        let mut high = course.times[(highest + 1).min(POINTS - 1)].min(self.made);
+        for _ in 0..40 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if course.at(a) < course.at(b) { low = a } else { high = b }
+        }
+        let (share, value) = (0.5 * (low + high), course.at(0.5 * (low + high)));
+        (value > least).then_some((value, share / self.made))
+    }
+}
+
+/// The start of a step and its looks.
+const POINTS: usize = LOOKS.len() + 1;
+
+/// What the law asks of one row along a step: the polynomial through the start and the looks.
+struct RowCourse {
+    times: [f64; POINTS],
+    values: [f64; POINTS],
+}
+
+impl Looks {
+    fn course(&self, row: usize) -> RowCourse {
+        RowCourse {
+            times: std::array::from_fn(|k| if k == 0 { 0.0 } else { LOOKS[k - 1] }),
+            values: std::array::from_fn(|k| if k == 0 { self.start[row] } else { self.trial[k - 1][row] }),
+        }
+    }
+}
+
+impl RowCourse {
+    fn at(&self, x: f64) -> f64 {
+        let term = |i: usize| {
+            let others = (0..POINTS).filter(|&j| j != i);
+            self.values[i]
+                * others.map(|j| (x - self.times[j]) / (self.times[i] - self.times[j])).product::<f64>()
+        };
+        (0..POINTS).map(term).sum()
+    }
+}
