@@ -44,6 +44,11 @@ impl RampShape {
 }
 
 impl Ramp {
+    /// When the velocity has changed [s]. Whoever stops there must see the ramp as over, to the last bit.
+    fn end(&self) -> f64 {
+        self.at + self.duration
+    }
+
     fn motion(&self, time: f64) -> Motion {
         let elapsed = (time - self.at).max(0.0);
         let change = self.to - self.from;
@@ -93,7 +98,7 @@ impl Timeline {
     pub fn acceleration(&self, from: f64, time: f64) -> (f64, f64) {
         let next = self.ramps.partition_point(|ramp| ramp.at <= from);
         let under_way = next.checked_sub(1).map(|last| &self.ramps[last]);
-        let Some(ramp) = under_way.filter(|ramp| from - ramp.at < ramp.duration) else { return (0.0, 0.0) };
+        let Some(ramp) = under_way.filter(|ramp| from < ramp.end()) else { return (0.0, 0.0) };
         let (s, slope) = ((time - ramp.at) / ramp.duration, (ramp.to - ramp.from) / ramp.duration);
         match ramp.shape {
             RampShape::Linear => (slope, 0.0),
@@ -103,7 +108,7 @@ impl Timeline {
 
     /// The next time after `time` [s] at which a ramp starts or ends.
     pub fn next_break(&self, time: f64) -> f64 {
-        let breaks = self.ramps.iter().flat_map(|ramp| [ramp.at, ramp.at + ramp.duration]);
+        let breaks = self.ramps.iter().flat_map(|ramp| [ramp.at, ramp.end()]);
         breaks.filter(|&at| at > time).fold(f64::INFINITY, f64::min)
     }
 
@@ -154,6 +159,18 @@ mod tests {
                 assert!((velocity - here.velocity).abs() < 1e-9, "{shape:?} {time}");
                 assert!((acceleration - here.acceleration).abs() < 1e-9, "{shape:?} {time}");
             }
+        }
+    }
+
+    #[test]
+    fn at_the_end_of_a_ramp_it_is_over() {
+        // 72.56 + 0.05 − 72.56 < 0.05 in floating point: the next step would start with the ramp's acceleration.
+        for at in [72.56, 82.565, 0.1 + 0.2, 1e5 / 3.0] {
+            let mut timeline = Timeline::new(0.0, 2);
+            let end = timeline.ramp(at, 0.05, 0.005, RampShape::Linear);
+            assert_eq!(timeline.next_break(at), end);
+            assert_eq!(timeline.acceleration(end, end + 0.1), (0.0, 0.0));
+            assert!(timeline.acceleration(at, end).0 > 0.0);
         }
     }
 
