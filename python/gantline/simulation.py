@@ -16,7 +16,7 @@ from typing import Any
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
 from gantline.results.derive import recording_of
-from gantline.results.metrics import ENERGY_BOUND
+from gantline.results.metrics import energy_bound
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.errors import Problem
@@ -157,8 +157,9 @@ class Simulation:
         """Everything recorded so far."""
         remainder = self._core.energy_remainder()
         warnings = list(getattr(self.assembly, "warnings", ()))
-        if remainder > ENERGY_BOUND:
-            missed = f"remainder {remainder:.2g} of the largest energy, bound {ENERGY_BOUND:g}"
+        bound = energy_bound(self.settings)
+        if remainder > bound:
+            missed = f"remainder {remainder:.2g} of the largest energy, bound {bound:g}"
             warnings.append(f"the energy balance does not close: {missed}")
         return recording_of(
             self._core.columns(),

@@ -190,7 +190,8 @@ def test_files_are_pictures_of_their_names(tmp_path: Path) -> None:
 
 def test_a_recording_without_a_scene_is_not_drawn_but_plotted() -> None:
     recording = ringing_lift()
-    recording = Recording(recording.variables, recording.coordinates, {"rig": sample_rig(), "scene": {}})
+    attributes = {"rig": sample_rig(), "scene": {}, "settings": recording.attributes["settings"]}
+    recording = Recording(recording.variables, recording.coordinates, attributes)
     names = list(pictures(recording))
     assert "sling_tension" in names
     assert "equalizer_e1" not in names

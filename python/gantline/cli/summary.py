@@ -9,7 +9,7 @@ import numpy as np
 from gantline.checks import Check, Verdict
 from gantline.cli.table import ABSENT, pairs, table
 from gantline.results import series
-from gantline.results.metrics import ENERGY_BOUND, metrics_of
+from gantline.results.metrics import energy_bound, metrics_of
 from gantline.results.recording import Recording
 from gantline.results.rig import Equalizer, Rig
 from gantline.units import format_quantity
@@ -311,9 +311,8 @@ def _trust(recording: Recording, metrics: dict[str, float]) -> list[str]:
     remainder = metrics.get("energy_remainder")
     lines = []
     if remainder is not None:
-        verdict = "the balance closes" if remainder <= ENERGY_BOUND else "THE BALANCE DOES NOT CLOSE"
-        lines.append(
-            f"Energy remainder {remainder:.1e} of the largest energy, bound {ENERGY_BOUND:.0e}: {verdict}"
-        )
+        bound = energy_bound(recording.attributes["settings"])
+        verdict = "the balance closes" if remainder <= bound else "THE BALANCE DOES NOT CLOSE"
+        lines.append(f"Energy remainder {remainder:.1e} of the largest energy, bound {bound:.0e}: {verdict}")
     warnings = recording.attributes.get("warnings") or []
     return lines + [f"Warning: {warning}" for warning in warnings]

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from gantline.plot.style import colour, few_ticks, label_ends, limit_line, time_figure
-from gantline.results.metrics import ENERGY_BOUND
+from gantline.results.metrics import energy_bound
 from gantline.results.recording import Recording
 
 _SHOWN_FROM = 1e-4  # of the largest energy; smaller kinds are left out
@@ -33,7 +33,7 @@ def energy(recording: Recording) -> Figure | None:
     reference = float(np.max(kinds["kinetic"] + kinds["elastic"] + np.abs(kinds["drive_work"])))
     relative = remainder / reference * 100.0 if reference > 0.0 else remainder
     panels[1].plot(recording.time, relative, color="#4D4D4D")
-    bound = ENERGY_BOUND * 100.0
+    bound = energy_bound(recording.attributes["settings"]) * 100.0
     reach = 1.5 * max(bound, float(np.abs(relative).max()))
     panels[1].set_ylim(-reach, reach)
     limit_line(panels[1], bound, f"bound {bound:g} %")
