@@ -1,0 +1,152 @@
+"""`gantline run` where the mechanics cannot go on: exit code 3, element, cause, and what there is saved."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import gantline
+from gantline.cli.app import app
+
+G = 9.81
+ROPE_TWICE = """
+format: 1
+lift: {title: Two inextensible ropes side by side}
+duration: 2 s
+simulation: {sample_interval: 50 ms}
+ropes:
+  thin: {inextensible: true}
+mechanics:
+  bodies:
+    ceiling: {joint: {type: fixed}}
+    weight: {at: [0 m, 0 m, -HEIGHT], joint: {type: point}, mass: 40 kg}
+  ropes:
+    first:  {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: weight}]}
+    second: {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: weight}]}
+"""
+DEAD_CENTRE = """
+format: 1
+lift: {title: A plumb rope cannot hold what slides level}
+duration: 2 s
+ropes:
+  thin: {inextensible: true}
+mechanics:
+  bodies:
+    ceiling: {joint: {type: fixed}}
+    trolley: {at: [0 m, 0 m, -5 m], joint: {type: slider, axis: [1, 0, 0]}, mass: 40 kg}
+  ropes:
+    plumb: {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: trolley}]}
+"""
+# The part between dead end and sheave shrinks to nothing and turns round: the force jumps.
+PAST_THE_END = """
+format: 1
+lift: {title: A moving sheave falls past the dead end of its rope}
+duration: 2 s
+simulation: {sample_interval: 50 ms, tension_tolerance: 1 N}
+ropes:
+  stiff: {axial_stiffness: 1e5 MN, damping_time: 10 ms}
+mechanics:
+  bodies:
+    post: {joint: {type: fixed}}
+    sheave: {at: [0 m, 0 m, 2 m], joint: {type: slider, axis: [0, 0, 1]}, mass: 300 kg}
+  ropes:
+    fall:
+      rope: stiff
+      length: 11.2 m
+      route:
+        - {type: end, body: post, at: [-0.4 m, 0 m, 0 m]}
+        - {type: half_turn, body: sheave, enter: [-0.4 m, 0 m, 0 m], leave: [0.4 m, 0 m, 0 m],
+           bulge: [0, 0, -1]}
+        - {type: end, body: post, at: [0.4 m, 0 m, 10 m]}
+"""
+NO_INERTIA = """
+format: 1
+lift: {title: A hinge that nothing holds back}
+duration: 2 s
+mechanics:
+  bodies:
+    flap: {joint: {type: hinge, axis: [0, 1, 0]}, mass: 40 kg}
+"""
+
+
+def run(folder: Path, text: str, *words: str) -> tuple[int, str]:
+    """Exit code, and what was printed as one line of words."""
+    lift = folder / "lift.yaml"
+    lift.write_text(text, encoding="utf-8")
+    result = CliRunner().invoke(app, ["run", str(lift), "-o", str(folder / "out"), "--no-plots", *words])
+    return result.exit_code, " ".join(result.output.split())
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "element", "cause", "fails_at", "recorded"),
+    [
+        # The second rope goes taut with the first, after a fall of 1 m; that step starts before.
+        (
+            ROPE_TWICE.replace("HEIGHT", "4 m"),
+            (),
+            "second",
+            "an inextensible rope that repeats another",
+            (0.0, math.sqrt(2 * 1.0 / G)),
+            0.2,
+        ),
+        (
+            ROPE_TWICE.replace("HEIGHT", "4 m"),
+            ("--integrator", "del"),
+            "second",
+            "an inextensible rope that repeats another",
+            (math.sqrt(2 * 1.0 / G) - 2e-3, math.sqrt(2 * 1.0 / G) + 2e-3),
+            0.45,
+        ),
+        (DEAD_CENTRE, (), "plumb", "the equations are singular here", (0.0, 0.0), None),
+        (
+            PAST_THE_END,
+            (),
+            "sheave",
+            "forces change faster than any step can follow",
+            (math.sqrt(2 * 2.0 / G) - 2e-3, math.sqrt(2 * 2.0 / G) + 2e-3),
+            0.6,
+        ),
+    ],
+    ids=["redundant ropes", "redundant ropes by del", "singular at the start", "step at its floor"],
+)
+def test_time_element_and_cause_are_said_and_what_there_is_is_saved(
+    tmp_path: Path,
+    text: str,
+    words: tuple[str, ...],
+    element: str,
+    cause: str,
+    fails_at: tuple[float, float],
+    recorded: float | None,
+) -> None:
+    code, said = run(tmp_path, text, *words)
+    assert code == 3, said
+    assert "Traceback" not in said
+    assert f" s at {element}: " in said
+    assert cause in said
+    time = float(said.split("could not go on at t = ")[1].split()[0])
+    assert fails_at[0] - 1e-3 <= time <= fails_at[1] + 1e-3
+    recording = gantline.open_recording(tmp_path / "out" / "recording.nc")
+    assert recording.attributes["status"] == "failed"
+    if recorded is None:
+        assert len(recording.time) == 0, "it failed before the first sample was due"
+    else:
+        assert recorded <= recording.time[-1] <= time + 1e-3
+    # The last good state belongs to this lift: it can be taken up again, and fails in the same way.
+    overrides = {"integrator": "del"} if words else {}
+    again = gantline.Simulation(tmp_path / "lift.yaml", **overrides)
+    again.restore((tmp_path / "out" / "state.bin").read_bytes())
+    with pytest.raises(gantline.SimulationError) as failure:
+        again.run()
+    assert failure.value.element == element
+    assert failure.value.time == pytest.approx(time, abs=1e-3)
+
+
+def test_a_body_without_inertia_is_refused_before_anything_runs(tmp_path: Path) -> None:
+    """Infinite accelerations cannot arise: what would have them is bad input."""
+    code, said = run(tmp_path, NO_INERTIA)
+    assert code == 2
+    assert "flap: it has no inertia in a direction that it can move" in said
+    assert not (tmp_path / "out").exists()
