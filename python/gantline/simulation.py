@@ -109,7 +109,7 @@ class Simulation:
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
             )
         except ValueError as problem:
-            raise ScenarioError(str(self.scenario.source), [Problem(None, "", str(problem))]) from problem
+            raise _refused(self.scenario, str(problem)) from problem
 
     @property
     def duration(self) -> float:
@@ -191,6 +191,16 @@ class Simulation:
         """
         self._core.restore(state)
         self.status = "ready"
+
+
+def _refused(scenario: Scenario, message: str) -> ScenarioError:
+    """What the core refuses, at the line of the element that it names."""
+    element, _, sentence = message.partition(": ")
+    if scenario.mechanics is not None:
+        for kind in ("bodies", "ropes", "contacts"):
+            if element in (getattr(scenario.mechanics, kind) or {}):
+                return scenario.error(("mechanics", kind, element), sentence)
+    return ScenarioError(str(scenario.source), [Problem(None, "", message)])
 
 
 def _overridden(

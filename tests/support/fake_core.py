@@ -82,7 +82,7 @@ def core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
     class Core(FakeCore):
         pass
 
-    scenario = SimpleNamespace(text="format: 1\n", source="lift.yaml")
+    scenario = SimpleNamespace(text="format: 1\n", source="lift.yaml", mechanics=None)
     assembly = SimpleNamespace(
         document={}, settings=SETTINGS, rig=sample_rig(), scene=sample_scene(), document_text=lambda: "{}"
     )

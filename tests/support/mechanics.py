@@ -76,8 +76,13 @@ def half_turn(body_name: str | None, centre: Sequence[float], radius: float, ove
     }
 
 
+def sheave(body_name: str | None, at: Sequence[float], axis: Sequence[float], radius: float) -> Json:
+    """A sheave with true tangents; the rope runs about its axis."""
+    return {"type": "sheave", "body": body_name, "at": list(at), "axis": list(axis), "radius": radius}
+
+
 def rope(
-    name: str, length: float, route: Sequence[Json], ea: float | None, damping_time: float = 0.0
+    name: str, length: float | None, route: Sequence[Json], ea: float | None, damping_time: float = 0.0
 ) -> Json:
     """A rope; without `ea` [N] it is inextensible."""
     material: Json = {"type": "inextensible"}

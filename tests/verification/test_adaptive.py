@@ -209,7 +209,7 @@ def test_double_pendulum_on_elastic_ropes_for_1000_s(tolerance: float | None, bo
         system,
         1000.0,
         tension_tolerance=tolerance and tolerance * m2 * g,
-        position_tolerance=tolerance and 1e-7,
+        position_tolerance=tolerance and 5e-8,
         sample_interval=1.0,
     )
     stored = run.energy("kinetic") + run.energy("gravity") + run.energy("elastic")

@@ -7,6 +7,7 @@ use crate::audit::KINDS;
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
+use crate::rope::route::Straight;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::bias::{NewtonEuler, Wrench};
@@ -75,6 +76,7 @@ pub struct Recorder {
     twists: Vec<Twist>,
     applied: Vec<Wrench>,
     unused: Vec<f64>,
+    straights: Vec<Straight>,
     sample: State,
 }
 
@@ -88,6 +90,7 @@ impl Recorder {
             twists: vec![Twist::default(); system.tree.bodies.len()],
             applied: vec![Wrench::default(); system.tree.bodies.len()],
             unused: vec![0.0; system.tree.velocities],
+            straights: Vec::new(),
             sample: state.clone(),
         }
     }
@@ -162,18 +165,23 @@ impl Recorder {
     /// Adds a rope's columns and its forces on bodies; returns its length [m].
     fn take_rope(&mut self, rope: &Rope, tension: f64, columns: &mut Columns) -> f64 {
         columns.rope_tension.push(tension);
-        let mut length = rope.route.arcs;
-        for part in &rope.route.parts {
-            let straight = part.locate(&self.kinematics);
-            length += straight.length;
+        self.straights.clear();
+        let straights = &mut self.straights;
+        let length = rope.route.length(&self.kinematics, |_, straight| straights.push(*straight));
+        for (index, part) in rope.route.parts.iter().enumerate() {
+            let straight = self.straights[index];
             columns.segment_tension.push(tension);
             columns.segment_length.push(straight.length);
-            let pull = straight.direction * tension;
-            self.apply(part.from.body, straight.from, pull);
-            self.apply(part.to.body, straight.to, -pull);
+            let [start, end] = straight.couple;
+            self.apply(part.from.at.body, straight.from, straight.pull * tension, -start * tension);
+            self.apply(part.to.at.body, straight.to, -straight.pull * tension, -end * tension);
         }
-        for guide in &rope.route.guides {
-            guide.draw(&self.kinematics, ARC_SAMPLES, |point| columns.rope_point.extend(point.to_array()));
+        for (index, guide) in rope.route.guides.iter().enumerate() {
+            let before = index.checked_sub(1).and_then(|part| self.straights.get(part));
+            let parts = [before, self.straights.get(index)];
+            guide.draw(&self.kinematics, parts, ARC_SAMPLES, |point| {
+                columns.rope_point.extend(point.to_array())
+            });
         }
         length
     }
@@ -184,14 +192,14 @@ impl Recorder {
         let tangents = contact.plane.tangents;
         let force = contact.plane.normal * normal - tangents[0] * first - tangents[1] * second;
         let point = self.kinematics.point(Some(contact.body), contact.at);
-        self.apply(Some(contact.body), point, force);
+        self.apply(Some(contact.body), point, force, DVec3::ZERO);
     }
 
-    fn apply(&mut self, body: Option<usize>, point: DVec3, force: DVec3) {
+    fn apply(&mut self, body: Option<usize>, point: DVec3, force: DVec3, couple: DVec3) {
         if let Some(body) = body {
             let wrench = &mut self.applied[body];
             wrench.force += force;
-            wrench.moment += (point - self.kinematics.pose[body].position).cross(force);
+            wrench.moment += (point - self.kinematics.pose[body].position).cross(force) + couple;
         }
     }
 

@@ -82,11 +82,11 @@ pub struct Simulation {
 /// More samples than this are a mistake in the settings.
 const MOST_SAMPLES: f64 = 1e7;
 
-fn above_zero(what: &str, value: f64) -> Result<(), SetupError> {
+fn above_zero(what: &str, value: f64, unit: &str) -> Result<(), SetupError> {
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(SetupError::Setting(format!("{what} is {value} s; it must be more than zero")))
+    Err(SetupError::Setting(format!("{what} is {value} {unit}; it must be more than zero")))
 }
 
 /// FNV-1a, to tell whether a checkpoint belongs to a document.
@@ -103,8 +103,8 @@ impl Simulation {
     pub fn new(document: &str, settings: &str) -> Result<Self, SetupError> {
         let spec: SystemSpec = serde_json::from_str(document)?;
         let parsed: SettingsSpec = serde_json::from_str(settings)?;
-        above_zero("the duration", parsed.duration)?;
-        above_zero("the sample interval", parsed.sample_interval)?;
+        above_zero("the duration", parsed.duration, "s")?;
+        above_zero("the sample interval", parsed.sample_interval, "s")?;
         if parsed.duration / parsed.sample_interval > MOST_SAMPLES {
             let problem = "the sample interval is too short for the duration: more than ten million samples";
             return Err(SetupError::Setting(problem.to_owned()));
@@ -147,14 +147,14 @@ impl Simulation {
     /// # Errors
     /// [`StepError`]; the state is then the last good one.
     pub fn step(&mut self) -> Result<(), StepError> {
-        self.before.clone_from(&self.state);
+        self.before.copy_from(&self.state);
         let Self { system, state, frame, events, .. } = self;
         let made = match &mut self.method {
             Method::Del(del) => del.step(system, state, frame, events),
             Method::Adaptive(adaptive) => adaptive.step(system, state, frame, events, self.settings.duration),
         };
         let report = made.inspect_err(|_| {
-            self.state.clone_from(&self.before);
+            self.state.copy_from(&self.before);
             self.frame.update(&self.system, &self.state);
         })?;
         self.counters.rejected += report.rejected;
@@ -264,7 +264,7 @@ impl Simulation {
         self.columns = checkpoint.columns;
         self.events = checkpoint.events;
         self.counters = checkpoint.counters;
-        self.before.clone_from(&self.state);
+        self.before.copy_from(&self.state);
         self.frame.update(&self.system, &self.state);
         if let Method::Adaptive(adaptive) = &mut self.method {
             adaptive.forget();
@@ -276,7 +276,7 @@ impl Simulation {
 fn method(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Method, SetupError> {
     match *spec {
         IntegratorSpec::Del { step, paper, geometric_stiffness } => {
-            above_zero("the step", step)?;
+            above_zero("the step", step, "s")?;
             Ok(Method::Del(Box::new(Del::new(system, step, geometric_stiffness && !paper))))
         }
         IntegratorSpec::Adaptive { tension_tolerance, position_tolerance } => {
@@ -285,8 +285,8 @@ fn method(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Metho
                 tension: tension_tolerance.unwrap_or(default.tension),
                 position: position_tolerance.unwrap_or(default.position),
             };
-            above_zero("the tension tolerance", tolerance.tension)?;
-            above_zero("the position tolerance", tolerance.position)?;
+            above_zero("the tension tolerance", tolerance.tension, "N")?;
+            above_zero("the position tolerance", tolerance.position, "m")?;
             Ok(Method::Adaptive(Box::new(Adaptive::new(system, frame, tolerance))))
         }
     }

@@ -120,8 +120,8 @@ pub struct AxisJointSpec {
 pub struct RopeSpec {
     /// Unique name.
     pub name: String,
-    /// Unstretched length [m], arcs included.
-    pub length: f64,
+    /// Unstretched length [m], arcs included; none is just taut at the start.
+    pub length: Option<f64>,
     /// What it is made of.
     pub material: MaterialSpec,
     /// Guides in order, from end to end.
@@ -166,6 +166,17 @@ pub enum GuideSpec {
         leave: [f64; 3],
         /// Unit vector, body frame, to the side on which the rope lies on the sheave.
         bulge: [f64; 3],
+    },
+    /// A sheave with true tangents and the wrap that results.
+    Sheave {
+        /// Body that carries the sheave; none is the world.
+        body: Option<String>,
+        /// Its centre [m], body frame.
+        at: [f64; 3],
+        /// Its axis, body frame; the rope runs about it, right-handed. Normalised when built.
+        axis: [f64; 3],
+        /// Radius of the rope's centre line [m].
+        radius: f64,
     },
 }
 

@@ -44,3 +44,42 @@ pub struct State {
     /// Energy so far.
     pub ledger: Ledger,
 }
+
+impl State {
+    /// Takes over another state of the same system; does not allocate.
+    pub fn copy_from(&mut self, other: &Self) {
+        // By name, so that a field that is added is not forgotten.
+        let Self {
+            time,
+            steps,
+            q,
+            v,
+            acceleration,
+            bias,
+            tension,
+            trial,
+            modes,
+            memory,
+            slip,
+            next_step,
+            restart,
+            engaged,
+            engaged_step,
+            plan,
+            ledger,
+        } = other;
+        (self.time, self.steps, self.ledger) = (*time, *steps, *ledger);
+        (self.next_step, self.engaged_step) = (*next_step, *engaged_step);
+        (self.restart, self.engaged) = (*restart, *engaged);
+        self.q.copy_from_slice(q);
+        self.v.copy_from_slice(v);
+        self.acceleration.copy_from_slice(acceleration);
+        self.bias.copy_from_slice(bias);
+        self.tension.copy_from_slice(tension);
+        self.trial.copy_from_slice(trial);
+        self.modes.copy_from_slice(modes);
+        self.memory.copy_from_slice(memory);
+        self.slip.copy_from_slice(slip);
+        self.plan.copy_from(plan);
+    }
+}

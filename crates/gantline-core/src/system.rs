@@ -12,6 +12,8 @@ pub struct Rows {
     pub first: Vec<usize>,
     /// Start of every row's entries in `dofs` and in gradients.
     pub start: Vec<usize>,
+    /// First line of force of every constraint, and the number of lines at the end.
+    pub lines: Vec<usize>,
     /// Degree of freedom of every entry.
     pub dofs: Vec<usize>,
     /// Law of every row.
@@ -21,7 +23,7 @@ pub struct Rows {
 impl Rows {
     /// Rows of `constraints`.
     pub fn new(constraints: &[AnyConstraint]) -> Self {
-        let mut rows = Self { first: vec![0], start: vec![0], ..Self::default() };
+        let mut rows = Self { first: vec![0], start: vec![0], lines: vec![0], ..Self::default() };
         for constraint in constraints {
             rows.laws.extend(constraint.laws(rows.laws.len()));
             for dofs in constraint.row_dofs() {
@@ -29,6 +31,7 @@ impl Rows {
                 rows.start.push(rows.dofs.len());
             }
             rows.first.push(rows.laws.len());
+            rows.lines.push(rows.lines[rows.lines.len() - 1] + constraint.lines());
         }
         rows
     }

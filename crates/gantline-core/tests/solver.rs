@@ -1,6 +1,7 @@
 //! Factorisation against dense elimination; elimination order of a real rig.
 
 use gantline_core::solver::ldl::Ldl;
+use gantline_core::solver::ldu::Ldu;
 use gantline_core::solver::order::{Node, NodeKind, elimination_order};
 use gantline_core::solver::symbolic::Symbolic;
 use proptest::prelude::*;
@@ -76,6 +77,47 @@ proptest! {
         for (found, wanted) in x.iter().zip(&exact) {
             // Quasidefinite with condition below about 1e3; one refinement gives nearly full precision.
             prop_assert!((found - wanted).abs() < 1e-12 * (1.0 + wanted.abs()));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Random matrices of symmetric structure and unsymmetric numbers. Blocks of neighbours that couple to the same
+    /// others give columns that are taken together.
+    #[test]
+    fn unsymmetric_factors_solve_random_systems(
+        blocks in prop::collection::vec(1_usize..5, 2..7), numbers in prop::collection::vec(-1.0..1.0_f64, 600)
+    ) {
+        let size: usize = blocks.iter().sum();
+        let block_of: Vec<usize> =
+            blocks.iter().enumerate().flat_map(|(block, &count)| vec![block; count]).collect();
+        let mut matrix = vec![vec![0.0; size]; size];
+        for i in 0..size {
+            for j in 0..size {
+                let (a, b) = (block_of[i].min(block_of[j]), block_of[i].max(block_of[j]));
+                if a == b || numbers[(a * 31 + b * 7) % 600] > 0.0 {
+                    matrix[i][j] = numbers[(i * 29 + j) % 600];
+                }
+            }
+            matrix[i][i] = 2.0 * size as f64;
+        }
+        let coupled = |&(i, j): &(usize, usize)| matrix[i][j] != 0.0 || matrix[j][i] != 0.0;
+        let entries: Vec<(usize, usize)> =
+            (0..size).flat_map(|i| (0..=i).map(move |j| (i, j))).filter(coupled).collect();
+        let mut ldu = Ldu::new(Symbolic::new((0..size).collect(), entries.clone()));
+        let mut values = vec![0.0; ldu.entries()];
+        for (i, j) in entries {
+            values[ldu.entry(j, i).unwrap()] = matrix[j][i];
+            values[ldu.entry(i, j).unwrap()] = matrix[i][j];
+        }
+        ldu.factorise(&values).unwrap();
+        let b: Vec<f64> = numbers[..size].to_vec();
+        let mut x = b.clone();
+        ldu.solve(&mut x);
+        for (found, wanted) in x.iter().zip(&dense(matrix, b)) {
+            prop_assert!((found - wanted).abs() < 1e-13 * (1.0 + wanted.abs()));
         }
     }
 }

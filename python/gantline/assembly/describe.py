@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.spatial import Array
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.gear import Shackle
 from gantline.scenario.load import PLATE_NORMALS
@@ -184,24 +186,32 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
 
 
 def _sheaves(parts: Parts) -> list[Json]:
-    """Every half turn of a rope is a sheave; it moves if its body has translations of its own."""
+    """Every half turn and sheave of a rope on a body; it moves if its body has translations of its own."""
     found = []
     for rope in parts.ropes:
         for guide in rope["route"]:
+            if guide["type"] == "sheave" and guide["body"] is not None:
+                found.append(_sheave(parts, guide["body"], guide["at"], guide["axis"], guide["radius"]))
             if guide["type"] != "half_turn":
                 continue
             enter, leave = np.array(guide["enter"]), np.array(guide["leave"])
             axis = np.cross(guide["bulge"], leave - enter)
-            found.append(
-                {
-                    "body": guide["body"],
-                    "centre": [float(part) for part in (enter + leave) / 2],
-                    "axis": [float(part) for part in axis / np.linalg.norm(axis)],
-                    "radius": math.dist(guide["enter"], guide["leave"]) / 2,
-                    "kind": "moving" if parts.bodies[guide["body"]]["joint"]["type"] in _MOVING else "fixed",
-                }
-            )
+            centre, radius = (enter + leave) / 2, math.dist(guide["enter"], guide["leave"]) / 2
+            found.append(_sheave(parts, guide["body"], centre, axis / np.linalg.norm(axis), radius))
     return found
+
+
+def _sheave(
+    parts: Parts, body: str, centre: Sequence[float] | Array, axis: Sequence[float] | Array, radius: float
+) -> Json:
+    moves = parts.bodies[body]["joint"]["type"] in _MOVING
+    return {
+        "body": body,
+        "centre": [float(part) for part in centre],
+        "axis": [float(part) for part in axis],
+        "radius": radius,
+        "kind": "moving" if moves else "fixed",
+    }
 
 
 def _rope_kind(name: str, rigging: Rigging) -> str:

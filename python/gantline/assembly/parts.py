@@ -11,7 +11,7 @@ import numpy as np
 
 from gantline.assembly.spatial import IDENTITY, Array, about_axis, rotation_matrix, unit
 
-__all__ = ["ORIGIN", "Parts", "end", "half_turn", "material"]
+__all__ = ["ORIGIN", "Parts", "end", "half_turn", "material", "sheave"]
 
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -63,8 +63,8 @@ class Parts:
         """Add a drive, at rest unless `ramps` give its motion in advance."""
         self.drives[name] = {"name": name, "ramps": list(ramps)}
 
-    def add_rope(self, name: str, length: float, rope_material: Json, route: Sequence[Json]) -> None:
-        """Add a rope with its unstretched length [m]."""
+    def add_rope(self, name: str, length: float | None, rope_material: Json, route: Sequence[Json]) -> None:
+        """Add a rope with its unstretched length [m]; None is just taut at the start."""
         self.ropes.append({"name": name, "length": length, "material": rope_material, "route": list(route)})
 
     def pose(self, name: str | None) -> tuple[Array, Array]:
@@ -132,6 +132,11 @@ def half_turn(body: str, enter: Sequence[float], leave: Sequence[float], bulge: 
         "leave": list(leave),
         "bulge": unit(bulge),
     }
+
+
+def sheave(body: str | None, at: Sequence[float], axis: Sequence[float], radius: float) -> Json:
+    """A sheave with true tangents; `axis` in body axes, the rope runs about it."""
+    return {"type": "sheave", "body": body, "at": list(at), "axis": unit(axis), "radius": radius}
 
 
 def material(stiffness: float | None, damping_time: float) -> Json:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from gantline.assembly.parts import Json, Parts, end, half_turn, material
+from gantline.assembly.parts import Json, Parts, end, half_turn, material, sheave
 from gantline.assembly.spatial import IDENTITY, about_axis
 from gantline.scenario import Scenario
 from gantline.scenario.mechanics import (
@@ -20,6 +20,7 @@ from gantline.scenario.mechanics import (
     Point,
     RopeEnd,
     Rotation,
+    Sheave,
     Slider,
 )
 
@@ -45,10 +46,14 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
     for name, rope in (mechanics.ropes or {}).items():
         kind = (scenario.ropes or {})[rope.rope]
         route = [_guide(guide) for guide in rope.route]
+        length = None if isinstance(rope.length, str) else rope.length
+        if any(guide["type"] == "sheave" for guide in route):
+            # Where the rope touches its sheaves is the core's to say.
+            parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
+            continue
         routed = parts.route_length(route)
-        length = routed if isinstance(rope.length, str) else rope.length
         allowed = _ROUNDING if kind.inextensible else _MOST_STRAIN
-        if routed > length * (1 + allowed):
+        if length is not None and routed > length * (1 + allowed):
             sentence = f"the rope is {length:g} m, but its route has {routed:.9g} m at the start"
             raise scenario.error(
                 ("mechanics", "ropes", name, "length"),
@@ -148,4 +153,7 @@ def _ramp(ramp: Any) -> Json:
 def _guide(guide: Guide) -> Json:
     if isinstance(guide, RopeEnd):
         return end(None if guide.body == _WORLD else guide.body, guide.at)
+    if isinstance(guide, Sheave):
+        body = None if guide.body == _WORLD else guide.body
+        return sheave(body, guide.at, guide.axis, guide.diameter / 2)
     return half_turn(guide.body, guide.enter, guide.leave, guide.bulge)

@@ -17,6 +17,7 @@ from gantline.scenario.mechanics import (
     Mechanics,
     Point,
     RopeEnd,
+    Sheave,
     Slider,
     SpeedRamp,
     TurnRamp,
@@ -143,9 +144,11 @@ def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, kn
     is_end = isinstance(guide, RopeEnd)
     if is_end != is_last:
         findings.add((*path, "type"), "a route begins and ends with 'type: end', with only sheaves between")
-    allowed = [*known, "world"] if is_end else known
+    allowed = known if isinstance(guide, HalfTurn) else [*known, "world"]
     if guide.body not in allowed:
         findings.add((*path, "body"), f"'{guide.body}' is not a body; {nearest(guide.body, allowed)}")
+    if isinstance(guide, Sheave):
+        _check_direction(findings, (*path, "axis"), guide.axis)
     if isinstance(guide, HalfTurn):
         _check_direction(findings, (*path, "bulge"), guide.bulge)
         across = [leave - enter for enter, leave in zip(guide.enter, guide.leave, strict=True)]

@@ -19,6 +19,7 @@ from gantline.scenario.quantities import (
     Name,
     Number,
     Position,
+    PositiveLength,
     PositiveStiffness,
     PositiveTime,
     Quantity,
@@ -50,6 +51,7 @@ __all__ = [
     "Point",
     "RopeEnd",
     "Rotation",
+    "Sheave",
     "Slider",
     "SpeedRamp",
     "TurnRamp",
@@ -221,7 +223,19 @@ class HalfTurn(Element):
     bulge: Direction = Field(description="Side on which the rope lies on the sheave, three plain numbers.")
 
 
-Guide = Annotated[RopeEnd | HalfTurn, Field(discriminator="type")]
+class Sheave(Element):
+    """A sheave as it is: the rope touches it along true tangents and wraps it as far as it must."""
+
+    what: ClassVar[str] = "a sheave"
+
+    type: Literal["sheave"] = Field(description="Kind of guide.")
+    body: Name = Field(description="Body that carries the sheave, or 'world'.")
+    at: Position = Field(ORIGIN, description="Its centre in the body's axes.")
+    axis: Direction = Field(description="Its axis in the body's axes; the rope runs about it, right-handed.")
+    diameter: PositiveLength = Field(description="Pitch diameter, to the centre line of the rope.")
+
+
+Guide = Annotated[RopeEnd | HalfTurn | Sheave, Field(discriminator="type")]
 
 
 class MechanicsRope(Element):

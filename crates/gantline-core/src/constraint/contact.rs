@@ -7,10 +7,11 @@
 
 use glam::DVec3;
 
-use super::{Constraint, Law};
+use super::{Constraint, Law, Line};
 use crate::contact::plane::Plane;
 use crate::tree::Tree;
-use crate::tree::kinematics::Kinematics;
+use crate::tree::bias::Wrench;
+use crate::tree::kinematics::{Kinematics, Twist};
 
 /// A point that may touch a plane.
 #[derive(Debug, Clone)]
@@ -35,6 +36,16 @@ pub struct Contact {
     pub dofs: Vec<usize>,
 }
 
+impl Contact {
+    /// Values of the rows with the point [m] in the world.
+    fn values(&self, point: DVec3, value: &mut [f64]) {
+        value[0] = self.plane.depth(point);
+        for (k, tangent) in self.plane.tangents.iter().enumerate() {
+            value[1 + k] = tangent.dot(point) - value[1 + k];
+        }
+    }
+}
+
 impl Constraint for Contact {
     fn name(&self) -> &str {
         &self.name
@@ -51,12 +62,40 @@ impl Constraint for Contact {
         vec![Law::Unilateral { compliance, damping_time }, friction, friction]
     }
 
+    fn lines(&self) -> usize {
+        1
+    }
+
+    fn locate(
+        &self,
+        (kinematics, twists): (&Kinematics, &[Twist]),
+        value: &mut [f64],
+        rate: &mut [f64],
+        lines: &mut [Line],
+    ) {
+        let pose = &kinematics.pose[self.body];
+        let arm = pose.rotation * self.at;
+        lines[0].from = arm;
+        self.values(pose.position + arm, value);
+        self.rates(twists, lines, rate);
+    }
+
+    fn rates(&self, twists: &[Twist], lines: &[Line], rate: &mut [f64]) {
+        let velocity = twists[self.body].at(lines[0].from);
+        rate[0] = -self.plane.normal.dot(velocity);
+        rate[1] = self.plane.tangents[0].dot(velocity);
+        rate[2] = self.plane.tangents[1].dot(velocity);
+    }
+
+    fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]) {
+        let Plane { normal, tangents, .. } = &self.plane;
+        let needed = tangents[0] * tension[1] + tangents[1] * tension[2] - *normal * tension[0];
+        wrenches[self.body].add(needed, lines[0].from);
+    }
+
     fn evaluate(&self, tree: &Tree, kinematics: &Kinematics, value: &mut [f64], gradient: &mut [f64]) {
         let point = kinematics.point(Some(self.body), self.at);
-        value[0] = self.plane.depth(point);
-        for (k, tangent) in self.plane.tangents.iter().enumerate() {
-            value[1 + k] = tangent.dot(point) - value[1 + k];
-        }
+        self.values(point, value);
         let count = self.dofs.len();
         for (entry, &dof) in self.dofs.iter().enumerate() {
             let column = kinematics.point_column(tree, dof, point);

@@ -9,7 +9,8 @@ pub mod rope;
 use glam::DVec3;
 
 use crate::tree::Tree;
-use crate::tree::kinematics::Kinematics;
+use crate::tree::bias::Wrench;
+use crate::tree::kinematics::{Kinematics, Twist};
 use contact::Contact;
 use rope::Rope;
 
@@ -52,6 +53,20 @@ impl Law {
     }
 }
 
+/// A line along which two bodies, or a body and the world, act on each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Line {
+    /// From the origin of the first body to its point [m], world axes.
+    pub from: DVec3,
+    /// From the origin of the second body to its point [m].
+    pub to: DVec3,
+    /// Along which the two points pull on each other: the unit vector from the first to the second, for parts of a
+    /// rope on sheaves e of [`crate::rope::tangency`]; not used where the direction is known.
+    pub direction: DVec3,
+    /// Couples on the two bodies per unit of force [m]; zero but for parts of a rope on sheaves.
+    pub couple: [DVec3; 2],
+}
+
 /// What a kind of constraint has to say.
 pub trait Constraint {
     /// Name, for messages and recordings.
@@ -62,6 +77,26 @@ pub trait Constraint {
 
     /// Law of every row; `first_row` is the index of the first.
     fn laws(&self, first_row: usize) -> Vec<Law>;
+
+    /// How many lines of force it has.
+    fn lines(&self) -> usize;
+
+    /// Values g and rates ġ of all rows under the velocities of the bodies, and where their forces act: without
+    /// gradients. The forces at a point of a step need no more, however deep the tree is. `value` as in
+    /// [`Constraint::evaluate`].
+    fn locate(
+        &self,
+        motion: (&Kinematics, &[Twist]),
+        value: &mut [f64],
+        rate: &mut [f64],
+        lines: &mut [Line],
+    );
+
+    /// Rates ġ under other velocities of the bodies, with the lines as they were located.
+    fn rates(&self, twists: &[Twist], lines: &[Line], rate: &mut [f64]);
+
+    /// Takes the forces T of the rows from what the joints of the bodies have to transmit (about their origins).
+    fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]);
 
     /// Values g and gradients ∂g/∂q of all rows, in the order of [`Constraint::row_dofs`]. `value` comes in
     /// with what the state remembers of the row (where the anchor of a sticking contact is).

@@ -79,6 +79,12 @@ pub struct Timeline {
 }
 
 impl Timeline {
+    /// Takes over the course of `other`; does not allocate once there has been room.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.start = other.start;
+        self.ramps.clone_from(&other.ramps);
+    }
+
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
         Self { start, ramps: Vec::with_capacity(ramps) }

@@ -78,6 +78,15 @@ pub struct PlanState {
 }
 
 impl PlanState {
+    /// Takes over what `other` has of the same plan.
+    pub fn copy_from(&mut self, other: &Self) {
+        for (timeline, other) in self.timelines.iter_mut().zip(&other.timelines) {
+            timeline.copy_from(other);
+        }
+        self.step = other.step;
+        self.phase = other.phase;
+    }
+
     /// Before the first step.
     pub fn new(timelines: Vec<Timeline>) -> Self {
         Self { timelines, step: 0, phase: Phase::Waiting(0.0) }

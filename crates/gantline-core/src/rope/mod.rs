@@ -2,3 +2,4 @@
 
 pub mod material;
 pub mod route;
+pub mod tangency;

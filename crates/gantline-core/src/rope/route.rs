@@ -1,14 +1,16 @@
 //! The way of a rope: straight parts between guides, arcs on guides.
 //!
-//! g = Σ straight parts + Σ arcs − L  (paper eq. 19). The gradient needs only the ends of the straight
-//! parts and their directions: moving an end along its body changes the length by the direction's
-//! projection, whether the end is fixed in the body or is a tangent point (there the length is
-//! stationary). A new kind of guide therefore only has to say where its parts start and end.
+//! g = Σ straight parts + Σ arcs − L  (paper eq. 19). The gradient of a part and of the arcs that it ends needs
+//! only its end points, the vector e by which the length answers to their motion as if they were fixed in their
+//! bodies, and a couple on each end: e is the direction and the couples are zero between fixed points and in
+//! plane reeving; with a fleet angle both have a small share more ([`super::tangency`]). A new kind of guide
+//! therefore only has to say where its parts start and end.
 
 use std::f64::consts::PI;
 
 use glam::DVec3;
 
+use super::tangency::{Circle, NoTangent, common_tangent, wrap_angle};
 use crate::tree::kinematics::Kinematics;
 
 /// A point of a body, or of the world.
@@ -34,38 +36,83 @@ pub enum Guide {
         /// Unit vector in the body frame to the side of the arc.
         bulge: DVec3,
     },
+    /// A sheave as it is: the rope touches its circle along true common tangents, with the wrap that results.
+    Sheave {
+        /// Its centre.
+        centre: Attachment,
+        /// Unit axis in the body frame; the rope runs about it.
+        axis: DVec3,
+        /// Radius of the rope's centre line [m].
+        radius: f64,
+    },
+}
+
+/// What a straight part ends at: a point, or a sheave that it touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Anchor {
+    /// The point, or the sheave's centre.
+    pub at: Attachment,
+    /// Axis in the body frame and radius [m] of a sheave.
+    pub sheave: Option<(DVec3, f64)>,
+}
+
+impl Anchor {
+    /// The circle in the world, radius 0 for a point.
+    fn circle(&self, kinematics: &Kinematics) -> Circle {
+        let centre = kinematics.point(self.at.body, self.at.at);
+        match self.sheave {
+            None => Circle::point(centre),
+            Some((axis, radius)) => Circle { centre, axis: kinematics.turn(self.at.body, axis), radius },
+        }
+    }
 }
 
 impl Guide {
     /// Where the part before this guide ends.
-    pub fn arrival(&self) -> Attachment {
-        match self {
-            Self::End(point) => *point,
-            Self::HalfTurn { enter, .. } => *enter,
+    pub fn arrival(&self) -> Anchor {
+        match *self {
+            Self::End(at) | Self::HalfTurn { enter: at, .. } => Anchor { at, sheave: None },
+            Self::Sheave { centre: at, axis, radius } => Anchor { at, sheave: Some((axis, radius)) },
         }
     }
 
     /// Where the part after this guide starts.
-    pub fn departure(&self) -> Attachment {
-        match self {
-            Self::End(point) => *point,
-            Self::HalfTurn { leave, .. } => *leave,
+    pub fn departure(&self) -> Anchor {
+        match *self {
+            Self::HalfTurn { leave: at, .. } => Anchor { at, sheave: None },
+            _ => self.arrival(),
         }
     }
 
-    /// Length of rope on the guide [m]: π D/2 for half a turn (paper eq. 19).
-    pub fn arc(&self) -> f64 {
+    /// Length of rope on the guide [m] where it does not change: π D/2 for half a turn (paper eq. 19).
+    fn fixed_arc(&self) -> f64 {
         match self {
-            Self::End(_) => 0.0,
+            Self::End(_) | Self::Sheave { .. } => 0.0,
             Self::HalfTurn { enter, leave, .. } => PI * (leave.at - enter.at).length() / 2.0,
         }
     }
 
-    /// World points along the guide, for drawing: `samples` + 1 points on an arc, one on an end.
-    pub fn draw(&self, kinematics: &Kinematics, samples: usize, mut emit: impl FnMut(DVec3)) {
+    /// Wrap angle [rad] of a sheave between two parts, negative where the rope has lifted off; π for half a turn.
+    pub fn wrap(&self, kinematics: &Kinematics, before: &Straight, after: &Straight) -> f64 {
         match self {
-            Self::End(point) => emit(kinematics.point(point.body, point.at)),
-            Self::HalfTurn { enter, leave, bulge } => {
+            Self::End(_) => 0.0,
+            Self::HalfTurn { .. } => PI,
+            Self::Sheave { centre, axis, .. } => {
+                wrap_angle(kinematics.turn(centre.body, *axis), before.radial[1], after.radial[0])
+            }
+        }
+    }
+
+    /// World points along the guide between two parts, for drawing: `samples` + 1 points on an arc, one on an end.
+    pub fn draw(
+        &self,
+        kinematics: &Kinematics,
+        parts: [Option<&Straight>; 2],
+        samples: usize,
+        mut emit: impl FnMut(DVec3),
+    ) {
+        match (self, parts) {
+            (Self::HalfTurn { enter, leave, bulge }, _) => {
                 let centre = (enter.at + leave.at) / 2.0;
                 let along = enter.at - centre;
                 let across = *bulge * along.length();
@@ -74,6 +121,17 @@ impl Guide {
                     emit(kinematics.point(enter.body, centre + along * cos + across * sin));
                 }
             }
+            (Self::Sheave { centre, axis, radius }, [Some(before), Some(after)]) => {
+                let wrap = self.wrap(kinematics, before, after);
+                let middle = kinematics.point(centre.body, centre.at);
+                let axis = kinematics.turn(centre.body, *axis);
+                let radial = before.radial[1];
+                for sample in 0..=samples {
+                    let (sin, cos) = (wrap * sample as f64 / samples as f64).sin_cos();
+                    emit(middle + (radial * cos + axis.cross(radial) * sin) * *radius);
+                }
+            }
+            (Self::End(at) | Self::Sheave { centre: at, .. }, _) => emit(kinematics.point(at.body, at.at)),
         }
     }
 
@@ -81,7 +139,7 @@ impl Guide {
     pub fn drawn_points(&self, samples: usize) -> usize {
         match self {
             Self::End(_) => 1,
-            Self::HalfTurn { .. } => samples + 1,
+            Self::HalfTurn { .. } | Self::Sheave { .. } => samples + 1,
         }
     }
 }
@@ -90,9 +148,9 @@ impl Guide {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Part {
     /// Where it starts.
-    pub from: Attachment,
+    pub from: Anchor,
     /// Where it ends.
-    pub to: Attachment,
+    pub to: Anchor,
 }
 
 /// A straight part in the world.
@@ -106,6 +164,34 @@ pub struct Straight {
     pub direction: DVec3,
     /// Length [m].
     pub length: f64,
+    /// e: how the length, arcs included, answers to relative motion of the ends.
+    pub pull: DVec3,
+    /// How it answers to rotation of the two bodies about the end points [m].
+    pub couple: [DVec3; 2],
+    /// Unit vectors from the centres of sheaves to the ends; zero for points.
+    pub radial: [DVec3; 2],
+}
+
+impl Straight {
+    fn between(start: &Circle, end: &Circle) -> Result<Self, NoTangent> {
+        let tangent = common_tangent(start, end)?;
+        Ok(Self {
+            from: tangent.from,
+            to: tangent.to,
+            direction: tangent.direction,
+            length: tangent.length,
+            pull: tangent.pull,
+            couple: tangent.couple,
+            radial: tangent.radial,
+        })
+    }
+
+    #[inline]
+    fn from_point_to_point(from: DVec3, to: DVec3) -> Self {
+        let (direction, length) = unit(to - from);
+        let none = [DVec3::ZERO; 2];
+        Self { from, to, direction, length, pull: direction, couple: none, radial: none }
+    }
 }
 
 /// Ordered guides from end to end.
@@ -115,28 +201,75 @@ pub struct Route {
     pub guides: Vec<Guide>,
     /// The straight parts between them.
     pub parts: Vec<Part>,
-    /// Σ arcs [m].
+    /// Σ arcs of half turns [m].
     pub arcs: f64,
+    /// True where no part ends on a sheave with true tangents.
+    pub is_plain: bool,
+}
+
+/// Direction and length of a vector; the direction of none is zero.
+#[inline]
+pub fn unit(span: DVec3) -> (DVec3, f64) {
+    let length = span.length();
+    (if length > 0.0 { span * (1.0 / length) } else { DVec3::ZERO }, length)
 }
 
 impl Route {
     /// A route over `guides`, the first and the last of which are ends.
     pub fn new(guides: Vec<Guide>) -> Self {
-        let parts =
-            guides.windows(2).map(|pair| Part { from: pair[0].departure(), to: pair[1].arrival() }).collect();
-        let arcs = guides.iter().map(Guide::arc).sum();
-        Self { guides, parts, arcs }
+        let between = |pair: &[Guide]| Part { from: pair[0].departure(), to: pair[1].arrival() };
+        let parts: Vec<Part> = guides.windows(2).map(between).collect();
+        let arcs = guides.iter().map(Guide::fixed_arc).sum();
+        let is_plain = parts.iter().all(Part::is_plain);
+        Self { guides, parts, arcs, is_plain }
+    }
+
+    /// Length along the route [m], parts and arcs, with the parts as they lie; `each` sees every part.
+    pub fn length(&self, kinematics: &Kinematics, mut each: impl FnMut(usize, &Straight)) -> f64 {
+        let mut length = self.arcs;
+        let mut before: Option<Straight> = None;
+        for (index, part) in self.parts.iter().enumerate() {
+            let straight = part.locate(kinematics);
+            if let (Some(before), Guide::Sheave { radius, .. }) = (&before, self.guides[index]) {
+                length += radius * self.guides[index].wrap(kinematics, before, &straight);
+            }
+            length += straight.length;
+            each(index, &straight);
+            before = Some(straight);
+        }
+        length
     }
 }
 
 impl Part {
-    /// Where the part lies now.
+    /// True between fixed points: no sheave at either end.
+    pub fn is_plain(&self) -> bool {
+        self.from.sheave.is_none() && self.to.sheave.is_none()
+    }
+
+    /// Where the part lies now. Where sheaves have no common tangent nothing is a number: such a position is refused
+    /// at the start, and a step that leads there is not made.
+    #[inline]
     pub fn locate(&self, kinematics: &Kinematics) -> Straight {
-        let from = kinematics.point(self.from.body, self.from.at);
-        let to = kinematics.point(self.to.body, self.to.at);
-        let span = to - from;
-        let length = span.length();
-        let direction = if length > 0.0 { span / length } else { DVec3::ZERO };
-        Straight { from, to, direction, length }
+        if self.is_plain() {
+            let [from, to] = [self.from.at, self.to.at].map(|end| kinematics.point(end.body, end.at));
+            return Straight::from_point_to_point(from, to);
+        }
+        let nowhere = Straight::from_point_to_point(DVec3::NAN, DVec3::NAN);
+        self.tangent(kinematics, |_, circle| circle).unwrap_or(nowhere)
+    }
+
+    /// The part with its circles (0 the start's, 1 the end's) moved by `displace`.
+    ///
+    /// # Errors
+    /// [`NoTangent`] where the circles have no common tangent.
+    pub fn tangent(
+        &self,
+        kinematics: &Kinematics,
+        displace: impl Fn(usize, Circle) -> Circle,
+    ) -> Result<Straight, NoTangent> {
+        let start = displace(0, self.from.circle(kinematics));
+        let end = displace(1, self.to.circle(kinematics));
+        Straight::between(&start, &end)
     }
 }

@@ -104,8 +104,8 @@ fn unknown_order(system: &System, unknown: &[usize], free: usize, pairs: &[(usiz
     let mut nodes: Vec<Node> = Vec::new();
     let mut members: Vec<Vec<usize>> = Vec::new();
     for (index, body) in tree.bodies.iter().enumerate() {
-        let own = body.first_velocity..body.first_velocity + body.joint.velocities();
-        let unknowns: Vec<usize> = own.map(|dof| unknown[dof]).filter(|&unknown| unknown != NONE).collect();
+        let unknowns: Vec<usize> =
+            body.dofs().map(|dof| unknown[dof]).filter(|&unknown| unknown != NONE).collect();
         let above = body.parent.map(|parent| node_of_body[parent]).filter(|&node| node != NONE);
         if unknowns.is_empty() {
             node_of_body[index] = above.unwrap_or(NONE);

@@ -4,29 +4,35 @@
 use super::symbolic::{PIVOT_FLOOR, Symbolic, ZeroPivot};
 
 /// Symbolic and numeric factorisation. Unknowns keep their own numbering outside.
+///
+/// Numbers of both triangles that take the same steps lie side by side.
 #[derive(Debug, Clone)]
 pub struct Ldu {
     pattern: Symbolic,
-    /// The upper triangle by the pattern's columns, diagonal included; then the lower one, transposed.
-    values: Vec<f64>,
-    l_values: Vec<f64>,
-    u_values: Vec<f64>,
+    /// L by columns, and Uᵀ.
+    factors: Vec<Factor>,
     inverse_diagonal: Vec<f64>,
-    work: Vec<f64>,
-    row: Vec<f64>,
+    work: Vec<[f64; 2]>,
+    right: Vec<f64>,
+}
+
+/// An entry of L and its mirror image in U.
+#[derive(Debug, Clone, Copy)]
+struct Factor {
+    row: u32,
+    l: f64,
+    u: f64,
 }
 
 impl Ldu {
     /// Room for the numbers of a pattern.
     pub fn new(pattern: Symbolic) -> Self {
-        let (entries, fill, size) = (pattern.rows.len(), pattern.l_rows.len(), pattern.size());
+        let size = pattern.size();
         Self {
-            values: vec![0.0; 2 * entries],
-            l_values: vec![0.0; fill],
-            u_values: vec![0.0; fill],
+            factors: pattern.l_rows.iter().map(|&row| Factor { row: row as u32, l: 0.0, u: 0.0 }).collect(),
             inverse_diagonal: vec![0.0; size],
-            work: vec![0.0; size],
-            row: vec![0.0; size],
+            work: vec![[0.0; 2]; size],
+            right: vec![0.0; size],
             pattern,
         }
     }
@@ -37,47 +43,42 @@ impl Ldu {
         Some(if upper { slot } else { self.pattern.rows.len() + slot })
     }
 
-    /// The numbers, to be filled by [`Ldu::entry`].
-    pub fn values_mut(&mut self) -> &mut [f64] {
-        &mut self.values
+    /// How many numbers the matrix has: the upper triangle by the pattern's columns, diagonal included, then the
+    /// lower one, transposed.
+    pub fn entries(&self) -> usize {
+        2 * self.pattern.rows.len()
     }
 
-    /// Factorises the numbers.
+    /// Factorises the matrix whose numbers are `values`, by [`Ldu::entry`]; more of them are not looked at.
     ///
     /// # Errors
     /// [`ZeroPivot`] names the unknown where the matrix is singular in this order.
-    pub fn factorise(&mut self) -> Result<(), ZeroPivot> {
+    pub fn factorise(&mut self, values: &[f64]) -> Result<(), ZeroPivot> {
         let pattern = &self.pattern;
-        let (upper, lower) = self.values.split_at(pattern.rows.len());
+        let (upper, lower) = values.split_at(pattern.rows.len());
         for k in 0..pattern.size() {
             let diagonal = pattern.start[k + 1] - 1;
             for slot in pattern.start[k]..diagonal {
-                self.work[pattern.rows[slot]] = upper[slot];
-                self.row[pattern.rows[slot]] = lower[slot];
+                self.work[pattern.rows[slot]] = [upper[slot], lower[slot]];
             }
             let mut pivot = upper[diagonal];
             let mut magnitude = pivot.abs();
             for entry in pattern.r_start[k]..pattern.r_start[k + 1] {
                 let (column, place) = (pattern.r_columns[entry], pattern.r_places[entry]);
-                let y = std::mem::take(&mut self.work[column]);
-                let w = std::mem::take(&mut self.row[column]);
-                let range = pattern.l_start[column]..place;
-                let above = pattern.l_rows[range.clone()].iter();
-                for (&at, (l, u)) in above.zip(self.l_values[range.clone()].iter().zip(&self.u_values[range]))
-                {
-                    self.work[at] -= l * y;
-                    self.row[at] -= u * w;
+                let [y, w] = std::mem::take(&mut self.work[column]);
+                for &Factor { row, l, u } in &self.factors[pattern.l_start[column]..place] {
+                    let work = &mut self.work[row as usize];
+                    *work = [work[0] - l * y, work[1] - u * w];
                 }
                 let inverse = self.inverse_diagonal[column];
                 let l = w * inverse;
                 pivot -= l * y;
                 magnitude += (l * y).abs();
-                self.l_values[place] = l;
-                self.u_values[place] = y * inverse;
+                let factor = &mut self.factors[place];
+                (factor.l, factor.u) = (l, y * inverse);
             }
             if pivot.is_nan() || pivot.abs() <= PIVOT_FLOOR * magnitude {
-                self.work.fill(0.0);
-                self.row.fill(0.0);
+                self.work.fill([0.0; 2]);
                 return Err(ZeroPivot { unknown: pattern.order[k] });
             }
             self.inverse_diagonal[k] = 1.0 / pivot;
@@ -88,27 +89,24 @@ impl Ldu {
     /// Solves A x = b; `b` becomes x, by unknown.
     pub fn solve(&mut self, b: &mut [f64]) {
         let pattern = &self.pattern;
-        for (work, &unknown) in self.work.iter_mut().zip(&pattern.order) {
-            *work = b[unknown];
+        for (right, &unknown) in self.right.iter_mut().zip(&pattern.order) {
+            *right = b[unknown];
         }
-        for column in 0..pattern.size() {
-            let value = self.work[column];
-            let range = pattern.l_start[column]..pattern.l_start[column + 1];
-            for (&row, l) in pattern.l_rows[range.clone()].iter().zip(&self.l_values[range]) {
-                self.work[row] -= l * value;
+        for (column, bounds) in pattern.l_start.windows(2).enumerate() {
+            let value = self.right[column];
+            for &Factor { row, l, .. } in &self.factors[bounds[0]..bounds[1]] {
+                self.right[row as usize] -= l * value;
             }
         }
-        for (value, inverse) in self.work.iter_mut().zip(&self.inverse_diagonal) {
-            *value *= inverse;
+        for (column, bounds) in pattern.l_start.windows(2).enumerate().rev() {
+            let mut value = self.right[column] * self.inverse_diagonal[column];
+            for &Factor { row, u, .. } in &self.factors[bounds[0]..bounds[1]] {
+                value -= u * self.right[row as usize];
+            }
+            self.right[column] = value;
         }
-        for column in (0..pattern.size()).rev() {
-            let range = pattern.l_start[column]..pattern.l_start[column + 1];
-            let rows = pattern.l_rows[range.clone()].iter();
-            let known: f64 = rows.zip(&self.u_values[range]).map(|(&row, u)| u * self.work[row]).sum();
-            self.work[column] -= known;
-        }
-        for (work, &unknown) in self.work.iter_mut().zip(&pattern.order) {
-            b[unknown] = std::mem::take(work);
+        for (right, &unknown) in self.right.iter().zip(&pattern.order) {
+            b[unknown] = *right;
         }
     }
 }

@@ -37,65 +37,110 @@ pub enum NodeKind {
 
 /// Order of the nodes; `edges` are pairs of nodes that the matrix couples.
 pub fn elimination_order(nodes: &[Node], edges: &[(usize, usize)]) -> Vec<usize> {
-    let mut around: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); nodes.len()];
-    for &(a, b) in edges {
-        if a != b {
-            around[a].insert(b);
-            around[b].insert(a);
-        }
-    }
-    let joints: Vec<BTreeSet<usize>> = around
-        .iter()
-        .map(|near| {
-            near.iter().copied().filter(|&n| matches!(nodes[n].kind, NodeKind::Joint { .. })).collect()
-        })
-        .collect();
-    let mut hanging = vec![0_usize; nodes.len()];
-    for node in nodes {
-        if let NodeKind::Joint { above: Some(above) } = node.kind {
-            hanging[above] += 1;
-        }
-    }
-    let mut cost: Vec<usize> = (0..nodes.len()).map(|node| node_cost(nodes, &around, node)).collect();
-    let mut gone = vec![false; nodes.len()];
+    let mut elimination = Elimination::new(nodes, edges);
     let mut order = Vec::with_capacity(nodes.len());
     while order.len() < nodes.len() {
-        let allowed = |node: &usize| {
-            !gone[*node]
-                && match nodes[*node].kind {
-                    NodeKind::Joint { .. } => hanging[*node] == 0,
-                    NodeKind::Row { compliant } => {
-                        compliant || joints[*node].iter().any(|&joint| gone[joint])
-                    }
-                }
-        };
-        let candidates = (0..nodes.len()).filter(allowed);
         // Without joints around, an inextensible row is singular in any order: taken last, found by its pivot.
-        let node = candidates
-            .min_by_key(|&node| (cost[node], node))
-            .or_else(|| (0..nodes.len()).find(|&node| !gone[node]));
-        let Some(node) = node else { break };
-        gone[node] = true;
+        let next = elimination.queue.first().map(|&(_, node)| node);
+        let Some(node) = next.or_else(|| elimination.gone.iter().position(|gone| !gone)) else { break };
+        elimination.take(node);
         order.push(node);
-        if let NodeKind::Joint { above: Some(above) } = nodes[node].kind {
-            hanging[above] -= 1;
-        }
-        let neighbours: Vec<usize> = std::mem::take(&mut around[node]).into_iter().collect();
-        for &a in &neighbours {
-            around[a].remove(&node);
-            around[a].extend(neighbours.iter().copied().filter(|&b| b != a));
-        }
-        for &a in &neighbours {
-            cost[a] = node_cost(nodes, &around, a);
-        }
     }
     order
 }
 
-fn node_cost(nodes: &[Node], around: &[BTreeSet<usize>], node: usize) -> usize {
-    let near: usize = around[node].iter().map(|&other| nodes[other].size).sum();
-    match nodes[node].kind {
-        NodeKind::Joint { .. } => near,
-        NodeKind::Row { .. } => 2 * near,
+/// The graph of what is left.
+struct Elimination<'a> {
+    nodes: &'a [Node],
+    around: Vec<BTreeSet<usize>>,
+    /// Unknowns of the nodes around.
+    near: Vec<usize>,
+    /// Rows without compliance that each joint is coupled to: they are allowed once it is gone.
+    rigid: Vec<Vec<usize>>,
+    /// Joints that hang on each joint and are left.
+    hanging: Vec<usize>,
+    gone: Vec<bool>,
+    /// Nodes that are allowed, by cost.
+    queue: BTreeSet<(usize, usize)>,
+}
+
+impl<'a> Elimination<'a> {
+    fn new(nodes: &'a [Node], edges: &[(usize, usize)]) -> Self {
+        let mut graph = Self {
+            nodes,
+            around: vec![BTreeSet::new(); nodes.len()],
+            near: vec![0; nodes.len()],
+            rigid: vec![Vec::new(); nodes.len()],
+            hanging: vec![0; nodes.len()],
+            gone: vec![false; nodes.len()],
+            queue: BTreeSet::new(),
+        };
+        for &(a, b) in edges {
+            graph.couple(a, b);
+            graph.couple(b, a);
+        }
+        for (index, node) in nodes.iter().enumerate() {
+            match node.kind {
+                NodeKind::Joint { above: Some(above) } => graph.hanging[above] += 1,
+                NodeKind::Joint { above: None } | NodeKind::Row { compliant: true } => {}
+                NodeKind::Row { compliant: false } => {
+                    let is_joint = |near: &&usize| matches!(nodes[**near].kind, NodeKind::Joint { .. });
+                    for &joint in graph.around[index].iter().filter(is_joint) {
+                        graph.rigid[joint].push(index);
+                    }
+                }
+            }
+        }
+        for (index, node) in nodes.iter().enumerate() {
+            let allowed = match node.kind {
+                NodeKind::Joint { .. } => graph.hanging[index] == 0,
+                NodeKind::Row { compliant } => compliant,
+            };
+            if allowed {
+                graph.queue.insert(graph.key(index));
+            }
+        }
+        graph
+    }
+
+    fn key(&self, node: usize) -> (usize, usize) {
+        let double = matches!(self.nodes[node].kind, NodeKind::Row { .. });
+        (if double { 2 * self.near[node] } else { self.near[node] }, node)
+    }
+
+    /// Puts `b` among the nodes around `a`.
+    fn couple(&mut self, a: usize, b: usize) {
+        if a != b && self.around[a].insert(b) {
+            self.near[a] += self.nodes[b].size;
+        }
+    }
+
+    /// Eliminates a node: those around it now couple to each other.
+    fn take(&mut self, node: usize) {
+        self.gone[node] = true;
+        self.queue.remove(&self.key(node));
+        let around = std::mem::take(&mut self.around[node]);
+        for &a in &around {
+            let queued = self.queue.remove(&self.key(a));
+            self.around[a].remove(&node);
+            self.near[a] -= self.nodes[node].size;
+            for &b in &around {
+                self.couple(a, b);
+            }
+            if queued {
+                self.queue.insert(self.key(a));
+            }
+        }
+        if let NodeKind::Joint { above: Some(above) } = self.nodes[node].kind {
+            self.hanging[above] -= 1;
+            if self.hanging[above] == 0 {
+                self.queue.insert(self.key(above));
+            }
+        }
+        for row in std::mem::take(&mut self.rigid[node]) {
+            if !self.gone[row] {
+                self.queue.insert(self.key(row));
+            }
+        }
     }
 }

@@ -58,8 +58,7 @@ impl Stiffness {
             for part in 0..rope.route.parts.len() {
                 let range = self.start[group]..self.start[group + 1];
                 let columns = &mut self.columns[range.clone()];
-                let factor =
-                    rope.geometric_stiffness(&system.tree, &frame.kinematics, tension, part, columns);
+                let factor = rope.geometric_stiffness(&frame.kinematics, tension, part, columns);
                 self.factor[group] = factor;
                 let mobility: f64 = self.dofs[range.clone()]
                     .iter()

@@ -35,9 +35,22 @@ impl Frame {
         self.mass.update(&system.tree, &self.kinematics);
     }
 
+    /// Takes over the poses and rows of another frame of the same system, and the mass matrix that belongs to them.
+    pub fn follow(&mut self, system: &System, other: &Self) {
+        self.kinematics.copy_from(&other.kinematics);
+        self.value.copy_from_slice(&other.value);
+        self.gradient.copy_from_slice(&other.gradient);
+        self.mass.update(&system.tree, &self.kinematics);
+    }
+
     /// Evaluates poses and rows, not the mass matrix, at the configuration `q`.
     pub fn update_rows(&mut self, system: &System, q: &[f64], memory: &[f64]) {
         self.kinematics.update(&system.tree, q);
+        self.rows(system, memory);
+    }
+
+    /// Evaluates rows at the poses.
+    pub fn rows(&mut self, system: &System, memory: &[f64]) {
         self.value.copy_from_slice(memory);
         let rows = &system.rows;
         for (constraint, first) in system.constraints.iter().zip(rows.first.windows(2)) {

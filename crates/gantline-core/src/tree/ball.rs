@@ -3,7 +3,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::joint::{Column, JointModel};
+use super::joint::{Column, JointModel, Motion};
 use super::pose::Pose;
 
 /// A ball joint; q holds the unit quaternion of the body in the joint frame, w first.
@@ -29,15 +29,12 @@ pub fn rotate(q: &mut [f64], increment: &[f64]) {
 
 impl JointModel for Ball {
     const POSITIONS: usize = 4;
-    const VELOCITIES: usize = 3;
+    const MOTIONS: &'static [Motion] = &[Motion::Turn; 3];
 
-    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
-        joint.compose(&Pose::new(quaternion(q), DVec3::ZERO))
-    }
-
-    fn columns(&self, _joint: &DMat3, body: &DMat3, columns: &mut [Column]) {
+    fn place(&self, pose: &mut Pose, q: &[f64], columns: &mut [Column]) {
+        pose.rotation *= DMat3::from_quat(quaternion(q));
         for (k, column) in columns.iter_mut().enumerate() {
-            *column = Column { angular: body.col(k), linear: DVec3::ZERO };
+            *column = Column::turn(pose.rotation.col(k));
         }
     }
 

@@ -9,10 +9,11 @@
 //!
 //! It holds for every joint type, since l_j is fixed in the parent and a_j in the parent or in the body.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
-use super::Tree;
+use super::joint::Motion;
 use super::kinematics::{Kinematics, Twist};
+use super::{Body, Tree};
 
 /// Force and moment about a body's origin, world axes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -21,6 +22,15 @@ pub struct Wrench {
     pub force: DVec3,
     /// Moment about the body's origin [N m].
     pub moment: DVec3,
+}
+
+impl Wrench {
+    /// Adds a force [N] at the arm [m] from the origin.
+    #[inline]
+    pub fn add(&mut self, force: DVec3, arm: DVec3) {
+        self.force += force;
+        self.moment += arm.cross(force);
+    }
 }
 
 /// Inverse dynamics. Reused from step to step.
@@ -57,85 +67,97 @@ impl NewtonEuler {
         applied: Option<&[Wrench]>,
         out: &mut [f64],
     ) {
-        kinematics.twists(tree, v, &mut self.twists);
         self.forward(tree, kinematics, v, acceleration);
-        for (index, body) in tree.bodies.iter().enumerate() {
-            let wrench = inertial_wrench(
-                body.mass,
-                kinematics.centre_of_gravity[index] - kinematics.pose[index].position,
-                tree.gravity,
-                kinematics.pose[index].rotation,
-                body.inertia,
-                &self.twists[index],
-                &self.accelerations[index],
-            );
-            let known = applied.map_or_else(Wrench::default, |applied| applied[index]);
-            self.wrenches[index] =
-                Wrench { force: wrench.force - known.force, moment: wrench.moment - known.moment };
+        if let Some(applied) = applied {
+            for (wrench, known) in self.wrenches.iter_mut().zip(applied) {
+                wrench.force -= known.force;
+                wrench.moment -= known.moment;
+            }
         }
         self.backward(tree, kinematics, out);
     }
 
-    fn forward(&mut self, tree: &Tree, kinematics: &Kinematics, v: &[f64], rate: Option<&[f64]>) {
+    /// Motion of every body from that of its parent, and in `wrenches` what it needs by itself.
+    pub fn forward(&mut self, tree: &Tree, kinematics: &Kinematics, v: &[f64], rate: Option<&[f64]>) {
         for (index, body) in tree.bodies.iter().enumerate() {
-            let mut acceleration = Twist::default();
-            let mut parent_angular = DVec3::ZERO;
-            if let Some(parent) = body.parent {
-                let arm = kinematics.pose[index].position - kinematics.pose[parent].position;
-                let above = &self.accelerations[parent];
-                parent_angular = self.twists[parent].angular;
-                acceleration.angular = above.angular;
-                acceleration.linear =
-                    above.linear + above.angular.cross(arm) + parent_angular.cross(parent_angular.cross(arm));
-            }
-            for k in 0..body.joint.velocities() {
-                let dof = body.first_velocity + k;
-                let column = &kinematics.columns[dof];
-                acceleration.angular += parent_angular.cross(column.angular * v[dof]);
-                acceleration.linear += 2.0 * parent_angular.cross(column.linear * v[dof]);
-                if let Some(rate) = rate {
-                    acceleration.angular += column.angular * rate[dof];
-                    acceleration.linear += column.linear * rate[dof];
+            let (mut twist, mut acceleration) = match body.parent {
+                Some(parent) => {
+                    carried(&self.twists[parent], &self.accelerations[parent], kinematics.arm[index])
+                }
+                None => <(Twist, Twist)>::default(),
+            };
+            let above = twist.angular;
+            let dofs = body.dofs();
+            let columns = kinematics.columns[dofs.clone()].iter().zip(&tree.motions[dofs.clone()]);
+            for ((column, motion), dof) in columns.zip(dofs) {
+                let change = rate.map_or(0.0, |rate| rate[dof]);
+                match motion {
+                    Motion::Shift => {
+                        let shift = column.linear * v[dof];
+                        twist.linear += shift;
+                        acceleration.linear += above.cross(shift) * 2.0 + column.linear * change;
+                    }
+                    Motion::Turn => {
+                        let turn = column.angular * v[dof];
+                        twist.angular += turn;
+                        acceleration.angular += above.cross(turn) + column.angular * change;
+                    }
                 }
             }
+            self.wrenches[index] = if tree.is_point[index] {
+                Wrench { force: (acceleration.linear - tree.gravity) * body.mass, moment: DVec3::ZERO }
+            } else {
+                let rotation = &kinematics.pose[index].rotation;
+                let lever = kinematics.lever[index];
+                inertial_wrench(body, rotation, lever, tree.gravity, &twist, &acceleration)
+            };
+            self.twists[index] = twist;
             self.accelerations[index] = acceleration;
         }
     }
 
-    fn backward(&mut self, tree: &Tree, kinematics: &Kinematics, out: &mut [f64]) {
-        for index in (0..tree.bodies.len()).rev() {
-            let body = &tree.bodies[index];
+    /// Sums the wrenches up the tree: every body's becomes what its joint has to transmit, and `out` its share along
+    /// the degrees of freedom.
+    pub fn backward(&mut self, tree: &Tree, kinematics: &Kinematics, out: &mut [f64]) {
+        for (index, body) in tree.bodies.iter().enumerate().rev() {
             let wrench = self.wrenches[index];
-            for k in 0..body.joint.velocities() {
-                let dof = body.first_velocity + k;
-                let column = &kinematics.columns[dof];
-                out[dof] = column.angular.dot(wrench.moment) + column.linear.dot(wrench.force);
+            let dofs = body.dofs();
+            let columns = kinematics.columns[dofs.clone()].iter().zip(&tree.motions[dofs.clone()]);
+            for ((column, motion), out) in columns.zip(&mut out[dofs]) {
+                *out = match motion {
+                    Motion::Shift => column.linear.dot(wrench.force),
+                    Motion::Turn => column.angular.dot(wrench.moment),
+                };
             }
             if let Some(parent) = body.parent {
-                let arm = kinematics.pose[index].position - kinematics.pose[parent].position;
                 let above = &mut self.wrenches[parent];
                 above.force += wrench.force;
-                above.moment += wrench.moment + arm.cross(wrench.force);
+                above.moment += wrench.moment + kinematics.arm[index].cross(wrench.force);
             }
         }
     }
 }
 
-/// m (c̈ − g) and its moment about the origin, `arm` = c − o, plus the rotational inertia terms.
+/// Velocity and acceleration of the point at `arm` of a body.
+fn carried(twist: &Twist, rate: &Twist, arm: DVec3) -> (Twist, Twist) {
+    let swing = twist.angular.cross(arm);
+    let linear = rate.linear + rate.angular.cross(arm) + twist.angular.cross(swing);
+    (Twist { angular: twist.angular, linear: twist.linear + swing }, Twist { angular: rate.angular, linear })
+}
+
+/// m (c̈ − g) and its moment about the origin, `lever` = c − o, plus the rotational inertia terms.
 fn inertial_wrench(
-    mass: f64,
-    arm: DVec3,
+    body: &Body,
+    rotation: &DMat3,
+    lever: DVec3,
     gravity: DVec3,
-    rotation: glam::DMat3,
-    inertia: glam::DMat3,
     twist: &Twist,
     acceleration: &Twist,
 ) -> Wrench {
-    let centre =
-        acceleration.linear + acceleration.angular.cross(arm) + twist.angular.cross(twist.angular.cross(arm));
-    let force = (centre - gravity) * mass;
+    let (_, centre) = carried(twist, acceleration, lever);
+    let force = (centre.linear - gravity) * body.mass;
     let turn = rotation.transpose();
     let (spin, spin_rate) = (turn * twist.angular, turn * acceleration.angular);
-    let couple = rotation * (inertia * spin_rate + spin.cross(inertia * spin));
-    Wrench { force, moment: couple + arm.cross(force) }
+    let couple = *rotation * (body.inertia * spin_rate + spin.cross(body.inertia * spin));
+    Wrench { force, moment: couple + lever.cross(force) }
 }

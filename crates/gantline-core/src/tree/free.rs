@@ -1,9 +1,9 @@
 //! Six degrees of freedom: translation in the joint frame's axes, rotation in body axes.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::ball::{quaternion, rotate};
-use super::joint::{Column, JointModel};
+use super::joint::{Column, JointModel, Motion};
 use super::pose::Pose;
 
 /// A free body; q holds position [m] and unit quaternion (w first), both in the joint frame.
@@ -12,16 +12,15 @@ pub struct Free;
 
 impl JointModel for Free {
     const POSITIONS: usize = 7;
-    const VELOCITIES: usize = 6;
+    const MOTIONS: &'static [Motion] =
+        &[Motion::Shift, Motion::Shift, Motion::Shift, Motion::Turn, Motion::Turn, Motion::Turn];
 
-    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
-        joint.compose(&Pose::new(quaternion(&q[3..7]), DVec3::from_slice(q)))
-    }
-
-    fn columns(&self, joint: &DMat3, body: &DMat3, columns: &mut [Column]) {
+    fn place(&self, pose: &mut Pose, q: &[f64], columns: &mut [Column]) {
+        let joint = *pose;
+        *pose = joint.compose(&Pose::new(quaternion(&q[3..7]), DVec3::from_slice(q)));
         for k in 0..3 {
-            columns[k] = Column { angular: DVec3::ZERO, linear: joint.col(k) };
-            columns[3 + k] = Column { angular: body.col(k), linear: DVec3::ZERO };
+            columns[k] = Column::shift(joint.rotation.col(k));
+            columns[3 + k] = Column::turn(pose.rotation.col(k));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::joint::{Column, JointModel};
+use super::joint::{Column, JointModel, Motion};
 use super::pose::Pose;
 
 /// A hinge; its coordinate is the angle [rad].
@@ -14,15 +14,11 @@ pub struct Hinge {
 
 impl JointModel for Hinge {
     const POSITIONS: usize = 1;
-    const VELOCITIES: usize = 1;
+    const MOTIONS: &'static [Motion] = &[Motion::Turn];
 
-    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
-        let turned = DMat3::from_axis_angle(self.axis, q[0]);
-        Pose { rotation: joint.rotation * turned, position: joint.position }
-    }
-
-    fn columns(&self, joint: &DMat3, _body: &DMat3, columns: &mut [Column]) {
-        columns[0] = Column { angular: *joint * self.axis, linear: DVec3::ZERO };
+    fn place(&self, pose: &mut Pose, q: &[f64], columns: &mut [Column]) {
+        columns[0] = Column::turn(pose.rotation * self.axis);
+        pose.rotation *= DMat3::from_axis_angle(self.axis, q[0]);
     }
 
     fn advance(&self, q: &mut [f64], increment: &[f64]) {

@@ -4,7 +4,7 @@
 //! the body's origin that one unit of it gives. Linear parts are fixed in the parent's axes and angular
 //! parts in the parent's or the body's, so one bias formula serves all types ([`super::bias`]).
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::ball::Ball;
 use super::fixed::Fixed;
@@ -23,18 +23,24 @@ pub struct Column {
     pub linear: DVec3,
 }
 
+/// Which part of a degree of freedom's column there is: loops over columns leave out the other one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// Translation: no angular part.
+    Shift,
+    /// Rotation about the body's origin: no linear part.
+    Turn,
+}
+
 /// What a joint type has to say.
 pub trait JointModel {
     /// Numbers in the configuration q.
     const POSITIONS: usize;
-    /// Degrees of freedom.
-    const VELOCITIES: usize;
+    /// What each of the degrees of freedom is.
+    const MOTIONS: &'static [Motion];
 
-    /// Pose of the body, that of the joint frame given.
-    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose;
-
-    /// Columns in world axes; `joint` and `body` are the world rotations of the joint frame and the body.
-    fn columns(&self, joint: &DMat3, body: &DMat3, columns: &mut [Column]);
+    /// Moves the pose from that of the joint frame to that of the body; sets the columns in world axes.
+    fn place(&self, pose: &mut Pose, q: &[f64], columns: &mut [Column]);
 
     /// q ⊕ δ: moves the configuration by an increment of the velocity coordinates.
     fn advance(&self, q: &mut [f64], increment: &[f64]);
@@ -70,8 +76,20 @@ macro_rules! each {
     };
 }
 
-fn sizes<J: JointModel>(_: &J) -> (usize, usize) {
-    (J::POSITIONS, J::VELOCITIES)
+fn sizes<J: JointModel>(_: &J) -> (usize, &'static [Motion]) {
+    (J::POSITIONS, J::MOTIONS)
+}
+
+impl Column {
+    /// Of a translation along `axis`.
+    pub fn shift(axis: DVec3) -> Self {
+        Self { angular: DVec3::ZERO, linear: axis }
+    }
+
+    /// Of a rotation about `axis`.
+    pub fn turn(axis: DVec3) -> Self {
+        Self { angular: axis, linear: DVec3::ZERO }
+    }
 }
 
 impl Joint {
@@ -80,19 +98,15 @@ impl Joint {
         each!(self, joint, sizes(joint).0)
     }
 
-    /// Degrees of freedom.
-    pub fn velocities(&self) -> usize {
+    /// What each of the degrees of freedom is.
+    pub fn motions(&self) -> &'static [Motion] {
         each!(self, joint, sizes(joint).1)
     }
 
-    /// See [`JointModel::pose`].
-    pub fn pose(&self, frame: &Pose, q: &[f64]) -> Pose {
-        each!(self, joint, joint.pose(frame, q))
-    }
-
-    /// See [`JointModel::columns`].
-    pub fn columns(&self, frame: &DMat3, body: &DMat3, columns: &mut [Column]) {
-        each!(self, joint, joint.columns(frame, body, columns))
+    /// See [`JointModel::place`].
+    #[inline]
+    pub fn place(&self, pose: &mut Pose, q: &[f64], columns: &mut [Column]) {
+        each!(self, joint, joint.place(pose, q, columns));
     }
 
     /// See [`JointModel::advance`].

@@ -17,6 +17,14 @@ pub struct Twist {
     pub linear: DVec3,
 }
 
+impl Twist {
+    /// Velocity [m/s] at the arm [m] from the origin.
+    #[inline]
+    pub fn at(&self, arm: DVec3) -> DVec3 {
+        self.linear + self.angular.cross(arm)
+    }
+}
+
 /// Poses, columns and velocities of the tree at one state. Reused from step to step.
 #[derive(Debug, Clone)]
 pub struct Kinematics {
@@ -24,6 +32,10 @@ pub struct Kinematics {
     pub pose: Vec<Pose>,
     /// World position of every body's centre of gravity [m].
     pub centre_of_gravity: Vec<DVec3>,
+    /// From the origin of its parent to that of every body [m]; zero for those on the world.
+    pub arm: Vec<DVec3>,
+    /// From every body's origin to its centre of gravity [m].
+    pub lever: Vec<DVec3>,
     /// Column of every degree of freedom.
     pub columns: Vec<Column>,
 }
@@ -34,29 +46,51 @@ impl Kinematics {
         Self {
             pose: vec![Pose::IDENTITY; tree.bodies.len()],
             centre_of_gravity: vec![DVec3::ZERO; tree.bodies.len()],
+            arm: vec![DVec3::ZERO; tree.bodies.len()],
+            lever: vec![DVec3::ZERO; tree.bodies.len()],
             columns: vec![Column::default(); tree.velocities],
         }
+    }
+
+    /// Takes over what `other` has of the same tree.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.pose.copy_from_slice(&other.pose);
+        self.centre_of_gravity.copy_from_slice(&other.centre_of_gravity);
+        self.arm.copy_from_slice(&other.arm);
+        self.lever.copy_from_slice(&other.lever);
+        self.columns.copy_from_slice(&other.columns);
     }
 
     /// Evaluates everything at the configuration `q`.
     pub fn update(&mut self, tree: &Tree, q: &[f64]) {
         for (index, body) in tree.bodies.iter().enumerate() {
-            let joint = match (body.parent, body.is_turned) {
-                (None, _) => body.placement,
-                (Some(parent), true) => self.pose[parent].compose(&body.placement),
-                (Some(parent), false) => self.pose[parent].shifted(body.placement.position),
-            };
-            let pose = body.joint.pose(&joint, &q[body.first_position..]);
-            let own = body.first_velocity..body.first_velocity + body.joint.velocities();
-            body.joint.columns(&joint.rotation, &pose.rotation, &mut self.columns[own]);
-            self.centre_of_gravity[index] = pose.point(body.centre_of_gravity);
-            self.pose[index] = pose;
+            let (above, below) = self.pose.split_at_mut(index);
+            let pose = &mut below[0];
+            match body.parent {
+                None => *pose = body.placement,
+                Some(parent) if body.is_turned => *pose = above[parent].compose(&body.placement),
+                Some(parent) => *pose = above[parent].shifted(body.placement.position),
+            }
+            body.joint.place(pose, &q[body.first_position..], &mut self.columns[body.dofs()]);
+            if let Some(parent) = body.parent {
+                self.arm[index] = pose.position - above[parent].position;
+            }
+            if !tree.is_point[index] {
+                self.lever[index] = pose.rotation * body.centre_of_gravity;
+            }
+            self.centre_of_gravity[index] = pose.position + self.lever[index];
         }
     }
 
     /// World position [m] of a point given in a body's frame, or in the world's.
+    #[inline]
     pub fn point(&self, body: Option<usize>, local: DVec3) -> DVec3 {
         body.map_or(local, |body| self.pose[body].point(local))
+    }
+
+    /// World direction of a vector given in a body's axes, or in the world's.
+    pub fn turn(&self, body: Option<usize>, local: DVec3) -> DVec3 {
+        body.map_or(local, |body| self.pose[body].rotation * local)
     }
 
     /// Velocity that degree of freedom `dof` gives to a world point [m] of a body that it moves.
@@ -92,14 +126,13 @@ impl Kinematics {
     pub fn twists(&self, tree: &Tree, v: &[f64], twists: &mut [Twist]) {
         for (index, body) in tree.bodies.iter().enumerate() {
             let mut twist = body.parent.map_or_else(Twist::default, |parent| {
-                let arm = self.pose[index].position - self.pose[parent].position;
                 let above = twists[parent];
-                Twist { angular: above.angular, linear: above.linear + above.angular.cross(arm) }
+                Twist { angular: above.angular, linear: above.linear + above.angular.cross(self.arm[index]) }
             });
-            for k in 0..body.joint.velocities() {
-                let dof = body.first_velocity + k;
-                twist.angular += self.columns[dof].angular * v[dof];
-                twist.linear += self.columns[dof].linear * v[dof];
+            let dofs = body.dofs();
+            for (column, v) in self.columns[dofs.clone()].iter().zip(&v[dofs]) {
+                twist.angular += column.angular * *v;
+                twist.linear += column.linear * *v;
             }
             twists[index] = twist;
         }

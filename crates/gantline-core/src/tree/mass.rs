@@ -4,6 +4,8 @@
 use glam::{DMat3, DVec3};
 
 use super::Tree;
+use super::bias::Wrench;
+use super::joint::Motion;
 use super::kinematics::Kinematics;
 
 /// Mass, first and second moment of a composite of bodies about a reference point, world axes.
@@ -52,19 +54,22 @@ impl MassMatrix {
     /// Evaluates M at the configuration of `kinematics`.
     pub fn update(&mut self, tree: &Tree, kinematics: &Kinematics) {
         for (index, body) in tree.bodies.iter().enumerate() {
-            let pose = &kinematics.pose[index];
-            let arm = kinematics.centre_of_gravity[index] - pose.position;
-            let turned = pose.rotation * body.inertia * pose.rotation.transpose();
-            self.composites[index] = Composite {
-                mass: body.mass,
-                first: arm * body.mass,
-                second: turned + steiner(arm) * body.mass,
+            self.composites[index] = if tree.is_point[index] {
+                Composite { mass: body.mass, first: DVec3::ZERO, second: DMat3::ZERO }
+            } else {
+                let (rotation, lever) = (kinematics.pose[index].rotation, kinematics.lever[index]);
+                let turned = rotation * body.inertia * rotation.transpose();
+                Composite {
+                    mass: body.mass,
+                    first: lever * body.mass,
+                    second: turned + steiner(lever) * body.mass,
+                }
             };
         }
         for index in (0..tree.bodies.len()).rev() {
             if let Some(parent) = tree.bodies[index].parent {
                 let child = self.composites[index];
-                let shift = kinematics.pose[index].position - kinematics.pose[parent].position;
+                let shift = kinematics.arm[index];
                 let above = &mut self.composites[parent];
                 above.mass += child.mass;
                 above.first += child.first + shift * child.mass;
@@ -76,8 +81,10 @@ impl MassMatrix {
             let composite = &self.composites[body];
             let origin = kinematics.pose[body].position;
             let column = &kinematics.columns[dof];
-            let momentum = column.linear * composite.mass + column.angular.cross(composite.first);
-            let angular = composite.second * column.angular + composite.first.cross(column.linear);
+            let (momentum, angular) = match tree.motions[dof] {
+                Motion::Shift => (column.linear * composite.mass, composite.first.cross(column.linear)),
+                Motion::Turn => (column.angular.cross(composite.first), composite.second * column.angular),
+            };
             for slot in self.row_start[dof]..self.row_start[dof + 1] {
                 let other = self.columns[slot];
                 let above = &kinematics.columns[other];
@@ -89,8 +96,15 @@ impl MassMatrix {
 
     /// Where the entry (row, column) is, column ≤ row, the column's joint on the way up from the row's.
     pub fn slot(&self, row: usize, column: usize) -> usize {
-        let range = self.row_start[row]..self.row_start[row + 1];
-        range.start + self.columns[range.clone()].partition_point(|&other| other < column)
+        // The joints above are the same for all rows below a column: it stands where its own diagonal does.
+        self.row_start[row] + self.row_start[column + 1] - 1 - self.row_start[column]
+    }
+
+    /// What accelerates a body and all that hangs on it by `acceleration` [m/s²] without turning, about its
+    /// origin.
+    pub fn accelerated(&self, body: usize, acceleration: DVec3) -> Wrench {
+        let Composite { mass, first, .. } = &self.composites[body];
+        Wrench { force: acceleration * *mass, moment: first.cross(acceleration) }
     }
 
     /// Diagonal entry of a degree of freedom.

@@ -13,9 +13,11 @@ pub mod pose;
 pub mod slider;
 pub mod tangent;
 
+use std::ops::Range;
+
 use glam::{DMat3, DVec3};
 
-use joint::Joint;
+use joint::{Joint, Motion};
 use pose::Pose;
 
 /// A rigid body and the joint by which it hangs on its parent.
@@ -41,6 +43,15 @@ pub struct Body {
     pub first_position: usize,
     /// First number of its joint in v.
     pub first_velocity: usize,
+    /// How many it has there.
+    pub velocities: usize,
+}
+
+impl Body {
+    /// Numbers of its joint in v.
+    pub fn dofs(&self) -> Range<usize> {
+        self.first_velocity..self.first_velocity + self.velocities
+    }
 }
 
 /// The tree: bodies in an order in which parents stand before children.
@@ -54,6 +65,10 @@ pub struct Tree {
     pub positions: usize,
     /// Length of v.
     pub velocities: usize,
+    /// What every degree of freedom is.
+    pub motions: Vec<Motion>,
+    /// True for bodies whose mass is all at their origin, without inertia: nothing about them turns.
+    pub is_point: Vec<bool>,
     /// For every degree of freedom the body whose joint has it.
     pub owner: Vec<usize>,
     /// For every body the degrees of freedom that move it, ascending.
@@ -70,14 +85,17 @@ impl Tree {
     /// A tree of `bodies` (parents first, offsets not yet set) in the field `gravity` [m/s²].
     pub fn new(mut bodies: Vec<Body>, gravity: DVec3) -> Self {
         let (mut positions, mut velocities) = (0, 0);
-        let mut owner = Vec::new();
+        let (mut owner, mut motions, mut is_point) = (Vec::new(), Vec::new(), Vec::new());
         let mut support: Vec<Vec<usize>> = Vec::with_capacity(bodies.len());
         for (index, body) in bodies.iter_mut().enumerate() {
             body.first_position = positions;
             body.first_velocity = velocities;
+            body.velocities = body.joint.motions().len();
             positions += body.joint.positions();
-            let own = velocities..velocities + body.joint.velocities();
+            let own = body.dofs();
             velocities = own.end;
+            motions.extend_from_slice(body.joint.motions());
+            is_point.push(body.centre_of_gravity == DVec3::ZERO && body.inertia == DMat3::ZERO);
             owner.extend(own.clone().map(|_| index));
             let mut dofs = body.parent.map_or_else(Vec::new, |parent| support[parent].clone());
             dofs.extend(own);
@@ -93,7 +111,19 @@ impl Tree {
         }
         let damping = vec![0.0; velocities];
         let inertia_scale = vec![1.0; velocities];
-        Self { bodies, gravity, positions, velocities, owner, support, subtree, damping, inertia_scale }
+        Self {
+            bodies,
+            gravity,
+            positions,
+            velocities,
+            motions,
+            is_point,
+            owner,
+            support,
+            subtree,
+            damping,
+            inertia_scale,
+        }
     }
 
     /// Degrees of freedom that move the point's body; none for the world.
@@ -105,8 +135,7 @@ impl Tree {
     pub fn advance(&self, q: &mut [f64], increment: &[f64]) {
         for body in &self.bodies {
             let positions = body.first_position..body.first_position + body.joint.positions();
-            let velocities = body.first_velocity..body.first_velocity + body.joint.velocities();
-            body.joint.advance(&mut q[positions], &increment[velocities]);
+            body.joint.advance(&mut q[positions], &increment[body.dofs()]);
         }
     }
 }

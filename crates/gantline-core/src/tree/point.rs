@@ -1,8 +1,8 @@
 //! Three translations without rotation: a node of a rope, a mass point.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
-use super::joint::{Column, JointModel};
+use super::joint::{Column, JointModel, Motion};
 use super::pose::Pose;
 
 /// A point; its coordinates are its position in the joint frame [m].
@@ -11,16 +11,13 @@ pub struct Point;
 
 impl JointModel for Point {
     const POSITIONS: usize = 3;
-    const VELOCITIES: usize = 3;
+    const MOTIONS: &'static [Motion] = &[Motion::Shift; 3];
 
-    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
-        joint.shifted(DVec3::from_slice(q))
-    }
-
-    fn columns(&self, joint: &DMat3, _body: &DMat3, columns: &mut [Column]) {
+    fn place(&self, pose: &mut Pose, q: &[f64], columns: &mut [Column]) {
         for (k, column) in columns.iter_mut().enumerate() {
-            *column = Column { angular: DVec3::ZERO, linear: joint.col(k) };
+            *column = Column::shift(pose.rotation.col(k));
         }
+        pose.position = pose.point(DVec3::from_slice(q));
     }
 
     fn advance(&self, q: &mut [f64], increment: &[f64]) {

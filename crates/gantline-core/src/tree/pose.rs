@@ -31,6 +31,7 @@ impl Pose {
     }
 
     /// A point [m] of this frame.
+    #[inline]
     pub fn point(&self, local: DVec3) -> DVec3 {
         self.position + self.rotation * local
     }

@@ -1,8 +1,8 @@
 //! Translation along an axis that is fixed in the parent.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
-use super::joint::{Column, JointModel};
+use super::joint::{Column, JointModel, Motion};
 use super::pose::Pose;
 
 /// A slider; its coordinate is the distance along the axis [m].
@@ -14,14 +14,13 @@ pub struct Slider {
 
 impl JointModel for Slider {
     const POSITIONS: usize = 1;
-    const VELOCITIES: usize = 1;
+    const MOTIONS: &'static [Motion] = &[Motion::Shift];
 
-    fn pose(&self, joint: &Pose, q: &[f64]) -> Pose {
-        joint.shifted(self.axis * q[0])
-    }
-
-    fn columns(&self, joint: &DMat3, _body: &DMat3, columns: &mut [Column]) {
-        columns[0] = Column { angular: DVec3::ZERO, linear: *joint * self.axis };
+    #[inline]
+    fn place(&self, pose: &mut Pose, q: &[f64], columns: &mut [Column]) {
+        let axis = pose.rotation * self.axis;
+        columns[0] = Column::shift(axis);
+        pose.position += axis * q[0];
     }
 
     fn advance(&self, q: &mut [f64], increment: &[f64]) {

@@ -12,6 +12,7 @@ use glam::{DMat3, DVec3};
 
 use super::Tree;
 use super::bias::{NewtonEuler, Wrench};
+use super::joint::Motion;
 use super::kinematics::{Kinematics, Twist};
 use super::mass::MassMatrix;
 
@@ -32,11 +33,23 @@ pub struct DynamicsTangent {
     pub position: Paired,
     /// ∂τ/∂v.
     pub velocity: Paired,
+    /// Inertia of every body about its centre of gravity, world axes; not set for those that are points.
+    inertia: Vec<DMat3>,
     /// Change of every body's angular velocity in the subtree of a sweep.
     spin: Vec<DVec3>,
     /// Change of every body's acceleration.
     rate: Vec<Twist>,
     wrench: Vec<Wrench>,
+}
+
+/// Where and how the tree moves.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    tree: &'a Tree,
+    kinematics: &'a Kinematics,
+    mass: &'a MassMatrix,
+    dynamics: &'a NewtonEuler,
+    v: &'a [f64],
 }
 
 /// What starts a sweep: change of the motion of the topmost body, seen from the moved subtree.
@@ -54,6 +67,7 @@ impl DynamicsTangent {
         Self {
             position: zeros(),
             velocity: zeros(),
+            inertia: vec![DMat3::ZERO; tree.bodies.len()],
             spin: vec![DVec3::ZERO; tree.bodies.len()],
             rate: vec![Twist::default(); tree.bodies.len()],
             wrench: vec![Wrench::default(); tree.bodies.len()],
@@ -61,7 +75,7 @@ impl DynamicsTangent {
     }
 
     /// Evaluates both derivatives at the motion of the last update of `dynamics`, in which no applied forces
-    /// were given.
+    /// were given; `mass` has been updated there.
     pub fn update(
         &mut self,
         tree: &Tree,
@@ -70,96 +84,106 @@ impl DynamicsTangent {
         dynamics: &NewtonEuler,
         v: &[f64],
     ) {
+        for (index, body) in tree.bodies.iter().enumerate().filter(|(index, _)| !tree.is_point[*index]) {
+            let rotation = kinematics.pose[index].rotation;
+            self.inertia[index] = rotation * body.inertia * rotation.transpose();
+        }
+        let place = Place { tree, kinematics, mass, dynamics, v };
         for dof in 0..tree.velocities {
-            let body = tree.owner[dof];
-            let column = kinematics.columns[dof];
-            let (above, above_rate) = parent_motion(tree, dynamics, body);
-            let joint_spin = dynamics.twists[body].angular - above.angular;
-
-            let turned = -column.angular.cross(above.angular);
-            let arm_change = column.linear;
-            let here = dynamics.accelerations[body].linear - tree.gravity;
-            let seed = Seed {
-                spin: turned,
-                rate: Twist {
-                    angular: turned.cross(joint_spin) - column.angular.cross(above_rate.angular),
-                    linear: above_rate.angular.cross(arm_change)
-                        + above.angular.cross(above.angular.cross(arm_change))
-                        - column.angular.cross(here),
-                },
-            };
-            self.sweep(tree, kinematics, dynamics, v, body, &seed);
-            collect(tree, kinematics, mass, (dof, body), (&self.wrench, Some(dynamics)), &mut self.position);
-
-            let seed = Seed {
-                spin: column.angular,
-                rate: Twist {
-                    angular: above.angular.cross(column.angular),
-                    linear: 2.0 * above.angular.cross(column.linear),
-                },
-            };
-            self.sweep(tree, kinematics, dynamics, v, body, &seed);
-            collect(tree, kinematics, mass, (dof, body), (&self.wrench, None), &mut self.velocity);
+            let [position, velocity] = place.seeds(dof);
+            let moved = Some(dynamics);
+            self.sweep(&place, dof, &position);
+            collect(&place, dof, &self.wrench, moved, &mut self.position);
+            self.sweep(&place, dof, &velocity);
+            collect(&place, dof, &self.wrench, None, &mut self.velocity);
         }
     }
 
-    /// Changes of all wrenches in the subtree of `top`, seen from the moved subtree.
-    fn sweep(
-        &mut self,
-        tree: &Tree,
-        kinematics: &Kinematics,
-        dynamics: &NewtonEuler,
-        v: &[f64],
-        top: usize,
-        seed: &Seed,
-    ) {
+    /// Changes of all wrenches in the subtree of a degree of freedom, seen from the moved subtree.
+    fn sweep(&mut self, place: &Place, dof: usize, seed: &Seed) {
+        let top = place.tree.owner[dof];
+        match place.tree.motions[dof] {
+            // Nothing turns: all of it is accelerated as one.
+            Motion::Shift => {
+                for &index in &place.tree.subtree[top] {
+                    self.wrench[index] = place.mass.accelerated(index, seed.rate.linear);
+                }
+            }
+            Motion::Turn => self.sweep_turn(place, top, seed),
+        }
+    }
+
+    fn sweep_turn(&mut self, place: &Place, top: usize, seed: &Seed) {
+        let Place { tree, kinematics, dynamics, .. } = *place;
         self.spin[top] = seed.spin;
         self.rate[top] = seed.rate;
-        for &index in &tree.subtree[top][1..] {
-            self.pass_on(tree, kinematics, dynamics, v, index);
-        }
         for &index in &tree.subtree[top] {
-            let body = &tree.bodies[index];
-            let pose = &kinematics.pose[index];
-            let arm = kinematics.centre_of_gravity[index] - pose.position;
-            let inertia = pose.rotation * body.inertia * pose.rotation.transpose();
-            let spin = dynamics.twists[index].angular;
-            self.wrench[index] =
-                wrench_change(body.mass, arm, inertia, spin, self.spin[index], &self.rate[index]);
+            if index != top {
+                self.pass_on(place, index);
+            }
+            let (change, rate) = (self.spin[index], &self.rate[index]);
+            self.wrench[index] = if tree.is_point[index] {
+                Wrench { force: rate.linear * tree.bodies[index].mass, moment: DVec3::ZERO }
+            } else {
+                let (spin, lever) = (dynamics.twists[index].angular, kinematics.lever[index]);
+                wrench_change(tree.bodies[index].mass, lever, &self.inertia[index], spin, change, rate)
+            };
         }
         for &index in tree.subtree[top][1..].iter().rev() {
             let parent = tree.bodies[index].parent.unwrap_or(top);
-            let arm = kinematics.pose[index].position - kinematics.pose[parent].position;
             let wrench = self.wrench[index];
             let above = &mut self.wrench[parent];
             above.force += wrench.force;
-            above.moment += wrench.moment + arm.cross(wrench.force);
+            above.moment += wrench.moment + kinematics.arm[index].cross(wrench.force);
         }
     }
 
     /// Change of a body's motion from that of its parent: the recursion of [`super::bias`], linearised.
-    fn pass_on(
-        &mut self,
-        tree: &Tree,
-        kinematics: &Kinematics,
-        dynamics: &NewtonEuler,
-        v: &[f64],
-        index: usize,
-    ) {
-        let body = &tree.bodies[index];
+    fn pass_on(&mut self, place: &Place, index: usize) {
+        let body = &place.tree.bodies[index];
         let parent = body.parent.unwrap_or(index);
-        let arm = kinematics.pose[index].position - kinematics.pose[parent].position;
-        let (change, spin) = (self.spin[parent], dynamics.twists[parent].angular);
+        let arm = place.kinematics.arm[index];
+        let (change, spin) = (self.spin[parent], place.dynamics.twists[parent].angular);
         let Twist { mut angular, mut linear } = self.rate[parent];
         linear += angular.cross(arm) + change.cross(spin.cross(arm)) + spin.cross(change.cross(arm));
-        for k in 0..body.joint.velocities() {
-            let dof = body.first_velocity + k;
-            let column = &kinematics.columns[dof];
-            angular += change.cross(column.angular * v[dof]);
-            linear += 2.0 * change.cross(column.linear * v[dof]);
+        for (dof, motion) in body.dofs().zip(body.joint.motions()) {
+            let column = &place.kinematics.columns[dof];
+            match motion {
+                Motion::Shift => linear += change.cross(column.linear) * (2.0 * place.v[dof]),
+                Motion::Turn => angular += change.cross(column.angular) * place.v[dof],
+            }
         }
         self.spin[index] = change;
         self.rate[index] = Twist { angular, linear };
+    }
+}
+
+impl Place<'_> {
+    /// Seeds of the derivatives over the position and the velocity of a degree of freedom.
+    fn seeds(&self, dof: usize) -> [Seed; 2] {
+        let Place { tree, kinematics, dynamics, .. } = *self;
+        let body = tree.owner[dof];
+        let column = &kinematics.columns[dof];
+        let (above, above_rate) = parent_motion(tree, dynamics, body);
+        match tree.motions[dof] {
+            Motion::Shift => {
+                let swing = above.angular.cross(column.linear);
+                let moved = above_rate.angular.cross(column.linear) + above.angular.cross(swing);
+                [moved, swing * 2.0]
+                    .map(|linear| Seed { spin: DVec3::ZERO, rate: Twist { angular: DVec3::ZERO, linear } })
+            }
+            Motion::Turn => {
+                let turned = -column.angular.cross(above.angular);
+                let joint_spin = dynamics.twists[body].angular - above.angular;
+                let angular = turned.cross(joint_spin) - column.angular.cross(above_rate.angular);
+                let linear = column.angular.cross(tree.gravity - dynamics.accelerations[body].linear);
+                let swing = Twist { angular: above.angular.cross(column.angular), linear: DVec3::ZERO };
+                [
+                    Seed { spin: turned, rate: Twist { angular, linear } },
+                    Seed { spin: column.angular, rate: swing },
+                ]
+            }
+        }
     }
 }
 
@@ -170,26 +194,30 @@ fn parent_motion(tree: &Tree, dynamics: &NewtonEuler, body: usize) -> (Twist, Tw
     }
 }
 
-fn wrench_change(mass: f64, arm: DVec3, inertia: DMat3, spin: DVec3, change: DVec3, rate: &Twist) -> Wrench {
-    let centre =
-        rate.linear + rate.angular.cross(arm) + change.cross(spin.cross(arm)) + spin.cross(change.cross(arm));
+fn wrench_change(
+    mass: f64,
+    lever: DVec3,
+    inertia: &DMat3,
+    spin: DVec3,
+    change: DVec3,
+    rate: &Twist,
+) -> Wrench {
+    let centre = rate.linear
+        + rate.angular.cross(lever)
+        + change.cross(spin.cross(lever))
+        + spin.cross(change.cross(lever));
     let force = centre * mass;
-    let couple = inertia * rate.angular + change.cross(inertia * spin) + spin.cross(inertia * change);
-    Wrench { force, moment: couple + arm.cross(force) }
+    let couple = *inertia * rate.angular + change.cross(*inertia * spin) + spin.cross(*inertia * change);
+    Wrench { force, moment: couple + lever.cross(force) }
 }
 
 /// Projects the changes of the wrenches on the columns: rows of the subtree and of the joints above. With
-/// `dynamics` the subtree itself has moved, which turns or shifts what it hands up.
-fn collect(
-    tree: &Tree,
-    kinematics: &Kinematics,
-    mass: &MassMatrix,
-    (dof, top): (usize, usize),
-    (wrench, dynamics): (&[Wrench], Option<&NewtonEuler>),
-    out: &mut Paired,
-) {
+/// `moved` the subtree itself has moved, which turns or shifts what it hands up.
+fn collect(place: &Place, dof: usize, wrench: &[Wrench], moved: Option<&NewtonEuler>, out: &mut Paired) {
+    let Place { tree, kinematics, mass, .. } = *place;
+    let top = tree.owner[dof];
     let column = kinematics.columns[dof];
-    let carried = dynamics.map_or_else(Wrench::default, |dynamics| dynamics.wrenches[top]);
+    let carried = moved.map_or_else(Wrench::default, |dynamics| dynamics.wrenches[top]);
     let handed = Wrench {
         force: wrench[top].force + column.angular.cross(carried.force),
         moment: wrench[top].moment
@@ -198,10 +226,13 @@ fn collect(
     };
     for &index in &tree.subtree[top] {
         let body = &tree.bodies[index];
-        for row in body.first_velocity..body.first_velocity + body.joint.velocities() {
+        let force = if index == top { handed.force } else { wrench[index].force };
+        for (row, motion) in body.dofs().zip(body.joint.motions()) {
             let own = &kinematics.columns[row];
-            let force = if index == top { handed.force } else { wrench[index].force };
-            let value = own.angular.dot(wrench[index].moment) + own.linear.dot(force);
+            let value = match motion {
+                Motion::Shift => own.linear.dot(force),
+                Motion::Turn => own.angular.dot(wrench[index].moment),
+            };
             if row >= dof {
                 out.lower[mass.slot(row, dof)] = value;
             } else {

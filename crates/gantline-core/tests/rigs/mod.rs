@@ -146,7 +146,7 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
     route.push(GuideSpec::End { body: body(draw), at: draw.scaled(4.0) });
     RopeSpec {
         name: format!("r{index}"),
-        length: 1.0,
+        length: Some(1.0),
         material: MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 },
         route,
     }
@@ -234,7 +234,39 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
         };
         let route = ends.map(|(body, at)| GuideSpec::End { body: body.map(|body| format!("b{body}")), at });
         let length = (b - a).length().max(0.5) * if rigid { slack.max(1.001) } else { slack };
-        spec.ropes.push(RopeSpec { name: format!("r{index}"), length, material, route: route.to_vec() });
+        spec.ropes.push(RopeSpec {
+            name: format!("r{index}"),
+            length: Some(length),
+            material,
+            route: route.to_vec(),
+        });
     }
     spec
+}
+
+/// A rope over two real sheaves on random bodies, between two ends; none where some part has no tangent.
+pub fn sheave_rig(seeds: &[f64]) -> Option<(System, State, Frame)> {
+    let mut spec = rig(seeds);
+    let mut draw = Draw::new(&seeds[200..]);
+    let sheave = |draw: &mut Draw, shift: f64| GuideSpec::Sheave {
+        body: body(draw),
+        at: {
+            let [x, y, z] = draw.vector();
+            [x + shift, y, z]
+        },
+        axis: draw.direction(),
+        radius: 0.3 + 0.2 * draw.number(),
+    };
+    let route = vec![
+        GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0) },
+        sheave(&mut draw, 8.0),
+        sheave(&mut draw, -8.0),
+        GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0) },
+    ];
+    let material = MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 };
+    spec.ropes = vec![RopeSpec { name: "r".into(), length: None, material, route }];
+    let (system, state) = build(&spec).ok()?;
+    let mut frame = Frame::new(&system);
+    frame.update(&system, &state);
+    Some((system, state, frame))
 }

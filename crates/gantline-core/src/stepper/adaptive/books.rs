@@ -34,7 +34,7 @@ impl Adaptive {
         self.rodas.course.rate_at(theta, &mut self.rate);
         let Increment { phi, v, rigid, .. } = &self.point;
         let point = Point { base: &state.q, memory: &state.memory, phi, v, a: &self.rate.v, rigid };
-        self.probe.all(system, &point, &state.modes, &state.slip);
+        self.probe.forces(system, &point, &state.modes, &state.slip);
         self.book_point(system, state, duration);
     }
 
@@ -100,30 +100,29 @@ impl Adaptive {
             };
             *loss_kind(system, ledger, row, mode) += duration * power;
         }
-        // The position's own defect, against gravity and springs.
-        self.rate.a.fill(0.0);
+        // The position's own defect, against gravity and springs: as if the bodies moved with it.
+        for (defect, phi_rate) in self.rate.phi.iter_mut().zip(&probe.phi_rate) {
+            *defect -= phi_rate;
+        }
+        probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
+        probe.rates(system, &self.defect, &mut self.rows);
+        let mut power = 0.0;
         for (row, law) in system.rows.laws.iter().enumerate() {
             let e = probe.frame.value[row];
-            let stretch = if matches!(law, Law::Unilateral { .. }) { e.max(0.0) } else { e };
-            let sticks = state.modes[row] == Mode::Acting;
-            if law.compliance() > 0.0 && stretch != 0.0 && (sticks || matches!(law, Law::Unilateral { .. })) {
-                for (dof, entry) in system.rows.entries(&probe.frame.gradient, row) {
-                    self.rate.a[dof] += entry * stretch / law.compliance();
-                }
+            let stretch = match law {
+                Law::Unilateral { .. } => e.max(0.0),
+                Law::Friction { .. } if state.modes[row] == Mode::Acting => e,
+                Law::Friction { .. } => 0.0,
+            };
+            if law.compliance() > 0.0 {
+                power += self.rows[row] * stretch / law.compliance();
             }
         }
-        let defect = |dof: usize| self.rate.phi[dof] - probe.phi_rate[dof];
-        let springs: f64 = (0..v.len()).map(|dof| self.rate.a[dof] * defect(dof)).sum();
-        let mut weight = 0.0;
-        for (index, body) in system.tree.bodies.iter().enumerate() {
-            if body.mass > 0.0 {
-                let centre = probe.frame.kinematics.centre_of_gravity[index];
-                for &dof in &system.tree.support[index] {
-                    let column = probe.frame.kinematics.point_column(&system.tree, dof, centre);
-                    weight -= body.mass * system.tree.gravity.dot(column) * defect(dof);
-                }
-            }
+        for ((body, twist), lever) in
+            system.tree.bodies.iter().zip(&self.defect).zip(&probe.frame.kinematics.lever)
+        {
+            power -= body.mass * system.tree.gravity.dot(twist.at(*lever));
         }
-        ledger.method -= duration * (springs + weight);
+        ledger.method -= duration * power;
     }
 }

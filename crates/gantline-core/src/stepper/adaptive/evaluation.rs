@@ -10,13 +10,15 @@
 
 use glam::DVec3;
 
-use crate::constraint::{AnyConstraint, Law};
+use crate::constraint::{AnyConstraint, Law, Line};
 use crate::rope::route::Attachment;
 use crate::solver::complementarity::Mode;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+use crate::tree::Body;
 use crate::tree::bias::NewtonEuler;
 use crate::tree::joint::Joint;
+use crate::tree::kinematics::Twist;
 
 /// Sliding slower than this, v₀ [m/s], keeps the direction in which it started.
 const SLOW: f64 = 1e-4;
@@ -42,6 +44,10 @@ pub struct Evaluation {
     pub imbalance: Vec<f64>,
     /// G v̇ + Ġ v of every inextensible rope [m/s²], by [`System::rigid`].
     pub pull: Vec<f64>,
+    /// Where the forces of the rows act; not set by [`Evaluation::all`].
+    lines: Vec<Line>,
+    /// First degree of freedom of every joint's rotations in body axes.
+    rotations: Vec<usize>,
     /// Newtons that a metre of length counts for where an inextensible rope is slack.
     pub rigid_scale: f64,
 }
@@ -60,23 +66,90 @@ impl Evaluation {
             tension: vec![0.0; rows],
             imbalance: vec![0.0; size],
             pull: vec![0.0; system.rigid.len()],
+            lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
+            rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
             rigid_scale: 1e6,
         }
     }
 
-    /// Positions, velocities and forces of the rows at q₀ ⊕ φ, v; no dynamics.
+    /// Positions, velocities and forces of the rows at q₀ ⊕ φ, v; no accelerations, no gradients.
     pub fn rows(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+        self.place(system, at);
+        self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
+        self.locate(system, at.memory);
+        self.tensions(system, at, modes, slip);
+    }
+
+    /// The same and the imbalance.
+    pub fn forces(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+        self.place(system, at);
+        self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
+        self.locate(system, at.memory);
+        self.tensions(system, at, modes, slip);
+        let rows = &system.rows;
+        for (index, constraint) in system.constraints.iter().enumerate() {
+            let tension = &self.tension[rows.first[index]..rows.first[index + 1]];
+            if tension.iter().any(|tension| *tension != 0.0) {
+                let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
+                constraint.apply(tension, lines, &mut self.dynamics.wrenches);
+            }
+        }
+        self.balance(system, at);
+    }
+
+    /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
+    pub fn all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+        self.place(system, at);
+        self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
+        self.frame.rows(system, at.memory);
+        for (row, rate) in self.rate.iter_mut().enumerate() {
+            *rate = system.rows.rate(&self.frame.gradient, row, at.v);
+        }
+        self.tensions(system, at, modes, slip);
+        self.balance(system, at);
+        for (row, &tension) in self.tension.iter().enumerate() {
+            if tension != 0.0 {
+                for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
+                    self.imbalance[dof] += entry * tension;
+                }
+            }
+        }
+    }
+
+    fn place(&mut self, system: &System, at: &Point) {
         self.q.copy_from_slice(at.base);
         system.tree.advance(&mut self.q, at.phi);
-        self.frame.update_rows(system, &self.q, at.memory);
-        for row in 0..system.rows.count() {
-            let law = &system.rows.laws[row];
-            self.rate[row] = system.rows.rate(&self.frame.gradient, row, at.v);
-            self.trial[row] = if law.compliance() > 0.0 {
-                (self.frame.value[row] + law.damping_time() * self.rate[row]) / law.compliance()
-            } else {
-                0.0
-            };
+        self.frame.kinematics.update(&system.tree, &self.q);
+    }
+
+    /// Values and rates of the rows from the motion of the bodies.
+    fn locate(&mut self, system: &System, memory: &[f64]) {
+        self.frame.value.copy_from_slice(memory);
+        let rows = &system.rows;
+        for (index, constraint) in system.constraints.iter().enumerate() {
+            let own = rows.first[index]..rows.first[index + 1];
+            let lines = &mut self.lines[rows.lines[index]..rows.lines[index + 1]];
+            let motion = (&self.frame.kinematics, self.dynamics.twists.as_slice());
+            let value = &mut self.frame.value[own.clone()];
+            constraint.locate(motion, value, &mut self.rate[own], lines);
+        }
+    }
+
+    /// Rates of the rows under other velocities of the bodies, after [`Evaluation::forces`].
+    pub fn rates(&self, system: &System, twists: &[Twist], rate: &mut [f64]) {
+        let rows = &system.rows;
+        for (index, constraint) in system.constraints.iter().enumerate() {
+            let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
+            constraint.rates(twists, lines, &mut rate[rows.first[index]..rows.first[index + 1]]);
+        }
+    }
+
+    /// Forces of the rows from their values and rates.
+    fn tensions(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+        let states = self.frame.value.iter().zip(&self.rate);
+        for ((law, trial), (value, rate)) in system.rows.laws.iter().zip(&mut self.trial).zip(states) {
+            let compliance = law.compliance();
+            *trial = if compliance > 0.0 { (value + law.damping_time() * rate) / compliance } else { 0.0 };
         }
         for (&row, tension) in system.rigid.iter().zip(at.rigid) {
             let acts = modes[row] == Mode::Acting;
@@ -91,33 +164,22 @@ impl Evaluation {
         }
     }
 
-    /// All of the above and the imbalance.
-    pub fn all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
-        self.rows(system, at, modes, slip);
-        let kinematics = &self.frame.kinematics;
-        self.dynamics.update(&system.tree, kinematics, at.v, Some(at.a), None, &mut self.imbalance);
-        for (dof, damping) in system.tree.damping.iter().enumerate() {
-            self.imbalance[dof] += damping * at.v[dof];
-        }
-        for row in 0..system.rows.count() {
-            let tension = self.tension[row];
-            if tension != 0.0 {
-                for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
-                    self.imbalance[dof] += entry * tension;
-                }
-            }
+    /// What the wrenches of the dynamics leave over, accelerations of inextensible ropes, φ̇.
+    fn balance(&mut self, system: &System, at: &Point) {
+        self.dynamics.backward(&system.tree, &self.frame.kinematics, &mut self.imbalance);
+        let damping = system.tree.damping.iter().zip(at.v);
+        for (imbalance, (damping, v)) in self.imbalance.iter_mut().zip(damping) {
+            *imbalance += damping * v;
         }
         for (pull, &row) in self.pull.iter_mut().zip(&system.rigid) {
             *pull = pull_of(system, &self.frame, &self.dynamics, row);
         }
         self.phi_rate.copy_from_slice(at.v);
-        for body in &system.tree.bodies {
-            if let Some(first) = rotation(&body.joint) {
-                let range = body.first_velocity + first..body.first_velocity + first + 3;
-                let phi = DVec3::from_slice(&at.phi[range.clone()]);
-                let omega = DVec3::from_slice(&at.v[range.clone()]);
-                self.phi_rate[range].copy_from_slice(&rate_of_rotation(phi, omega).to_array());
-            }
+        for &first in &self.rotations {
+            let range = first..first + 3;
+            let phi = DVec3::from_slice(&at.phi[range.clone()]);
+            let omega = DVec3::from_slice(&at.v[range.clone()]);
+            self.phi_rate[range].copy_from_slice(&rate_of_rotation(phi, omega).to_array());
         }
     }
 
@@ -177,8 +239,8 @@ pub fn pull_of(system: &System, frame: &Frame, dynamics: &NewtonEuler, row: usiz
     };
     let mut sum = 0.0;
     for (part, straight) in rope.route.parts.iter().zip(rope.straights(kinematics)) {
-        let (from, from_rate) = motion(&part.from, straight.from);
-        let (to, to_rate) = motion(&part.to, straight.to);
+        let (from, from_rate) = motion(&part.from.at, straight.from);
+        let (to, to_rate) = motion(&part.to.at, straight.to);
         let (relative, along) = (to - from, (to - from).dot(straight.direction));
         sum += straight.direction.dot(to_rate - from_rate);
         if straight.length > 0.0 {
@@ -188,11 +250,11 @@ pub fn pull_of(system: &System, frame: &Frame, dynamics: &NewtonEuler, row: usiz
     sum
 }
 
-/// Offset of the three rotations among a joint's degrees of freedom, where it has them in body axes.
-pub fn rotation(joint: &Joint) -> Option<usize> {
-    match joint {
-        Joint::Ball(_) => Some(0),
-        Joint::Free(_) => Some(3),
+/// First of the three rotations of a body's joint, where it has them in body axes.
+pub fn first_rotation(body: &Body) -> Option<usize> {
+    match body.joint {
+        Joint::Ball(_) => Some(body.first_velocity),
+        Joint::Free(_) => Some(body.first_velocity + 3),
         _ => None,
     }
 }

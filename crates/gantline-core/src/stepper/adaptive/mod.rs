@@ -9,7 +9,9 @@
 mod books;
 mod error;
 pub mod evaluation;
+mod places;
 pub mod rodas;
+mod spins;
 mod switching;
 mod tableau;
 pub mod tangent;
@@ -24,6 +26,7 @@ use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
+use crate::tree::kinematics::Twist;
 use evaluation::{Evaluation, Point};
 use rodas::{Increment, Rodas};
 
@@ -79,6 +82,7 @@ pub struct Adaptive {
     looks: switching::Looks,
     support: Vec<f64>,
     rows: Vec<f64>,
+    defect: Vec<Twist>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
     /// Share of the last computed step that was made.
@@ -105,6 +109,7 @@ impl Adaptive {
             looks: switching::Looks::new(system),
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
+            defect: vec![Twist::default(); system.tree.bodies.len()],
             current: false,
             made: 1.0,
         }
@@ -156,7 +161,7 @@ impl Adaptive {
         if state.engaged {
             h = h.min(2.0 * state.engaged_step);
         }
-        let mut rejected = 0;
+        let (mut rejected, mut last) = (0, f64::INFINITY);
         let (error, reach) = loop {
             let reach = stop - state.time;
             // Never leave a sliver before a stop.
@@ -169,16 +174,16 @@ impl Adaptive {
                 break (error, reach);
             }
             rejected += 1;
-            // Where the estimate does not fall as it should, the step is far too long: the worse, the bolder.
-            let most = 0.7_f64.powi(rejected);
+            // Where the estimate does not fall with the step, the step is far too long.
             let wanted = 0.9 * error.powf(-1.0 / tableau::ERROR_ORDER);
-            h *= if error.is_finite() { wanted.clamp(0.1, most.max(0.1)) } else { 0.1 };
+            h *= if error < 0.5 * last { wanted.clamp(0.1, 0.8) } else { 0.1 };
+            last = error;
             if h < STEP_FLOOR {
                 return Err(self.too_short(system, state));
             }
         };
         let stretch = (0.9 * error.max(1e-8).powf(-1.0 / tableau::ERROR_ORDER)).clamp(0.2, 6.0);
-        report.rejected = rejected as u64;
+        report.rejected = rejected;
         if state.engaged {
             state.engaged_step = h;
             state.engaged = false;
@@ -361,8 +366,7 @@ impl Adaptive {
 
     /// Brings `frame` to the configuration that has just been evaluated.
     fn refresh(&self, system: &System, frame: &mut Frame) {
-        frame.clone_from(&self.rodas.here.frame);
-        frame.mass.update(&system.tree, &frame.kinematics);
+        frame.follow(system, &self.rodas.here.frame);
     }
 
     /// How many inextensible ropes act.

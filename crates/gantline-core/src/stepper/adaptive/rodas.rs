@@ -215,18 +215,18 @@ impl Rodas {
             *tension = state.tension[row];
         }
         let (modes, slip) = (&state.modes, &state.slip);
-        self.matrix.factorise(system, &self.here, mass, state, kappa)?;
+        self.matrix.factorise(system, &self.here, state, kappa)?;
         for stage in 0..STAGES {
             self.point.set(A[stage], &self.k, &self.course.start);
             if stage > 0 {
                 let Increment { phi, v, a, rigid } = &self.point;
                 let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
-                self.stage.all(system, &point, modes, slip);
+                self.stage.forces(system, &point, modes, slip);
             }
             self.stage_sides(system, state, mass, stage, h);
             self.matrix.solve(&self.force, &self.rows, &mut self.x);
             let k = &mut self.k[stage];
-            self.matrix.increments(system, &state.v, kappa, &self.x, &mut k.phi);
+            self.matrix.spins.increments(kappa, &self.x, &mut k.phi);
             for dof in 0..self.x.len() {
                 k.v[dof] = self.x[dof] - self.r[dof];
                 k.a[dof] = k.v[dof] / kappa - self.rho[dof];

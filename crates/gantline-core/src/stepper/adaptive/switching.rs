@@ -73,15 +73,22 @@ impl Adaptive {
         if let Some(index) = self.looks.far.iter().position(|&far| far > allowed) {
             let mut low = if index == 0 { 0.0 } else { LOOKS[index - 1] };
             let mut high = LOOKS[index];
-            // Anything between half of the tolerance and the tolerance will do.
+            // Anything between half of the tolerance and the tolerance will do. False position with the Illinois
+            // rule: an end that stays counts half.
+            let aim = |far: f64| far - 0.75 * allowed;
+            let mut below = aim(if index == 0 { 0.0 } else { self.looks.far[index - 1] });
+            let mut above = aim(self.looks.far[index]);
             for _ in 0..60 {
-                let middle = 0.5 * (low + high);
+                let share = (below / (below - above)).clamp(0.01, 0.99);
+                let middle = low + share * (high - low);
                 self.probe_rows(system, state, middle);
                 let far = self.farthest(system, state, &self.probe);
                 if far > allowed {
-                    high = middle;
+                    (high, above) = (middle, aim(far));
+                    below *= 0.5;
                 } else {
-                    low = middle;
+                    (low, below) = (middle, aim(far));
+                    above *= 0.5;
                     if far > 0.5 * allowed {
                         break;
                     }
@@ -251,10 +258,10 @@ impl Adaptive {
 
     /// Share of the step that was made at which the trial force of a row went through zero.
     fn crossing(&self, row: usize) -> f64 {
-        let course = self.looks.course(row);
+        let course = RowCourse::through(self.looks.values(row));
         let new_sign = self.rodas.here.trial[row] > 0.0;
         let last = (1..POINTS).find(|&k| (course.values[k] > 0.0) == new_sign).unwrap_or(POINTS - 1);
-        let (mut low, mut high) = (course.times[last - 1], course.times[last]);
+        let (mut low, mut high) = (TIMES[last - 1], TIMES[last]);
         for _ in 0..40 {
             let middle = 0.5 * (low + high);
             if (course.at(middle) > 0.0) == new_sign { high = middle } else { low = middle }
@@ -265,15 +272,17 @@ impl Adaptive {
     /// The largest force of a rope in the last step [N] and the share of the step at which it was, where it is
     /// more than `least`.
     pub fn peak(&self, row: usize, least: f64) -> Option<(f64, f64)> {
-        let course = self.looks.course(row);
-        let highest = (0..POINTS).max_by(|&a, &b| course.values[a].total_cmp(&course.values[b]))?;
+        let values = self.looks.values(row);
+        let highest = (0..POINTS).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
         // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most.
-        if course.values[highest] < 0.9 * least {
+        if values[highest] < 0.9 * least {
             return None;
         }
-        let mut low = course.times[highest.saturating_sub(1)].min(self.made);
-        let mut high = course.times[(highest + 1).min(POINTS - 1)].min(self.made);
-        for _ in 0..40 {
+        let course = RowCourse::through(values);
+        let mut low = TIMES[highest.saturating_sub(1)].min(self.made);
+        let mut high = TIMES[(highest + 1).min(POINTS - 1)].min(self.made);
+        // To 1e-4 of the time between points; the value is right to the square of that.
+        for _ in 0..24 {
             let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
             if course.at(a) < course.at(b) { low = a } else { high = b }
         }
@@ -285,28 +294,50 @@ impl Adaptive {
 /// The start of a step and its looks.
 const POINTS: usize = LOOKS.len() + 1;
 
+/// Shares of the step at the start and the looks.
+const TIMES: [f64; POINTS] = [0.0, LOOKS[0], LOOKS[1], LOOKS[2], LOOKS[3], LOOKS[4]];
+
+/// One over the time between point k and the one `order` before it, by order and k.
+const SPANS: [[f64; POINTS]; POINTS] = {
+    let mut spans = [[0.0; POINTS]; POINTS];
+    let mut order = 1;
+    while order < POINTS {
+        let mut k = order;
+        while k < POINTS {
+            spans[order][k] = 1.0 / (TIMES[k] - TIMES[k - order]);
+            k += 1;
+        }
+        order += 1;
+    }
+    spans
+};
+
 /// What the law asks of one row along a step: the polynomial through the start and the looks.
 struct RowCourse {
-    times: [f64; POINTS],
     values: [f64; POINTS],
+    /// Divided differences (Newton's form).
+    terms: [f64; POINTS],
 }
 
 impl Looks {
-    fn course(&self, row: usize) -> RowCourse {
-        RowCourse {
-            times: std::array::from_fn(|k| if k == 0 { 0.0 } else { LOOKS[k - 1] }),
-            values: std::array::from_fn(|k| if k == 0 { self.start[row] } else { self.trial[k - 1][row] }),
-        }
+    fn values(&self, row: usize) -> [f64; POINTS] {
+        std::array::from_fn(|k| if k == 0 { self.start[row] } else { self.trial[k - 1][row] })
     }
 }
 
 impl RowCourse {
+    fn through(values: [f64; POINTS]) -> Self {
+        let mut terms = values;
+        for order in 1..POINTS {
+            for k in (order..POINTS).rev() {
+                terms[k] = (terms[k] - terms[k - 1]) * SPANS[order][k];
+            }
+        }
+        Self { values, terms }
+    }
+
     fn at(&self, x: f64) -> f64 {
-        let term = |i: usize| {
-            let others = (0..POINTS).filter(|&j| j != i);
-            self.values[i]
-                * others.map(|j| (x - self.times[j]) / (self.times[i] - self.times[j])).product::<f64>()
-        };
-        (0..POINTS).map(term).sum()
+        let terms = self.terms.iter().zip(TIMES).rev();
+        terms.fold(0.0, |sum, (term, time)| sum * (x - time) + term)
     }
 }

@@ -10,12 +10,14 @@
 //! rows say T = μ N d instead, an inextensible rope's G + κ γ_v + κ² γ_q P and 0, γ = G v̇ + Ġ v; a slack row is
 //! an identity row.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
-use super::evaluation::{Evaluation, pull_of, rotation};
+use super::evaluation::{Evaluation, pull_of};
+use super::places::{Block, Places};
+use super::spins::Spins;
 use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
-use crate::solver::layout::{Group, Layout, NONE};
+use crate::solver::layout::{Group, Layout};
 use crate::solver::ldu::Ldu;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
@@ -23,59 +25,33 @@ use crate::system::System;
 use crate::tree::mass::MassMatrix;
 use crate::tree::tangent::DynamicsTangent;
 
-/// A group with the places of its entries.
-#[derive(Debug, Clone)]
-struct Block {
-    group: Group,
-    /// Matrix entry of (j, k) at j · size + k, or a driven one's place, see [`Slot`].
-    slots: Vec<Slot>,
-    /// Index in the row's entries of every degree of freedom.
-    row_entries: Vec<usize>,
-    /// Offset of every triple of rotations within the group, and its body.
-    triples: Vec<(usize, usize)>,
-    curvature: Vec<f64>,
-}
-
-/// Where a number goes: into the matrix, into the columns of driven degrees of freedom, or nowhere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Slot {
-    Matrix(usize),
-    Driven(usize),
-    Nowhere,
-}
-
 /// The matrix, with what is needed to make it anew for another step length.
 #[derive(Debug, Clone)]
 pub struct TangentMatrix {
     /// Unknowns.
     pub layout: Layout,
+    /// P of the last κ.
+    pub spins: Spins,
     ldu: Ldu,
+    places: Places,
     dynamics: DynamicsTangent,
-    /// Lower and upper slots of the mass matrix's pattern.
-    lower: Vec<Slot>,
-    upper: Vec<Slot>,
-    /// Row entries: in the row, and in its transpose.
-    in_row: Vec<Slot>,
-    in_column: Vec<Slot>,
-    /// (lower or upper position entries of three columns) of every row and joint with rotations.
-    triples: Vec<(usize, [(usize, bool); 3])>,
-    diagonal: Vec<usize>,
-    friction: Vec<(usize, usize)>,
-    blocks: Vec<Block>,
-    /// Ġ + …: ∂ė/∂q of every row entry.
+    /// M, D + ∂τ/∂v and ∂τ/∂q + Σ T ∂G/∂q, each by place.
+    inertia: Vec<f64>,
+    damping: Vec<f64>,
+    stiffness: Vec<f64>,
+    /// The matrix by place.
+    values: Vec<f64>,
+    /// Ġ = ∂ė/∂q of every row entry.
     turning: Vec<f64>,
-    /// Offset of triples in row entries and their body.
-    row_triples: Vec<(usize, usize)>,
-    /// (unknown, driven degree of freedom) of every driven entry, and its number.
-    driven_places: Vec<(usize, usize)>,
-    driven: Vec<f64>,
-    position: crate::tree::tangent::Paired,
-    scratch: Vec<f64>,
-    columns: Vec<DVec3>,
-    right: Vec<f64>,
     /// γ_v and γ_q of inextensible ropes, by row entry.
     pull_velocity: Vec<f64>,
     pull_position: Vec<f64>,
+    /// What κP applies to in a row.
+    turned: Vec<f64>,
+    /// One block, and the vectors that it is made from.
+    curvature: Vec<f64>,
+    columns: Vec<DVec3>,
+    right: Vec<f64>,
     probe: Evaluation,
     direction: Vec<f64>,
 }
@@ -85,122 +61,111 @@ impl TangentMatrix {
     pub fn new(system: &System) -> Self {
         let layout = Layout::new(system);
         let ldu = Ldu::new(layout.symbolic.clone());
-        let mass = MassMatrix::new(&system.tree);
-        let mut driven_places = Vec::new();
-        let mut slot = |row: usize, column: usize, dof: usize| {
-            if row == NONE {
-                return Slot::Nowhere;
-            }
-            if column == NONE {
-                driven_places.push((row, dof));
-                return Slot::Driven(driven_places.len() - 1);
-            }
-            ldu.entry(row, column).map_or(Slot::Nowhere, Slot::Matrix)
-        };
-        let unknown = |dof: usize| layout.unknown[dof];
-        let (mut lower, mut upper) = (Vec::new(), Vec::new());
-        for dof in 0..system.tree.velocities {
-            for &other in &mass.columns[mass.row_start[dof]..mass.row_start[dof + 1]] {
-                lower.push(slot(unknown(dof), unknown(other), other));
-                upper.push(slot(unknown(other), unknown(dof), dof));
-            }
-        }
-        let (mut in_row, mut in_column) = (Vec::new(), Vec::new());
-        for row in 0..system.rows.count() {
-            for &dof in &system.rows.dofs[system.rows.start[row]..system.rows.start[row + 1]] {
-                in_row.push(slot(layout.row(row), unknown(dof), dof));
-                in_column.push(slot(unknown(dof), layout.row(row), dof));
-            }
-        }
-        let blocks = layout
-            .groups
-            .iter()
-            .map(|group| {
-                let pairs = group.dofs.iter().flat_map(|&j| group.dofs.iter().map(move |&k| (j, k)));
-                let slots = pairs.map(|(j, k)| slot(unknown(j), unknown(k), k)).collect();
-                let entries = system.rows.start[group.row]..system.rows.start[group.row + 1];
-                let dofs = &system.rows.dofs[entries.clone()];
-                let row_entries =
-                    group.dofs.iter().map(|&dof| entries.start + dofs.partition_point(|&other| other < dof));
-                Block {
-                    slots,
-                    row_entries: row_entries.collect(),
-                    triples: triples_of(system, &group.dofs),
-                    curvature: vec![0.0; group.dofs.len() * group.dofs.len()],
-                    group: group.clone(),
-                }
-            })
-            .collect();
-        let size = layout.symbolic.size();
-        let friction = |row: usize, law: &Law| match law {
-            Law::Friction { normal, .. } => ldu.entry(layout.row(row), layout.row(*normal)),
-            Law::Unilateral { .. } => None,
-        };
-        let laws = system.rows.laws.iter().enumerate();
-        let mut row_triples = Vec::new();
-        for row in 0..system.rows.count() {
-            let entries = system.rows.start[row]..system.rows.start[row + 1];
-            let found = triples_of(system, &system.rows.dofs[entries.clone()]);
-            row_triples.extend(found.into_iter().map(|(offset, body)| (entries.start + offset, body)));
-        }
+        let places = Places::new(system, &layout, &ldu);
+        let largest = layout.groups.iter().map(|group| group.dofs.len()).max().unwrap_or(0);
+        let by_place = vec![0.0; places.count];
+        let by_entry = vec![0.0; system.rows.dofs.len()];
         Self {
-            friction: laws.filter_map(|(row, law)| friction(row, law).map(|entry| (row, entry))).collect(),
-            diagonal: (0..size).map(|k| ldu.entry(k, k).unwrap_or(NONE)).collect(),
-            dynamics: DynamicsTangent::new(&system.tree, &mass),
-            position: DynamicsTangent::new(&system.tree, &mass).position,
-            triples: tree_triples(system, &mass),
-            turning: vec![0.0; system.rows.dofs.len()],
-            driven: vec![0.0; driven_places.len()],
-            scratch: vec![0.0; system.rows.dofs.len()],
-            columns: vec![DVec3::ZERO; layout.groups.iter().map(|group| group.dofs.len()).max().unwrap_or(0)],
-            right: vec![0.0; size],
-            pull_velocity: vec![0.0; system.rows.dofs.len()],
-            pull_position: vec![0.0; system.rows.dofs.len()],
+            spins: Spins::new(system, &places.joints),
+            dynamics: DynamicsTangent::new(&system.tree, &MassMatrix::new(&system.tree)),
+            inertia: by_place.clone(),
+            damping: by_place.clone(),
+            stiffness: by_place.clone(),
+            values: by_place,
+            turning: by_entry.clone(),
+            pull_velocity: by_entry.clone(),
+            pull_position: by_entry.clone(),
+            turned: by_entry,
+            curvature: vec![0.0; largest * largest],
+            columns: vec![DVec3::ZERO; largest],
+            right: vec![0.0; layout.symbolic.size()],
             probe: Evaluation::new(system),
             direction: vec![0.0; system.tree.velocities],
-            row_triples,
-            lower,
-            upper,
-            in_row,
-            in_column,
-            blocks,
-            driven_places,
             layout,
             ldu,
+            places,
         }
     }
 
     /// Evaluates all derivatives at the start of a step.
     pub fn linearise(&mut self, system: &System, here: &Evaluation, mass: &MassMatrix, state: &State) {
-        let (v, acts) = (&state.v, &state.modes);
         let kinematics = &here.frame.kinematics;
-        self.dynamics.update(&system.tree, kinematics, mass, &here.dynamics, v);
+        self.dynamics.update(&system.tree, kinematics, mass, &here.dynamics, &state.v);
+        for values in [&mut self.inertia, &mut self.damping, &mut self.stiffness] {
+            values.fill(0.0);
+        }
+        self.place_dynamics(system, mass);
         self.turning.fill(0.0);
-        self.pull_velocity.fill(0.0);
-        for block in &mut self.blocks {
-            if acts[block.group.row] == Mode::Slack {
-                continue;
-            }
-            let Group { constraint, number, dofs, .. } = &block.group;
-            let constraint = &system.constraints[*constraint];
-            let (columns, out) = (&mut self.columns, &mut block.curvature);
-            constraint.curvature(&system.tree, kinematics, *number, columns, out);
-            let size = dofs.len();
-            for (j, &dof) in dofs.iter().enumerate() {
-                for (k, &entry) in block.row_entries.iter().enumerate() {
-                    self.turning[entry] += v[dof] * block.curvature[j * size + k];
-                    self.pull_velocity[entry] +=
-                        v[dof] * (block.curvature[j * size + k] + block.curvature[k * size + j]);
-                }
+        for &row in &system.rigid {
+            self.pull_velocity[system.rows.start[row]..system.rows.start[row + 1]].fill(0.0);
+        }
+        for block in 0..self.places.blocks.len() {
+            if state.modes[self.places.blocks[block].group.row] != Mode::Slack {
+                self.place_block(system, here, state, block);
             }
         }
-        for &row in system.rigid.iter().filter(|&&row| acts[row] == Mode::Acting) {
+        for &row in system.rigid.iter().filter(|&&row| state.modes[row] == Mode::Acting) {
             self.linearise_pull(system, state, row);
         }
     }
 
-    /// ∂γ/∂q by central differences; v and v̇ stay. The third derivative of the length that it holds is the only
-    /// one that has no formula here.
+    fn place_dynamics(&mut self, system: &System, mass: &MassMatrix) {
+        let Places { lower, upper, .. } = &self.places;
+        let (velocity, position) = (&self.dynamics.velocity, &self.dynamics.position);
+        for dof in 0..system.tree.velocities {
+            let diagonal = mass.row_start[dof + 1] - 1;
+            for slot in mass.row_start[dof]..diagonal {
+                let (below, above) = (lower[slot] as usize, upper[slot] as usize);
+                self.inertia[below] = mass.values[slot];
+                self.inertia[above] = mass.values[slot];
+                self.damping[below] = velocity.lower[slot];
+                self.damping[above] = velocity.upper[slot];
+                self.stiffness[below] = position.lower[slot];
+                self.stiffness[above] = position.upper[slot];
+            }
+            let place = lower[diagonal] as usize;
+            self.inertia[place] = mass.values[diagonal];
+            self.damping[place] = velocity.lower[diagonal] + system.tree.damping[dof];
+            self.stiffness[place] = position.lower[diagonal];
+        }
+    }
+
+    /// Geometric stiffness of one group, and what it does to its row's gradient.
+    fn place_block(&mut self, system: &System, here: &Evaluation, state: &State, block: usize) {
+        let Block { group: Group { constraint, number, row, dofs }, places, entries } =
+            &self.places.blocks[block];
+        let (size, tension, law) = (dofs.len(), here.tension[*row], &system.rows.laws[*row]);
+        let curvature = &mut self.curvature[..size * size];
+        let kinematics = &here.frame.kinematics;
+        system.constraints[*constraint].curvature(
+            &system.tree,
+            kinematics,
+            *number,
+            &mut self.columns,
+            curvature,
+        );
+        for (place, value) in places.iter().zip(&*curvature) {
+            self.stiffness[*place as usize] += tension * value;
+        }
+        if law.damping_time() > 0.0 {
+            for (dof, values) in dofs.iter().zip(curvature.chunks_exact(size)) {
+                for (entry, value) in entries.iter().zip(values) {
+                    self.turning[*entry as usize] += state.v[*dof] * value;
+                }
+            }
+        }
+        if law.compliance() == 0.0 {
+            for (j, dof) in dofs.iter().enumerate() {
+                for (k, entry) in entries.iter().enumerate() {
+                    let both = curvature[j * size + k] + curvature[k * size + j];
+                    self.pull_velocity[*entry as usize] += state.v[*dof] * both;
+                }
+            }
+        }
+    }
+
+    /// γ_v and γ_q of an inextensible rope. ∂γ/∂q is by central differences; v and v̇ stay. The third derivative of
+    /// the length that it holds is the only one that has no formula here.
     fn linearise_pull(&mut self, system: &System, state: &State, row: usize) {
         const STEP: f64 = 1e-6;
         for entry in system.rows.start[row]..system.rows.start[row + 1] {
@@ -248,141 +213,110 @@ impl TangentMatrix {
         &mut self,
         system: &System,
         here: &Evaluation,
-        mass: &MassMatrix,
         state: &State,
         kappa: f64,
     ) -> Result<(), ZeroPivot> {
-        self.ldu.values_mut().fill(0.0);
-        self.driven.fill(0.0);
-        let spins = Spins { system, v: &state.v, kappa };
-        self.put_dynamics(system, mass, &spins);
-        for block in 0..self.blocks.len() {
-            let row = self.blocks[block].group.row;
-            if here.tension[row] != 0.0 {
-                self.put_block(block, kappa * kappa * here.tension[row], &spins);
+        self.spins.update(&state.v, kappa);
+        let square = kappa * kappa;
+        let terms = self.inertia.iter().zip(&self.damping).zip(&self.stiffness);
+        for (value, ((inertia, damping), stiffness)) in self.values.iter_mut().zip(terms) {
+            *value = inertia + kappa * damping + square * stiffness;
+        }
+        for triple in &self.places.triples {
+            let places = triple.places.map(|place| place as usize);
+            let plain = places.map(|place| self.stiffness[place]);
+            let turned = self.spins.turn(triple.joint, plain);
+            for k in 0..3 {
+                self.values[places[k]] += square * (turned[k] - plain[k]);
             }
         }
-        self.put_rows(system, here, state, &spins);
-        self.ldu.factorise()
+        self.place_rows(system, here, state, kappa);
+        self.ldu.factorise(&self.values)
     }
 
-    fn put_dynamics(&mut self, system: &System, mass: &MassMatrix, spins: &Spins) {
-        let kappa = spins.kappa;
-        self.position.lower.copy_from_slice(&self.dynamics.position.lower);
-        self.position.upper.copy_from_slice(&self.dynamics.position.upper);
-        for &(body, entries) in &self.triples {
-            let p = spins.p(body);
-            let get = |(slot, is_lower): (usize, bool)| {
-                if is_lower { self.position.lower[slot] } else { self.position.upper[slot] }
-            };
-            let turned = p.transpose() * DVec3::from_array(entries.map(get));
-            for ((slot, is_lower), value) in entries.into_iter().zip(turned.to_array()) {
-                if is_lower {
-                    self.position.lower[slot] = value;
-                } else {
-                    self.position.upper[slot] = value;
-                }
-            }
-        }
-        for dof in 0..system.tree.velocities {
-            for slot in mass.row_start[dof]..mass.row_start[dof + 1] {
-                let diagonal = slot + 1 == mass.row_start[dof + 1];
-                let mut value = mass.values[slot]
-                    + kappa * self.dynamics.velocity.lower[slot]
-                    + kappa * kappa * self.position.lower[slot];
-                if diagonal {
-                    value += kappa * system.tree.damping[dof];
-                } else {
-                    let other = mass.values[slot]
-                        + kappa * self.dynamics.velocity.upper[slot]
-                        + kappa * kappa * self.position.upper[slot];
-                    put(self.ldu.values_mut(), &mut self.driven, self.upper[slot], other);
-                }
-                put(self.ldu.values_mut(), &mut self.driven, self.lower[slot], value);
-            }
-        }
-    }
-
-    fn put_block(&mut self, index: usize, scale: f64, spins: &Spins) {
-        let block = &self.blocks[index];
-        let size = block.group.dofs.len();
-        for j in 0..size {
-            let row = &block.curvature[j * size..(j + 1) * size];
-            let slots = &block.slots[j * size..(j + 1) * size];
-            let scratch = &mut self.scratch[..size];
-            scratch.copy_from_slice(row);
-            for &(offset, body) in &block.triples {
-                turn(&mut scratch[offset..offset + 3], &spins.p(body));
-            }
-            for (value, &slot) in scratch.iter().zip(slots) {
-                put(self.ldu.values_mut(), &mut self.driven, slot, scale * value);
-            }
-        }
-    }
-
-    fn put_rows(&mut self, system: &System, here: &Evaluation, state: &State, spins: &Spins) {
-        let State { modes, slip, .. } = state;
-        let kappa = spins.kappa;
+    fn place_rows(&mut self, system: &System, here: &Evaluation, state: &State, kappa: f64) {
         let gradient = &here.frame.gradient;
-        for row in 0..system.rows.count() {
-            let tau = system.rows.laws[row].damping_time();
-            for entry in system.rows.start[row]..system.rows.start[row + 1] {
-                self.scratch[entry] = gradient[entry] + tau * self.turning[entry];
-            }
-        }
-        for &row in &system.rigid {
-            let entries = system.rows.start[row]..system.rows.start[row + 1];
-            self.scratch[entries.clone()].copy_from_slice(&self.pull_position[entries]);
-        }
-        for &(entry, body) in &self.row_triples {
-            turn(&mut self.scratch[entry..entry + 3], &spins.p(body));
-        }
-        let base = self.layout.free.len();
         for (row, law) in system.rows.laws.iter().enumerate() {
-            let diagonal = self.diagonal[base + row];
-            let (tau, compliance) = (law.damping_time(), law.compliance());
-            match modes[row] {
-                Mode::Slack => self.ldu.values_mut()[diagonal] = -1.0,
-                Mode::Slipping => {
-                    self.ldu.values_mut()[diagonal] = -1.0;
-                    let [first, second] = slip_weights(law, here, slip, row).map(|weight| kappa * weight);
-                    let partner = partner_offset(system, law, row);
-                    for entry in system.rows.start[row]..system.rows.start[row + 1] {
-                        let other = entry.wrapping_add_signed(partner);
-                        let value = first * gradient[entry] + second * gradient[other];
-                        let values = self.ldu.values_mut();
-                        put(values, &mut self.driven, self.in_row[entry], value);
-                        put(values, &mut self.driven, self.in_column[entry], gradient[entry]);
-                    }
+            let tau = law.damping_time();
+            let entries = system.rows.start[row]..system.rows.start[row + 1];
+            if law.compliance() == 0.0 {
+                self.turned[entries.clone()].copy_from_slice(&self.pull_position[entries]);
+                continue;
+            }
+            let terms = gradient[entries.clone()].iter().zip(&self.turning[entries.clone()]);
+            for (out, (entry, turning)) in self.turned[entries].iter_mut().zip(terms) {
+                *out = entry + tau * turning;
+            }
+        }
+        for &(entry, joint) in &self.places.row_triples {
+            let triple = &mut self.turned[entry..entry + 3];
+            let turned = self.spins.turn(joint, [triple[0], triple[1], triple[2]]);
+            triple.copy_from_slice(&turned);
+        }
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            self.place_row(system, here, state, kappa, (row, law));
+        }
+    }
+
+    fn place_row(
+        &mut self,
+        system: &System,
+        here: &Evaluation,
+        state: &State,
+        kappa: f64,
+        (row, law): (usize, &Law),
+    ) {
+        let range = system.rows.start[row]..system.rows.start[row + 1];
+        let (tau, compliance) = (law.damping_time(), law.compliance());
+        let gradient = &here.frame.gradient;
+        let diagonal = self.places.diagonal[row] as usize;
+        self.values[diagonal] = match state.modes[row] {
+            Mode::Acting if compliance == 0.0 => 0.0,
+            Mode::Acting => -compliance / (kappa * (kappa + tau)),
+            Mode::Slack | Mode::Slipping => -1.0,
+        };
+        if state.modes[row] == Mode::Slack {
+            return;
+        }
+        for (place, entry) in self.places.in_column[range.clone()].iter().zip(&gradient[range.clone()]) {
+            self.values[*place as usize] = *entry;
+        }
+        let in_row = self.places.in_row[range.clone()].iter().map(|place| *place as usize);
+        let (own, turned) = (&gradient[range.clone()], &self.turned[range.clone()]);
+        match state.modes[row] {
+            Mode::Slack => {}
+            Mode::Slipping => {
+                let [first, second] = slip_weights(law, here, &state.slip, row).map(|weight| kappa * weight);
+                let partner = partner_of(system, law, row);
+                for ((place, entry), other) in in_row.zip(own).zip(&gradient[partner]) {
+                    self.values[place] = first * entry + second * other;
                 }
-                Mode::Acting if compliance == 0.0 => {
-                    for entry in system.rows.start[row]..system.rows.start[row + 1] {
-                        let turning = kappa * self.pull_velocity[entry] + kappa * kappa * self.scratch[entry];
-                        let values = self.ldu.values_mut();
-                        put(values, &mut self.driven, self.in_row[entry], gradient[entry] + turning);
-                        put(values, &mut self.driven, self.in_column[entry], gradient[entry]);
-                    }
-                    self.ldu.values_mut()[diagonal] = 0.0;
+            }
+            Mode::Acting if compliance == 0.0 => {
+                let pull = self.pull_velocity[range].iter();
+                for (((place, entry), pull), turned) in in_row.zip(own).zip(pull).zip(turned) {
+                    self.values[place] = entry + kappa * pull + kappa * kappa * turned;
                 }
-                Mode::Acting => {
-                    for entry in system.rows.start[row]..system.rows.start[row + 1] {
-                        let value = (kappa * self.scratch[entry] + tau * gradient[entry]) / (kappa + tau);
-                        let values = self.ldu.values_mut();
-                        put(values, &mut self.driven, self.in_row[entry], value);
-                        put(values, &mut self.driven, self.in_column[entry], gradient[entry]);
-                    }
-                    self.ldu.values_mut()[diagonal] = -compliance / (kappa * (kappa + tau));
+            }
+            Mode::Acting => {
+                let [share, rest] = [kappa, tau].map(|part| part / (kappa + tau));
+                for ((place, entry), turned) in in_row.zip(own).zip(turned) {
+                    self.values[place] = share * turned + rest * entry;
                 }
             }
         }
-        for &(row, entry) in &self.friction {
-            if let (Mode::Slipping, Law::Friction { coefficient, normal, .. }) =
-                (modes[row], system.rows.laws[row])
-            {
-                let direction = here.slip_direction(normal, slip)[row - normal - 1];
-                self.ldu.values_mut()[entry] = coefficient * direction;
-            }
+        if let (Mode::Slipping, Law::Friction { coefficient, normal, .. }) = (state.modes[row], *law) {
+            let direction = here.slip_direction(normal, &state.slip)[row - normal - 1];
+            let place = self.friction_place(row);
+            self.values[place] = coefficient * direction;
         }
+    }
+
+    /// Place of the coupling of a tangential row to its normal row.
+    fn friction_place(&self, row: usize) -> usize {
+        let friction = &self.places.friction;
+        let found = friction.binary_search_by_key(&row, |&(row, _)| row);
+        found.map_or(self.places.first_driven - 1, |index| friction[index].1 as usize)
     }
 
     /// Makes and factorises [M Gᵀ; G 0] with the inextensible ropes that act: for accelerations, projections and
@@ -397,27 +331,23 @@ impl TangentMatrix {
         gradient: &[f64],
         modes: &[Mode],
     ) -> Result<(), ZeroPivot> {
-        self.ldu.values_mut().fill(0.0);
-        self.driven.fill(0.0);
-        for slot in 0..mass.values.len() {
-            let values = self.ldu.values_mut();
-            put(values, &mut self.driven, self.lower[slot], mass.values[slot]);
-            if self.upper[slot] != self.lower[slot] {
-                put(values, &mut self.driven, self.upper[slot], mass.values[slot]);
-            }
+        self.values.fill(0.0);
+        let Places { lower, upper, in_row, in_column, diagonal, .. } = &self.places;
+        for ((below, above), value) in lower.iter().zip(upper).zip(&mass.values) {
+            self.values[*below as usize] = *value;
+            self.values[*above as usize] = *value;
         }
         for row in 0..system.rows.count() {
             let acts = system.rows.laws[row].compliance() == 0.0 && modes[row] == Mode::Acting;
-            self.ldu.values_mut()[self.diagonal[self.layout.row(row)]] = if acts { 0.0 } else { -1.0 };
+            self.values[diagonal[row] as usize] = if acts { 0.0 } else { -1.0 };
             if acts {
                 for entry in system.rows.start[row]..system.rows.start[row + 1] {
-                    let values = self.ldu.values_mut();
-                    put(values, &mut self.driven, self.in_row[entry], gradient[entry]);
-                    put(values, &mut self.driven, self.in_column[entry], gradient[entry]);
+                    self.values[in_row[entry] as usize] = gradient[entry];
+                    self.values[in_column[entry] as usize] = gradient[entry];
                 }
             }
         }
-        self.ldu.factorise()
+        self.ldu.factorise(&self.values)
     }
 
     /// Solves for the rates `x` of all degrees of freedom. `force` is the right side of every degree of freedom,
@@ -428,7 +358,8 @@ impl TangentMatrix {
             *right = force[dof];
         }
         self.right[free..].copy_from_slice(rows);
-        for (&(unknown, dof), value) in self.driven_places.iter().zip(&self.driven) {
+        let driven = &self.values[self.places.first_driven..];
+        for (&(unknown, dof), value) in self.places.driven.iter().zip(driven) {
             self.right[unknown] -= value * x[dof];
         }
         self.ldu.solve(&mut self.right);
@@ -450,21 +381,6 @@ impl TangentMatrix {
             out[dof] += scale * (velocity.lower[diagonal] + system.tree.damping[dof]) * x[dof];
         }
     }
-
-    /// κP of the joints with rotations applied to the rates `x`: the increments of the coordinates.
-    pub fn increments(&self, system: &System, v: &[f64], kappa: f64, x: &[f64], out: &mut [f64]) {
-        let spins = Spins { system, v, kappa };
-        for (out, x) in out.iter_mut().zip(x) {
-            *out = kappa * x;
-        }
-        for (index, body) in system.tree.bodies.iter().enumerate() {
-            if let Some(first) = rotation(&body.joint) {
-                let range = body.first_velocity + first..body.first_velocity + first + 3;
-                let turned = spins.p(index) * DVec3::from_slice(&x[range.clone()]) * kappa;
-                out[range].copy_from_slice(&turned.to_array());
-            }
-        }
-    }
 }
 
 /// ∂T/∂v of a sliding row over its own and its partner's velocity: μN/|v| (1 − d dᵀ).
@@ -476,81 +392,8 @@ fn slip_weights(law: &Law, here: &Evaluation, slip: &[f64], row: usize) -> [f64;
     [turning * (1.0 - own * own), -turning * own * other]
 }
 
-/// From an entry of a tangential row to the entry of its partner for the same degree of freedom.
-fn partner_offset(system: &System, law: &Law, row: usize) -> isize {
-    let Law::Friction { normal, .. } = *law else { return 0 };
-    let length = (system.rows.start[row + 1] - system.rows.start[row]) as isize;
-    if row == normal + 1 { length } else { -length }
-}
-
-fn put(values: &mut [f64], driven: &mut [f64], slot: Slot, value: f64) {
-    match slot {
-        Slot::Matrix(entry) => values[entry] += value,
-        Slot::Driven(entry) => driven[entry] += value,
-        Slot::Nowhere => {}
-    }
-}
-
-/// Row vector times P.
-fn turn(row: &mut [f64], p: &DMat3) {
-    let turned = p.transpose() * DVec3::from_slice(row);
-    row.copy_from_slice(&turned.to_array());
-}
-
-/// P of the joints with rotations.
-struct Spins<'a> {
-    system: &'a System,
-    v: &'a [f64],
-    kappa: f64,
-}
-
-impl Spins<'_> {
-    /// (1 + [u])⁻¹ = (1 − [u] + u uᵀ)/(1 + u²), u = κω/2.
-    fn p(&self, body: usize) -> DMat3 {
-        let joint = &self.system.tree.bodies[body];
-        let first = joint.first_velocity + rotation(&joint.joint).unwrap_or(0);
-        let u = DVec3::from_slice(&self.v[first..first + 3]) * (0.5 * self.kappa);
-        let cross = DMat3::from_cols(
-            DVec3::new(0.0, u.z, -u.y),
-            DVec3::new(-u.z, 0.0, u.x),
-            DVec3::new(u.y, -u.x, 0.0),
-        );
-        let outer = DMat3::from_cols(u * u.x, u * u.y, u * u.z);
-        (DMat3::IDENTITY - cross + outer) * (1.0 / (1.0 + u.length_squared()))
-    }
-}
-
-/// Offsets of the triples of rotations in an ordered list of degrees of freedom, with their bodies.
-fn triples_of(system: &System, dofs: &[usize]) -> Vec<(usize, usize)> {
-    let start = |(offset, &dof): (usize, &usize)| {
-        let owner = system.tree.owner[dof];
-        let body = &system.tree.bodies[owner];
-        let first = body.first_velocity + rotation(&body.joint)?;
-        (dof == first).then_some((offset, owner))
-    };
-    dofs.iter().enumerate().filter_map(start).collect()
-}
-
-/// For every degree of freedom and every joint with rotations that it couples to: the joint's body and the three
-/// position entries (slot, whether in the lower triangle).
-fn tree_triples(system: &System, mass: &MassMatrix) -> Vec<(usize, [(usize, bool); 3])> {
-    let tree = &system.tree;
-    let mut triples = Vec::new();
-    for (index, body) in tree.bodies.iter().enumerate() {
-        let Some(first) = rotation(&body.joint) else { continue };
-        let first = body.first_velocity + first;
-        for row in 0..tree.velocities {
-            let below = tree.support[tree.owner[row]].contains(&first);
-            let above = tree.support[index].contains(&row);
-            if !(below || above) {
-                continue;
-            }
-            let entry = |k: usize| {
-                let column = first + k;
-                if row >= column { (mass.slot(row, column), true) } else { (mass.slot(column, row), false) }
-            };
-            triples.push((index, [entry(0), entry(1), entry(2)]));
-        }
-    }
-    triples
+/// Entries of the other tangential row of the same contact.
+fn partner_of(system: &System, law: &Law, row: usize) -> std::ops::Range<usize> {
+    let partner = if let Law::Friction { normal, .. } = *law { 2 * normal + 3 - row } else { row };
+    system.rows.start[partner]..system.rows.start[partner + 1]
 }

@@ -1,0 +1,192 @@
+//! From a document to a checked [`System`] and its first [`State`].
+
+mod plan;
+mod rows;
+mod tree;
+
+use glam::DVec3;
+use thiserror::Error;
+
+use crate::audit::{Ledger, elastic_energy, gravity_energy};
+use crate::constraint::Law;
+use crate::plan::PlanState;
+use crate::plan::drive::Timeline;
+use crate::solver::complementarity::Mode;
+use crate::spec::SystemSpec;
+use crate::state::State;
+use crate::stepper::frame::Frame;
+use crate::system::{Rows, System};
+use crate::tree::kinematics::Kinematics;
+use plan::{build_drives, build_step};
+use rows::build_constraints;
+use tree::{build_tree, start_of_joint};
+
+/// What is wrong with a document.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{element}: {problem}")]
+pub struct BuildError {
+    /// Name of the body, rope, contact, drive or step.
+    pub element: String,
+    /// What was found and what would be right.
+    pub problem: String,
+}
+
+fn error<T>(element: &str, problem: impl Into<String>) -> Result<T, BuildError> {
+    Err(BuildError { element: element.to_owned(), problem: problem.into() })
+}
+
+/// Builds and checks the system and the state that it starts in.
+///
+/// # Errors
+/// [`BuildError`] names the element and says what would be right.
+pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
+    unique("body", spec.bodies.iter().map(|body| body.name.as_str()))?;
+    unique("rope", spec.ropes.iter().map(|rope| rope.name.as_str()))?;
+    unique("contact", spec.contacts.iter().map(|contact| contact.name.as_str()))?;
+    unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
+    let tree = build_tree(spec)?;
+    let mut q = vec![0.0; tree.positions];
+    let mut v = vec![0.0; tree.velocities];
+    for (body, given) in tree.bodies.iter().zip(&spec.bodies) {
+        start_of_joint(&given.joint, &mut q[body.first_position..], &mut v[body.first_velocity..]);
+    }
+    let drives = build_drives(spec, &tree)?;
+    let mut driven = vec![None; tree.velocities];
+    for (index, drive) in drives.iter().enumerate() {
+        driven[drive.dof] = Some(index);
+        v[drive.dof] = 0.0;
+    }
+    let mut start = Kinematics::new(&tree);
+    start.update(&tree, &q);
+    let (constraints, groups) = build_constraints(spec, &tree, &start)?;
+    let rows = Rows::new(&constraints);
+    let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
+    let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
+    let rope_count = spec.ropes.len();
+    let mut system = System { tree, constraints, rope_count, rows, rigid, drives, driven, groups, plan };
+    let state = first_state(spec, &mut system, q, v)?;
+    Ok((system, state))
+}
+
+fn unique<'a>(kind: &str, names: impl Iterator<Item = &'a str>) -> Result<(), BuildError> {
+    let mut seen = std::collections::BTreeSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            return error(name, format!("there are two of this name; every {kind} needs its own"));
+        }
+    }
+    Ok(())
+}
+
+fn finite(element: &str, what: &str, values: &[f64]) -> Result<(), BuildError> {
+    match values.iter().find(|value| !value.is_finite()) {
+        Some(value) => error(element, format!("{what} is {value}; it must be a finite number")),
+        None => Ok(()),
+    }
+}
+
+fn at_least_zero(element: &str, what: &str, value: f64) -> Result<(), BuildError> {
+    if value >= 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    error(element, format!("{what} is {value}; it must be zero or more"))
+}
+
+fn positive(element: &str, what: &str, value: f64) -> Result<(), BuildError> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    error(element, format!("{what} is {value}; it must be more than zero"))
+}
+
+fn unit(element: &str, what: &str, given: [f64; 3]) -> Result<DVec3, BuildError> {
+    match DVec3::from_array(given).try_normalize() {
+        Some(unit) => Ok(unit),
+        None => error(element, format!("{what} is {given:?}; it must have a direction")),
+    }
+}
+
+/// The state at t = 0: forces by their laws, ledger opened, inertia scales set.
+fn first_state(
+    spec: &SystemSpec,
+    system: &mut System,
+    q: Vec<f64>,
+    v: Vec<f64>,
+) -> Result<State, BuildError> {
+    let rows = system.rows.count();
+    let timelines = system.drives.iter().zip(&spec.drives).map(|(drive, given)| {
+        let start = q[system.tree.bodies[drive.body].first_position];
+        let mut timeline = Timeline::new(start, given.ramps.len() + 2 * spec.plan.len());
+        for ramp in &given.ramps {
+            timeline.ramp(ramp.at, ramp.duration, ramp.velocity, ramp.shape);
+        }
+        timeline
+    });
+    let plan = PlanState::new(timelines.collect());
+    let mut state = State {
+        time: 0.0,
+        steps: 0,
+        acceleration: vec![0.0; v.len()],
+        bias: vec![0.0; v.len()],
+        q,
+        v,
+        tension: vec![0.0; rows],
+        trial: vec![0.0; rows],
+        modes: vec![Mode::Slack; rows],
+        memory: vec![0.0; rows],
+        slip: vec![0.0; rows],
+        next_step: 0.0,
+        restart: true,
+        engaged: false,
+        engaged_step: f64::MAX,
+        plan,
+        ledger: Ledger::default(),
+    };
+    let mut frame = Frame::new(system);
+    frame.update(system, &state);
+    // Contacts start with their anchors below them: without deflection.
+    for (row, law) in system.rows.laws.iter().enumerate() {
+        if matches!(law, Law::Friction { .. }) {
+            state.memory[row] = frame.value[row];
+        }
+    }
+    frame.update(system, &state);
+    for dof in 0..system.tree.velocities {
+        let inertia = frame.mass.diagonal(dof);
+        if system.driven[dof].is_none() && inertia <= 0.0 {
+            let name = system.tree.bodies[system.tree.owner[dof]].name.clone();
+            return error(
+                &name,
+                "it has no inertia in a direction that it can move: give it mass or inertia",
+            );
+        }
+        system.tree.inertia_scale[dof] = if inertia > 0.0 { inertia } else { 1.0 };
+    }
+    for (row, law) in system.rows.laws.iter().enumerate() {
+        let (compliance, damping_time) = match *law {
+            Law::Unilateral { compliance, damping_time } => (compliance, damping_time),
+            Law::Friction { normal, .. } => {
+                state.modes[row] = state.modes[normal];
+                continue;
+            }
+        };
+        let e = frame.value[row];
+        if compliance > 0.0 {
+            let rate = system.rows.rate(&frame.gradient, row, &state.v);
+            state.trial[row] = (e + damping_time * rate) / compliance;
+            state.tension[row] = state.trial[row].max(0.0);
+        } else if e > 1e-9 * (1.0 + e.abs()) {
+            let name = system.constraint_of_row(row).name().to_owned();
+            return error(&name, format!("it is inextensible and {e} m shorter than its route at the start"));
+        }
+        // A row at its bound starts as acting, so that a lift that starts taut logs no event for it.
+        if state.trial[row] > 0.0 || (compliance == 0.0 && e >= -1e-9) {
+            state.modes[row] = Mode::Acting;
+        }
+    }
+    let kinetic = 0.5 * frame.mass.quadratic(&state.v);
+    let gravity = gravity_energy(system, &frame.kinematics);
+    state.ledger =
+        Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes, &state.tension));
+    Ok(state)
+}

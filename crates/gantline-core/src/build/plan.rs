@@ -1,0 +1,85 @@
+//! Drives and the steps of the plan.
+
+use super::{BuildError, at_least_zero, error, finite, positive};
+use crate::plan::{Move, Step, Until};
+use crate::spec::{AxisJointSpec, BodySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
+use crate::system::{ContactGroup, DriveJoint};
+use crate::tree::Tree;
+
+pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJoint>, BuildError> {
+    let mut drives = Vec::with_capacity(spec.drives.len());
+    for drive in &spec.drives {
+        let wanted = |given: &BodySpec| match &given.joint {
+            JointSpec::Hinge(joint) | JointSpec::Slider(joint) => joint.drive.as_ref() == Some(&drive.name),
+            _ => false,
+        };
+        let Some(body) = spec.bodies.iter().position(wanted) else {
+            return error(&drive.name, "no hinge or slider names this drive");
+        };
+        if spec.bodies.iter().filter(|given| wanted(given)).count() > 1 {
+            return error(&drive.name, "two joints name this drive; each needs its own");
+        }
+        for pair in drive.ramps.windows(2) {
+            if pair[1].at < pair[0].at + pair[0].duration {
+                return error(
+                    &drive.name,
+                    "its ramps overlap; each must start after the one before has ended",
+                );
+            }
+        }
+        for ramp in &drive.ramps {
+            finite(&drive.name, "a ramp", &[ramp.at, ramp.velocity])?;
+            positive(&drive.name, "the duration of a ramp", ramp.duration)?;
+        }
+        drives.push(DriveJoint { name: drive.name.clone(), body, dof: tree.bodies[body].first_velocity });
+    }
+    for given in &spec.bodies {
+        if let JointSpec::Hinge(AxisJointSpec { drive: Some(name), .. })
+        | JointSpec::Slider(AxisJointSpec { drive: Some(name), .. }) = &given.joint
+            && !drives.iter().any(|drive| &drive.name == name)
+        {
+            return error(&given.name, format!("there is no drive `{name}`"));
+        }
+    }
+    Ok(drives)
+}
+
+pub(super) fn build_step(
+    given: &StepSpec,
+    drives: &[DriveJoint],
+    groups: &[ContactGroup],
+) -> Result<Step, BuildError> {
+    let name = &given.name;
+    let group_index = |wanted: &str| match groups.iter().position(|group| group.name == wanted) {
+        Some(index) => Ok(index),
+        None => error(name, format!("there are no contacts of `{wanted}`")),
+    };
+    let mut moves = Vec::with_capacity(given.moves.len());
+    for motion in &given.moves {
+        let Some(drive) = drives.iter().position(|drive| drive.name == motion.drive) else {
+            return error(name, format!("there is no drive `{}`", motion.drive));
+        };
+        positive(name, "the acceleration", motion.acceleration)?;
+        positive(name, "the speed", motion.velocity.abs())?;
+        let (velocity, acceleration, shape) = (motion.velocity, motion.acceleration, motion.shape);
+        moves.push(Move { drive, velocity, acceleration, shape });
+    }
+    let until = match &given.until {
+        UntilSpec::BrakeFrom { time } => Until::BrakeFrom(*time),
+        UntilSpec::Distance { distance } => {
+            positive(name, "the distance", distance.abs())?;
+            Until::Distance(*distance)
+        }
+        UntilSpec::Duration { duration } => {
+            at_least_zero(name, "the duration", *duration)?;
+            Until::Duration(*duration)
+        }
+        UntilSpec::LoadTransferred { group, weight, at_least } => {
+            positive(name, "the weight", *weight)?;
+            Until::LoadTransferred { group: group_index(group)?, weight: *weight, at_least: *at_least }
+        }
+        UntilSpec::Clear { group } => Until::Clear(group_index(group)?),
+        UntilSpec::EndOfRun {} => Until::EndOfRun,
+    };
+    Ok(Step { name: name.clone(), moves, start_at: given.start_at, until })
+}
