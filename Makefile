@@ -34,7 +34,13 @@ lint: setup ## formatting, clippy, ruff, mypy, import-linter
 	mypy python/gantline tests
 	lint-imports --no-cache
 
-bench: setup ## time every scenario
+bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
+	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check \
+		--require-hashes --only-binary :all: -r requirements/bench.txt \
+		|| echo "the other codes could not be installed: the race goes without those that are missing"
+	python -m benchmarks.race
+	python -m benchmarks.growth
+	python -m benchmarks.stages
 	python benchmarks/speed.py
 
 docs: setup ## the documentation as web pages in build/docs
@@ -47,6 +53,7 @@ pictures: setup ## draw the pictures of README and documentation anew
 lock: setup ## renew requirements/*.txt from requirements/uv.in and pyproject.toml
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 requirements/uv.in -o requirements/uv.txt
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --group dev --group docs pyproject.toml -o requirements/dev.txt
+	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --group bench -c requirements/dev.txt -o requirements/bench.txt
 
 clean: ## remove everything that the other targets made
 	rm -rf .venv .venv-tools .setup.lock build target .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache

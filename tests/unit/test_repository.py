@@ -155,14 +155,16 @@ def test_the_core_knows_no_python_no_files_and_no_terminal() -> None:
 
 
 def locked_versions() -> dict[str, str]:
-    text = (ROOT / "requirements/dev.txt").read_text(encoding="utf-8")
+    text = "".join(
+        (ROOT / "requirements" / name).read_text(encoding="utf-8") for name in ("dev.txt", "bench.txt")
+    )
     pairs = re.findall(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", text, flags=re.MULTILINE)
     return {canonicalize_name(name): version for name, version in pairs}
 
 
 def test_python_locks_have_hashes_and_no_addresses() -> None:
     locks = sorted((ROOT / "requirements").glob("*.txt"))
-    assert [lock.name for lock in locks] == ["dev.txt", "uv.txt"]
+    assert [lock.name for lock in locks] == ["bench.txt", "dev.txt", "uv.txt"]
     for lock in locks:
         text = lock.read_text(encoding="utf-8")
         assert "http" not in text and "://" not in text and "index-url" not in text, lock

@@ -1,0 +1,1 @@
+"""One module per code that gantline is compared with."""
