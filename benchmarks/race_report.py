@@ -118,7 +118,8 @@ def page(result: Result) -> str:
         "Written by `python -m benchmarks.race`; [Benchmarks](index.md) says what is compared and how.",
         "",
         "Wall milliseconds for one simulated second, one thread of a processor that calls itself "
-        f"{processor()}; in brackets how many times gantline's time that is. Medians of interleaved runs.",
+        f"{processor()}; in brackets how many times gantline's time that is. "
+        "Medians where there were several runs, interleaved.",
         "",
         f"Codes: {codes}.",
     ]

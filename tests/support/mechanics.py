@@ -117,6 +117,19 @@ class Run:
     def body(self, name: str, column: str = "body_position") -> Floats:
         return self.columns[column][:, self.names["body"].index(name)]
 
+    def spin(self, name: str, inertia: Sequence[float] | Floats) -> tuple[Floats, Floats]:
+        """Angular velocity in body axes [rad/s], momentum in space [kg m²/s]; principal `inertia`."""
+        w, x, y, z = self.body(name, "body_orientation").T
+        rotation = np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+        local = np.einsum("jit,tj->ti", rotation, self.body(name, "body_angular_velocity"))
+        return local, np.einsum("ijt,tj->ti", rotation, local * np.asarray(inertia))
+
     def joint(self, name: str) -> Floats:
         return self.columns["joint_position"][:, self.names["joint"].index(name)]
 

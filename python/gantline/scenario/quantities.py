@@ -8,6 +8,7 @@ JSON Schema.
 from __future__ import annotations
 
 import re
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Annotated, Any, Final
 
@@ -68,16 +69,16 @@ def one_line(sentence: str) -> str:
 
 
 @dataclass(frozen=True)
-class Reader:
+class Reader(ABC):
     """A field type that reads one text; subclasses say how, and how the JSON Schema shows it."""
 
+    @abstractmethod
     def read(self, value: object) -> Any:
         """Value from the text that stands in the file."""
-        raise NotImplementedError
 
+    @abstractmethod
     def shown(self) -> JsonSchemaValue:
         """JSON Schema of the text."""
-        raise NotImplementedError
 
     def __get_pydantic_core_schema__(
         self, _source: Any, _handler: GetCoreSchemaHandler
