@@ -28,7 +28,7 @@ def settings_document(tolerance: float, duration: float, interval: float) -> str
 
 
 class GantlineRun:
-    """One run of the core, with all that it records."""
+    """One run of the core: the motion and the forces of all ropes at every sample."""
 
     def __init__(
         self, lift: Lift, tolerance: float, duration: float, interval: float = SAMPLE_INTERVAL
@@ -36,47 +36,26 @@ class GantlineRun:
         core = import_module("gantline._core")
         settings = settings_document(tolerance, duration, interval)
         self.simulation: Any = core.Simulation(gantline_document(lift), settings)
+        self._rope_tension: FloatArray | None = None
 
     def integrate(self) -> None:
         """To the end."""
         status = self.simulation.run()
         if status["status"] != "done":
             raise Unfit(str(status.get("message", status["status"])))
+        self._rope_tension = self.simulation.rope_tension()
 
     def tensions(self) -> FloatArray:
         """Sling tensions (time, sling) [N]."""
         rope = self.simulation.names()["rope"]
         slings = [index for index, name in enumerate(rope) if name.startswith("sling")]
-        return np.asarray(self.simulation.columns()["rope_tension"])[:, slings]
-
-
-class SilentRun:
-    """A run that records only start and end; its tensions come from a second run, bit by bit the same."""
-
-    def __init__(self, lift: Lift, tolerance: float, duration: float) -> None:
-        self._silent = GantlineRun(lift, tolerance, duration, interval=duration)
-        self._recorded = GantlineRun(lift, tolerance, duration)
-
-    def integrate(self) -> None:
-        """To the end."""
-        self._silent.integrate()
-
-    def tensions(self) -> FloatArray:
-        """Sling tensions (time, sling) [N]."""
-        self._recorded.integrate()
-        return self._recorded.tensions()
+        return np.asarray(self._rope_tension)[:, slings]
 
 
 class Gantline:
-    """The value of a setting is the tolerance of tensions [N].
+    """The value of a setting is the tolerance of tensions [N]."""
 
-    A recording holds far more than the sling tensions that the race asks for, the whole motion, all segments
-    and the energies; without `recording` it is left out, which shows what integration alone takes.
-    """
-
-    def __init__(self, recording: bool) -> None:
-        self.name = "gantline" if recording else "gantline, not recording"
-        self._run = GantlineRun if recording else SilentRun
+    name = "gantline"
 
     def version(self) -> str:
         """As installed."""
@@ -88,9 +67,9 @@ class Gantline:
 
     candidates = settings
 
-    def prepare(self, lift: Lift, setting: Setting, duration: float) -> GantlineRun | SilentRun:
+    def prepare(self, lift: Lift, setting: Setting, duration: float) -> GantlineRun:
         """Built, at its start."""
-        return self._run(lift, setting.value, duration)
+        return GantlineRun(lift, setting.value, duration)
 
 
 def reference(lift: Lift) -> FloatArray:

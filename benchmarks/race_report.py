@@ -22,7 +22,6 @@ SUBJECT = "gantline"
 # Colour, marker and dashes of each line: one colour for a code, dashes for its second model.
 LOOKS = {
     "gantline": (0, "o", "-"),
-    "gantline, not recording": (0, "o", "--"),
     "C for E(n)": (2, "s", "-"),
     "C for E(n), vectorised": (2, "s", "--"),
     "MuJoCo": (1, "^", "-"),

@@ -24,8 +24,7 @@ ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "RAY
 PATIENCE = 900.0  # s, for one run
 
 CODES: tuple[Code, ...] = (
-    Gantline(recording=True),
-    Gantline(recording=False),
+    Gantline(),
     Yardstick(vectorised=False),
     Yardstick(vectorised=True),
     MuJoCo(nested=False),

@@ -26,8 +26,17 @@ class Simulation:
     def columns(self) -> dict[str, npt.NDArray[np.float64]]:
         """What was recorded so far, by name."""
 
+    def rope_tension(self) -> npt.NDArray[np.float64]:
+        """Tensions of all ropes [N], shape (samples, ropes), without working out the other columns."""
+
     def names(self) -> dict[str, list[str]]:
         """Names along the dimensions of the columns."""
+
+    def measure(self) -> None:
+        """Measure from now on where the time goes; costs a few per cent."""
+
+    def stages(self) -> dict[str, float]:
+        """Time of every stage of what was measured [s], by name; empty where nothing was."""
 
     def time(self) -> float:
         """Simulated time [s]."""

@@ -176,6 +176,14 @@ class Simulation:
             status=self.status,
         )
 
+    def measure(self) -> None:
+        """Measure from now on where the time goes; costs a few per cent."""
+        self._core.measure()
+
+    def stages(self) -> dict[str, float]:
+        """Wall time by stage of what was measured [s]: kinematics, assembly, factorisation, and so on."""
+        return self._core.stages()
+
     def save(self) -> bytes:
         """The state of the simulation, from which `restore` goes on with the same bytes of results."""
         return self._core.save()

@@ -1,6 +1,7 @@
 """`gantline run`: what it prints and writes, and how it ends."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -77,8 +78,13 @@ def test_settings_of_the_command_line_take_the_place_of_those_of_the_file(tmp_pa
     assert recording.time == pytest.approx([0.1 * k for k in range(11)])
     assert recording.attributes["settings"]["integrator"]["step"] == 0.002
     assert recording.attributes["counters"]["steps"] == 500
-    assert "simulate" in result.stdout
-    assert "steps" in result.stdout
+    profile = result.stdout.partition("Where the time went")[2]
+    times = {name: float(ms) for name, ms in re.findall(r"^ *(\w+) +([\d.]+) ms", profile, re.MULTILINE)}
+    stages = ("kinematics", "assembly", "factorisation", "solution", "events", "other")
+    assert 0.0 < times["Integrator"] < times["simulate"]
+    assert sum(times[name] for name in stages) == pytest.approx(times["Integrator"], abs=0.05)
+    assert times["Recording"] > 0.0
+    assert re.search(r"^ *steps +500$", profile, re.MULTILINE)
 
 
 def test_two_runs_write_the_same_bytes(tmp_path: Path) -> None:

@@ -33,6 +33,7 @@ class FakeCore:
             raise ValueError(self.refuses)
         self.document, self.settings = json.loads(document), json.loads(settings)
         self.now = 0
+        self.measures = False
 
     def run(self, on_progress: Callable[[float], bool] | None, until: float | None = None) -> dict[str, Any]:
         end = self.settings["duration"] if until is None else until
@@ -70,6 +71,12 @@ class FakeCore:
 
     def current_step(self) -> str | None:
         return "hoist" if self.now < 3 else None
+
+    def measure(self) -> None:
+        self.measures = True
+
+    def stages(self) -> dict[str, float]:
+        return {"kinematics": 0.003, "assembly": 0.001, "recording": 0.002} if self.measures else {}
 
     def counters(self) -> dict[str, int]:
         return {"steps": self.now}

@@ -105,8 +105,8 @@ def test_the_hand_written_program_is_of_order_four_up_to_where_it_is_unstable() 
 
 def test_gantline_records_a_hundred_times_a_second_whatever_the_tolerance() -> None:
     lift = equalizer_lift(5)
-    for recording in (True, False):
-        run = Gantline(recording).prepare(lift, Setting("adaptive, tolerance [N]", 1e4), 0.5)
+    for tolerance in (1e2, 1e4):
+        run = Gantline().prepare(lift, Setting("adaptive, tolerance [N]", tolerance), 0.5)
         run.integrate()
         assert run.tensions().shape == (sample_count(0.5), 5)
     assert sample_count(0.5) == 1 + round(0.5 / SAMPLE_INTERVAL)
@@ -187,10 +187,12 @@ def test_long_runs_are_repeated_less() -> None:
 
 
 def test_shares_of_stages_add_up() -> None:
-    found = stages.stages({"steps": 7, "solve_seconds": 0.2, "events_seconds": 0.1}, 0.5)
-    assert [name for name, _, _ in found] == ["solve", "events", "other"]
+    _, passed, counters = stages.timed(5, measures=True)
+    found = stages.shares(passed)
+    assert {name for name, _, _ in found} >= {"kinematics", "assembly", "factorisation", "solution", "events"}
     assert sum(share for _, _, share in found) == pytest.approx(1.0)
-    assert stages.stages({"steps": 7}, 0.5) == []
+    assert counters["steps"] > 0
+    assert stages.timed(5, measures=False)[1] == {}
 
 
 # --- the report --------------------------------------------------------------------------------------

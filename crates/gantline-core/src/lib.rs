@@ -8,6 +8,7 @@
 
 pub mod audit;
 pub mod build;
+pub mod clock;
 pub mod constraint;
 pub mod contact;
 pub mod event;

@@ -4,8 +4,11 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::build::{BuildError, build};
+use crate::clock::{STAGES, Stage};
 use crate::event::{Event, EventKind, EventLog};
-use crate::record::{Columns, Names, Recorder, Span};
+use crate::record::columns::Columns;
+use crate::record::names::Names;
+use crate::record::{Recorder, Samples, Span};
 use crate::spec::{IntegratorSpec, SettingsSpec, SystemSpec};
 use crate::state::State;
 use crate::stepper::StepError;
@@ -58,7 +61,7 @@ enum Method {
 struct Checkpoint {
     fingerprint: u64,
     state: State,
-    columns: Columns,
+    samples: Samples,
     events: EventLog,
     counters: Counters,
 }
@@ -74,7 +77,7 @@ pub struct Simulation {
     frame: Frame,
     method: Method,
     recorder: Recorder,
-    columns: Columns,
+    samples: Samples,
     events: EventLog,
     counters: Counters,
 }
@@ -114,10 +117,10 @@ impl Simulation {
         frame.update(&system, &state);
         Ok(Self {
             method: method(&system, &frame, &parsed.integrator)?,
-            recorder: Recorder::new(&system, &state, parsed.sample_interval),
+            recorder: Recorder::new(&state, parsed.sample_interval),
             fingerprint: fingerprint([document, settings]),
             before: state.clone(),
-            columns: Columns::default(),
+            samples: Samples::with_room(&state, parsed.duration / parsed.sample_interval),
             events: EventLog::new(),
             counters: Counters::default(),
             settings: parsed,
@@ -147,6 +150,13 @@ impl Simulation {
     /// # Errors
     /// [`StepError`]; the state is then the last good one.
     pub fn step(&mut self) -> Result<(), StepError> {
+        self.system.clock.resume();
+        let made = self.make_step();
+        self.system.clock.pause();
+        made
+    }
+
+    fn make_step(&mut self) -> Result<(), StepError> {
         self.before.copy_from(&self.state);
         let Self { system, state, frame, events, .. } = self;
         let made = match &mut self.method {
@@ -162,24 +172,28 @@ impl Simulation {
         self.counters.steps += 1;
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
-        let residual = report.complementarity_residual;
-        let span = Span { before: &self.before, after: &self.state, residual };
-        let system = &self.system;
-        let method = &mut self.method;
-        self.recorder.record(system, &span, &mut self.columns, &mut |span, share, sample| match method {
-            Method::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
-            Method::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
-        });
-        let (before, after) = (&self.before, &self.state);
-        Recorder::note_peaks(system, &mut self.columns, |rope, known| match &self.method {
-            // Rope i has row i.
-            Method::Del(_) => (after.tension[rope] > known).then_some((after.tension[rope], after.time)),
-            Method::Adaptive(adaptive) => {
-                let (tension, share) = adaptive.peak(rope, known)?;
-                Some((tension, before.time + share * (after.time - before.time)))
-            }
-        });
+        self.record(report.complementarity_residual);
         Ok(())
+    }
+
+    /// Records what is due of the step that has been made.
+    fn record(&mut self, residual: f64) {
+        let Self { system, method, recorder, samples, before, state: after, .. } = self;
+        let span = Span { before, after, residual };
+        system.clock.time(Stage::Recording, || {
+            recorder.record(&span, samples, &mut |span, share, sample| match method {
+                Method::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
+                Method::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
+            });
+            samples.note_peaks(system, |rope, known| match method {
+                // Rope i has row i.
+                Method::Del(_) => (after.tension[rope] > known).then_some((after.tension[rope], after.time)),
+                Method::Adaptive(adaptive) => {
+                    let (tension, share) = adaptive.peak(rope, known)?;
+                    Some((tension, before.time + share * (after.time - before.time)))
+                }
+            });
+        });
     }
 
     /// The system.
@@ -193,8 +207,25 @@ impl Simulation {
     }
 
     /// Samples so far.
-    pub fn columns(&self) -> &Columns {
-        &self.columns
+    pub fn samples(&self) -> &Samples {
+        &self.samples
+    }
+
+    /// Everything that follows from the samples so far.
+    pub fn columns(&self) -> Columns {
+        self.system.clock.resume();
+        self.system.clock.time(Stage::Recording, || Columns::of(&self.system, &self.samples))
+    }
+
+    /// Measures from now on where the time goes. Costs a few per cent.
+    pub fn measure(&mut self) {
+        self.system.clock.switch_on();
+    }
+
+    /// Name and time [s] of every stage of what has been measured.
+    pub fn stages(&self) -> Vec<(&'static str, f64)> {
+        let seconds = self.system.clock.seconds().into_iter().flatten();
+        STAGES.into_iter().zip(seconds).collect()
     }
 
     /// Names that go with the columns.
@@ -242,7 +273,7 @@ impl Simulation {
         let checkpoint = Checkpoint {
             fingerprint: self.fingerprint,
             state: self.state.clone(),
-            columns: self.columns.clone(),
+            samples: self.samples.clone(),
             events: self.events.clone(),
             counters: self.counters,
         };
@@ -261,7 +292,7 @@ impl Simulation {
             return Err(SetupError::State(problem.to_owned()));
         }
         self.state = checkpoint.state;
-        self.columns = checkpoint.columns;
+        self.samples = checkpoint.samples;
         self.events = checkpoint.events;
         self.counters = checkpoint.counters;
         self.before.copy_from(&self.state);

@@ -1,5 +1,6 @@
 //! What does not change during a run: the tree, the constraints and their rows, drives, plan.
 
+use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::Step;
@@ -94,6 +95,8 @@ pub struct System {
     pub groups: Vec<ContactGroup>,
     /// Operations.
     pub plan: Vec<Step>,
+    /// Where the time goes: the one thing here that changes, since all that takes time sees the system.
+    pub clock: Clock,
 }
 
 impl System {

@@ -86,37 +86,48 @@ impl Simulation {
 
     /// Columns of the recording so far, by name.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let columns = self.inner.columns();
+        let samples = self.inner.samples();
+        let columns = py.detach(|| self.inner.columns());
         let names = self.inner.names();
-        let samples = columns.time.len();
+        let count = samples.time.len();
         let (ropes, segments, points) = (names.rope.len(), names.segment.len(), names.rope_point.len());
         let (bodies, kinds) = (names.body.len(), gantline_core::audit::KINDS.len());
         let events: Vec<f64> = self.inner.events().iter().map(|event| event.0).collect();
-        let all: [(&str, &Vec<f64>, Vec<usize>); 18] = [
-            ("time", &columns.time, vec![samples]),
-            ("rope_tension", &columns.rope_tension, vec![samples, ropes]),
-            ("segment_tension", &columns.segment_tension, vec![samples, segments]),
-            ("segment_length", &columns.segment_length, vec![samples, segments]),
-            ("rope_point", &columns.rope_point, vec![samples, points, 3]),
-            ("body_position", &columns.body_position, vec![samples, bodies, 3]),
-            ("body_orientation", &columns.body_orientation, vec![samples, bodies, 4]),
-            ("body_velocity", &columns.body_velocity, vec![samples, bodies, 3]),
-            ("body_angular_velocity", &columns.body_angular_velocity, vec![samples, bodies, 3]),
-            ("joint_position", &columns.joint_position, vec![samples, names.joint.len()]),
-            ("joint_force", &columns.joint_force, vec![samples, bodies, 3]),
-            ("contact_force", &columns.contact_force, vec![samples, names.contact.len()]),
-            ("energy", &columns.energy, vec![samples, kinds]),
-            ("constraint_residual", &columns.constraint_residual, vec![samples]),
-            ("complementarity_residual", &columns.complementarity_residual, vec![samples]),
-            ("rope_peak_tension", &columns.rope_peak_tension, vec![columns.rope_peak_tension.len()]),
-            ("rope_peak_time", &columns.rope_peak_time, vec![columns.rope_peak_time.len()]),
-            ("event_time", &events, vec![events.len()]),
+        let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
+        let all: [(&str, Vec<f64>, Vec<usize>); 18] = [
+            ("time", samples.time.clone(), vec![count]),
+            ("rope_tension", columns.rope_tension, vec![count, ropes]),
+            ("segment_tension", columns.segment_tension, vec![count, segments]),
+            ("segment_length", columns.segment_length, vec![count, segments]),
+            ("rope_point", columns.rope_point, vec![count, points, 3]),
+            ("body_position", columns.body_position, vec![count, bodies, 3]),
+            ("body_orientation", columns.body_orientation, vec![count, bodies, 4]),
+            ("body_velocity", columns.body_velocity, vec![count, bodies, 3]),
+            ("body_angular_velocity", columns.body_angular_velocity, vec![count, bodies, 3]),
+            ("joint_position", columns.joint_position, vec![count, names.joint.len()]),
+            ("joint_force", columns.joint_force, vec![count, bodies, 3]),
+            ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
+            ("energy", samples.energy.clone(), vec![count, kinds]),
+            ("constraint_residual", columns.constraint_residual, vec![count]),
+            ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),
+            ("rope_peak_tension", samples.rope_peak_tension.clone(), vec![peaks]),
+            ("rope_peak_time", samples.rope_peak_time.clone(), vec![peaks]),
+            ("event_time", events, vec![event_count]),
         ];
         let out = PyDict::new(py);
         for (name, values, shape) in all {
             out.set_item(name, array(py, values, &shape)?)?;
         }
         Ok(out)
+    }
+
+    /// Tensions of all ropes (samples, ropes) [N], without working out the other columns.
+    fn rope_tension<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let (samples, ropes) = (self.inner.samples(), self.inner.system().rope_count);
+        // Rope i has row i.
+        let rows = samples.tension.chunks_exact(self.inner.system().rows.count().max(1));
+        let tensions: Vec<f64> = rows.flat_map(|rows| &rows[..ropes]).copied().collect();
+        array(py, tensions, &[samples.time.len(), ropes])
     }
 
     /// Names that go with the columns.
@@ -146,6 +157,20 @@ impl Simulation {
         out.set_item("rejected", counters.rejected)?;
         out.set_item("cut", counters.cut)?;
         out.set_item("fill", self.inner.fill())?;
+        Ok(out)
+    }
+
+    /// Measures from now on where the time goes.
+    fn measure(&mut self) {
+        self.inner.measure();
+    }
+
+    /// Time [s] of every stage of what has been measured, by name.
+    fn stages<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let out = PyDict::new(py);
+        for (name, seconds) in self.inner.stages() {
+            out.set_item(name, seconds)?;
+        }
         Ok(out)
     }
 
@@ -193,8 +218,8 @@ fn run_for_a_while(simulation: &mut gantline_core::Simulation, until: f64) -> Pa
     }
 }
 
-fn array<'py>(py: Python<'py>, values: &[f64], shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    let array = ArrayD::from_shape_vec(IxDyn(shape), values.to_vec());
+fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let array = ArrayD::from_shape_vec(IxDyn(shape), values);
     Ok(array.map_err(|error| PyValueError::new_err(error.to_string()))?.into_pyarray(py))
 }
 

@@ -74,6 +74,8 @@ def run(
         "duration": _quantity("--duration", duration, "time"),
     }
     simulation = _prepare(lift, overrides)
+    if profile:
+        simulation.measure()
     folder = _folder(output if output is not None else Path("results") / _name_of(lift))
     clock.lap("prepare")
     recording = _simulate(simulation, folder)
@@ -88,7 +90,7 @@ def run(
         _draw(recording, folder)
         clock.lap("pictures")
     if profile:
-        _print_profile(clock, recording)
+        _print_profile(clock, simulation.stages(), recording)
     if recording.attributes["status"] == "stopped":
         warn(f"stopped at {recording.time[-1]:.2f} s of {simulation.duration:g} s")
         raise typer.Exit(INTERRUPTED)
@@ -195,9 +197,16 @@ def _draw(recording: Recording, folder: Path) -> None:
         typer.echo(f"{'Pictures' if index == 0 else '':<12}{path}")
 
 
-def _print_profile(clock: _Clock, recording: Recording) -> None:
-    typer.echo()
-    for stage, passed in clock.laps:
-        typer.echo(f"{stage:<12}{passed:8.3f} s")
+def _print_profile(clock: _Clock, stages: dict[str, float], recording: Recording) -> None:
+    typer.echo("\nWhere the time went")
+    for lap, passed in clock.laps:
+        typer.echo(f"  {lap:<22}{1e3 * passed:12.2f} ms")
+    integration = {name: passed for name, passed in stages.items() if name != "recording"}
+    whole = sum(integration.values())
+    typer.echo(f"Integrator{'':<14}{1e3 * whole:12.2f} ms")
+    for name, passed in sorted(integration.items(), key=lambda item: -item[1]):
+        typer.echo(f"  {name:<22}{1e3 * passed:12.2f} ms  {passed / max(whole, 1e-12):4.0%}")
+    typer.echo(f"Recording{'':<15}{1e3 * stages.get('recording', 0.0):12.2f} ms")
+    typer.echo("Counted")
     for name, count in recording.attributes["counters"].items():
-        typer.echo(f"{name:<32}{count:>14,}")
+        typer.echo(f"  {name:<22}{count:12,}")

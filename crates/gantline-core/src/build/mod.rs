@@ -8,6 +8,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::audit::{Ledger, elastic_energy, gravity_energy};
+use crate::clock::Clock;
 use crate::constraint::Law;
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
@@ -63,7 +64,18 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
     let rope_count = spec.ropes.len();
-    let mut system = System { tree, constraints, rope_count, rows, rigid, drives, driven, groups, plan };
+    let mut system = System {
+        tree,
+        constraints,
+        rope_count,
+        rows,
+        rigid,
+        drives,
+        driven,
+        groups,
+        plan,
+        clock: Clock::default(),
+    };
     let state = first_state(spec, &mut system, q, v)?;
     Ok((system, state))
 }

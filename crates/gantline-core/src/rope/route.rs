@@ -113,23 +113,18 @@ impl Guide {
     ) {
         match (self, parts) {
             (Self::HalfTurn { enter, leave, bulge }, _) => {
-                let centre = (enter.at + leave.at) / 2.0;
-                let along = enter.at - centre;
+                let along = (enter.at - leave.at) / 2.0;
                 let across = *bulge * along.length();
-                for sample in 0..=samples {
-                    let (sin, cos) = (PI * sample as f64 / samples as f64).sin_cos();
-                    emit(kinematics.point(enter.body, centre + along * cos + across * sin));
-                }
+                let centre = kinematics.point(enter.body, enter.at - along);
+                let [along, across] = [along, across].map(|arm| kinematics.turn(enter.body, arm));
+                draw_arc(centre, [along, across], PI, samples, emit);
             }
             (Self::Sheave { centre, axis, radius }, [Some(before), Some(after)]) => {
                 let wrap = self.wrap(kinematics, before, after);
                 let middle = kinematics.point(centre.body, centre.at);
                 let axis = kinematics.turn(centre.body, *axis);
-                let radial = before.radial[1];
-                for sample in 0..=samples {
-                    let (sin, cos) = (wrap * sample as f64 / samples as f64).sin_cos();
-                    emit(middle + (radial * cos + axis.cross(radial) * sin) * *radius);
-                }
+                let radial = before.radial[1] * *radius;
+                draw_arc(middle, [radial, axis.cross(radial)], wrap, samples, emit);
             }
             (Self::End(at) | Self::Sheave { centre: at, .. }, _) => emit(kinematics.point(at.body, at.at)),
         }
@@ -141,6 +136,23 @@ impl Guide {
             Self::End(_) => 1,
             Self::HalfTurn { .. } | Self::Sheave { .. } => samples + 1,
         }
+    }
+}
+
+/// Points at equal angles from `first` on towards `second`, both seen from the centre and of the circle's radius.
+fn draw_arc(
+    centre: DVec3,
+    [first, second]: [DVec3; 2],
+    angle: f64,
+    samples: usize,
+    mut emit: impl FnMut(DVec3),
+) {
+    // Turned on from point to point: a sine and a cosine for each would cost more than all else of a sample.
+    let (sin, cos) = (angle / samples as f64).sin_cos();
+    let (mut along, mut across) = (first, second);
+    for _ in 0..=samples {
+        emit(centre + along);
+        (along, across) = (along * cos + across * sin, across * cos - along * sin);
     }
 }
 

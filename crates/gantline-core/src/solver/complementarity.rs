@@ -8,6 +8,7 @@
 
 use super::kkt::Kkt;
 use super::symbolic::ZeroPivot;
+use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
@@ -106,12 +107,15 @@ impl Complementarity {
         let (mut least, mut patience) = (usize::MAX, PATIENCE);
         for _ in 0..100 + 4 * rows {
             if !self.factored {
-                kkt.factorise(system, |row| self.modes[row] == Mode::Acting)?;
+                let acts = |row: usize| self.modes[row] == Mode::Acting;
+                system.clock.time(Stage::Factorisation, || kkt.factorise(system, acts))?;
                 outcome.factorisations += 1;
                 self.factored = true;
             }
             self.right_sides(system, problem, v);
-            kkt.solve(&self.force, &self.row_right, v, &mut self.impulse);
+            system
+                .clock
+                .time(Stage::Solution, || kkt.solve(&self.force, &self.row_right, v, &mut self.impulse));
             self.read_forces(system, problem, v);
             let settled = self.friction(system);
             self.find_wrong(system, problem, v);

@@ -32,7 +32,9 @@
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
 use super::{StepError, StepReport};
+use crate::clock::Stage;
 use crate::event::EventLog;
+use crate::record::Sample;
 use crate::solver::complementarity::{Complementarity, Problem};
 use crate::solver::kkt::Kkt;
 use crate::solver::symbolic::ZeroPivot;
@@ -97,7 +99,7 @@ impl Del {
         system: &System,
         (before, after): (&State, &State),
         share: f64,
-        sample: &mut State,
+        sample: &mut Sample,
     ) {
         sample.v.copy_from_slice(&after.v);
         sample.acceleration.copy_from_slice(&after.acceleration);
@@ -135,8 +137,10 @@ impl Del {
         state.plan.advance(&system.plan, state.time, end, &self.support, log);
 
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
-        self.kkt.stiffness.update(system, state, frame, h, self.geometric_stiffness);
-        self.kkt.assemble(system, &frame.mass, &frame.gradient, h);
+        system.clock.time(Stage::Assembly, || {
+            self.kkt.stiffness.update(system, state, frame, h, self.geometric_stiffness);
+            self.kkt.assemble(system, &frame.mass, &frame.gradient, h);
+        });
         self.rows.modes.copy_from_slice(&state.modes);
         self.rows.matrix_changed();
 
@@ -164,7 +168,9 @@ impl Del {
                 *middle = 0.5 * (old + new);
             }
             self.previous.copy_from_slice(&self.c);
-            self.bias.update(&system.tree, &frame.kinematics, &self.middle, None, None, &mut self.c);
+            system.clock.time(Stage::Assembly, || {
+                self.bias.update(&system.tree, &frame.kinematics, &self.middle, None, None, &mut self.c);
+            });
             let change = distance(&self.c, &self.previous);
             if round > 0 && change <= BIAS_TOLERANCE * largest(&self.c) {
                 break;
@@ -173,7 +179,9 @@ impl Del {
                 *force = self.momentum[dof] - h * self.c[dof];
             }
             let problem = Problem { h, value: &frame.value, gradient: &frame.gradient, force: &self.force };
-            let solved = self.rows.solve(system, &mut self.kkt, &problem, &mut self.v);
+            let solved = system
+                .clock
+                .time(Stage::Events, || self.rows.solve(system, &mut self.kkt, &problem, &mut self.v));
             let outcome = solved.map_err(|pivot| self.singular(system, state.time, pivot))?;
             report.factorisations += outcome.factorisations;
             report.converged = outcome.converged;

@@ -1,5 +1,6 @@
 //! Everything that follows from a configuration: poses, mass matrix, rows and their gradients.
 
+use crate::clock::Stage;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
@@ -32,7 +33,7 @@ impl Frame {
     /// Evaluates everything at the configuration of `state`.
     pub fn update(&mut self, system: &System, state: &State) {
         self.update_rows(system, &state.q, &state.memory);
-        self.mass.update(&system.tree, &self.kinematics);
+        system.clock.time(Stage::Assembly, || self.mass.update(&system.tree, &self.kinematics));
     }
 
     /// Takes over the poses and rows of another frame of the same system, and the mass matrix that belongs to them.
@@ -40,13 +41,13 @@ impl Frame {
         self.kinematics.copy_from(&other.kinematics);
         self.value.copy_from_slice(&other.value);
         self.gradient.copy_from_slice(&other.gradient);
-        self.mass.update(&system.tree, &self.kinematics);
+        system.clock.time(Stage::Assembly, || self.mass.update(&system.tree, &self.kinematics));
     }
 
     /// Evaluates poses and rows, not the mass matrix, at the configuration `q`.
     pub fn update_rows(&mut self, system: &System, q: &[f64], memory: &[f64]) {
-        self.kinematics.update(&system.tree, q);
-        self.rows(system, memory);
+        system.clock.time(Stage::Kinematics, || self.kinematics.update(&system.tree, q));
+        system.clock.time(Stage::Assembly, || self.rows(system, memory));
     }
 
     /// Evaluates rows at the poses.

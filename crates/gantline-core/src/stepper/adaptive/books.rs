@@ -4,9 +4,9 @@
 //! position, its acceleration not quite what the forces give. The work of that defect is what the method itself
 //! adds or takes; it is computed like any other flow.
 
+use super::Adaptive;
 use super::evaluation::Point;
 use super::rodas::Increment;
-use super::{Adaptive, LOOKS};
 use crate::audit::{Flows, elastic_energy, row_energy, spring_energy};
 use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
@@ -36,14 +36,6 @@ impl Adaptive {
         let point = Point { base: &state.q, memory: &state.memory, phi, v, a: &self.rate.v, rigid };
         self.probe.forces(system, &point, &state.modes, &state.slip);
         self.book_point(system, state, duration);
-    }
-
-    /// The flows of the first `length` seconds of the step anew, where it was cut.
-    pub(super) fn book_cut(&mut self, system: &System, state: &State, length: f64) {
-        self.flows = Flows::default();
-        for (look, weight) in LOOKS.iter().zip(WEIGHTS) {
-            self.book_look(system, state, look * self.made, weight * length);
-        }
     }
 
     /// What the flow integrals do not hold: energy that a row's law takes or gives at once with its value, by its

@@ -10,6 +10,7 @@
 
 use glam::DVec3;
 
+use crate::clock::Stage;
 use crate::constraint::{AnyConstraint, Law, Line};
 use crate::rope::route::Attachment;
 use crate::solver::complementarity::Mode;
@@ -75,14 +76,20 @@ impl Evaluation {
     /// Positions, velocities and forces of the rows at q₀ ⊕ φ, v; no accelerations, no gradients.
     pub fn rows(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.place(system, at);
-        self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
-        self.locate(system, at.memory);
-        self.tensions(system, at, modes, slip);
+        system.clock.time(Stage::Assembly, || {
+            self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
+            self.locate(system, at.memory);
+            self.tensions(system, at, modes, slip);
+        });
     }
 
     /// The same and the imbalance.
     pub fn forces(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.place(system, at);
+        system.clock.time(Stage::Assembly, || self.add_forces(system, at, modes, slip));
+    }
+
+    fn add_forces(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
         self.locate(system, at.memory);
         self.tensions(system, at, modes, slip);
@@ -100,6 +107,10 @@ impl Evaluation {
     /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
     pub fn all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.place(system, at);
+        system.clock.time(Stage::Assembly, || self.add_all(system, at, modes, slip));
+    }
+
+    fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
         self.frame.rows(system, at.memory);
         for (row, rate) in self.rate.iter_mut().enumerate() {
@@ -117,9 +128,11 @@ impl Evaluation {
     }
 
     fn place(&mut self, system: &System, at: &Point) {
-        self.q.copy_from_slice(at.base);
-        system.tree.advance(&mut self.q, at.phi);
-        self.frame.kinematics.update(&system.tree, &self.q);
+        system.clock.time(Stage::Kinematics, || {
+            self.q.copy_from_slice(at.base);
+            system.tree.advance(&mut self.q, at.phi);
+            self.frame.kinematics.update(&system.tree, &self.q);
+        });
     }
 
     /// Values and rates of the rows from the motion of the bodies.

@@ -9,6 +9,7 @@
 mod books;
 mod error;
 pub mod evaluation;
+mod looks;
 mod places;
 pub mod rodas;
 mod spins;
@@ -20,14 +21,17 @@ use super::flows;
 use super::frame::Frame;
 use super::{StepError, StepReport};
 use crate::audit::Flows;
+use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::event::EventLog;
+use crate::record::Sample;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Twist;
 use evaluation::{Evaluation, Point};
+use looks::Looks;
 use rodas::{Increment, Rodas};
 
 /// What an error may be in one step.
@@ -73,13 +77,15 @@ pub struct Adaptive {
     /// Length of the rotations' arms [m], inertia of every degree of freedom.
     weights: error::Weights,
     probe: Evaluation,
-    /// The end of the step that has been computed.
+    /// The end of the part of the step that is made.
     next: Evaluation,
     /// What flows in it.
     flows: Flows,
+    /// Motion there.
+    end: Increment,
     point: Increment,
     rate: Increment,
-    looks: switching::Looks,
+    looks: Looks,
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
@@ -104,9 +110,10 @@ impl Adaptive {
             next: probe.clone(),
             probe,
             flows: Flows::default(),
+            end: Increment::zero(system),
             point: Increment::zero(system),
             rate: Increment::zero(system),
-            looks: switching::Looks::new(system),
+            looks: Looks::new(system),
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
@@ -126,17 +133,19 @@ impl Adaptive {
     }
 
     /// Motion and forces at the share `theta` of the last step, which was made from `before`.
-    pub fn interpolate(&mut self, system: &System, before: &State, theta: f64, sample: &mut State) {
-        self.probe_rows(system, before, theta * self.made);
-        sample.q.copy_from_slice(&self.probe.q);
+    pub fn interpolate(&mut self, system: &System, before: &State, theta: f64, sample: &mut Sample) {
+        self.rodas.course.at(theta * self.made, &mut self.point);
+        sample.q.copy_from_slice(&before.q);
+        system.tree.advance(&mut sample.q, &self.point.phi);
         sample.v.copy_from_slice(&self.point.v);
         sample.acceleration.copy_from_slice(&self.point.a);
-        for (row, law) in system.rows.laws.iter().enumerate() {
-            sample.tension[row] = match law {
-                Law::Unilateral { .. } => self.probe.trial[row].max(0.0),
-                Law::Friction { .. } => self.probe.tension[row],
-            };
-        }
+        self.looks.sample(system, theta, &mut sample.tension);
+    }
+
+    /// The largest force of a rope in the last step [N] and the share of the step at which it was, where it is
+    /// more than `least`.
+    pub fn peak(&self, row: usize, least: f64) -> Option<(f64, f64)> {
+        self.looks.peak(row, least)
     }
 
     /// One step from `state`, not beyond `until` [s].
@@ -188,8 +197,7 @@ impl Adaptive {
             state.engaged_step = h;
             state.engaged = false;
         }
-        self.look(system, state);
-        self.made = self.cut(system, state);
+        system.clock.time(Stage::Events, || self.look(system, state));
         report.cut = self.made < 1.0;
         let whole = self.made == 1.0 && h == reach;
         state.next_step = h * stretch;
@@ -231,7 +239,10 @@ impl Adaptive {
         }
         self.rodas.evaluate(system, state);
         let Rodas { matrix, here, .. } = &mut self.rodas;
-        matrix.factorise_inertia(system, &frame.mass, &here.frame.gradient, &state.modes)?;
+        let gradient = &here.frame.gradient;
+        system.clock.time(Stage::Factorisation, || {
+            matrix.factorise_inertia(system, &frame.mass, gradient, &state.modes)
+        })?;
         for (force, imbalance) in self.rate.phi.iter_mut().zip(&here.imbalance) {
             *force = -imbalance;
         }
@@ -242,7 +253,7 @@ impl Adaptive {
             }
         }
         self.rate.a.fill(0.0);
-        matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a);
+        system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
         for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
             if system.driven[dof].is_none() {
                 *acceleration = self.rate.a[dof];
@@ -264,7 +275,9 @@ impl Adaptive {
         for positions in [true, false] {
             let modes = &state.modes;
             let matrix = &mut self.rodas.matrix;
-            matrix.factorise_inertia(system, &frame.mass, &frame.gradient, modes)?;
+            system.clock.time(Stage::Factorisation, || {
+                matrix.factorise_inertia(system, &frame.mass, &frame.gradient, modes)
+            })?;
             self.rows.fill(0.0);
             for &row in system.rigid.iter().filter(|&&row| modes[row] == Mode::Acting) {
                 let rate = system.rows.rate(&frame.gradient, row, &state.v);
@@ -272,7 +285,7 @@ impl Adaptive {
             }
             self.rate.phi.fill(0.0);
             self.rate.a.fill(0.0);
-            matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a);
+            system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
             if positions {
                 system.tree.advance(&mut state.q, &self.rate.a);
                 frame.update(system, state);
@@ -302,37 +315,27 @@ impl Adaptive {
         log: &mut EventLog,
         stop: Option<f64>,
     ) -> Result<(), ZeroPivot> {
-        let length = self.made * self.rodas.course.h;
-        if self.made < 1.0 {
-            self.book_cut(system, state, length);
-        }
         self.book_springs(system, state, -1.0);
-        let start = state.time;
-        self.rodas.course.at(self.made, &mut self.point);
-        state.v.copy_from_slice(&self.point.v);
-        state.acceleration.copy_from_slice(&self.point.a);
+        let (start, length) = (state.time, self.made * self.rodas.course.h);
+        state.v.copy_from_slice(&self.end.v);
+        state.acceleration.copy_from_slice(&self.end.a);
         state.time = stop.unwrap_or(start + length);
         state.steps += 1;
-        for (tension, &row) in self.point.rigid.iter().zip(&system.rigid) {
+        for (tension, &row) in self.end.rigid.iter().zip(&system.rigid) {
             state.tension[row] = *tension;
         }
-        if self.made < 1.0 {
-            system.tree.advance(&mut state.q, &self.point.phi);
-            self.rodas.evaluate(system, state);
-        } else {
-            // The last look was at the end of the step: it is the start of the next.
-            std::mem::swap(&mut self.next, &mut self.rodas.here);
-            let here = &mut self.rodas.here;
-            state.q.copy_from_slice(&here.q);
-            // There φ counts from here: φ̇ = v.
-            here.phi_rate.copy_from_slice(&state.v);
-        }
+        // The last look was at the end of the step: it is the start of the next.
+        std::mem::swap(&mut self.next, &mut self.rodas.here);
+        let here = &mut self.rodas.here;
+        state.q.copy_from_slice(&here.q);
+        // There φ counts from here: φ̇ = v.
+        here.phi_rate.copy_from_slice(&state.v);
         self.current = true;
         self.book_springs(system, state, 1.0);
         state.ledger.flows += std::mem::take(&mut self.flows);
         let held = self.held(system, state);
         let taut = self.rigid_acting(system, state);
-        if self.switch(system, state, log, start, length) {
+        if system.clock.time(Stage::Events, || self.switch(system, state, log, start, length)) {
             state.restart = true;
             self.rodas.evaluate(system, state);
             state.ledger.flows.method += held - self.held(system, state);

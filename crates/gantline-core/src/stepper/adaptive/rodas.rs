@@ -26,6 +26,7 @@
 use super::evaluation::{Evaluation, Point};
 use super::tableau::{A, C, D, GAMMA, H, STAGES, TIMES};
 use super::tangent::TangentMatrix;
+use crate::clock::Stage;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
@@ -194,7 +195,7 @@ impl Rodas {
 
     /// Evaluates the tangents there.
     pub fn linearise(&mut self, system: &System, state: &State, mass: &MassMatrix) {
-        self.matrix.linearise(system, &self.here, mass, state);
+        system.clock.time(Stage::Assembly, || self.matrix.linearise(system, &self.here, mass, state));
     }
 
     /// Computes a step of length `h` [s] from `state`, where [`Rodas::evaluate`] and [`Rodas::linearise`] have been called.
@@ -215,7 +216,9 @@ impl Rodas {
             *tension = state.tension[row];
         }
         let (modes, slip) = (&state.modes, &state.slip);
-        self.matrix.factorise(system, &self.here, state, kappa)?;
+        system
+            .clock
+            .time(Stage::Factorisation, || self.matrix.factorise(system, &self.here, state, kappa))?;
         for stage in 0..STAGES {
             self.point.set(A[stage], &self.k, &self.course.start);
             if stage > 0 {
@@ -224,7 +227,7 @@ impl Rodas {
                 self.stage.forces(system, &point, modes, slip);
             }
             self.stage_sides(system, state, mass, stage, h);
-            self.matrix.solve(&self.force, &self.rows, &mut self.x);
+            system.clock.time(Stage::Solution, || self.matrix.solve(&self.force, &self.rows, &mut self.x));
             let k = &mut self.k[stage];
             self.matrix.spins.increments(kappa, &self.x, &mut k.phi);
             for dof in 0..self.x.len() {

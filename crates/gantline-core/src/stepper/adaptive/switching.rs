@@ -15,88 +15,84 @@ use crate::system::System;
 /// [m/s].
 const REVERSAL: f64 = 1e-6;
 
-/// What the laws ask at the shares [`LOOKS`] of a step.
-#[derive(Debug, Clone)]
-pub struct Looks {
-    /// Without bound, of every row [N].
-    trial: [Vec<f64>; LOOKS.len()],
-    /// At the start of the step.
-    start: Vec<f64>,
-    /// How far every look is from its law, the worst row [N].
-    far: [f64; LOOKS.len()],
-}
-
-impl Looks {
-    /// Room for `system`.
-    pub fn new(system: &System) -> Self {
-        let zeros = || vec![0.0; system.rows.count()];
-        Self { trial: std::array::from_fn(|_| zeros()), start: zeros(), far: [0.0; LOOKS.len()] }
-    }
-}
-
 impl Adaptive {
-    /// Looks at the course of the step that has been computed: how far rows are from their laws, and what flows.
+    /// Looks at the course of the step that has been computed and decides how much of it is made: up to where a row
+    /// reaches the switching tolerance, or where the plan's condition is fulfilled.
     pub(super) fn look(&mut self, system: &System, state: &State) {
-        self.looks.start.copy_from_slice(&self.rodas.here.trial);
-        self.flows = Flows::default();
-        let h = self.rodas.course.h;
-        for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
-            self.book_look(system, state, theta, weight * h);
-            self.looks.far[index] = self.farthest(system, state, &self.probe);
-            self.looks.trial[index].copy_from_slice(&self.probe.trial);
+        self.looks.note(system, 0, &self.rodas.here);
+        self.made = 1.0;
+        let allowed = SWITCHING * self.tolerance.tension;
+        let crossed = self.survey(system, state, allowed);
+        let made = crossed.map_or(1.0, |look| self.cut(system, state, look, allowed));
+        let made = self.condition(system, state, made);
+        if made < 1.0 {
+            self.made = made;
+            self.survey(system, state, f64::INFINITY);
         }
-        self.set_driven(system, state);
-        let Increment { phi, v, a, rigid } = &self.rodas.course.end;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
-        self.next.all(system, &point, &state.modes, &state.slip);
-        self.looks.far[WEIGHTS.len()] = self.farthest(system, state, &self.next);
-        self.looks.trial[WEIGHTS.len()].copy_from_slice(&self.next.trial);
+        self.looks.fit();
     }
 
-    /// Puts driven joints exactly where their drives are at the end of the step, so that rounding does not add up.
-    fn set_driven(&mut self, system: &System, state: &State) {
-        let course = &mut self.rodas.course;
-        let time = state.time + course.h;
+    /// Looks along the part of the step that is made: what flows, and how far rows are from their laws; ends at the
+    /// first look that is further than `allowed` [N] and tells which.
+    fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
+        self.flows = Flows::default();
+        let length = self.made * self.rodas.course.h;
+        for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
+            self.book_look(system, state, theta * self.made, weight * length);
+            self.looks.note(system, index + 1, &self.probe);
+            self.looks.far[index] = self.farthest(system, state, &self.probe);
+            if self.looks.far[index] > allowed {
+                return Some(index);
+            }
+        }
+        self.arrive(system, state);
+        self.looks.note(system, LOOKS.len(), &self.next);
+        let last = LOOKS.len() - 1;
+        self.looks.far[last] = self.farthest(system, state, &self.next);
+        (self.looks.far[last] > allowed).then_some(last)
+    }
+
+    /// Evaluates the end of the part that is made. Driven joints are put exactly where their drives are, so that
+    /// rounding does not add up.
+    fn arrive(&mut self, system: &System, state: &State) {
+        self.rodas.course.at(self.made, &mut self.end);
+        let time = state.time + self.made * self.rodas.course.h;
         for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
             let motion = timeline.motion(time);
             let position = state.q[system.tree.bodies[drive.body].first_position];
-            course.end.phi[drive.dof] = motion.position - position;
-            course.end.v[drive.dof] = motion.velocity;
+            self.end.phi[drive.dof] = motion.position - position;
+            self.end.v[drive.dof] = motion.velocity;
         }
+        let Increment { phi, v, a, rigid } = &self.end;
+        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
+        self.next.all(system, &point, &state.modes, &state.slip);
     }
 
-    /// Share of the step that may be made: up to where a row reaches the switching tolerance, or where the plan's
-    /// condition is fulfilled.
-    pub(super) fn cut(&mut self, system: &System, state: &State) -> f64 {
-        let allowed = SWITCHING * self.tolerance.tension;
-        let mut made = 1.0;
-        if let Some(index) = self.looks.far.iter().position(|&far| far > allowed) {
-            let mut low = if index == 0 { 0.0 } else { LOOKS[index - 1] };
-            let mut high = LOOKS[index];
-            // Anything between half of the tolerance and the tolerance will do. False position with the Illinois
-            // rule: an end that stays counts half.
-            let aim = |far: f64| far - 0.75 * allowed;
-            let mut below = aim(if index == 0 { 0.0 } else { self.looks.far[index - 1] });
-            let mut above = aim(self.looks.far[index]);
-            for _ in 0..60 {
-                let share = (below / (below - above)).clamp(0.01, 0.99);
-                let middle = low + share * (high - low);
-                self.probe_rows(system, state, middle);
-                let far = self.farthest(system, state, &self.probe);
-                if far > allowed {
-                    (high, above) = (middle, aim(far));
-                    below *= 0.5;
-                } else {
-                    (low, below) = (middle, aim(far));
-                    above *= 0.5;
-                    if far > 0.5 * allowed {
-                        break;
-                    }
+    /// Share of the step at which a row reaches the switching tolerance before the look `index`.
+    fn cut(&mut self, system: &System, state: &State, index: usize, allowed: f64) -> f64 {
+        let (mut low, mut high) = (if index == 0 { 0.0 } else { LOOKS[index - 1] }, LOOKS[index]);
+        // Anything between half of the tolerance and the tolerance will do. False position with the Illinois
+        // rule: an end that stays counts half.
+        let aim = |far: f64| far - 0.75 * allowed;
+        let mut below = aim(if index == 0 { 0.0 } else { self.looks.far[index - 1] });
+        let mut above = aim(self.looks.far[index]);
+        for _ in 0..60 {
+            let share = (below / (below - above)).clamp(0.01, 0.99);
+            let middle = low + share * (high - low);
+            self.probe_rows(system, state, middle);
+            let far = self.farthest(system, state, &self.probe);
+            if far > allowed {
+                (high, above) = (middle, aim(far));
+                below *= 0.5;
+            } else {
+                (low, below) = (middle, aim(far));
+                above *= 0.5;
+                if far > 0.5 * allowed {
+                    break;
                 }
             }
-            made = if low > 0.0 { low } else { high };
         }
-        self.condition(system, state, made)
+        if low > 0.0 { low } else { high }
     }
 
     /// The share at which the condition of the plan is first fulfilled, or `made`.
@@ -166,7 +162,8 @@ impl Adaptive {
                 let taut = state.modes[row] == Mode::Slack;
                 state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
                 state.engaged |= taut;
-                let time = start + length * self.crossing(row);
+                let crossing = self.looks.crossing(row, self.rodas.here.trial[row] > 0.0);
+                let time = start + length * crossing;
                 match constraint {
                     AnyConstraint::Rope(_) => {
                         log.push(time, if taut { EventKind::Taut } else { EventKind::Slack }, index);
@@ -254,90 +251,5 @@ impl Adaptive {
             (1, true) => log.push(time, EventKind::SetDown, group),
             _ => {}
         }
-    }
-
-    /// Share of the step that was made at which the trial force of a row went through zero.
-    fn crossing(&self, row: usize) -> f64 {
-        let course = RowCourse::through(self.looks.values(row));
-        let new_sign = self.rodas.here.trial[row] > 0.0;
-        let last = (1..POINTS).find(|&k| (course.values[k] > 0.0) == new_sign).unwrap_or(POINTS - 1);
-        let (mut low, mut high) = (TIMES[last - 1], TIMES[last]);
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            if (course.at(middle) > 0.0) == new_sign { high = middle } else { low = middle }
-        }
-        (high / self.made).min(1.0)
-    }
-
-    /// The largest force of a rope in the last step [N] and the share of the step at which it was, where it is
-    /// more than `least`.
-    pub fn peak(&self, row: usize, least: f64) -> Option<(f64, f64)> {
-        let values = self.looks.values(row);
-        let highest = (0..POINTS).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
-        // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most.
-        if values[highest] < 0.9 * least {
-            return None;
-        }
-        let course = RowCourse::through(values);
-        let mut low = TIMES[highest.saturating_sub(1)].min(self.made);
-        let mut high = TIMES[(highest + 1).min(POINTS - 1)].min(self.made);
-        // To 1e-4 of the time between points; the value is right to the square of that.
-        for _ in 0..24 {
-            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-            if course.at(a) < course.at(b) { low = a } else { high = b }
-        }
-        let (share, value) = (0.5 * (low + high), course.at(0.5 * (low + high)));
-        (value > least).then_some((value, share / self.made))
-    }
-}
-
-/// The start of a step and its looks.
-const POINTS: usize = LOOKS.len() + 1;
-
-/// Shares of the step at the start and the looks.
-const TIMES: [f64; POINTS] = [0.0, LOOKS[0], LOOKS[1], LOOKS[2], LOOKS[3], LOOKS[4]];
-
-/// One over the time between point k and the one `order` before it, by order and k.
-const SPANS: [[f64; POINTS]; POINTS] = {
-    let mut spans = [[0.0; POINTS]; POINTS];
-    let mut order = 1;
-    while order < POINTS {
-        let mut k = order;
-        while k < POINTS {
-            spans[order][k] = 1.0 / (TIMES[k] - TIMES[k - order]);
-            k += 1;
-        }
-        order += 1;
-    }
-    spans
-};
-
-/// What the law asks of one row along a step: the polynomial through the start and the looks.
-struct RowCourse {
-    values: [f64; POINTS],
-    /// Divided differences (Newton's form).
-    terms: [f64; POINTS],
-}
-
-impl Looks {
-    fn values(&self, row: usize) -> [f64; POINTS] {
-        std::array::from_fn(|k| if k == 0 { self.start[row] } else { self.trial[k - 1][row] })
-    }
-}
-
-impl RowCourse {
-    fn through(values: [f64; POINTS]) -> Self {
-        let mut terms = values;
-        for order in 1..POINTS {
-            for k in (order..POINTS).rev() {
-                terms[k] = (terms[k] - terms[k - 1]) * SPANS[order][k];
-            }
-        }
-        Self { values, terms }
-    }
-
-    fn at(&self, x: f64) -> f64 {
-        let terms = self.terms.iter().zip(TIMES).rev();
-        terms.fold(0.0, |sum, (term, time)| sum * (x - time) + term)
     }
 }

@@ -1,0 +1,181 @@
+//! What a run hands on: columns of numbers over time, worked out from its samples.
+
+use glam::{DQuat, DVec3};
+
+use super::Samples;
+use crate::constraint::AnyConstraint;
+use crate::constraint::contact::Contact;
+use crate::constraint::rope::Rope;
+use crate::rope::route::Straight;
+use crate::system::System;
+use crate::tree::bias::{NewtonEuler, Wrench};
+use crate::tree::kinematics::Kinematics;
+
+/// Chords of a drawn half turn.
+pub const ARC_SAMPLES: usize = 12;
+
+/// Everything that follows from samples. Shapes are (samples, …) in row-major order.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Columns {
+    /// (rope) [N].
+    pub rope_tension: Vec<f64>,
+    /// (segment) [N].
+    pub segment_tension: Vec<f64>,
+    /// (segment) [m].
+    pub segment_length: Vec<f64>,
+    /// (rope point, xyz) [m].
+    pub rope_point: Vec<f64>,
+    /// (body, xyz) centre of gravity [m].
+    pub body_position: Vec<f64>,
+    /// (body, wxyz) unit quaternion.
+    pub body_orientation: Vec<f64>,
+    /// (body, xyz) of the centre of gravity [m/s].
+    pub body_velocity: Vec<f64>,
+    /// (body, xyz) [rad/s], world axes.
+    pub body_angular_velocity: Vec<f64>,
+    /// (hinge or slider) [rad or m].
+    pub joint_position: Vec<f64>,
+    /// (body, xyz) force of the parent on the body through its joint [N].
+    pub joint_force: Vec<f64>,
+    /// (contact) normal force [N].
+    pub contact_force: Vec<f64>,
+    /// Largest e of an inextensible rope beyond its length [m].
+    pub constraint_residual: Vec<f64>,
+}
+
+impl Columns {
+    /// The columns of `samples`.
+    pub fn of(system: &System, samples: &Samples) -> Self {
+        let mut columns = Self::with_room(system, samples.time.len());
+        let mut sampled = Sampled {
+            kinematics: Kinematics::new(&system.tree),
+            dynamics: NewtonEuler::new(&system.tree),
+            applied: vec![Wrench::default(); system.tree.bodies.len()],
+            unused: vec![0.0; system.tree.velocities],
+            straights: Vec::new(),
+        };
+        let (positions, velocities) = (system.tree.positions, system.tree.velocities);
+        let rows = system.rows.count();
+        for index in 0..samples.time.len() {
+            let q = &samples.q[index * positions..][..positions];
+            let v = &samples.v[index * velocities..][..velocities];
+            let acceleration = &samples.acceleration[index * velocities..][..velocities];
+            let tension = &samples.tension[index * rows..][..rows];
+            sampled.kinematics.update(&system.tree, q);
+            sampled.add_rows(system, tension, &mut columns);
+            sampled.add_bodies(system, [q, v, acceleration], &mut columns);
+        }
+        columns
+    }
+
+    fn with_room(system: &System, samples: usize) -> Self {
+        let names = super::names::Names::new(system);
+        let room = |width: usize| Vec::with_capacity(samples * width);
+        let (segments, bodies) = (names.segment.len(), names.body.len());
+        Self {
+            rope_tension: room(names.rope.len()),
+            segment_tension: room(segments),
+            segment_length: room(segments),
+            rope_point: room(3 * names.rope_point.len()),
+            body_position: room(3 * bodies),
+            body_orientation: room(4 * bodies),
+            body_velocity: room(3 * bodies),
+            body_angular_velocity: room(3 * bodies),
+            joint_position: room(names.joint.len()),
+            joint_force: room(3 * bodies),
+            contact_force: room(names.contact.len()),
+            constraint_residual: room(1),
+        }
+    }
+}
+
+/// The system at one sample. Reused from sample to sample.
+struct Sampled {
+    kinematics: Kinematics,
+    dynamics: NewtonEuler,
+    applied: Vec<Wrench>,
+    unused: Vec<f64>,
+    straights: Vec<Straight>,
+}
+
+impl Sampled {
+    fn add_rows(&mut self, system: &System, tension: &[f64], columns: &mut Columns) {
+        self.applied.fill(Wrench::default());
+        let mut violation = 0.0_f64;
+        for (index, constraint) in system.constraints.iter().enumerate() {
+            let row = system.rows.first[index];
+            match constraint {
+                AnyConstraint::Rope(rope) => {
+                    let length = self.add_rope(rope, tension[row], columns);
+                    if rope.material.compliance == 0.0 {
+                        violation = violation.max(length - rope.length);
+                    }
+                }
+                AnyConstraint::Contact(contact) => {
+                    self.add_contact(contact, [0, 1, 2].map(|k| tension[row + k]), columns)
+                }
+            }
+        }
+        columns.constraint_residual.push(violation);
+    }
+
+    /// Adds a rope's columns and its forces on bodies; returns its length [m].
+    fn add_rope(&mut self, rope: &Rope, tension: f64, columns: &mut Columns) -> f64 {
+        columns.rope_tension.push(tension);
+        self.straights.clear();
+        let straights = &mut self.straights;
+        let length = rope.route.length(&self.kinematics, |_, straight| straights.push(*straight));
+        for (index, part) in rope.route.parts.iter().enumerate() {
+            let straight = self.straights[index];
+            columns.segment_tension.push(tension);
+            columns.segment_length.push(straight.length);
+            let [start, end] = straight.couple;
+            self.apply(part.from.at.body, straight.from, straight.pull * tension, -start * tension);
+            self.apply(part.to.at.body, straight.to, -straight.pull * tension, -end * tension);
+        }
+        for (index, guide) in rope.route.guides.iter().enumerate() {
+            let before = index.checked_sub(1).and_then(|part| self.straights.get(part));
+            let parts = [before, self.straights.get(index)];
+            guide.draw(&self.kinematics, parts, ARC_SAMPLES, |point| {
+                columns.rope_point.extend_from_slice(point.as_ref());
+            });
+        }
+        length
+    }
+
+    fn add_contact(&mut self, contact: &Contact, [normal, first, second]: [f64; 3], columns: &mut Columns) {
+        columns.contact_force.push(normal);
+        let tangents = contact.plane.tangents;
+        let force = contact.plane.normal * normal - tangents[0] * first - tangents[1] * second;
+        let point = self.kinematics.point(Some(contact.body), contact.at);
+        self.apply(Some(contact.body), point, force, DVec3::ZERO);
+    }
+
+    fn apply(&mut self, body: Option<usize>, point: DVec3, force: DVec3, couple: DVec3) {
+        if let Some(body) = body {
+            let wrench = &mut self.applied[body];
+            wrench.force += force;
+            wrench.moment += (point - self.kinematics.pose[body].position).cross(force) + couple;
+        }
+    }
+
+    fn add_bodies(&mut self, system: &System, [q, v, acceleration]: [&[f64]; 3], columns: &mut Columns) {
+        let tree = &system.tree;
+        let applied = Some(self.applied.as_slice());
+        self.dynamics.update(tree, &self.kinematics, v, Some(acceleration), applied, &mut self.unused);
+        let NewtonEuler { twists, wrenches, .. } = &self.dynamics;
+        for (index, body) in tree.bodies.iter().enumerate() {
+            let centre = self.kinematics.centre_of_gravity[index];
+            let turn = DQuat::from_mat3(&self.kinematics.pose[index].rotation);
+            let velocity = self.kinematics.point_velocity(twists, Some(index), centre);
+            columns.body_position.extend_from_slice(centre.as_ref());
+            columns.body_orientation.extend_from_slice(&[turn.w, turn.x, turn.y, turn.z]);
+            columns.body_velocity.extend_from_slice(velocity.as_ref());
+            columns.body_angular_velocity.extend_from_slice(twists[index].angular.as_ref());
+            columns.joint_force.extend_from_slice(wrenches[index].force.as_ref());
+            if body.joint.has_axis() {
+                columns.joint_position.push(q[body.first_position]);
+            }
+        }
+    }
+}

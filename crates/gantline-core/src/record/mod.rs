@@ -1,0 +1,144 @@
+//! What a run keeps: samples of its motion and forces at equal intervals. All else, poses, segments, forces in
+//! joints, follows from them and is worked out when it is asked for ([`columns::Columns`]).
+
+use serde::{Deserialize, Serialize};
+
+use crate::audit::KINDS;
+use crate::state::State;
+use crate::system::System;
+
+pub mod columns;
+pub mod names;
+
+/// Motion and forces at one moment.
+#[derive(Debug, Clone, Default)]
+pub struct Sample {
+    /// Configuration: joint coordinates.
+    pub q: Vec<f64>,
+    /// Velocity coordinates.
+    pub v: Vec<f64>,
+    /// v̇.
+    pub acceleration: Vec<f64>,
+    /// Force of every row [N].
+    pub tension: Vec<f64>,
+}
+
+/// Samples taken so far. Shapes are (samples, …) in row-major order.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Samples {
+    /// Time [s].
+    pub time: Vec<f64>,
+    /// (joint coordinate).
+    pub q: Vec<f64>,
+    /// (velocity coordinate).
+    pub v: Vec<f64>,
+    /// (velocity coordinate) v̇.
+    pub acceleration: Vec<f64>,
+    /// (row) force [N].
+    pub tension: Vec<f64>,
+    /// (kind) [J].
+    pub energy: Vec<f64>,
+    /// Largest distance of a force from its law [N].
+    pub complementarity_residual: Vec<f64>,
+    /// (rope) largest tension over all steps so far [N].
+    pub rope_peak_tension: Vec<f64>,
+    /// (rope) when that was [s].
+    pub rope_peak_time: Vec<f64>,
+}
+
+/// Room is made for at most so many samples at once [numbers]: a run may end long before its duration.
+const MOST_ROOM: usize = 1 << 24;
+
+impl Samples {
+    /// Room for `count` samples of `state`, so that a run need not move them as it goes.
+    pub fn with_room(state: &State, count: f64) -> Self {
+        let State { q, v, tension, .. } = state;
+        let width = q.len() + 2 * v.len() + tension.len() + KINDS.len() + 2;
+        let count = (count as usize).saturating_add(1).min(MOST_ROOM / width);
+        let room = |width: usize| Vec::with_capacity(count * width);
+        Self {
+            time: room(1),
+            q: room(q.len()),
+            v: room(v.len()),
+            acceleration: room(v.len()),
+            tension: room(tension.len()),
+            energy: room(KINDS.len()),
+            complementarity_residual: room(1),
+            ..Self::default()
+        }
+    }
+
+    fn push(&mut self, time: f64, sample: &Sample, residual: f64) {
+        self.time.push(time);
+        self.q.extend_from_slice(&sample.q);
+        self.v.extend_from_slice(&sample.v);
+        self.acceleration.extend_from_slice(&sample.acceleration);
+        self.tension.extend_from_slice(&sample.tension);
+        self.complementarity_residual.push(residual);
+    }
+
+    /// Keeps the largest tension of every rope: `peak` gives that of a step and its time [s], where it is more than
+    /// what is known.
+    pub fn note_peaks(&mut self, system: &System, mut peak: impl FnMut(usize, f64) -> Option<(f64, f64)>) {
+        self.rope_peak_tension.resize(system.rope_count, 0.0);
+        self.rope_peak_time.resize(system.rope_count, 0.0);
+        let peaks = self.rope_peak_tension.iter_mut().zip(&mut self.rope_peak_time);
+        for (rope, (known, when)) in peaks.enumerate() {
+            if let Some(higher) = peak(rope, *known) {
+                (*known, *when) = higher;
+            }
+        }
+    }
+}
+
+/// What a step leaves for samples within it.
+#[derive(Debug, Clone, Copy)]
+pub struct Span<'a> {
+    /// State at its start.
+    pub before: &'a State,
+    /// State at its end.
+    pub after: &'a State,
+    /// Complementarity residual of the step [N].
+    pub residual: f64,
+}
+
+/// Takes samples. Reused from sample to sample.
+#[derive(Debug, Clone)]
+pub struct Recorder {
+    /// Time between samples [s].
+    pub interval: f64,
+    sample: Sample,
+}
+
+impl Recorder {
+    /// A recorder for runs that pass through states like `state`.
+    pub fn new(state: &State, interval: f64) -> Self {
+        let State { q, v, acceleration, tension, .. } = state.clone();
+        Self { interval, sample: Sample { q, v, acceleration, tension } }
+    }
+
+    /// Takes all samples that are due up to the end of the step. `motion` gives the sample at a share of the step.
+    pub fn record(
+        &mut self,
+        span: &Span,
+        samples: &mut Samples,
+        motion: &mut dyn FnMut(&Span, f64, &mut Sample),
+    ) {
+        let (from, to) = (span.before.time, span.after.time);
+        let energies = [span.before.ledger.values(), span.after.ledger.values()];
+        loop {
+            let time = samples.time.len() as f64 * self.interval;
+            // A sample at the end of the step by intention must not miss it by rounding.
+            if time > to + 1e-9 * (to - from) {
+                break;
+            }
+            let share = ((time - from) / (to - from)).clamp(0.0, 1.0);
+            motion(span, share, &mut self.sample);
+            samples.push(time, &self.sample, span.residual);
+            let [before, after] = energies;
+            samples
+                .energy
+                .extend((0..KINDS.len()).map(|kind| before[kind] + share * (after[kind] - before[kind])));
+        }
+    }
+}

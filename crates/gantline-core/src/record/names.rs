@@ -1,0 +1,50 @@
+//! Names that go with the columns.
+
+use super::columns::ARC_SAMPLES;
+use crate::constraint::AnyConstraint;
+use crate::system::System;
+
+/// Names that go with the columns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Names {
+    /// Ropes.
+    pub rope: Vec<String>,
+    /// Straight segments, `rope/number`.
+    pub segment: Vec<String>,
+    /// Rope of every drawn point.
+    pub rope_point: Vec<String>,
+    /// Bodies.
+    pub body: Vec<String>,
+    /// Bodies with a hinge or slider.
+    pub joint: Vec<String>,
+    /// Contacts.
+    pub contact: Vec<String>,
+}
+
+impl Names {
+    /// Names of `system`.
+    pub fn new(system: &System) -> Self {
+        let bodies = &system.tree.bodies;
+        let mut names = Self {
+            rope: Vec::new(),
+            segment: Vec::new(),
+            rope_point: Vec::new(),
+            body: bodies.iter().map(|body| body.name.clone()).collect(),
+            joint: bodies.iter().filter(|body| body.joint.has_axis()).map(|body| body.name.clone()).collect(),
+            contact: Vec::new(),
+        };
+        for constraint in &system.constraints {
+            match constraint {
+                AnyConstraint::Rope(rope) => {
+                    let segments = (0..rope.route.parts.len()).map(|part| format!("{}/{part}", rope.name));
+                    let points = rope.route.guides.iter().map(|guide| guide.drawn_points(ARC_SAMPLES)).sum();
+                    names.segment.extend(segments);
+                    names.rope_point.extend(std::iter::repeat_n(rope.name.clone(), points));
+                    names.rope.push(rope.name.clone());
+                }
+                AnyConstraint::Contact(contact) => names.contact.push(contact.name.clone()),
+            }
+        }
+        names
+    }
+}

@@ -1,0 +1,121 @@
+//! The forces of all rows along the part of a step that is made, as polynomials through its start and the looks at its course: crossings,
+//! peaks and samples cost no further evaluation.
+
+use super::LOOKS;
+use super::evaluation::Evaluation;
+use crate::constraint::Law;
+use crate::system::System;
+
+/// The start of a step and its looks.
+const POINTS: usize = LOOKS.len() + 1;
+
+/// Shares of the step at the start and the looks.
+const TIMES: [f64; POINTS] = [0.0, LOOKS[0], LOOKS[1], LOOKS[2], LOOKS[3], LOOKS[4]];
+
+/// One over the time between point k and the one `order` before it, by order and k.
+const SPANS: [[f64; POINTS]; POINTS] = {
+    let mut spans = [[0.0; POINTS]; POINTS];
+    let mut order = 1;
+    while order < POINTS {
+        let mut k = order;
+        while k < POINTS {
+            spans[order][k] = 1.0 / (TIMES[k] - TIMES[k - order]);
+            k += 1;
+        }
+        order += 1;
+    }
+    spans
+};
+
+/// What the looks saw.
+#[derive(Debug, Clone)]
+pub struct Looks {
+    /// Forces of all rows at the start and the looks [N]: of ropes and normals without their bound, of friction
+    /// with its mode.
+    forces: [Vec<f64>; POINTS],
+    /// Divided differences of the forces (Newton's form).
+    terms: [Vec<f64>; POINTS],
+    /// How far every look is from its law, the worst row [N].
+    pub far: [f64; LOOKS.len()],
+}
+
+impl Looks {
+    /// Room for `system`.
+    pub fn new(system: &System) -> Self {
+        let rows = || std::array::from_fn(|_| vec![0.0; system.rows.count()]);
+        Self { forces: rows(), terms: rows(), far: [0.0; LOOKS.len()] }
+    }
+
+    /// Keeps the forces at point k: 0 the start, k the look k − 1.
+    pub fn note(&mut self, system: &System, k: usize, at: &Evaluation) {
+        let forces = self.forces[k].iter_mut().zip(&system.rows.laws);
+        for ((force, law), (trial, tension)) in forces.zip(at.trial.iter().zip(&at.tension)) {
+            *force = if matches!(law, Law::Friction { .. }) { *tension } else { *trial };
+        }
+    }
+
+    /// Puts polynomials through what was noted.
+    pub fn fit(&mut self) {
+        for (terms, forces) in self.terms.iter_mut().zip(&self.forces) {
+            terms.copy_from_slice(forces);
+        }
+        for (order, spans) in SPANS.iter().enumerate().skip(1) {
+            for k in (order..POINTS).rev() {
+                let (before, from) = self.terms.split_at_mut(k);
+                for (term, before) in from[0].iter_mut().zip(&before[k - 1]) {
+                    *term = (*term - before) * spans[k];
+                }
+            }
+        }
+    }
+
+    /// Forces of all rows at the share `x` of the step [N], not below zero where the law is one-sided.
+    pub fn sample(&self, system: &System, x: f64, out: &mut [f64]) {
+        out.copy_from_slice(&self.terms[POINTS - 1]);
+        for (terms, time) in self.terms.iter().zip(TIMES).rev().skip(1) {
+            for (out, term) in out.iter_mut().zip(terms) {
+                *out = *out * (x - time) + term;
+            }
+        }
+        for (force, law) in out.iter_mut().zip(&system.rows.laws) {
+            if matches!(law, Law::Unilateral { .. }) {
+                *force = force.max(0.0);
+            }
+        }
+    }
+
+    /// The force of one row at the share `x` of the step [N], without bound.
+    fn at(&self, row: usize, x: f64) -> f64 {
+        self.terms.iter().zip(TIMES).rev().fold(0.0, |sum, (terms, time)| sum * (x - time) + terms[row])
+    }
+
+    /// The share of the step at which the force of a row goes through zero to the given side.
+    pub fn crossing(&self, row: usize, upwards: bool) -> f64 {
+        let last = (1..POINTS).find(|&k| (self.forces[k][row] > 0.0) == upwards).unwrap_or(POINTS - 1);
+        let (mut low, mut high) = (TIMES[last - 1], TIMES[last]);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if (self.at(row, middle) > 0.0) == upwards { high = middle } else { low = middle }
+        }
+        high
+    }
+
+    /// The largest force of a row [N] and the share of the step at which it was, where it is more than `least`.
+    pub fn peak(&self, row: usize, least: f64) -> Option<(f64, f64)> {
+        let highest = (0..POINTS).max_by(|&a, &b| self.forces[a][row].total_cmp(&self.forces[b][row]))?;
+        // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most.
+        if self.forces[highest][row] < 0.9 * least {
+            return None;
+        }
+        let mut low = TIMES[highest.saturating_sub(1)];
+        let mut high = TIMES[(highest + 1).min(POINTS - 1)];
+        // To 1e-4 of the time between points; the value is right to the square of that.
+        for _ in 0..24 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if self.at(row, a) < self.at(row, b) { low = a } else { high = b }
+        }
+        let share = 0.5 * (low + high);
+        let value = self.at(row, share);
+        (value > least).then_some((value, share))
+    }
+}
