@@ -1,6 +1,7 @@
 """Directives that take text from where it is kept, so it cannot go stale.
 
 `lift-keys`: all keys of a lift file as tables, made of the JSON Schema.
+`rope-classes`: the rope classes with their factors, as a table.
 `module-text`: a module's docstring as Markdown.
 """
 
@@ -15,9 +16,13 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
+from gantline.rope_data import rope_classes
 from gantline.scenario import json_schema
 
 Schema = dict[str, Any]
+
+#: Most words of a choice that a table writes out.
+MOST_WORDS = 8
 
 
 def written_out(schema: Any, shared: Schema) -> Any:
@@ -64,7 +69,10 @@ def written(schema: Schema) -> str:
     if "const" in schema:
         return f"`{schema['const']}`"
     if "enum" in schema:
-        return " or ".join(f"`{value}`" for value in dict.fromkeys(str(v).lower() for v in schema["enum"]))
+        words = dict.fromkeys(str(v).lower() if isinstance(v, bool) else str(v) for v in schema["enum"])
+        if len(words) > MOST_WORDS:
+            return f"`{next(iter(words))}`, …"
+        return " or ".join(f"`{word}`" for word in words)
     if schema.get("examples"):
         return f"`{schema['examples'][0]}`"
     if isinstance(schema.get("items"), dict):
@@ -114,6 +122,22 @@ class LiftKeys(SphinxDirective):
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
+class RopeClasses(SphinxDirective):
+    """Puts the table of rope classes where the directive stands."""
+
+    def run(self) -> list[nodes.Node]:
+        """The table."""
+        titles = ("construction", "or a designation", "W", "C", "K", "E [kN/mm²]", "factors from")
+        head = f"| {' | '.join(titles)} |\n{'|---' * len(titles)}|\n"
+        rows = [
+            f"| `{one.name}` | {', '.join(f'`{word}`' for word in one.designations)} | {one.mass_factor:.3f} "
+            f"| {one.area_factor:.3f} | {one.breaking_force_factor:.3f} | {one.modulus / 1e9:.0f} "
+            f"| {one.factors_from} |"
+            for one in rope_classes().values()
+        ]
+        return self.parse_text_to_nodes(head + "\n".join(rows))
+
+
 class ModuleText(SphinxDirective):
     """Puts the docstring of a module, which is Markdown, where the directive stands."""
 
@@ -128,5 +152,6 @@ class ModuleText(SphinxDirective):
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
     app.add_directive("lift-keys", LiftKeys)
+    app.add_directive("rope-classes", RopeClasses)
     app.add_directive("module-text", ModuleText)
     return {"parallel_read_safe": True}

@@ -60,7 +60,7 @@ _WORDS: Final[dict[str, tuple[str, str]]] = {
     "rotational_damping": ("a rotational damping", "'5 kN m s'"),
     "inertia": ("an inertia", "'110.9 t m^2' or '500 kg m^2'"),
     "mass_per_length": ("a mass per length", "'16.8 kg/m'"),
-    "stress": ("a stress", "'1960 MPa'"),
+    "stress": ("a stress or modulus", "'100 kN/mm^2' or '1960 MPa'"),
     "ratio": ("a share", "'5 %' or '0.05'"),
 }
 

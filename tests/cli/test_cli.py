@@ -105,6 +105,17 @@ def test_a_new_lift_is_in_order(tmp_path: Path) -> None:
     assert "in order" in out
 
 
+def test_check_lists_what_follows_from_the_construction_of_a_rope(tmp_path: Path) -> None:
+    assert gantline_says("new", str(tmp_path / "lift"))[0] == 0
+    out = gantline_says("check", str(tmp_path / "lift"))[1]
+    # 0.460 d² 100 kN/mm², 0.409 d²/100 kg/m, 0.356 d² 1960 N with d = 44 mm
+    assert "sling_44 6x36 IWRC 89.1 MN 7.92 kg/m 1351 kN" in " ".join(out.split())
+
+
+def test_check_lists_an_inextensible_rope() -> None:
+    assert "inextensible 0.00 kg/m -" in " ".join(gantline_says("check", "pulleys")[1].split())
+
+
 @pytest.mark.parametrize("name", sorted(shipped()))
 def test_a_new_lift_from_one_that_comes_with_gantline(name: str, tmp_path: Path) -> None:
     folder = tmp_path / "mine"

@@ -104,6 +104,10 @@ def sample_rig(**limits: Any) -> dict[str, Any]:
             }
             for i in range(1, 6)
         ],
+        "ropes": [
+            {"name": "e1.equalizing", "mass_per_length": 8.65, "minimum_breaking_force": 1476e3},
+            *({"name": rope, "mass_per_length": 0.0, "minimum_breaking_force": 3039e3} for rope in SLINGS),
+        ],
         "limits": limits,
         "plan": [
             {"step": "hoist", "kind": "hoist", "drives": ["test_hook.hoist"], "report": [], "require": {}},

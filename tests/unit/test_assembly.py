@@ -54,6 +54,33 @@ def test_bodies_of_the_reference_lift() -> None:
     assert load["joint"]["position"][2] == pytest.approx(2.49632125, abs=1e-12)
 
 
+def test_the_rig_knows_every_rope() -> None:
+    text = spoiled(
+        "thick: {axial_stiffness: 100 MN,", "thick: {construction: 6x36WS-IWRC, diameter: 46 mm, grade: 1960,"
+    )
+    assembly = assemble(parse_scenario(text.replace("mass: none}", "mass: 9 kg/m}")))
+    ropes = assembly.rig["ropes"]
+    assert [rope["name"] for rope in ropes] == [rope["name"] for rope in assembly.document["ropes"]]
+    equalizing, sling = ropes[0], named(ropes, "sling.S1")
+    assert (equalizing["construction"], equalizing["diameter"]) == ("6x36WS-IWRC", pytest.approx(0.046))
+    assert equalizing["mass_per_length"] == pytest.approx(0.409 * 46**2 / 100)  # kg/m
+    assert equalizing["minimum_breaking_force"] == pytest.approx(0.356 * 46**2 * 1960)  # N
+    assert (sling["construction"], sling["diameter"], sling["minimum_breaking_force"]) == (None, None, None)
+    assert sling["mass_per_length"] == 9.0
+
+
+def test_the_mass_of_an_equalizing_rope_is_not_in_the_mechanics_yet() -> None:
+    light = assemble(parse_scenario(BASE)).document
+    text = spoiled("thick: {axial_stiffness: 100 MN,", "thick: {axial_stiffness: 100 MN, mass: 9 kg/m,")
+    assert assemble(parse_scenario(text)).document == light
+
+
+def test_plain_ropes_are_in_the_rig() -> None:
+    text = spoiled("{inextensible: true}", "{inextensible: true, minimum_breaking_force: 25 kN}", MECHANICS)
+    (rope,) = assemble(parse_scenario(text)).rig["ropes"]
+    assert (rope["name"], rope["minimum_breaking_force"], rope["mass_per_length"]) == ("rope", 25e3, 0.0)
+
+
 def test_ropes_of_the_reference_lift() -> None:
     ropes = reference().document["ropes"]
     assert [rope["name"] for rope in ropes] == [

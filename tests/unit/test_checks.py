@@ -101,6 +101,38 @@ def test_factor_on_breaking_force_is_a_least_value() -> None:
     assert with_limit(sling_factor_on_breaking_force=factor + 0.01).verdict is Verdict.FAILED
 
 
+def test_factor_on_breaking_force_of_every_rope() -> None:
+    factor = 1476e3 / (HIGHEST / 2)  # the equalizing rope; slings have 3039/707
+    check = with_limit(rope_factor_on_breaking_force=factor - 0.01)
+    assert (check.verdict, check.where, check.remark) == (Verdict.OK, "e1.equalizing", "")
+    assert check.value == pytest.approx(factor)
+    assert with_limit(rope_factor_on_breaking_force=factor + 0.01).verdict is Verdict.FAILED
+    assert with_limit(sling_factor_on_breaking_force=factor + 0.01).verdict is Verdict.OK
+
+
+def test_ropes_of_unknown_strength_are_named() -> None:
+    rig = sample_rig(rope_factor_on_breaking_force=2.0)
+    del rig["ropes"][0]["minimum_breaking_force"]
+    check = only(ringing_lift(rig=rig))
+    assert (check.verdict, check.where) == (Verdict.WARNING, "sling.S2")
+    assert check.remark == "not checked, minimum breaking force not known: e1.equalizing"
+    rig["limits"] = {"rope_factor_on_breaking_force": 100.0}
+    assert only(ringing_lift(rig=rig)).verdict is Verdict.FAILED
+    for rope in rig["ropes"]:
+        rope["minimum_breaking_force"] = None
+    check = only(ringing_lift(rig=rig))
+    assert check.verdict is Verdict.NOT_CHECKED
+    assert check.remark.endswith("not known: e1.equalizing, sling.S1, sling.S2 and 3 more")
+
+
+def test_slings_of_unknown_strength_are_named() -> None:
+    rig = sample_rig(sling_factor_on_breaking_force=4.0)
+    rig["slings"][3]["minimum_breaking_force"] = None
+    check = only(ringing_lift(rig=rig))
+    assert (check.verdict, check.where) == (Verdict.WARNING, "S2")
+    assert check.remark == "not checked, minimum breaking force not known: S4"
+
+
 def test_smallest_tension_counts_only_when_clear() -> None:
     least = 0.99 * (600e3 - 100e3 * math.sin(2 * math.pi * 0.26))
     check = with_limit(smallest_sling_tension_when_clear=10e3)  # the slings are slack until 10 s

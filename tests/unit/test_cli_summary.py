@@ -49,6 +49,25 @@ def test_what_rope_shackle_and_lug_use() -> None:
     assert row(text, "  S1", below="Used") == expected.replace("%", " %")
 
 
+def test_what_an_equalizing_rope_uses() -> None:
+    used = f"{HIGHEST / 2 / 1476e3:.1%}".replace("%", " %")
+    assert row(lines(), "  equalizing rope").endswith(f"{used} of minimum breaking force")
+    rig = sample_rig()
+    del rig["ropes"][0]
+    assert "minimum breaking force" not in row(lines(rig=rig), "  equalizing rope")
+
+
+def test_ropes_that_are_neither_slings_nor_equalizing_ropes() -> None:
+    assert not any(line.startswith("Rope") for line in lines())
+    rig = {**sample_rig(), "slings": [], "equalizers": []}
+    text = lines(rig=rig)
+    used = f"{HIGHEST / 3039e3:.1%}".replace("%", " %")
+    assert row(text, "  sling.S1").startswith(f"sling.S1 600.0 kN {HIGHEST / 1e3:.1f} kN ")
+    assert row(text, "  sling.S1").endswith(used)
+    text = lines(rig={**rig, "ropes": []})
+    assert row(text, "Rope") == "Rope at the end peak at"
+
+
 def test_hook_and_hoist_load_with_the_share_of_the_rated_capacity() -> None:
     static, peak = 5 * 600e3 + 21.5e3 * 9.81, 5 * HIGHEST + 21.5e3 * 9.81
     found = row(lines(), "  test_hook  hook load")

@@ -49,6 +49,25 @@ def test_breaking_force_over_peak() -> None:
     )
 
 
+def test_utilisation_of_the_minimum_breaking_force() -> None:
+    metrics = ringing_lift().metrics()
+    used = "utilisation_of_minimum_breaking_force"
+    assert metrics[f"{used}.sling.S2"] == pytest.approx(1.01 * HIGHEST / 3039e3)
+    assert metrics[f"{used}.e1.equalizing"] == pytest.approx(HIGHEST / 2 / 1476e3)
+    assert metrics[f"peak_{used}"] == metrics[f"{used}.e1.equalizing"]
+
+
+def test_a_rope_whose_minimum_breaking_force_is_not_known_has_no_utilisation() -> None:
+    rig = sample_rig()
+    rig["ropes"] = [{"name": "sling.S1", "minimum_breaking_force": 3039e3}, {"name": "sling.S2"}]
+    metrics = ringing_lift(rig=rig).metrics()
+    assert [name for name in metrics if name.startswith("utilisation")] == [
+        "utilisation_of_minimum_breaking_force.sling.S1"
+    ]
+    before = ringing_lift(rig={key: value for key, value in sample_rig().items() if key != "ropes"}).metrics()
+    assert [name for name in before if "utilisation" in name] == []
+
+
 def test_tension_spread_is_largest_less_least_over_mean() -> None:
     metrics = ringing_lift().metrics()
     assert metrics["final_tension_spread"] == pytest.approx(0.02)  # (1.01 - 0.99)/1

@@ -40,6 +40,7 @@ from gantline.units import DIMENSIONS, UnitError, example, format_quantity, quan
         ("110.9 t m^2", "inertia", 110.9e3),
         ("16.8 kg/m", "mass_per_length", 16.8),
         ("1960 N/mm^2", "stress", 1960e6),
+        ("100 kN/mm^2", "stress", 100e9),
         ("2 ms", "time", 0.002),
         ("1.5 h", "time", 5400.0),
         ("1e2 s", "time", 100.0),

@@ -37,6 +37,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> Json
         "hooks": [_hook(scenario, rigging, name) for name in scenario.cranes or {}],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, sling) for sling in rigging.slings.values()],
+        "ropes": _ropes(scenario, rigging),
         "limits": _limits(scenario),
         "plan": [_step(step) for step in scenario.plan],
     }
@@ -123,6 +124,24 @@ def _sling(scenario: Scenario, sling: SlingRigging) -> Json:
         },
         "segment": f"sling.{sling.name}/0",
     }
+
+
+def _ropes(scenario: Scenario, rigging: Rigging) -> list[Json]:
+    """Every rope of the lift with what is known of it."""
+    kinds = {f"{name}.equalizing": equalizer.rope for name, equalizer in rigging.equalizers.items()}
+    kinds |= {f"sling.{name}": sling.rope for name, sling in rigging.slings.items()}
+    plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
+    kinds |= {name: (scenario.ropes or {})[rope.rope] for name, rope in (plain or {}).items()}
+    return [
+        {
+            "name": name,
+            "construction": kind.construction,
+            "diameter": kind.diameter,
+            "mass_per_length": kind.mass_per_length,
+            "minimum_breaking_force": kind.breaking_force,
+        }
+        for name, kind in kinds.items()
+    ]
 
 
 def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:

@@ -6,7 +6,7 @@ when) within a mask of samples. The worst candidate governs.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +14,9 @@ import numpy as np
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
+
+#: Most ropes that a remark names.
+_MOST_NAMED = 3
 
 
 @dataclass(frozen=True)
@@ -80,16 +83,44 @@ def _out_of_plane(recording: Recording, during: BoolArray) -> Iterator[Candidate
             yield from _extreme(recording, angle, carrying, f"{sling.to_load}.{sling.to_lug}")
 
 
-def _factor_on_breaking_force(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
+def _sling_factor(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
     for sling in recording.rig.slings:
-        if sling.minimum_breaking_force is None:
-            continue
-        tension = series.sling_tension(recording, sling)
-        highest = series.peak(recording, tension, during)
-        if during.all():
-            highest = max(series.rope_peak(recording, sling.rope), highest or (0.0, 0.0))
-        if highest is not None and highest[0] > 0.0:
-            yield Candidate(sling.minimum_breaking_force / highest[0], sling.name, highest[1])
+        if sling.minimum_breaking_force is not None:
+            yield from _factor(recording, during, sling.rope, sling.minimum_breaking_force, sling.name)
+
+
+def _rope_factor(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
+    for rope in recording.rig.ropes:
+        if rope.minimum_breaking_force is not None:
+            yield from _factor(recording, during, rope.name, rope.minimum_breaking_force, rope.name)
+
+
+def _factor(
+    recording: Recording, during: BoolArray, rope: str, strength: float, where: str
+) -> Iterator[Candidate]:
+    highest = series.peak(recording, recording.column("rope_tension", rope), during)
+    if during.all():
+        highest = max(series.rope_peak(recording, rope), highest or (0.0, 0.0))
+    if highest is not None and highest[0] > 0.0:
+        yield Candidate(strength / highest[0], where, highest[1])
+
+
+def _slings_of_unknown_strength(recording: Recording) -> str:
+    slings = recording.rig.slings
+    return _of_unknown_strength([sling.name for sling in slings if sling.minimum_breaking_force is None])
+
+
+def _ropes_of_unknown_strength(recording: Recording) -> str:
+    ropes = recording.rig.ropes
+    return _of_unknown_strength([rope.name for rope in ropes if rope.minimum_breaking_force is None])
+
+
+def _of_unknown_strength(names: Sequence[str]) -> str:
+    """What the factor says nothing about; empty if it covers all."""
+    if not names:
+        return ""
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    return f"not checked, minimum breaking force not known: {', '.join(names[:_MOST_NAMED])}{more}"
 
 
 def _smallest_tension(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
@@ -173,8 +204,17 @@ LIMITS: dict[str, Limit] = {
         "minimum breaking force / peak tension of the same sling",
         "",
         2,
-        _factor_on_breaking_force,
+        _sling_factor,
         at_least=True,
+        caution=_slings_of_unknown_strength,
+    ),
+    "rope_factor_on_breaking_force": Limit(
+        "minimum breaking force / peak tension of the same rope, slings and all other ropes",
+        "",
+        2,
+        _rope_factor,
+        at_least=True,
+        caution=_ropes_of_unknown_strength,
     ),
     "smallest_sling_tension_when_clear": Limit(
         "smallest sling tension while the load is clear",

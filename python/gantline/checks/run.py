@@ -111,6 +111,8 @@ def _without_value(key: str, kind: Limit, limit: float, recording: Recording) ->
     )
     if key == "hook_dynamic_factor" and recording.rig.hooks:
         remark = "no static hook load: the load did not end clear of its supports"
+    elif kind.caution is not None:
+        remark = kind.caution(recording) or remark
     return Check(key, Verdict.NOT_CHECKED, kind.formula, None, limit, kind.unit, kind.digits, remark=remark)
 
 

@@ -23,12 +23,25 @@ def check(
         from gantline.simulation import Simulation
 
         simulation = Simulation(lift)
-    from gantline.cli.summary import heading, weights
+    from gantline.cli.summary import heading, show, weights
+    from gantline.cli.table import table
     from gantline.results.rig import Rig
 
     rig = Rig.from_json(simulation.assembly.rig)
     document = simulation.assembly.document
-    typer.echo("\n".join([*heading(rig), *weights(rig)]))
+    kinds = [
+        (
+            name,
+            kind.construction or "-",
+            "inextensible" if kind.stiffness is None else show(kind.stiffness, "MN", 1),
+            show(kind.mass_per_length, "kg/m", 2),
+            show(kind.breaking_force, "kN", 0),
+        )
+        for name, kind in (simulation.scenario.ropes or {}).items()
+    ]
+    head = ("Kind of rope", "construction", "EA", "mass", "minimum breaking force")
+    ropes = table(head, kinds, "llrrr") if kinds else []
+    typer.echo("\n".join([*heading(rig), *weights(rig), *ropes]))
     counts = ", ".join(
         f"{len(document[key])} {key}" for key in ("bodies", "ropes", "contacts") if document.get(key)
     )

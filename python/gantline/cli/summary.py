@@ -40,7 +40,7 @@ def summary(recording: Recording, checks: list[Check], style: Callable[[Verdict]
         _used(recording),
         *(_equalizer(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
-        [] if rig.slings else _ropes(recording),
+        _ropes(recording),
         _hold_points(recording),
         _checks(rig, checks, style),
         _trust(recording, metrics),
@@ -168,7 +168,8 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
         rows.append(
             (
                 "equalizing rope",
-                f"{show(static, 'kN', 1)} static, {show(force, 'kN', 1)} peak at {show(time, 's', 2)}",
+                f"{show(static, 'kN', 1)} static, {show(force, 'kN', 1)} peak at {show(time, 's', 2)}"
+                f"{_of_breaking_force(recording, rope)}",
             )
         )
     clear = series.is_clear(recording)
@@ -184,6 +185,11 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
         if stroke and equalizer.moving_sheaves
     ]
     return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
+
+
+def _of_breaking_force(recording: Recording, rope: str) -> str:
+    share = series.utilisation(recording, rope)
+    return "" if share is None else f", {show(share, '%', 1)} of minimum breaking force"
 
 
 def _travel(recording: Recording, equalizer: Equalizer, sign: float, stroke: float) -> str:
@@ -227,13 +233,22 @@ def _hooks(recording: Recording) -> list[str]:
 
 
 def _ropes(recording: Recording) -> list[str]:
-    rows = []
+    """Ropes that no other part of the table shows: those of `mechanics`."""
+    shown = {sling.rope for sling in recording.rig.slings}
+    shown |= {equalizer.equalizing_rope for equalizer in recording.rig.equalizers}
+    rows: list[tuple[str, ...]] = []
     for rope in recording.coordinates.get("rope", ()):
+        if rope in shown:
+            continue
         force, time = series.rope_peak(recording, rope)
         last = float(recording.column("rope_tension", rope)[-1])
         unit, digits = ("kN", 1) if force >= 1e3 else ("N", 3)
-        rows.append((rope, show(last, unit, digits), show(force, unit, digits), show(time, "s", 2)))
-    return table(("Rope", "at the end", "peak", "at"), rows, "lrrr") if rows else []
+        used = show(series.utilisation(recording, rope), "%", 1)
+        rows.append((rope, show(last, unit, digits), show(force, unit, digits), show(time, "s", 2), used))
+    head: tuple[str, ...] = ("Rope", "at the end", "peak", "at", "of minimum breaking force (peak)")
+    if all(row[-1] == ABSENT for row in rows):  # nothing to say in a column of dashes
+        head, rows = head[:-1], [row[:-1] for row in rows]
+    return table(head, rows, "l" + "r" * (len(head) - 1)) if rows else []
 
 
 def _hold_points(recording: Recording) -> list[str]:

@@ -8,6 +8,9 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_equalizing_rope_tension` [N]: largest tension of any equalizing rope over all steps
 - `peak_rope_tension.<rope>` [N]: largest tension of that rope over all steps
 - `final_rope_tension.<rope>` [N]: its tension at the last sample
+- `utilisation_of_minimum_breaking_force.<rope>` [1]: largest tension of that rope over all steps/its minimum
+  breaking force, where that is known
+- `peak_utilisation_of_minimum_breaking_force` [1]: the largest of them
 - `static_sling_tension.<sling rope>` [N]: its static tension
 - `least_sling_tension_when_clear` [N]: smallest tension of any sling while the loads are clear
 - `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling
@@ -81,6 +84,11 @@ def _ropes(recording: Recording) -> Iterator[_Metric]:
     for rope in recording.coordinates["rope"]:
         yield f"peak_rope_tension.{rope}", series.rope_peak(recording, rope)[0]
         yield f"final_rope_tension.{rope}", float(recording.column("rope_tension", rope)[-1])
+    used = {rope: series.utilisation(recording, rope) for rope in recording.coordinates["rope"]}
+    known = {rope: share for rope, share in used.items() if share is not None}
+    for rope, share in known.items():
+        yield f"utilisation_of_minimum_breaking_force.{rope}", share
+    yield "peak_utilisation_of_minimum_breaking_force", _largest(known.values())
 
 
 def _slings(recording: Recording) -> Iterator[_Metric]:

@@ -152,6 +152,25 @@ class Sling(_FromJson):
 
 
 @dataclass(frozen=True)
+class Rope(_FromJson):
+    """What is known of a rope beside its mechanics.
+
+    Attributes:
+        name: Its name among the ropes of the recording.
+        construction: Its construction, such as `6x36 IWRC`; None if not said.
+        diameter: Nominal diameter [m]; None if not said.
+        mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
+        minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
+    """
+
+    name: str
+    construction: str | None = None
+    diameter: float | None = None
+    mass_per_length: float = 0.0
+    minimum_breaking_force: float | None = None
+
+
+@dataclass(frozen=True)
 class Step(_FromJson):
     """One step of the plan.
 
@@ -182,6 +201,7 @@ class Rig(_FromJson):
         hooks: Hooks of all cranes.
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
+        ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         plan: Steps of the plan.
     """
@@ -195,6 +215,7 @@ class Rig(_FromJson):
     hooks: Sequence[Hook] = ()
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
+    ropes: Sequence[Rope] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
     plan: Sequence[Step] = ()
 
@@ -206,6 +227,7 @@ class Rig(_FromJson):
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
+            "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
             "plan": tuple(Step.from_json(d) for d in document.get("plan") or ()),
             "limits": document.get("limits") or {},
         }
@@ -214,6 +236,10 @@ class Rig(_FromJson):
     def load(self, name: str | None) -> Load | None:
         """The load of that name, if there is one."""
         return next((load for load in self.loads if load.name == name), None)
+
+    def minimum_breaking_force(self, rope: str) -> float | None:
+        """Minimum breaking force of the rope of that name [N]; None if it is not known."""
+        return next((one.minimum_breaking_force for one in self.ropes if one.name == rope), None)
 
     def equalizer_of(self, sling: Sling) -> Equalizer | None:
         """The equalizer from which a sling hangs, if any."""

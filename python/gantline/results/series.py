@@ -172,6 +172,12 @@ def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
     )
 
 
+def utilisation(recording: Recording, rope: str) -> float | None:
+    """Largest tension of a rope over all steps, of its minimum breaking force [1]; None if not known."""
+    strength = recording.rig.minimum_breaking_force(rope)
+    return rope_peak(recording, rope)[0] / strength if strength else None
+
+
 def peak(
     recording: Recording, values: FloatArray, during: BoolArray | None = None
 ) -> tuple[float, float] | None:

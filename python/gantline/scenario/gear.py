@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
+from pydantic.json_schema import JsonSchemaValue
 
+from gantline.rope_data import GRADES, RopeClass, rope_class, rope_classes
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
     Flag,
@@ -15,28 +19,66 @@ from gantline.scenario.quantities import (
     PositiveForce,
     PositiveLength,
     PositiveMass,
+    PositiveStress,
     Quantity,
     Ratio,
+    Reader,
     Text,
     Time,
     Word,
     WordOr,
+    found,
     refuse,
 )
+from gantline.units import quantity
 
 __all__ = ["RopeMaterial", "Shackle", "Sling", "SlingDefaults", "SlingShackles"]
 
-#: 6x36 IWRC: factors of EN 12385-4. Mass = 0.409 d²/100 kg/m, metallic area = 0.460 d² mm², breaking force =
-#: 0.356 d² R/1000 kN with d in mm and the grade R in N/mm².
-_MASS_FACTOR = 0.409e-2
-_AREA_FACTOR = 0.460
-_BREAKING_FACTOR = 0.356
-#: Modulus of the rope over its metallic area; new ropes have 95 to 115 kN/mm².
-_ROPE_MODULUS = 100e3
+#: Diameters that a stranded rope can have [m]; beyond them a unit has slipped.
+_SMALLEST_DIAMETER = 1e-3
+_LARGEST_DIAMETER = 0.3
+#: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its metallic area.
+_STEEL_MODULUS = 210e9
+
+_WAYS = "'axial_stiffness', 'construction' and 'inextensible: true'"
 
 MassOfRope = Annotated[
     float | Literal["none"], WordOr(("none",), Quantity("mass_per_length", "not_negative"))
 ]
+
+
+@dataclass(frozen=True)
+class _Construction(Reader):
+    """Reads the name of a rope class, or the designation of one of its constructions."""
+
+    def read(self, value: object) -> str:
+        """The name as written."""
+        try:
+            rope_class(str(value))
+        except KeyError:
+            sentence = f"{found(value)} is not a construction that is known here"
+            raise refuse(f"{sentence}; {_likely(str(value))}") from None
+        return str(value)
+
+    def shown(self) -> JsonSchemaValue:
+        """The names of all classes; or their designations."""
+        classes = rope_classes()
+        designations = [word for one in classes.values() for word in one.designations]
+        return {"anyOf": [{"enum": list(classes)}, {"enum": designations}]}
+
+
+def _likely(text: str) -> str:
+    """Constructions that may be meant; several, for a class or core guessed wrong is another rope."""
+    classes = rope_classes()
+    known = [word for one in classes.values() for word in (one.name, *one.designations)]
+    text = text[:40].strip()
+    begun = [word for word in known if word.startswith(text)] if text else []
+    likely = begun[:3] or get_close_matches(text, known, n=3, cutoff=0.7)
+    if likely:
+        return f"did you mean {' or '.join(repr(word) for word in likely)}?"
+    strands = ", ".join(dict.fromkeys(name.partition(" ")[0] for name in classes))
+    sentence = f"right is one of {strands} with its core, such as '6x36 IWRC'"
+    return f"{sentence}; any other rope by 'axial_stiffness'"
 
 
 class RopeMaterial(Element):
@@ -46,39 +88,77 @@ class RopeMaterial(Element):
 
     axial_stiffness: PositiveForce | None = Field(None, description="Axial stiffness EA of the rope [N].")
     damping_time: Time = Field(0.0, description="Damping time t: T = k (e + t de/dt).")
-    construction: Literal["6x36 IWRC"] | None = Field(None, description="Construction of a catalogue rope.")
-    grade: Annotated[str, Word(("1960",))] | None = Field(
-        None, description="Rope grade of a catalogue rope [N/mm^2]."
+    construction: Annotated[str, _Construction()] | None = Field(
+        None,
+        description="Rope class of EN 12385-4 and its core, or a construction of the class, such as "
+        "'6x36WS-IWRC'; gives stiffness, mass and minimum breaking force by diameter and grade.",
+    )
+    grade: Annotated[str, Word(GRADES)] | None = Field(
+        None, description="Rope grade of a construction [N/mm^2]; the minimum breaking force comes from it."
+    )
+    modulus: PositiveStress | None = Field(
+        None, description="Modulus over the metallic area of a construction, in place of that of its class."
     )
     inextensible: Flag = Field(False, description="true: the rope does not stretch at all.")
     diameter: PositiveLength | None = Field(None, description="Nominal diameter.")
     mass: MassOfRope | None = Field(
-        None, description="Mass per length, or 'none'; a catalogue rope has its own, any other rope none."
+        None, description="Mass per length, or 'none'; a construction has its own, any other rope none."
     )
-    minimum_breaking_force: PositiveForce | None = Field(None, description="Minimum breaking force.")
+    minimum_breaking_force: PositiveForce | None = Field(
+        None, description="Minimum breaking force, such as that of a certificate; before that of the grade."
+    )
 
     @model_validator(mode="after")
     def _one_way_to_say_it(self) -> RopeMaterial:
-        ways = [self.axial_stiffness is not None, self.construction is not None, self.inextensible]
-        if sum(ways) != 1:
-            count = "several" if any(ways) else "none"
-            sentence = f"{count} of 'axial_stiffness', 'construction' and 'inextensible: true' found"
-            raise refuse(f"{sentence}; a rope has exactly one of them")
-        if self.construction is not None and (self.grade is None or self.diameter is None):
-            raise refuse("a rope of a construction needs 'grade' and 'diameter' too")
-        if self.construction is None and self.grade is not None:
-            raise refuse(
-                "'grade' stands without 'construction'; write 'construction: 6x36 IWRC' or leave it out"
-            )
+        stiffness = {
+            "axial_stiffness": self.axial_stiffness is not None,
+            "construction": self.construction is not None,
+            "inextensible": self.inextensible,
+        }
+        ways = [key for key, is_given in stiffness.items() if is_given]
+        if not ways:
+            raise refuse(f"none of {_WAYS} found; a rope has exactly one of them")
+        if len(ways) > 1:
+            both = " and ".join(f"'{key}'" for key in ways)
+            raise refuse(f"{both} are given together; a rope has exactly one of {_WAYS}", ways[-1])
+        if self.construction is None:
+            self._refuse_without_construction()
+        else:
+            self._refuse_incomplete_construction(self.construction)
         if self.inextensible and self.damping_time > 0:
-            raise refuse("an inextensible rope has no damping; leave 'damping_time' out")
+            raise refuse("an inextensible rope has no damping; leave 'damping_time' out", "damping_time")
         return self
+
+    def _refuse_without_construction(self) -> None:
+        for key in ("grade", "modulus"):
+            if getattr(self, key) is not None:
+                sentence = f"'{key}' stands without 'construction'"
+                raise refuse(f"{sentence}; write 'construction: 6x36 IWRC' or leave it out", key)
+
+    def _refuse_incomplete_construction(self, construction: str) -> None:
+        if self.diameter is None:
+            sentence = f"'diameter' is missing; a rope of construction '{construction}' needs it"
+            raise refuse(f"{sentence}, such as 'diameter: 44 mm'")
+        if not _SMALLEST_DIAMETER <= self.diameter <= _LARGEST_DIAMETER:
+            sentence = f"{self.diameter / 1e-3:g} mm is no diameter of a rope"
+            raise refuse(f"{sentence}; from 1 mm to 300 mm is right, such as 'diameter: 44 mm'", "diameter")
+        if self.grade is None and self.minimum_breaking_force is None:
+            sentence = f"'grade' is missing; a rope of construction '{construction}' needs it"
+            raise refuse(f"{sentence}, such as 'grade: 1960', or its 'minimum_breaking_force'")
+        if self.modulus is not None and self.modulus > _STEEL_MODULUS:
+            sentence = f"{self.modulus / 1e9:g} kN/mm^2 is more than the 210 kN/mm^2 of solid steel"
+            raise refuse(f"{sentence}; 80 to 115 kN/mm^2 is usual for a rope", "modulus")
+
+    @property
+    def catalogue(self) -> RopeClass | None:
+        """Rope class of the construction, or None for a rope that is given otherwise."""
+        return None if self.construction is None else rope_class(self.construction)
 
     @property
     def stiffness(self) -> float | None:
         """Axial stiffness EA [N], or None for an inextensible rope."""
-        if self.construction is not None and self.diameter is not None:
-            return _AREA_FACTOR * (self.diameter * 1e3) ** 2 * _ROPE_MODULUS
+        if self.catalogue is not None and self.diameter is not None:
+            return self.catalogue.axial_stiffness(self.diameter, self.modulus)
         return self.axial_stiffness
 
     @property
@@ -86,8 +166,8 @@ class RopeMaterial(Element):
         """Mass per length that counts in the lift [kg/m]."""
         if isinstance(self.mass, float):
             return self.mass
-        if self.mass is None and self.construction is not None and self.diameter is not None:
-            return _MASS_FACTOR * (self.diameter * 1e3) ** 2
+        if self.mass is None and self.catalogue is not None and self.diameter is not None:
+            return self.catalogue.mass_per_length(self.diameter)
         return 0.0
 
     @property
@@ -95,8 +175,9 @@ class RopeMaterial(Element):
         """Minimum breaking force [N], or None if not known."""
         if self.minimum_breaking_force is not None:
             return self.minimum_breaking_force
-        if self.construction is not None and self.grade is not None and self.diameter is not None:
-            return _BREAKING_FACTOR * (self.diameter * 1e3) ** 2 * float(self.grade)
+        if self.catalogue is not None and self.diameter is not None and self.grade is not None:
+            grade = quantity(f"{self.grade} N/mm^2", "stress")
+            return self.catalogue.minimum_breaking_force(self.diameter, grade)
         return None
 
 

@@ -256,7 +256,12 @@ class Limits(Element):
         None, description="Angle of slings to the lug's plate."
     )
     sling_factor_on_breaking_force: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
-        None, description="Least factor of breaking force over peak tension."
+        None, description="Least factor of minimum breaking force over peak tension, of every sling."
+    )
+    rope_factor_on_breaking_force: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
+        None,
+        description="Least factor of minimum breaking force over peak tension, of every rope: slings, "
+        "equalizing ropes, ropes of 'mechanics'.",
     )
     smallest_sling_tension_when_clear: Annotated[float, Quantity("force", "not_negative")] | None = Field(
         None, description="Least tension of any sling once the load is clear."
