@@ -9,6 +9,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from gantline.results.comparison import Comparison, compare
     from gantline.results.recording import Recording, open_recording
     from gantline.scenario import Scenario, ScenarioError, load_scenario
     from gantline.simulation import Simulation, SimulationError, simulate
@@ -16,18 +17,22 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "Comparison",
     "Recording",
     "Scenario",
     "ScenarioError",
     "Simulation",
     "SimulationError",
     "__version__",
+    "compare",
     "load_scenario",
     "open_recording",
     "simulate",
 ]
 
 _HOMES = {
+    "Comparison": "gantline.results.comparison",
+    "compare": "gantline.results.comparison",
     "Recording": "gantline.results.recording",
     "open_recording": "gantline.results.recording",
     "Scenario": "gantline.scenario",

@@ -104,6 +104,7 @@ class Simulation:
         self.settings = _overridden(self.scenario, self.assembly.settings, overrides)
         self.status = "ready"
         self.integration_time = 0.0
+        self._failure: dict[str, Any] | None = None
         try:
             self._core = _core.Simulation(
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
@@ -144,13 +145,13 @@ class Simulation:
         self.integration_time += time.perf_counter() - started
         self.status = str(outcome["status"])
         if self.status == "failed":
-            raise SimulationError(
-                self.recording(),
-                float(outcome["time"]),
-                str(outcome.get("element", "")),
-                str(outcome.get("cause") or outcome.get("message", "")),
-                self.save(),
-            )
+            self._failure = {
+                "time": float(outcome["time"]),
+                "element": str(outcome.get("element", "")),
+                "cause": str(outcome.get("cause") or outcome.get("message", "")),
+            }
+            raise SimulationError(self.recording(), state=self.save(), **self._failure)
+        self._failure = None
         return self.recording()
 
     def recording(self) -> Recording:
@@ -161,6 +162,7 @@ class Simulation:
         if remainder > bound:
             missed = f"remainder {remainder:.2g} of the largest energy, bound {bound:g}"
             warnings.append(f"the energy balance does not close: {missed}")
+        failure = {} if self._failure is None else {"failure": self._failure}
         return recording_of(
             self._core.columns(),
             self._core.names(),
@@ -174,6 +176,7 @@ class Simulation:
             counters=self._core.counters(),
             energy_remainder=remainder,
             status=self.status,
+            **failure,
         )
 
     def measure(self) -> None:
@@ -199,6 +202,7 @@ class Simulation:
         """
         self._core.restore(state)
         self.status = "ready"
+        self._failure = None
 
 
 def _refused(scenario: Scenario, message: str) -> ScenarioError:

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from gantline.cli.check import check
+from gantline.cli.compare import compare
 from gantline.cli.new import new
 from gantline.cli.run import run
 from gantline.cli.schema import schema
@@ -21,6 +22,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command()(run)
+app.command()(compare)
 app.command()(check)
 app.command()(new)
 app.command()(schema)

@@ -25,8 +25,13 @@ def stop(message: str, code: int = BAD_INPUT) -> NoReturn:
     Raises:
         typer.Exit: Always.
     """
-    typer.echo(f"{typer.style('error:', fg=typer.colors.RED, bold=True)} {message}", err=True)
+    complain(message)
     raise typer.Exit(code)
+
+
+def complain(message: str) -> None:
+    """Print an error."""
+    typer.echo(f"{typer.style('error:', fg=typer.colors.RED, bold=True)} {message}", err=True)
 
 
 def warn(message: str) -> None:

@@ -2,25 +2,14 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gantline.cli.messages import (
-    BAD_INPUT,
-    CHECK_FAILED,
-    COULD_NOT_GO_ON,
-    DONE,
-    INTERRUPTED,
-    scenario_errors,
-    stop,
-    warn,
-    writing,
-)
+from gantline.cli.lift import Setting, name_of, output_folder, prepare, quantity_of
+from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -66,17 +55,17 @@ def run(
     Ctrl-C stops the lift, saves what there is and ends with code 130.
     """
     clock = _Clock()
-    overrides = {
+    overrides: dict[str, Setting] = {
         "integrator": integrator,
-        "step": _quantity("--step", step, "time"),
-        "tension_tolerance": _quantity("--tension-tolerance", tension_tolerance, "force"),
-        "sample_interval": _quantity("--sample-interval", sample_interval, "time"),
-        "duration": _quantity("--duration", duration, "time"),
+        "step": quantity_of("--step", step, "time"),
+        "tension_tolerance": quantity_of("--tension-tolerance", tension_tolerance, "force"),
+        "sample_interval": quantity_of("--sample-interval", sample_interval, "time"),
+        "duration": quantity_of("--duration", duration, "time"),
     }
-    simulation = _prepare(lift, overrides)
+    simulation = prepare(lift, overrides)
     if profile:
         simulation.measure()
-    folder = _folder(output if output is not None else Path("results") / _name_of(lift))
+    folder = output_folder(output if output is not None else Path("results") / name_of(lift))
     clock.lap("prepare")
     recording = _simulate(simulation, folder)
     clock.lap("simulate")
@@ -108,46 +97,6 @@ class _Clock:
         now = time.perf_counter()
         self.laps.append((stage, now - self._last))
         self._last = now
-
-
-def _quantity(option: str, text: str | None, dimension: str) -> float | None:
-    from gantline.units import UnitError, quantity
-
-    if text is None:
-        return None
-    try:
-        return quantity(text, dimension)
-    except UnitError as problem:
-        stop(f"{option}: {problem}")
-
-
-def _prepare(lift: Path, overrides: dict[str, str | float | None]) -> Simulation:
-    with scenario_errors():
-        from gantline.simulation import SettingError, Simulation
-
-        try:
-            return Simulation(lift, **overrides)
-        except SettingError as problem:
-            stop(str(problem), BAD_INPUT)
-
-
-def _name_of(lift: Path) -> str:
-    place = lift.resolve()
-    return (
-        place.name if place.is_dir() else place.parent.name if place.name == "scenario.yaml" else place.stem
-    )
-
-
-def _folder(folder: Path) -> Path:
-    """The folder to write into, made and tried before a long run."""
-    if folder.exists() and not folder.is_dir():
-        stop(f"{folder}: is a file; --output needs a folder")
-    with writing(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-        handle, trial = tempfile.mkstemp(prefix=".trial.", dir=folder)
-        os.close(handle)
-        os.unlink(trial)
-    return folder
 
 
 def _simulate(simulation: Simulation, folder: Path) -> Recording:

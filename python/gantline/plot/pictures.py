@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
 
@@ -11,8 +11,10 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from gantline.plot import drawing, traces
+from gantline.plot.comparison import comparison_figures
 from gantline.plot.energy import energy
 from gantline.plot.style import RC
+from gantline.results.comparison import Comparison
 from gantline.results.recording import Recording
 
 #: Every kind of picture by its file name; those that a lift does not have give None.
@@ -63,8 +65,29 @@ def save_pictures(recording: Recording, directory: str | Path) -> list[Path]:
     Raises:
         OSError: If they cannot be written there.
     """
+    return write_pictures(figures(recording), directory)
+
+
+def save_comparison_pictures(comparison: Comparison, directory: str | Path) -> list[Path]:
+    """Write the pictures of a comparison as PNG files.
+
+    Args:
+        comparison: Of any two recordings.
+        directory: Folder to write into; it must exist.
+
+    Returns:
+        Paths of the files; none where the recordings have no time in common.
+
+    Raises:
+        OSError: If they cannot be written there.
+    """
+    return write_pictures(comparison_figures(comparison), directory)
+
+
+def write_pictures(pictures: Iterable[tuple[str, Figure]], directory: str | Path) -> list[Path]:
+    """Write figures as PNG files of their names, each at once: first under another name, then renamed."""
     paths = []
-    for name, figure in figures(recording):
+    for name, figure in pictures:
         path = Path(directory) / f"{name}.png"
         temporary = path.with_name(f".{path.name}.part")
         try:

@@ -5,7 +5,7 @@ Colours are those of Okabe and Ito (2008), which remain distinct in the common k
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,8 @@ ALARM = "#B3261E"
 KILO = 1e3
 _LETTER = 0.58 / 72.0  # mean width of a letter, inch per point of size
 TONNE_FORCE = 9.81e3  # N; only pictures speak of tonne-force
+
+_Steps = list[tuple[float, float, str]]  # begin [s], end [s], name
 
 RC: Any = {
     "font.family": "DejaVu Sans",
@@ -74,27 +76,48 @@ def time_figure(
     Returns:
         The figure and its panels.
     """
+    return figure_over_time({"": recording}, title, shortened(recording.title, 70), heights, height)
+
+
+def figure_over_time(
+    recordings: Mapping[str, Recording], title: str, subtitle: str, heights: Sequence[float], height: float
+) -> tuple[Figure, list[Axes]]:
+    """As `time_figure`, of one recording or of several whose steps and lift-offs are told apart by a letter.
+
+    Args:
+        recordings: What is shown, by a letter; plans with the same steps at the same times share a strip.
+        title: What the picture shows.
+        subtitle: What was lifted.
+        heights: Relative heights of the panels, from the top.
+        height: Of the whole figure [inch].
+
+    Returns:
+        The figure and its panels.
+    """
     figure = Figure(figsize=(7.4, height))
     figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.05, w_pad=0.06, hspace=0.03))
-    steps = _steps(recording)
-    tall = any(_fit(name, (end - begin) / (steps[-1][1] - steps[0][0]))[1] > 1 for begin, end, name in steps)
-    strip = [(0.3 if tall else 0.2) * sum(heights) / height] if steps else []
-    grid = figure.add_gridspec(len(strip) + len(heights), 1, height_ratios=[*strip, *heights])
+    ends = [float(end) for recording in recordings.values() for end in recording.time[[0, -1]]]
+    first, last = min(ends), max(ends)
+    strips = _strips(recordings, last - first)
+    strip_heights = [
+        (0.3 if _is_tall(steps, last - first) else 0.2) * sum(heights) / height for _, steps in strips
+    ]
+    grid = figure.add_gridspec(len(strips) + len(heights), 1, height_ratios=[*strip_heights, *heights])
     panels: list[Axes] = []
     for row in range(len(heights)):
-        panels.append(figure.add_subplot(grid[len(strip) + row], sharex=panels[0] if panels else None))
-    time = recording.time
-    panels[0].set_xlim(float(time[0]), float(time[-1]) if time[-1] > time[0] else float(time[0]) + 1.0)
+        panels.append(figure.add_subplot(grid[len(strips) + row], sharex=panels[0] if panels else None))
+    panels[0].set_xlim(first, last if last > first else first + 1.0)
     for panel in panels[:-1]:
         panel.tick_params(labelbottom=False)
     panels[-1].set_xlabel("Time [s]")
-    top = panels[0]
-    if steps:
-        top = figure.add_subplot(grid[0], sharex=panels[0])
-        _draw_strip(top, steps)
-    top.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=7)
-    top.set_title(shortened(recording.title, 70), loc="right", fontsize=8.5, color=QUIET, pad=7)
-    _mark_lift_off(recording, panels)
+    tops = [figure.add_subplot(grid[row], sharex=panels[0]) for row in range(len(strips))]
+    for top, (letter, steps) in zip(tops, strips, strict=True):
+        _draw_strip(top, letter, steps, last - first)
+    top = [*tops, panels[0]][0]
+    pad = 7 if tops or len(recordings) == 1 else 24  # room for the names of A and B
+    top.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=pad)
+    top.set_title(subtitle, loc="right", fontsize=8.5, color=QUIET, pad=pad)
+    _mark_lift_off(recordings, panels)
     return figure, panels
 
 
@@ -210,6 +233,14 @@ def few_ticks(panel: Axes, count: int = 4) -> None:
     panel.yaxis.set_major_locator(MaxNLocator(count, min_n_ticks=3))
 
 
+def widen(panel: Axes, least: float) -> None:
+    """Give a panel at least this span, so that rounding errors do not look like motion."""
+    low, high = panel.get_ylim()
+    if high - low < least:
+        middle = (low + high) / 2
+        panel.set_ylim(middle - least / 2, middle + least / 2)
+
+
 def shortened(text: str, most: int) -> str:
     """A text of at most this many characters."""
     return text if len(text) <= most else text[: most - 1].rstrip() + "…"
@@ -220,23 +251,45 @@ def colour(index: int) -> str:
     return COLOURS[index % len(COLOURS)]
 
 
-def _steps(recording: Recording) -> list[tuple[float, float, str]]:
+def _steps(recording: Recording) -> _Steps:
     begins = [(time, name) for time, _, name in recording.events("step_begin")]
     end = float(recording.time[-1])
     until = [*(time for time, _ in begins[1:]), end]
     return [(begin, stop, name) for (begin, name), stop in zip(begins, until, strict=False) if stop > begin]
 
 
-def _draw_strip(strip: Axes, steps: list[tuple[float, float, str]]) -> None:
+def _strips(recordings: Mapping[str, Recording], span: float) -> list[tuple[str, _Steps]]:
+    """Steps of every recording that has a plan; those that agree to the width of a line stand once."""
+    strips = [(letter, steps) for letter, steps in ((k, _steps(v)) for k, v in recordings.items()) if steps]
+    if len(strips) > 1 and all(_agree(strips[0][1], steps, 0.003 * span) for _, steps in strips[1:]):
+        return [("", strips[0][1])]
+    return strips
+
+
+def _agree(one: _Steps, other: _Steps, within: float) -> bool:
+    return [step[2] for step in one] == [step[2] for step in other] and all(
+        abs(a - b) <= within
+        for x, y in zip(one, other, strict=True)
+        for a, b in zip(x[:2], y[:2], strict=True)
+    )
+
+
+def _is_tall(steps: _Steps, span: float) -> bool:
+    return any(_fit(name, (end - begin) / span)[1] > 1 for begin, end, name in steps)
+
+
+def _draw_strip(strip: Axes, letter: str, steps: _Steps, span: float) -> None:
     strip.set_axis_off()
     strip.set_ylim(0.0, 1.0)
-    whole = steps[-1][1] - steps[0][0]
+    if letter:
+        place = strip.text(-0.008, 0.46, letter, transform=strip.transAxes, fontsize=8, color="#3E5468")
+        place.set(ha="right", va="center")
     for index, (begin, end, name) in enumerate(steps):
         tint = "#E9EEF3" if index % 2 == 0 else "#D5DFE8"
         strip.add_patch(
             Rectangle((begin, 0.0), end - begin, 1.0, facecolor=tint, edgecolor="white", linewidth=1.0)
         )
-        text, lines = _fit(name, (end - begin) / whole)
+        text, lines = _fit(name, (end - begin) / span)
         if lines:
             size = 8.0 if lines == 1 else 6.5
             label = strip.text((begin + end) / 2, 0.46, text, fontsize=size, color="#3E5468")
@@ -256,24 +309,33 @@ def _fit(name: str, share: float) -> tuple[str, int]:
     return "", 0
 
 
-def _mark_lift_off(recording: Recording, panels: Sequence[Axes]) -> None:
-    time = series.lift_off_time(recording)
-    if time is None:
-        return
-    for panel in panels:
-        panel.axvline(time, color=QUIET, linewidth=0.8, linestyle=(0, (1.5, 2)), zorder=1)
-    panels[0].annotate(
-        f"lift-off {time:.2f} s",
-        xy=(time, 1.0),
-        xycoords=("data", "axes fraction"),
-        xytext=(-4, -3),
-        textcoords="offset points",
-        ha="right",
-        va="top",
-        fontsize=8,
-        color=QUIET,
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
-    )
+def _mark_lift_off(recordings: Mapping[str, Recording], panels: Sequence[Axes]) -> None:
+    labels: dict[str, float] = {}
+    for letter, recording in recordings.items():
+        time = series.lift_off_time(recording)
+        if time is None:
+            continue
+        for panel in panels:
+            panel.axvline(time, color=QUIET, linewidth=0.8, linestyle=(0, (1.5, 2)), zorder=1)
+        labels[f"lift-off {letter} {time:.2f} s".replace("  ", " ")] = time
+    if len(labels) > 1 and len({f"{time:.2f}" for time in labels.values()}) == 1:
+        time = next(iter(labels.values()))
+        labels = {f"lift-off {time:.2f} s": time}
+    first, last = panels[0].get_xlim()
+    for row, (label, time) in enumerate(labels.items()):
+        is_early = time < first + 0.2 * (last - first)  # no room on the left
+        panels[0].annotate(
+            label,
+            xy=(time, 1.0),
+            xycoords=("data", "axes fraction"),
+            xytext=(4 if is_early else -4, -3 - 11 * row),
+            textcoords="offset points",
+            ha="left" if is_early else "right",
+            va="top",
+            fontsize=8,
+            color=QUIET,
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+        )
 
 
 def _apart(ends: list[float], gap: float, low: float, high: float) -> list[float]:

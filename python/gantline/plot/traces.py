@@ -18,6 +18,7 @@ from gantline.plot.style import (
     limit_line,
     mark_peak,
     time_figure,
+    widen,
 )
 from gantline.results import series
 from gantline.results.recording import Recording
@@ -59,7 +60,7 @@ def _deviation_panel(
     for (rope, values), width in zip(deviations.items(), np.linspace(2.6, 1.0, len(deviations)), strict=True):
         panel.plot(recording.time, values, color=colours.get(rope, QUIET), linewidth=float(width))
     panel.set_ylabel("From the mean\nwhen clear [%]")
-    _widen(panel, 0.2)
+    widen(panel, 0.2)
     few_ticks(panel)
     spread = max(float(series.tension_spread(recording, e)[clear].max()) for e in equalizers)
     panel.annotate(
@@ -145,7 +146,7 @@ def attitude(recording: Recording) -> Figure | None:
         for index, curve in enumerate(values.values()):
             panel.plot(recording.time, curve, color=colour(index))
         panel.set_ylabel(label)
-        _widen(panel, least_span)
+        widen(panel, least_span)
         if values is tilt or values is drift:
             panel.set_ylim(bottom=0.0)
         few_ticks(panel)
@@ -223,11 +224,3 @@ def _force_panel(
     mark_peak(panel, peak[1], peak[0] / scale, f"{peak[2]}  {peak[0] / scale:.4g} {unit} at {peak[1]:.2f} s")
     if len(forces) > 1:
         legend(panel)
-
-
-def _widen(panel: Axes, least: float) -> None:
-    """Give a panel at least this span, so that rounding errors do not look like motion."""
-    low, high = panel.get_ylim()
-    if high - low < least:
-        middle = (low + high) / 2
-        panel.set_ylim(middle - least / 2, middle + least / 2)

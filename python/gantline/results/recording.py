@@ -28,7 +28,8 @@ class Recording:
         variables: Variables by name; `time` [s] is one of them.
         coordinates: Names along a dimension, for example `{"rope": ["sling.S1", ...]}`.
         attributes: What describes the whole: `title`, `gantline_version`, `scenario` (text of the lift file),
-            `settings`, `warnings`, `rig`, `scene`, `counters`, `energy_remainder`, `status`.
+            `settings`, `warnings`, `rig`, `scene`, `counters`, `energy_remainder`, `status`; of a run that
+            failed also `failure` with its `time` [s], `element` and `cause`.
 
     Raises:
         ValueError: If lengths along a dimension do not agree.

@@ -37,3 +37,22 @@ def heading(orientation: FloatArray) -> FloatArray:
     forward = axes(orientation)[..., :, 0]
     angle: FloatArray = np.arctan2(forward[..., 1], forward[..., 0])
     return angle
+
+
+def angle_between(orientation_a: FloatArray, orientation_b: FloatArray) -> FloatArray:
+    """Angle of the turn that takes one attitude to another [rad].
+
+    Args:
+        orientation_a: Quaternions world from body of any length but 0, shape (..., 4).
+        orientation_b: The same, shape (..., 4).
+
+    Returns:
+        Angles from 0 to pi, shape (...); exactly 0 for equal quaternions.
+    """
+    real_a, real_b = orientation_a[..., :1], orientation_b[..., :1]
+    vector_a, vector_b = orientation_a[..., 1:], orientation_b[..., 1:]
+    # conj(a) b; its vector part keeps its size when a and b change places, to the last bit.
+    across = (real_a * vector_b - real_b * vector_a) - np.cross(vector_a, vector_b)
+    along = np.sum(orientation_a * orientation_b, axis=-1)
+    angle: FloatArray = 2.0 * np.arctan2(np.linalg.norm(across, axis=-1), np.abs(along))
+    return angle

@@ -1,0 +1,226 @@
+"""`gantline compare`: two variants of a lift side by side, simulated or from recordings."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gantline.cli.lift import Setting, name_of, output_folder, prepare, quantity_of
+from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, complain, stop, warn, writing
+from gantline.cli.progress import progress
+
+if TYPE_CHECKING:
+    from gantline.results.comparison import Comparison
+    from gantline.results.recording import Recording
+    from gantline.simulation import Simulation
+
+#: How the value of each setting is written: a dimension, a choice of words, or plain text.
+_SETTINGS: dict[str, str] = {
+    "integrator": "text",
+    "step": "time",
+    "tension_tolerance": "force",
+    "position_tolerance": "length",
+    "sample_interval": "time",
+    "duration": "time",
+    "paper": "switch",
+    "geometric_stiffness": "switch",
+}
+_SWITCH = {"true": True, "false": False}
+_RECORDING = "recording.nc"
+
+_LIFT_HELP = "Lift file, its folder, the name of a lift that comes with gantline, or a recording (.nc)"
+_Changes = list[str] | None
+
+
+@dataclass
+class _Side:
+    """A or B: a lift that is ready to run, or what was recorded of one."""
+
+    letter: str
+    name: str
+    simulation: Simulation | None = None
+    recording: Recording | None = None
+    integration_time: float | None = None
+
+    @property
+    def status(self) -> str:
+        return str(self.recording.attributes["status"]) if self.recording else "ready"
+
+
+def compare(
+    first: Annotated[Path, typer.Argument(metavar="A", help=f"{_LIFT_HELP}.")],
+    second: Annotated[
+        Path | None,
+        typer.Argument(metavar="[B]", show_default=False, help="The same.  [default: A once more]"),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Folder to write into.  [default: results/compare-<A>-<B>]"
+        ),
+    ] = None,
+    changes_a: Annotated[
+        _Changes, typer.Option("--a", metavar="KEY=VALUE", help="Setting of A, such as integrator=del.")
+    ] = None,
+    changes_b: Annotated[
+        _Changes, typer.Option("--b", metavar="KEY=VALUE", help="Setting of B, such as 'step=1 ms'.")
+    ] = None,
+    changes_both: Annotated[
+        _Changes, typer.Option("--both", metavar="KEY=VALUE", help="Setting of A and B.")
+    ] = None,
+    plots: Annotated[bool, typer.Option("--plots/--no-plots", help="Draw pictures.")] = True,
+) -> None:
+    """Compare two variants of a lift: tension, motion, steps and stability side by side.
+
+    Settings: integrator, step, tension_tolerance, position_tolerance, sample_interval, duration, paper and
+    geometric_stiffness (true or false). Each of --a, --b and --both may be given several times. Ctrl-C stops,
+    saves what there is and ends with code 130.
+    """
+    if second is None and not (changes_a or changes_b):
+        stop("nothing to compare: name a second lift, or change a setting of one side with --a or --b")
+    both = _settings("--both", changes_both)
+    sides = [
+        _side(letter, lift, both, _settings(f"--{letter.lower()}", changes))
+        for letter, lift, changes in (("A", first, changes_a), ("B", second or first, changes_b))
+    ]
+    names = dict.fromkeys(name_of(lift) for lift in (first, second or first))
+    folder = output_folder(output if output is not None else Path("results") / "-".join(["compare", *names]))
+    for side in sides:
+        _simulate(side, folder)
+        if _was_stopped(side) and sides[1].status == "ready":
+            warn(f"stopped before B was simulated; what there is of A: {folder / 'a.nc'}")
+            raise typer.Exit(INTERRUPTED)
+    comparison = _compare(sides, folder)
+    if plots:
+        _draw(comparison, folder)
+    _end(sides)
+
+
+def _settings(option: str, changes: _Changes) -> dict[str, tuple[str, Setting]]:
+    """Settings as written after an option: each as text and as value, SI."""
+    settings: dict[str, tuple[str, Setting]] = {}
+    for change in changes or ():
+        key, equals, text = (word.strip() for word in change.partition("="))
+        key = key.replace("-", "_")
+        if not equals or not text:
+            stop(f"{option}: '{change}' is no setting; one is written like 'step=1 ms'")
+        if key not in _SETTINGS:
+            stop(f"{option}: there is no setting '{key}'; there are {', '.join(_SETTINGS)}")
+        if key in settings:
+            stop(f"{option}: {key} is given twice")
+        settings[key] = text, _value(f"{option} {key}", text, _SETTINGS[key])
+    return settings
+
+
+def _value(option: str, text: str, kind: str) -> Setting:
+    if kind == "text":
+        return text
+    if kind != "switch":
+        return quantity_of(option, text, kind)
+    if text not in _SWITCH:
+        stop(f"{option}: '{text}' is neither true nor false")
+    return _SWITCH[text]
+
+
+def _side(
+    letter: str,
+    lift: Path,
+    both: dict[str, tuple[str, Setting]],
+    own: dict[str, tuple[str, Setting]],
+) -> _Side:
+    """A lift made ready to run, or a recording read; what is wrong with either ends the program."""
+    shown = ", ".join(f"{key}={text}" for key, (text, _) in own.items())
+    side = _Side(letter, f"{lift}, {shown}" if shown else str(lift))
+    file = _recording_file(lift)
+    if file is None:
+        overrides = {key: value for key, (_, value) in (both | own).items()}
+        side.simulation = prepare(lift, overrides, f"{letter}: ")
+        return side
+    if both or own:
+        stop(f"{letter}: {file} is a recording; the settings of a run that is over cannot be changed")
+    from gantline.results import open_recording
+
+    try:
+        side.recording = open_recording(file)
+    except (FileNotFoundError, ValueError) as problem:
+        stop(str(problem))
+    return side
+
+
+def _recording_file(lift: Path) -> Path | None:
+    """The recording that is meant: a file of that kind, or that in a folder which `gantline run` wrote."""
+    if lift.suffix == ".nc":
+        return lift
+    if lift.is_dir() and not (lift / "scenario.yaml").exists() and (lift / _RECORDING).is_file():
+        return lift / _RECORDING
+    return None
+
+
+def _simulate(side: _Side, folder: Path) -> None:
+    """Run a side that is no recording yet; save its recording, and the last good state if it failed."""
+    if side.simulation is not None:
+        from gantline.simulation import SimulationError
+
+        typer.echo(f"simulating {side.letter}: {side.name}", err=True)
+        simulation = side.simulation
+        try:
+            with progress(simulation.duration, lambda: simulation.current_step) as report:
+                side.recording = simulation.run(on_progress=report)
+        except SimulationError as problem:
+            side.recording = problem.recording
+            state = folder / f"{side.letter.lower()}.state.bin"
+            with writing(state):
+                state.write_bytes(problem.state)
+            complain(f"{side.letter}: {problem}\n  last good state: {state}")
+        side.integration_time = simulation.integration_time
+    assert side.recording is not None
+    file = folder / f"{side.letter.lower()}.nc"
+    with writing(file):
+        side.recording.save(file)
+
+
+def _compare(sides: list[_Side], folder: Path) -> Comparison:
+    """Compare the recordings, print the table, and write it with all numbers."""
+    from gantline.cli.comparison_table import comparison_table
+    from gantline.results.comparison import compare as compare_recordings
+
+    a, b = (side.recording for side in sides)
+    assert a is not None and b is not None
+    comparison = compare_recordings(a, b, names=(sides[0].name, sides[1].name))
+    lines = comparison_table(comparison, (sides[0].integration_time, sides[1].integration_time))
+    text = "\n".join(lines)
+    with writing(folder):
+        numbers = json.dumps(comparison.to_json(), indent=2, allow_nan=False)
+        (folder / "comparison.json").write_text(f"{numbers}\n", encoding="utf-8")
+        (folder / "comparison.txt").write_text(f"{text}\n", encoding="utf-8")
+    typer.echo(text)
+    names = ("a.nc", "b.nc", "comparison.json", "comparison.txt")
+    for index, name in enumerate(names):
+        typer.echo(f"{'Written' if index == 0 else '':<12}{folder / name}")
+    return comparison
+
+
+def _draw(comparison: Comparison, folder: Path) -> None:
+    from gantline.plot import save_comparison_pictures
+
+    with writing(folder):
+        paths = save_comparison_pictures(comparison, folder)
+    for index, path in enumerate(paths):
+        typer.echo(f"{'Pictures' if index == 0 else '':<12}{path}")
+
+
+def _end(sides: list[_Side]) -> None:
+    """End with the code that says how the runs of this call went, not those of old recordings."""
+    if any(_was_stopped(side) for side in sides):
+        warn("stopped by Ctrl-C; what there is was compared")
+        raise typer.Exit(INTERRUPTED)
+    failed = any(side.status == "failed" for side in sides if side.simulation is not None)
+    raise typer.Exit(COULD_NOT_GO_ON if failed else DONE)
+
+
+def _was_stopped(side: _Side) -> bool:
+    return side.status == "stopped" and side.simulation is not None

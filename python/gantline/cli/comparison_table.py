@@ -1,0 +1,216 @@
+"""The comparison of two lifts as a table, A beside B."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from gantline.cli.summary import show
+from gantline.cli.table import ABSENT, table
+from gantline.results.comparison import (
+    Comparison,
+    Difference,
+    ForceComparison,
+    MotionComparison,
+    method_of,
+    peak_sling,
+)
+from gantline.units import quantity
+
+_Row = tuple[str, ...]
+
+#: Metrics of the table: name, what it is called, unit, decimals.
+_HEADLINES = (
+    ("peak_sling_tension", "peak sling tension", "kN", 1),
+    ("peak_sling_tension_time", "at", "s", 2),
+    ("peak_equalizing_rope_tension", "peak equalizing rope tension", "kN", 1),
+    ("peak_tension_spread_when_clear", "tension spread when clear", "%", 2),
+    ("final_tension_spread", "tension spread at the end", "%", 2),
+    ("dynamic_amplification_factor", "dynamic amplification factor", "", 3),
+    ("static_hook_load", "static hook load", "kN", 1),
+    ("peak_hook_load", "dynamic hook load (peak)", "kN", 1),
+    ("lift_off_time", "lift-off at", "s", 2),
+    ("final_load_transferred", "load transferred at the end", "%", 1),
+    ("travel_used_up", "sheave travel used up", "%", 1),
+    ("travel_used_down", "sheave travel used down", "%", 1),
+    ("peak_load_tilt", "tilt", "deg", 2),
+    ("peak_load_drift_when_clear", "drift when clear", "m", 3),
+)
+_COUNTS = (("steps", "steps"), ("rejected", "attempts rejected"))
+_ONLY = {
+    "sling": "slings",
+    "equalizer": "equalizers",
+    "hook": "hooks",
+    "load": "loads",
+    "rope": "ropes",
+    "body": "bodies",
+}
+
+
+def comparison_table(
+    comparison: Comparison, integration_times: tuple[float | None, float | None]
+) -> list[str]:
+    """Lines of the table.
+
+    Args:
+        comparison: What is shown.
+        integration_times: Wall time in the integrator of A and B [s]; None where nothing was simulated.
+
+    Returns:
+        The lines.
+    """
+    parts = [
+        [f"{letter}  {name}" for letter, name in zip("AB", comparison.names, strict=True)],
+        _headlines(comparison),
+        _run(comparison, Difference(*integration_times)),
+        _forces("Rope", comparison.ropes),
+        _forces("Hook load", comparison.hooks),
+        _motion(comparison),
+        _only(comparison),
+        _stability(comparison),
+    ]
+    return [line for part in parts if part for line in (*part, "")][:-1]
+
+
+def _headlines(comparison: Comparison) -> list[str]:
+    rows: list[_Row] = []
+    for name, title, unit, digits in _HEADLINES:
+        if name not in comparison.metrics:
+            continue
+        value = comparison.metrics[name]
+        title, a, b, absolute, relative = _row(title, value, unit, partial(show, unit=unit, digits=digits))
+        # Of what rounds to zero a share says nothing.
+        is_nothing = value.a is not None and show(abs(value.a), unit, digits) == show(0.0, unit, digits)
+        rows.append((title, a, b, absolute, ABSENT if is_nothing and value.absolute else relative))
+        if name == "peak_sling_tension":
+            slings = (peak_sling(comparison.a), peak_sling(comparison.b))
+            rows.append(("in sling", *(sling or ABSENT for sling in slings), "", ""))
+    return table(("Lift", "A", "B", "B - A", "of A"), rows, "lrrrr") if rows else []
+
+
+def _run(comparison: Comparison, integration: Difference) -> list[str]:
+    a, b = comparison.a, comparison.b
+    sides = comparison.stability
+    rows: list[_Row] = [
+        ("method", method_of(a), method_of(b), "", ""),
+        ("status", sides[0].status, sides[1].status, "", ""),
+        _row("simulated", Difference(sides[0].end, sides[1].end), "s", lambda v: show(v, "s", 2)),
+    ]
+    for name, title in _COUNTS:
+        if name in comparison.counters:
+            rows.append(_row(title, comparison.counters[name], "", lambda v: f"{int(v):,}"))
+    rows.append(_row("time in the integrator", integration, "s", lambda v: _plain(v, "s")))
+    remainder = Difference(sides[0].energy_remainder, sides[1].energy_remainder)
+    rows.append((*_row("energy remainder", remainder, "", lambda v: f"{v:.1e}")[:3], "", ""))
+    rows.append(("its bound", *(f"{side.energy_bound:.0e}" for side in sides), "", ""))
+    residual = Difference(sides[0].complementarity_residual, sides[1].complementarity_residual)
+    rows.append((*_row("complementarity residual", residual, "N", lambda v: f"{v:.2g} N")[:3], "", ""))
+    return table(("Run", "A", "B", "B - A", "of A"), rows, "lrrrr")
+
+
+def _row(title: str, value: Difference, unit: str, write: Callable[[float], str]) -> _Row:
+    a, b = (ABSENT if one is None else write(one) for one in (value.a, value.b))
+    return title, a, b, _signed(value.absolute, unit), _signed(value.relative, "%")
+
+
+def _signed(value: float | None, unit: str) -> str:
+    """A difference with its sign and three digits, in a unit; no unit for pure numbers."""
+    if value is None:
+        return ABSENT
+    number = value / quantity(f"1 {unit}", _DIMENSION[unit]) if unit else value
+    if number == 0.0:
+        return f"0 {unit}".strip()
+    if abs(number) >= 1e5 or abs(number) < 1e-4:
+        return f"{number:+.1e} {unit}".strip()
+    written = f"{number:+,.0f}" if abs(number) >= 100.0 else f"{number:+.3g}"
+    return f"{written} {unit}".strip()
+
+
+_DIMENSION = {
+    "kN": "force",
+    "N": "force",
+    "s": "time",
+    "m": "length",
+    "mm": "length",
+    "deg": "angle",
+    "%": "ratio",
+}
+
+
+def _forces(title: str, forces: Sequence[ForceComparison]) -> list[str]:
+    rows = []
+    for force in forces:
+        largest = max(force.peak_a.value, force.peak_b.value)
+        unit, digits = ("kN", 1) if largest >= 1e3 else ("N", 3)
+        deviation = force.deviation
+        rows.append(
+            (
+                _both(force.name, force.name_b),
+                show(force.peak_a.value, unit, digits),
+                show(force.peak_a.time, "s", 2),
+                show(force.peak_b.value, unit, digits),
+                show(force.peak_b.time, "s", 2),
+                _plain(deviation.rms if deviation else None, unit),
+                _signed(deviation.largest if deviation else None, unit),
+                show(deviation.time if deviation else None, "s", 2),
+            )
+        )
+    head = (title, "peak of A", "at", "peak of B", "at", "B - A: rms", "largest", "at")
+    return table(head, rows, "lrrrrrrr") if rows else []
+
+
+def _motion(comparison: Comparison) -> list[str]:
+    motions = comparison.loads or [one for one in comparison.bodies if _moves(one)]
+    rows = []
+    for one in motions:
+        position, attitude = one.position, one.attitude
+        rows.append(
+            (
+                _both(one.name, one.name_b),
+                _plain(position.rms if position else None, "mm"),
+                _plain(position.largest if position else None, "mm"),
+                show(position.time if position else None, "s", 2),
+                _plain(attitude.rms if attitude else None, "deg"),
+                _plain(attitude.largest if attitude else None, "deg"),
+                show(attitude.time if attitude else None, "s", 2),
+            )
+        )
+    title = "Motion of the load" if comparison.loads else "Motion"
+    head = (title, "apart: rms", "largest", "at", "turned: rms", "largest", "at")
+    return table(head, rows, "lrrrrrr") if rows else []
+
+
+def _moves(motion: MotionComparison) -> bool:
+    return any(one is not None and one.largest > 0.0 for one in (motion.position, motion.attitude))
+
+
+def _plain(value: float | None, unit: str) -> str:
+    return ABSENT if value is None else _signed(value, unit).lstrip("+")
+
+
+def _both(name: str, name_b: str) -> str:
+    return name if name == name_b else f"{name} | {name_b}"
+
+
+def _only(comparison: Comparison) -> list[str]:
+    lines = []
+    for letter, only in (("A", comparison.only_a), ("B", comparison.only_b)):
+        if only:
+            kinds = "; ".join(f"{_ONLY[kind]} {', '.join(names)}" for kind, names in only.items())
+            lines.append(f"Only in {letter}: {kinds}")
+    return lines
+
+
+def _stability(comparison: Comparison) -> list[str]:
+    lines = []
+    for letter, side in zip("AB", comparison.stability, strict=True):
+        first, *rest = side.sentences()
+        lines += [f"{letter}  {first}", *(f"   {sentence}" for sentence in rest)]
+    if comparison.common is None:
+        lines.append("There is no time that both recorded: nothing over time can be compared.")
+    elif min(side.end or 0.0 for side in comparison.stability) < max(
+        side.end or 0.0 for side in comparison.stability
+    ):
+        times = comparison.common.times
+        lines.append(f"Compared over time from {times[0]:g} s to {times[-1]:g} s, which both have.")
+    return ["Stability", *(f"  {line}" for line in lines)]

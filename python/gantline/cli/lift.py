@@ -1,0 +1,65 @@
+"""What verbs that simulate share: settings of the command line, a lift made ready, a folder to write into."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gantline.cli.messages import BAD_INPUT, scenario_errors, stop, writing
+
+if TYPE_CHECKING:
+    from gantline.simulation import Simulation
+
+Setting = str | float | bool | None
+
+
+def quantity_of(option: str, text: str | None, dimension: str) -> float | None:
+    """SI value of a quantity as it stands behind an option; None if the option was not given."""
+    from gantline.units import UnitError, quantity
+
+    if text is None:
+        return None
+    try:
+        return quantity(text, dimension)
+    except UnitError as problem:
+        stop(f"{option}: {problem}")
+
+
+def prepare(lift: Path, overrides: Mapping[str, Setting], side: str = "") -> Simulation:
+    """A lift that is ready to run; what is wrong with it ends the program.
+
+    Args:
+        lift: Lift file, folder, or name of a lift that comes with gantline.
+        overrides: Settings in place of those of the lift file, SI.
+        side: What messages about settings begin with, where there are several lifts.
+    """
+    with scenario_errors():
+        from gantline.simulation import SettingError, Simulation
+
+        try:
+            return Simulation(lift, **overrides)
+        except SettingError as problem:
+            stop(f"{side}{problem}", BAD_INPUT)
+
+
+def name_of(lift: Path) -> str:
+    """Name of a lift by its file or folder."""
+    place = lift.resolve()
+    return (
+        place.name if place.is_dir() else place.parent.name if place.name == "scenario.yaml" else place.stem
+    )
+
+
+def output_folder(folder: Path) -> Path:
+    """The folder to write into, made and tried before a long run."""
+    if folder.exists() and not folder.is_dir():
+        stop(f"{folder}: is a file; --output needs a folder")
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        handle, trial = tempfile.mkstemp(prefix=".trial.", dir=folder)
+        os.close(handle)
+        os.unlink(trial)
+    return folder

@@ -1,0 +1,300 @@
+"""Pictures of two recordings over each other: A wide and pale, B thin upon it, their difference below."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import TypeVar
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from gantline.plot.style import (
+    INK,
+    QUIET,
+    RC,
+    colour,
+    few_ticks,
+    figure_over_time,
+    force_axis,
+    force_unit,
+    shortened,
+    widen,
+)
+from gantline.results.common_time import CommonTime
+from gantline.results.comparison import Comparison, ForceComparison, MotionComparison
+from gantline.results.recording import Recording
+from gantline.results.rotation import heading, tilt
+from gantline.results.variable import FloatArray
+
+_T = TypeVar("_T")
+
+_MOST_CURVES = 8  # as many as there are colours
+_WIDE, _THIN = 3.0, 1.1
+_PALE = 0.5  # share of white in a curve of A
+
+
+def comparison_figures(comparison: Comparison) -> Iterator[tuple[str, Figure]]:
+    """Make the pictures that a comparison can have, one at a time.
+
+    Args:
+        comparison: Of any two recordings; without at least two common times there are no pictures.
+
+    Yields:
+        Name of a picture (a file name without suffix) and its figure.
+    """
+    if comparison.common is None or len(comparison.common.times) < 2:
+        return
+    slings = {sling.rope: sling.name for sling in comparison.a.rig.slings}
+    gear = {*slings, *(equalizer.equalizing_rope for equalizer in comparison.a.rig.equalizers)}
+    under_slings = [rope for rope in comparison.ropes if rope.name in slings]
+    others = [rope for rope in comparison.ropes if rope.name not in gear]
+    makers: dict[str, Callable[[], Figure | None]] = {
+        "compare_sling_tension": partial(_forces, comparison, under_slings, _SLINGS, slings),
+        "compare_rope_tension": partial(_forces, comparison, others, _ROPES, {}),
+        "compare_hook_load": partial(_forces, comparison, comparison.hooks, _HOOKS, {}),
+    }
+    for load in comparison.loads:
+        suffix = f"_{load.name}" if len(comparison.loads) > 1 else ""
+        makers[f"compare_load_motion{suffix}"] = partial(_load_motion, comparison, load)
+    if not comparison.loads:
+        makers["compare_motion"] = partial(_body_motion, comparison)
+    for name, make in makers.items():
+        with matplotlib.rc_context(RC):
+            figure = make()
+        if figure is not None:
+            yield name, figure
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """Forces of one kind: their variable, and their name on the axis, in the title, and of many."""
+
+    variable: str
+    label: str
+    title: str
+    many: str
+
+
+_SLINGS = _Kind("rope_tension", "Tension", "Sling tension", "slings")
+_ROPES = _Kind("rope_tension", "Tension", "Rope tension", "ropes")
+_HOOKS = _Kind("hook_load", "Hook load", "Hook load", "hooks")
+
+
+def _forces(
+    comparison: Comparison, forces: Sequence[ForceComparison], kind: _Kind, names: Mapping[str, str]
+) -> Figure | None:
+    """Forces of both over each other and B - A below; None without any."""
+    common = comparison.common
+    if not forces or common is None:
+        return None
+    shown = _most_different(forces, lambda force: abs(force.deviation.largest) if force.deviation else 0.0)
+    figure, panels = _figure(comparison, kind.title, [2.4, 1.2], 5.2)
+    scale, unit = force_unit(max(max(force.peak_a.value, force.peak_b.value) for force in forces))
+    curves = {
+        names.get(force.name, force.name): (
+            comparison.a.column(kind.variable, force.name) / scale,
+            comparison.b.column(kind.variable, force.name_b) / scale,
+        )
+        for force in shown
+    }
+    _over_each_other(panels[0], comparison, curves)
+    peak = max(max(force.peak_a.value, force.peak_b.value) for force in shown) / scale
+    panels[0].set_ylim(0.0, 1.14 * peak if peak > 0.0 else 1.0)
+    force_axis(panels[0], kind.label, unit)
+    _legend(panels[0], list(curves), _left_out(len(shown), len(forces), kind.many))
+    differences = {name: common.difference(a, b) for name, (a, b) in curves.items()}
+    _difference_panel(panels[1], common, differences, f"B − A [{unit}]", unit)
+    figure.align_ylabels(panels)
+    return figure
+
+
+def _load_motion(comparison: Comparison, load: MotionComparison) -> Figure:
+    """Height, drift, tilt and heading of a load in both, and how far the two are apart."""
+    sides = ((comparison.a, load.body), (comparison.b, load.body_b))
+    rows: Sequence[tuple[str, Callable[[Recording, str], FloatArray], float]] = (
+        ("Height above\nstart [m]", _height, 0.01),
+        ("Drift [m]", _drift, 0.01),
+        ("Tilt [deg]", _tilt, 0.1),
+        ("Heading [deg]", _heading, 1.0),
+    )
+    title = f"Motion of load {load.name}" if len(comparison.loads) > 1 else "Motion of the load"
+    figure, panels = _figure(comparison, title, [1.0] * 6, 8.2)
+    for panel, (label, quantity, least_span) in zip(panels, rows, strict=False):
+        a, b = (quantity(one, body) for one, body in sides)
+        _over_each_other(panel, comparison, {load.name: (a, b)})
+        panel.set_ylabel(label)
+        widen(panel, least_span)
+        if quantity in (_drift, _tilt):
+            panel.set_ylim(bottom=0.0)
+        few_ticks(panel)
+    _legend(panels[0], [load.name], "")
+    common = comparison.common
+    assert common is not None
+    place, attitude = (
+        (comparison.a.column(name, load.body), comparison.b.column(name, load.body_b))
+        for name in ("body_position", "body_orientation")
+    )
+    apart, turned = 1e3 * common.distance(*place), np.degrees(common.turn(*attitude))
+    _difference_panel(panels[4], common, {"": apart}, "A and B\napart [mm]", "mm")
+    _difference_panel(panels[5], common, {"": turned}, "A and B\nturned [deg]", "deg")
+    for panel, least in ((panels[4], 1e-3), (panels[5], 1e-4)):
+        widen(panel, least)
+        panel.set_ylim(bottom=0.0)
+    figure.align_ylabels(panels)
+    return figure
+
+
+def _body_motion(comparison: Comparison) -> Figure | None:
+    """Heights of the bodies that move and B - A below, for systems without loads; None if nothing moves."""
+    common = comparison.common
+    assert common is not None
+    moving = [
+        body
+        for body in comparison.bodies
+        if any(
+            np.ptp(_height(*side)) > 0.0 for side in ((comparison.a, body.body), (comparison.b, body.body_b))
+        )
+    ]
+    if not moving:
+        return None
+    shown = _most_different(moving, lambda body: body.position.largest if body.position else 0.0)
+    figure, panels = _figure(comparison, "Motion of the bodies", [2.2, 1.2], 4.8)
+    curves = {
+        body.name: (_height(comparison.a, body.body), _height(comparison.b, body.body_b)) for body in shown
+    }
+    _over_each_other(panels[0], comparison, curves)
+    panels[0].set_ylabel("Height above start [m]")
+    _legend(panels[0], list(curves), _left_out(len(shown), len(moving), "bodies"))
+    differences = {name: 1e3 * common.difference(a, b) for name, (a, b) in curves.items()}
+    _difference_panel(panels[1], common, differences, "B − A [mm]", "mm")
+    figure.align_ylabels(panels)
+    return figure
+
+
+def _height(recording: Recording, body: str) -> FloatArray:
+    height = recording.column("body_position", body)[:, 2]
+    above: FloatArray = height - height[0]
+    return above
+
+
+def _drift(recording: Recording, body: str) -> FloatArray:
+    place = recording.column("body_position", body)[:, :2]
+    drift: FloatArray = np.linalg.norm(place - place[0], axis=1)
+    return drift
+
+
+def _tilt(recording: Recording, body: str) -> FloatArray:
+    degrees: FloatArray = np.degrees(tilt(recording.column("body_orientation", body)))
+    return degrees
+
+
+def _heading(recording: Recording, body: str) -> FloatArray:
+    degrees: FloatArray = np.degrees(np.unwrap(heading(recording.column("body_orientation", body))))
+    return degrees
+
+
+def _left_out(shown: int, there: int, many: str) -> str:
+    """Says that not all are drawn; empty if they are."""
+    return f"{shown} of {there} {many}" if shown < there else ""
+
+
+def _most_different(ones: Sequence[_T], by: Callable[[_T], float]) -> list[_T]:
+    """As many as can be told apart, in their order: those that differ most."""
+    most = sorted(range(len(ones)), key=lambda index: -by(ones[index]))[:_MOST_CURVES]
+    return [ones[index] for index in sorted(most)]
+
+
+def _figure(
+    comparison: Comparison, title: str, heights: Sequence[float], height: float
+) -> tuple[Figure, list[Axes]]:
+    names = "\n".join(
+        f"{letter}: {shortened(name, 58)}" for letter, name in zip("AB", comparison.names, strict=True)
+    )
+    return figure_over_time({"A": comparison.a, "B": comparison.b}, title, names, heights, height)
+
+
+def _over_each_other(
+    panel: Axes, comparison: Comparison, curves: dict[str, tuple[FloatArray, FloatArray]]
+) -> None:
+    colours = _colours(len(curves))
+    for (a, _), (shade, _) in zip(curves.values(), colours, strict=True):
+        panel.plot(comparison.a.time, a, color=_paler(shade), linewidth=_WIDE, zorder=2)
+    for (_, b), (_, shade) in zip(curves.values(), colours, strict=True):
+        panel.plot(comparison.b.time, b, color=shade, linewidth=_THIN, zorder=3)
+
+
+def _colours(count: int) -> list[tuple[str, str]]:
+    """Colours of A and B for each curve: one hue for both, or two where there is but one curve."""
+    return [(colour(0), colour(1))] if count == 1 else [(colour(k), colour(k)) for k in range(count)]
+
+
+def _paler(shade: str) -> tuple[float, float, float]:
+    red, green, blue = ((1.0 - _PALE) * part + _PALE for part in to_rgb(shade))
+    return red, green, blue
+
+
+def _legend(panel: Axes, names: list[str], note: str) -> None:
+    """Say above the panel how A and B are drawn and which colour is what."""
+    shade_a, shade_b = _colours(len(names))[0] if len(names) == 1 else (QUIET, INK)
+    keys = [
+        Line2D([], [], color=_paler(shade_a), linewidth=_WIDE),
+        Line2D([], [], color=shade_b, linewidth=_THIN),
+    ]
+    labels = ["A", "B"]
+    if len(names) > 1:
+        keys += [Line2D([], [], color=colour(index), linewidth=2.4) for index in range(len(names))]
+        labels += [shortened(name, 12) for name in names]
+    if note:
+        keys.append(Line2D([], [], linestyle="none"))
+        labels.append(f"({note})")
+    panel.legend(
+        keys,
+        labels,
+        ncols=len(labels),
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        borderaxespad=0.2,
+        handlelength=1.3,
+        handletextpad=0.5,
+        columnspacing=1.1,
+        fontsize=8.5,
+    )
+
+
+def _difference_panel(
+    panel: Axes, common: CommonTime, differences: dict[str, FloatArray], label: str, unit: str
+) -> None:
+    """Differences over the common time, with the largest marked and said."""
+    widths = np.linspace(2.2, 1.0, len(differences)) if len(differences) > 1 else [1.3]
+    shades = [INK] if len(differences) == 1 else [colour(index) for index in range(len(differences))]
+    for values, width, shade in zip(differences.values(), widths, shades, strict=True):
+        panel.plot(common.times, values, color=shade, linewidth=float(width))
+    name = max(differences, key=lambda one: float(np.abs(differences[one]).max()))
+    deviation = common.deviation(unit, differences[name])
+    panel.set_ylabel(label)
+    panel.margins(y=0.22)
+    few_ticks(panel)
+    if deviation.largest == 0.0:
+        panel.set_ylim(-1.0, 1.0)
+        text = "no difference"
+    else:
+        panel.plot([deviation.time], [deviation.largest], "o", color=INK, markersize=3.5, zorder=5)
+        sign = "+" if "−" in label else ""  # distances and angles have none
+        largest = f"{deviation.largest:{sign}.3g}".replace("-", "−")
+        where = f"{name}  " if len(differences) > 1 else ""
+        text = f"largest: {where}{largest} {unit} at {deviation.time:.2f} s; rms {deviation.rms:.3g} {unit}"
+    panel.annotate(
+        text,
+        xy=(0.006, 0.95),
+        xycoords="axes fraction",
+        va="top",
+        fontsize=8,
+        color=QUIET,
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+    )

@@ -1,0 +1,161 @@
+"""What a recording says of how sound its run was: status, energy balance, residuals. Nothing is guessed.
+
+*Energy from nowhere* is what the audit's columns show directly: kinetic + gravity + elastic energy less the
+work of drives can only fall, since every loss is positive. By how much it rises above the least that it has
+had, relative to the largest of kinetic + elastic + |work of drives|, is energy that no drive put in. A method
+that shakes a stiff rope or feeds a swing shows it here, whatever the frequency.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gantline.results.metrics import energy_bound
+from gantline.results.recording import Recording
+from gantline.results.variable import FloatArray
+
+#: Energy from nowhere up to which a run counts as stable, of the largest energy [1]. It is wider than the
+#: bound of the remainder, which leaves out what the method itself takes or gives within its tolerances.
+ENERGY_GAIN_BOUND = 1e-3
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a run could not go on.
+
+    Attributes:
+        time: Simulated time [s].
+        element: The rope, body or contact at which it failed; empty if it belongs to none.
+        cause: What failed, in one sentence.
+    """
+
+    time: float
+    element: str
+    cause: str
+
+
+@dataclass(frozen=True)
+class Stability:
+    """How sound a run was.
+
+    Attributes:
+        status: `done`, `stopped` or `failed`.
+        end: Time of the last sample [s]; None without samples.
+        failure: Why it could not go on; None if it could, or if an old recording does not tell.
+        energy_remainder: Largest energy that the audit cannot place, of the largest energy [1]; None if not
+            kept.
+        energy_bound: Remainder up to which the balance counts as closed [1].
+        energy_gain: Largest energy from nowhere, of the largest energy [1]; None if energy was not recorded.
+        energy_gain_time: When it first passes `ENERGY_GAIN_BOUND` [s]; None if it does not.
+        complementarity_residual: Largest distance of a force from its law over the samples [N].
+        constraint_residual: Largest excess length of an inextensible rope over the samples [m].
+        unconverged: Steps that ended before it was settled which ropes and contacts carry.
+    """
+
+    status: str
+    end: float | None
+    failure: Failure | None
+    energy_remainder: float | None
+    energy_bound: float
+    energy_gain: float | None
+    energy_gain_time: float | None
+    complementarity_residual: float | None
+    constraint_residual: float | None
+    unconverged: int
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether it reached its end, its balance closes, it gained no energy and all its steps settled."""
+        remainder = self.energy_remainder or 0.0
+        return (
+            self.status == "done"
+            and remainder <= self.energy_bound
+            and self.energy_gain_time is None
+            and self.unconverged == 0
+        )
+
+    def sentences(self) -> Iterator[str]:
+        """The same in plain words; what is not as it should be is in capitals."""
+        yield self._how_it_ended()
+        if self.energy_remainder is not None:
+            closes = self.energy_remainder <= self.energy_bound
+            verdict = "the balance closes" if closes else "THE BALANCE DOES NOT CLOSE"
+            yield f"energy remainder {self.energy_remainder:.1e}, bound {self.energy_bound:.0e}: {verdict}"
+        if self.energy_gain_time is not None:
+            share = f"{100 * (self.energy_gain or 0.0):.3g} % of the largest energy"
+            yield f"GAINS ENERGY from {self.energy_gain_time:.2f} s on: up to {share} comes from no drive"
+        elif self.energy_gain is not None:
+            yield f"no energy from nowhere beyond {100 * ENERGY_GAIN_BOUND:g} % of the largest energy"
+        if self.complementarity_residual is not None:
+            yield f"forces keep their laws to {self.complementarity_residual:.2g} N"
+        if self.constraint_residual:
+            yield f"inextensible ropes keep their length to {self.constraint_residual:.2g} m"
+        if self.unconverged:
+            yield f"{self.unconverged} STEPS NOT SETTLED: which ropes and contacts carry was left open"
+
+    def _how_it_ended(self) -> str:
+        if self.status == "done":
+            return f"ran to its end, {self.end:g} s" if self.end is not None else "ran to its end"
+        reached = "before its first sample" if self.end is None else f"at {self.end:.2f} s"
+        if self.status == "stopped":
+            return f"STOPPED {reached}: what follows compares what there is"
+        if self.failure is None:
+            return f"FAILED {reached}; the recording does not tell the cause"
+        place = f" at {self.failure.element}" if self.failure.element else ""
+        return f"FAILED at {self.failure.time:.3f} s{place}: {self.failure.cause}"
+
+
+def stability_of(recording: Recording) -> Stability:
+    """How sound the run of a recording was.
+
+    Args:
+        recording: Any recording, also of a run that failed.
+    """
+    attributes = recording.attributes
+    gain, since = _energy_gain(recording)
+    remainder = attributes.get("energy_remainder")
+    return Stability(
+        status=str(attributes.get("status", "done")),
+        end=float(recording.time[-1]) if len(recording.time) else None,
+        failure=_failure(attributes.get("failure")),
+        energy_remainder=None if remainder is None else float(remainder),
+        energy_bound=energy_bound(attributes["settings"]),
+        energy_gain=gain,
+        energy_gain_time=since,
+        complementarity_residual=_largest(recording, "residual_complementarity"),
+        constraint_residual=_largest(recording, "residual_constraint"),
+        unconverged=int((attributes.get("counters") or {}).get("unconverged", 0)),
+    )
+
+
+def _failure(document: Any) -> Failure | None:
+    if not document:
+        return None
+    return Failure(float(document["time"]), str(document["element"]), str(document["cause"]))
+
+
+def _energy_gain(recording: Recording) -> tuple[float | None, float | None]:
+    if "energy" not in recording or not len(recording.time):
+        return None, None
+
+    def energy(kind: str) -> FloatArray:
+        return recording.column("energy", kind)
+
+    work = energy("drive_work")
+    largest = float(np.max(energy("kinetic") + energy("elastic") + np.abs(work)))
+    if largest <= 0.0:
+        return 0.0, None
+    kept = energy("kinetic") + energy("gravity") + energy("elastic") - work
+    gain = (kept - np.minimum.accumulate(kept)) / largest
+    beyond = np.flatnonzero(gain > ENERGY_GAIN_BOUND)
+    return float(gain.max()), float(recording.time[beyond[0]]) if beyond.size else None
+
+
+def _largest(recording: Recording, name: str) -> float | None:
+    if name not in recording or not recording[name].values.size:
+        return None
+    return float(recording[name].values.max())
