@@ -3,27 +3,38 @@
 from __future__ import annotations
 
 import io
+from itertools import chain
 from pathlib import Path
 
 import matplotlib
 from PIL import Image
 
 import gantline
-from gantline.plot import figures
+from gantline.plot import comparison_figures, figures
 from gantline.plot.style import RC
 
 ROOT = Path(__file__).resolve().parents[1]
 #: Name of the picture in the documentation by the name of the plot.
-PICTURES = {"sling_tension": "equalizer_tension", "system": "equalizer_views"}
+PICTURES = {
+    "sling_tension": "equalizer_tension",
+    "system": "equalizer_views",
+    "compare_sling_tension": "compare_tension",
+}
 DOTS_PER_INCH = 150
 
 
 def main() -> None:
     """Simulate, draw, and keep the files small."""
-    recording = gantline.simulate(ROOT / "scenarios" / "equalizer")
+    lift = ROOT / "scenarios" / "equalizer"
+    recording = gantline.simulate(lift)
+    comparison = gantline.compare(
+        recording,
+        gantline.simulate(lift, integrator="del", step=0.01),
+        names=("equalizer", "equalizer, integrator=del, step=10 ms"),
+    )
     folder = ROOT / "docs" / "images"
     folder.mkdir(exist_ok=True)
-    for plot, figure in figures(recording):
+    for plot, figure in chain(figures(recording), comparison_figures(comparison)):
         if plot not in PICTURES:
             continue
         drawn = io.BytesIO()

@@ -56,7 +56,7 @@ sys.exit(", ".join(loaded) or 0)
 def test_every_verb_is_in_the_help() -> None:
     code, out, _ = gantline_says("--help")
     assert code == 0
-    for verb in ("run", "check", "new", "schema"):
+    for verb in ("run", "compare", "check", "new", "schema"):
         assert f"\n  {verb} " in out
     assert "3 the simulation could" in out
 

@@ -20,6 +20,7 @@ __all__ = ["core"]
 
 SCENARIOS = Path(__file__).parents[2] / "scenarios"
 SHORT = ("--both", "duration=1 s")
+NAMES = ("pulleys", "pulleys" + ", integrator=adaptive")
 DEAD_CENTRE = """
 format: 1
 lift: {title: A plumb rope cannot hold what slides level}
@@ -54,7 +55,7 @@ def test_one_lift_by_two_methods(two_methods: tuple[Result, Path]) -> None:
     result, folder = two_methods
     assert result.exit_code == 0, result.output
     said = lines(result)
-    assert said[:2] == ["A pulleys", "B pulleys, integrator=adaptive"]
+    assert said[:2] == [f"{letter} {name}" for letter, name in zip("AB", NAMES, strict=True)]
     assert "method del, step 1 ms adaptive" in said
     assert "status done done" in said
     assert any(line.startswith("steps 1,000 ") for line in said)
@@ -74,8 +75,7 @@ def test_one_lift_by_two_methods(two_methods: tuple[Result, Path]) -> None:
 def test_the_numbers_are_those_of_the_recordings(two_methods: tuple[Result, Path]) -> None:
     _, folder = two_methods
     numbers = json.loads((folder / "comparison.json").read_text())
-    names = ("pulleys", "pulleys, integrator=adaptive")
-    assert numbers == gantline.compare(folder / "a.nc", folder / "b.nc", names=names).to_json()
+    assert numbers == gantline.compare(folder / "a.nc", folder / "b.nc", names=NAMES).to_json()
     assert numbers["counters"]["steps"]["a"] == 1000
     # The first step of del is h g/2 per step late at rest: after t its bodies are ½ a h t behind.
     box = next(body for body in numbers["bodies"] if body["name"] == "box")
@@ -133,8 +133,9 @@ def test_slings_hooks_and_loads_stand_side_by_side(tmp_path: Path) -> None:
     assert result.exit_code == 0, result.output
     said = lines(result)
     starts = ("peak sling tension 702.0 kN ", "in sling S", "lift-off at 19.81 s - - -", "sling.S1 701.4 kN")
-    for start in (*starts, "test_hook 3700.", "block "):
+    for start in (*starts, "test_hook 3700."):
         assert any(line.startswith(start) for line in said), start
+    assert any(line.partition(" ")[0] == "block" for line in said)
     assert not [line for line in said if line.startswith("Only in")]
 
 

@@ -22,7 +22,7 @@ def test_every_verb_and_option_is_documented() -> None:
     text = page("reference/command_line.md")
     group = typer.main.get_command(app)
     verbs = getattr(group, "commands", {})
-    assert set(verbs) >= {"run", "check", "schema", "new"}
+    assert set(verbs) >= {"run", "compare", "check", "schema", "new"}
     words = [f"gantline {verb}" for verb in verbs]
     for command in verbs.values():
         for parameter in command.params:

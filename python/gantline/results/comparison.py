@@ -41,7 +41,7 @@ class Difference:
 
     @property
     def relative(self) -> float | None:
-        """(B - A)/|A| [1]; None if one is missing or A is zero and B is not."""
+        """The same over the magnitude of A [1]; None if one is missing, or A is zero and B is not."""
         if self.absolute is None or self.absolute == 0.0:
             return self.absolute
         return self.absolute / abs(self.a) if self.a else None
