@@ -55,7 +55,7 @@ def compare(
     first: Annotated[Path, typer.Argument(metavar="A", help=f"{_LIFT_HELP}.")],
     second: Annotated[
         Path | None,
-        typer.Argument(metavar="[B]", show_default=False, help="The same.  [default: A once more]"),
+        typer.Argument(metavar="B", show_default=False, help="The same.  [default: A once more]"),
     ] = None,
     output: Annotated[
         Path | None,
