@@ -161,6 +161,9 @@ class Rope(_FromJson):
         diameter: Nominal diameter [m]; None if not said.
         mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
         minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
+        weight: How its weight acts: `none`, `lumped` or `distributed`.
+        nodes: Number of nodes if it is distributed, else 0.
+        end_by_node: Mass at an end over that of the node beside it [1], if there are nodes.
     """
 
     name: str
@@ -168,6 +171,9 @@ class Rope(_FromJson):
     diameter: float | None = None
     mass_per_length: float = 0.0
     minimum_breaking_force: float | None = None
+    weight: str = "none"
+    nodes: int = 0
+    end_by_node: float | None = None
 
 
 @dataclass(frozen=True)
