@@ -39,7 +39,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "hooks": [_hook(scenario, rigging, name) for name in scenario.cranes or {}],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, sling) for sling in rigging.slings.values()],
-        "ropes": _ropes(scenario, rigging),
+        "ropes": _ropes(scenario, rigging, parts),
         "limits": _limits(scenario),
         "plan": [_step(step) for step in scenario.plan],
     }
@@ -131,7 +131,7 @@ def _sling(scenario: Scenario, sling: SlingRigging) -> Json:
     }
 
 
-def _ropes(scenario: Scenario, rigging: Rigging) -> list[Json]:
+def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     """Every rope of the lift with what is known of it."""
     kinds = {f"{name}.equalizing": (one.rope, one.weight) for name, one in rigging.equalizers.items()}
     kinds |= {f"sling.{name}": (sling.rope, sling.weight) for name, sling in rigging.slings.items()}
@@ -147,6 +147,8 @@ def _ropes(scenario: Scenario, rigging: Rigging) -> list[Json]:
             "mass_per_length": weight.mass_per_length,
             "minimum_breaking_force": kind.breaking_force,
             "weight": weight.way,
+            "mass": parts.rope_mass.get(name, (0.0, 0.0))[0],
+            "mass_on_world": parts.rope_mass.get(name, (0.0, 0.0))[1],
             "nodes": weight.nodes,
             "end_by_node": end_by_node(weight.nodes) if weight.nodes else None,
         }

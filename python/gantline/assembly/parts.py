@@ -36,6 +36,7 @@ class Parts:
         ropes: ropes in order; a rope with nodes in pieces from node to node.
         rope_names: ropes as the lift file knows them, in the same order.
         nodes: names of the bodies that are nodes of a rope.
+        rope_mass: by rope with weight its mass, and what of it the world bears [kg].
         contacts: contact points in order.
         drives: drives by name.
         plan: steps in order.
@@ -45,6 +46,7 @@ class Parts:
     ropes: list[Json] = field(default_factory=list)
     rope_names: list[str] = field(default_factory=list)
     nodes: set[str] = field(default_factory=set)
+    rope_mass: dict[str, tuple[float, float]] = field(default_factory=dict)
     contacts: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)

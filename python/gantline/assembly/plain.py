@@ -84,7 +84,7 @@ def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) 
                 ("mechanics", "ropes", name, "route"), "has no length; its ends are in one place"
             )
     weight = rope_weight(kind, rope.rope_weight, rope.rope_nodes)
-    lump_rope(parts, weight, length, route)
+    lump_rope(parts, name, weight, length, route)
     if weight.nodes:
         known = routed if length is None else length
         add_free_rope(parts, scenario, ("mechanics", "ropes", name), name, kind, weight, known, route)

@@ -29,14 +29,17 @@ def mass_at_end(weight: RopeWeight, length: float) -> float:
     return end_mass(mass, weight.nodes) if weight.nodes else mass / 2
 
 
-def lump_rope(parts: Parts, weight: RopeWeight, length: float | None, route: Sequence[Json]) -> None:
+def lump_rope(
+    parts: Parts, name: str, weight: RopeWeight, length: float | None, route: Sequence[Json]
+) -> None:
     """Put the mass of a rope onto the bodies of its route.
 
     Of a rope with nodes, only what its ends carry.
 
     Args:
         parts: the system so far, with all bodies of the route.
-        weight: how the weight acts.
+        name: name of the rope.
+        weight: how its weight acts.
         length: unstretched length [m]; None is just taut at the start.
         route: guides in order.
     """
@@ -53,6 +56,8 @@ def lump_rope(parts: Parts, weight: RopeWeight, length: float | None, route: Seq
     for guide, share in zip(route, shares, strict=True):
         at = guide["at"] if "at" in guide else (np.array(guide["enter"]) + np.array(guide["leave"])) / 2
         parts.lump(guide["body"], at, float(share))
+    on_world = [share for guide, share in zip(route, shares, strict=True) if guide["body"] is None]
+    parts.rope_mass[name] = weight.mass_per_length * length, float(np.sum(on_world))
 
 
 def add_free_rope(

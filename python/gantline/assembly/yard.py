@@ -75,7 +75,7 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         rope = material(equalizer.rope.stiffness, equalizer.rope.damping_time)
         length = route_length(parts, route)
         parts.add_rope(f"{equalizer.name}.equalizing", length, rope, route)
-        lump_rope(parts, equalizer.weight, length, route)
+        lump_rope(parts, f"{equalizer.name}.equalizing", equalizer.weight, length, route)
 
 
 def _slider(axis: Sequence[float], drive: str | None) -> Json:
@@ -152,6 +152,8 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             raise scenario.error(("slings", sling.name), sentence + advice)
         path = ("slings", sling.name)
         rope = f"sling.{sling.name}"
+        if sling.weight.mass_per_length > 0:  # lumped where hook, sheaves and load are made
+            parts.rope_mass[rope] = sling.weight.mass_per_length * sling.length, 0.0
         add_free_rope(parts, scenario, path, rope, sling.rope, sling.weight, sling.length, route)
 
 

@@ -162,6 +162,8 @@ class Rope(_FromJson):
         mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
         minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
         weight: How its weight acts: `none`, `lumped` or `distributed`.
+        mass: Mass that counts in the lift [kg].
+        mass_on_world: What of it the world bears, so that it is on no body [kg].
         nodes: Number of nodes if it is distributed, else 0.
         end_by_node: Mass at an end over that of the node beside it [1], if there are nodes.
     """
@@ -172,6 +174,8 @@ class Rope(_FromJson):
     mass_per_length: float = 0.0
     minimum_breaking_force: float | None = None
     weight: str = "none"
+    mass: float = 0.0
+    mass_on_world: float = 0.0
     nodes: int = 0
     end_by_node: float | None = None
 
