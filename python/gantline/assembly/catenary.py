@@ -13,10 +13,11 @@ place of the ends, slack or taut. Newton's method with halved steps finds it. It
 zero; then that segment is slack, all others are plumb, and the slack one reaches whatever is left, which is
 at most its length.
 
-As the segments become shorter this is the elastic catenary (Irvine 1981, chapter 2), and the sum is the
-midpoint rule for its integrals. The end correction of that rule (Euler and Maclaurin: (h^2/24) f' at each
-end) is made by moving 1/24 of a segment's mass from each end to the node beside it, which turns second into
-fourth order for a rope at rest.
+As the segments become shorter this is the elastic catenary (Irvine 1981), and the sum is the midpoint rule
+for its integrals. That rule errs by (h^2/24) f' at each end (Euler and Maclaurin). Moving a little mass along
+the rope shifts the tension at which a segment is taken, and so takes that error away: with f' at the end
+carried on from the first two segments, f' = 3/2 f'_1 - 1/2 f'_2, the first is to be taken at 1/16 of a
+segment's weight nearer to the end and the second at 1/48 further in.
 """
 
 from __future__ import annotations
@@ -29,17 +30,17 @@ from gantline.assembly.spatial import Array
 
 __all__ = ["HangingRope", "NoRest", "end_by_node", "end_mass", "hang", "node_masses"]
 
-#: Share of a segment's mass that goes from an end of the rope to the node beside it (end correction).
-_END_SHIFT = 1 / 24
+#: Shift of the tension at which the first and the second segment are taken, inwards positive [segments].
+_END_SHIFTS = (-1 / 16, 1 / 48)
 
+#: Of rope length and distance: a gap that counts as closed.
+_ROUNDING = 1e-14
 #: The same: more would be no place at rest.
 _OPEN = 1e-9
 _MOST_STEPS = 200
 _SMALLEST_FRACTION = 2.0**-40
 #: A step may end where the slope of the energy has changed its sign, at this share of its size at the most.
 _OVERSHOOT = 0.1
-#: Of rope length and distance: a gap that counts as closed.
-_ROUNDING = 1e-14
 #: The search along a line ends where its bounds are this close, as a ratio.
 _NEAR = 0.9
 
@@ -63,21 +64,27 @@ class HangingRope:
 
 def node_masses(mass: float, nodes: int) -> Array:
     """Masses of the nodes of a rope (nodes,) [kg]; `mass` is that of the whole rope [kg]."""
-    segment = mass / (nodes + 1)
-    masses: Array = np.full(nodes, segment)
-    masses[0] += _END_SHIFT * segment
-    masses[-1] += _END_SHIFT * segment
+    masses: Array = np.diff(_taken_at(nodes)) * mass / (nodes + 1)
     return masses
 
 
 def end_mass(mass: float, nodes: int) -> float:
-    """What each end of a rope with nodes carries of the rope's mass, at rest or not [kg]."""
-    return (0.5 - _END_SHIFT) * mass / (nodes + 1)
+    """What each end of a rope with nodes carries of the rope's mass [kg]; `mass` is that of the rope [kg]."""
+    return float(_taken_at(nodes)[0]) * mass / (nodes + 1)
 
 
 def end_by_node(nodes: int) -> float:
     """Mass at an end over the mass of the node beside it [1]: what ties the tension there to those within."""
     return end_mass(1.0, nodes) / float(node_masses(1.0, nodes)[0])
+
+
+def _taken_at(nodes: int) -> Array:
+    """What of the rope hangs before where the tension of each segment is taken (nodes + 1,) [segments]."""
+    places = np.arange(nodes + 1) + 0.5
+    for place, shift in enumerate(_END_SHIFTS):
+        places[place] += shift
+        places[-1 - place] -= shift
+    return places
 
 
 def hang(first: Array, last: Array, length: float, stiffness: float, weights: Array) -> HangingRope:
