@@ -80,7 +80,7 @@ def end_by_node(nodes: int) -> float:
 
 def _taken_at(nodes: int) -> Array:
     """What of the rope hangs before where the tension of each segment is taken (nodes + 1,) [segments]."""
-    places = np.arange(nodes + 1) + 0.5
+    places: Array = np.arange(nodes + 1, dtype=np.float64) + 0.5
     for place, shift in enumerate(_END_SHIFTS):
         places[place] += shift
         places[-1 - place] -= shift

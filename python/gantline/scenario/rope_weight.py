@@ -104,6 +104,6 @@ def check_rope_weight(
         add("rope_weight", f"{sentence}; {advice}, 'distributed' for a rope that is free from end to end")
     if kind.inextensible:
         sentence = f"rope '{rope}' is inextensible, and a rope with nodes has to stretch"
-        add("rope_weight", f"{sentence}; give it an axial stiffness, or {advice}")
+        add("rope_weight", f"{sentence}; give it an axial stiffness, or write 'rope_weight: lumped'")
     if gravity == 0:
         add("rope_weight", f"without gravity a rope with nodes has no place to hang; {advice}")
