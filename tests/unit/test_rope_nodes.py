@@ -122,18 +122,27 @@ def fake(
     return columns, names
 
 
-RIG = Rig.from_json({"ropes": [{"name": "a", "nodes": 2, "end_by_node": 0.5}, {"name": "b"}]})
+RIG = Rig.from_json(
+    {
+        "gravity": 10.0,
+        "ropes": [{"name": "a", "nodes": 2, "end_mass": 0.03}, {"name": "b", "weight": "lumped"}],
+    }
+)
 
 
-def test_tension_is_carried_on_to_the_ends_where_they_are_taut() -> None:
+def test_the_ends_carry_their_own_weight_where_they_are_taut() -> None:
     columns, names, added = joined(*fake([], [], []), RIG)
     ends = added["rope_end_tension"].values
-    # all pieces point the same way: 1 + (1 - 2)/2 and 3 + (3 - 2)/2; a slack end stays at zero
-    assert ends[0, 0] == pytest.approx([0.5, 3.5])
-    assert ends[1, 0] == pytest.approx([0.0, 6.5])
+    # all pieces run along (1, 1, 1): z has 0.3 N less at the first end, 0.3 N more at the last; slack is zero
+    part = 1 / np.sqrt(3)
+    assert ends[0, 0] == pytest.approx(
+        [np.hypot(np.sqrt(2 / 3), part - 0.3), np.hypot(3 * np.sqrt(2 / 3), 3 * part + 0.3)]
+    )
+    last = np.hypot(5 * np.sqrt(2 / 3), 5 * part + 0.3)
+    assert ends[1, 0] == pytest.approx([0.0, last])
     assert ends[:, 1] == pytest.approx(9.0)
-    assert columns["rope_tension"] == pytest.approx(np.array([[3.5, 9.0], [6.5, 9.0]]))
-    assert columns["rope_peak_tension"] == pytest.approx([6.5, 9.0])
+    assert columns["rope_tension"] == pytest.approx(np.array([[ends[0, 0, 1], 9.0], [last, 9.0]]))
+    assert columns["rope_peak_tension"] == pytest.approx([last, 9.0])
     assert columns["rope_peak_time"] == pytest.approx([1.0, 0.6])
     assert names["body"] == ["box"] and names["rope_point"] == ["a", "a", "a", "a", "b", "b"]
     assert columns["rope_point"][0, :, 0] == pytest.approx([1, 2, 4, 6, 7, 8])

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import gantline
 from gantline.assembly import Assembly, assemble
-from gantline.assembly.catenary import end_by_node, end_mass, hang, node_masses
+from gantline.assembly.catenary import end_mass, hang, node_masses
 from gantline.assembly.parts import Parts, end, sheave
 from gantline.assembly.route import route_lengths
 from gantline.assembly.spatial import inertia_matrix
@@ -262,7 +262,6 @@ def test_nodes_share_the_mass_of_the_rope() -> None:
         assert (masses > 0).all()
         assert masses.sum() + 2 * end_mass(30.0, nodes) == pytest.approx(30.0, rel=1e-14)
         assert masses == pytest.approx(masses[::-1])
-        assert end_by_node(nodes) == pytest.approx(end_mass(30.0, nodes) / masses[0])
 
 
 def test_a_sling_of_distributed_weight() -> None:
@@ -336,6 +335,20 @@ def test_without_gravity_nodes_have_no_place_to_hang() -> None:
         gantline.ScenarioError, match="without gravity a rope with nodes has no place to hang"
     ):
         parse_scenario(text + "simulation: {gravity: 0 m/s^2}\n")
+
+
+def test_the_type_of_an_equalizer_may_say_it_for_its_rope() -> None:
+    text = HEAVY.replace("    rope: thick\n", "    type: two\n").replace(
+        "equalizers:\n", "equalizer_types:\n  two: {rope: thick, rope_weight: none}\nequalizers:\n"
+    )
+    assert rig_rope(text, "e1.equalizing")["weight"] == "none"
+    own = text.replace("    type: two\n", "    type: two\n    rope_weight: lumped\n")
+    assert rig_rope(own, "e1.equalizing")["weight"] == "lumped"
+    wrong = text.replace("rope_weight: none", "rope_weight: distributed")
+    with pytest.raises(
+        gantline.ScenarioError, match=r"equalizer_types\.two\.rope_weight: an equalizing rope runs"
+    ):
+        parse_scenario(wrong)
 
 
 def test_a_mass_of_zero_is_no_weight() -> None:

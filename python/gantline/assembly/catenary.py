@@ -28,7 +28,7 @@ import numpy as np
 
 from gantline.assembly.spatial import Array
 
-__all__ = ["HangingRope", "NoRest", "end_by_node", "end_mass", "hang", "node_masses"]
+__all__ = ["HangingRope", "NoRest", "end_mass", "hang", "node_masses"]
 
 #: Shift of the tension at which the first and the second segment are taken, inwards positive [segments].
 _END_SHIFTS = (-1 / 16, 1 / 48)
@@ -71,11 +71,6 @@ def node_masses(mass: float, nodes: int) -> Array:
 def end_mass(mass: float, nodes: int) -> float:
     """What each end of a rope with nodes carries of the rope's mass [kg]; `mass` is that of the rope [kg]."""
     return float(_taken_at(nodes)[0]) * mass / (nodes + 1)
-
-
-def end_by_node(nodes: int) -> float:
-    """Mass at an end over the mass of the node beside it [1]: what ties the tension there to those within."""
-    return end_mass(1.0, nodes) / float(node_masses(1.0, nodes)[0])
 
 
 def _taken_at(nodes: int) -> Array:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.assembly.catenary import end_by_node
+from gantline.assembly.catenary import end_mass
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -147,12 +147,13 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "mass_per_length": weight.mass_per_length,
             "minimum_breaking_force": kind.breaking_force,
             "weight": weight.way,
-            "mass": parts.rope_mass.get(name, (0.0, 0.0))[0],
-            "mass_on_world": parts.rope_mass.get(name, (0.0, 0.0))[1],
+            "mass": mass,
+            "mass_on_world": on_world,
             "nodes": weight.nodes,
-            "end_by_node": end_by_node(weight.nodes) if weight.nodes else None,
+            "end_mass": end_mass(mass, weight.nodes) if weight.nodes else None,
         }
         for name, (kind, weight) in kinds.items()
+        for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
 
 

@@ -42,7 +42,7 @@ def joined(columns: Columns, names: Names, rig: Rig) -> tuple[Columns, Names, di
     owner = {f"{rope.name}/{piece}": rope.name for rope in split.values() for piece in range(rope.nodes + 1)}
     merged, labels = dict(columns), {key: list(value) for key, value in names.items()}
     order = list(dict.fromkeys(owner.get(rope, rope) for rope in names["rope"]))
-    pieces = _Pieces(columns, names, split)
+    pieces = _Pieces(columns, names, split, rig.gravity)
     groups = [pieces.group(rope) for rope in order]
     ends = np.stack([pieces.ends(rope) for rope in order], axis=1)
     within = np.stack([columns["rope_tension"][:, group].max(axis=1) for group in groups], axis=1)
@@ -72,6 +72,7 @@ class _Pieces:
     columns: Columns
     names: Names
     split: Mapping[str, Rope]
+    gravity: float
 
     def group(self, rope: str) -> list[int]:
         """Places of a rope's pieces among the ropes of the core, in order."""
@@ -82,22 +83,19 @@ class _Pieces:
     def ends(self, rope: str) -> FloatArray:
         """Tension at the first and the last end of a rope [N], shape (time, 2).
 
-        With nodes the force there is carried on from the two pieces next to the end: the force of a piece is
-        that at its middle, and from piece to piece it changes by what a node takes, to the end by what the
-        end carries. At rest that is exact.
+        With nodes the force there is that of the outermost piece and the weight of what the end carries. That
+        is exact at rest, and leaves out only what little mass that is times the acceleration of the end.
         """
         if rope not in self.split:
             at = [place for place, name in enumerate(self.names["segment"]) if _rope_of(name) == rope]
             outer: FloatArray = self.columns["segment_tension"][:, [at[0], at[-1]]]
             return outer
-        group, share = self.group(rope), self.split[rope].end_by_node or 0.0
-        tension = self.columns["rope_tension"]
-        carried = []
-        for end, inner in ((group[0], group[1]), (group[-1], group[-2])):
-            force, beside = self._force(end), self._force(inner)
-            size = np.linalg.norm(force + share * (force - beside), axis=1)
-            carried.append(np.where(tension[:, end] > 0.0, size, 0.0))
-        return np.stack(carried, axis=1)
+        group = self.group(rope)
+        weight = np.array([0.0, 0.0, (self.split[rope].end_mass or 0.0) * self.gravity])
+        # Along the rope the force grows by what hangs on it: before its first end it is less.
+        forces = [self._force(group[0]) - weight, self._force(group[-1]) + weight]
+        taut = self.columns["rope_tension"][:, [group[0], group[-1]]] > 0.0
+        return np.where(taut, np.linalg.norm(np.stack(forces, axis=1), axis=2), 0.0)
 
     def _force(self, piece: int) -> FloatArray:
         """Force in a piece [N], directed along the rope, world axes, shape (time, 3)."""

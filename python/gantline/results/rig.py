@@ -165,7 +165,7 @@ class Rope(_FromJson):
         mass: Mass that counts in the lift [kg].
         mass_on_world: What of it the world bears, so that it is on no body [kg].
         nodes: Number of nodes if it is distributed, else 0.
-        end_by_node: Mass at an end over that of the node beside it [1], if there are nodes.
+        end_mass: What each end carries of the mass [kg], if there are nodes.
     """
 
     name: str
@@ -177,7 +177,7 @@ class Rope(_FromJson):
     mass: float = 0.0
     mass_on_world: float = 0.0
     nodes: int = 0
-    end_by_node: float | None = None
+    end_mass: float | None = None
 
 
 @dataclass(frozen=True)
