@@ -112,6 +112,34 @@ def test_check_lists_what_follows_from_the_construction_of_a_rope(tmp_path: Path
     assert "sling_44 6x36 IWRC 89.1 MN 7.92 kg/m 1351 kN" in " ".join(out.split())
 
 
+def test_check_lists_how_the_weight_of_each_rope_acts(tmp_path: Path) -> None:
+    lift = tmp_path / "lift.yaml"
+    lift.write_text(
+        """\
+format: 1
+lift: {title: Two ropes}
+duration: 1 s
+ropes: {rope: {axial_stiffness: 100 MN, mass: 16 kg/m}}
+mechanics:
+  bodies:
+    box: {at: [0 m, 0 m, -20 m], joint: {type: point}, mass: 1 t}
+  ropes:
+    one: {rope: rope, length: 20 m, route: [{type: end, body: world}, {type: end, body: box}]}
+    two:
+      rope: rope
+      length: 21 m
+      rope_weight: distributed
+      rope_nodes: 9
+      route: [{type: end, body: box}, {type: end, body: world}]
+"""
+    )
+    out = " ".join(gantline_says("check", str(lift))[1].split())
+    assert (
+        "Rope weight mass on the world one lumped 320.0 kg 160.0 kg two distributed 336.0 kg 14.7 kg" in out
+    )
+    assert "(1 bodies, 2 ropes, 9 nodes of ropes; 1 s to simulate)" in out
+
+
 def test_check_lists_an_inextensible_rope() -> None:
     assert "inextensible 0.00 kg/m -" in " ".join(gantline_says("check", "pulleys")[1].split())
 

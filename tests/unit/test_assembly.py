@@ -69,12 +69,6 @@ def test_the_rig_knows_every_rope() -> None:
     assert sling["mass_per_length"] == 9.0
 
 
-def test_the_mass_of_an_equalizing_rope_is_not_in_the_mechanics_yet() -> None:
-    light = assemble(parse_scenario(BASE)).document
-    text = spoiled("thick: {axial_stiffness: 100 MN,", "thick: {axial_stiffness: 100 MN, mass: 9 kg/m,")
-    assert assemble(parse_scenario(text)).document == light
-
-
 def test_plain_ropes_are_in_the_rig() -> None:
     text = spoiled("{inextensible: true}", "{inextensible: true, minimum_breaking_force: 25 kN}", MECHANICS)
     (rope,) = assemble(parse_scenario(text)).rig["ropes"]

@@ -84,7 +84,7 @@ def test_every_rope_may_have_a_construction(text: str, old: str) -> None:
 
 
 def test_the_kinds_of_rope_in_the_documentation_can_be_used() -> None:
-    page = (ROOT / "docs" / "concepts" / "rope-data.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "concepts" / "rope_data.md").read_text(encoding="utf-8")
     (text,) = re.findall(r"```yaml\n(ropes:.*?)```", page, re.S)
     kinds = "\n".join(text.splitlines()[1:]) + "\n"
     assert len(YAML(typ="safe").load(text)["ropes"]) == 4

@@ -60,18 +60,17 @@ def assemble(scenario: Scenario) -> Assembly:
     add_hooks(parts, scenario, rigging)
     add_equalizers(parts, rigging)
     lifted: LiftedLoad | None = None
-    weight = 0.0
     if scenario.load is not None:
         lifted = lifted_load(scenario.load, rigging)
-        weight = lifted.mass * scenario.simulation.gravity
         add_load(parts, scenario, scenario.load, lifted)
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
-    parts.plan.extend(operations(scenario, weight))
+    mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
+    parts.plan.extend(operations(scenario, mass * scenario.simulation.gravity))
     return Assembly(
         document=parts.document(scenario.simulation.gravity),
         settings=_settings(scenario),
-        rig=rig(scenario, rigging, lifted),
+        rig=rig(scenario, rigging, lifted, parts),
         scene=scene(scenario, rigging, lifted, parts),
     )
 

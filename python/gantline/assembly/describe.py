@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.assembly.catenary import end_mass
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -17,6 +18,7 @@ from gantline.scenario.gear import Shackle
 from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.plan import Bound, HoldStep
 from gantline.scenario.rigging import SlingRigging
+from gantline.scenario.rope_weight import rope_weight
 
 __all__ = ["rig", "scene"]
 
@@ -24,7 +26,7 @@ __all__ = ["rig", "scene"]
 _MOVING = ("slider", "point", "free")
 
 
-def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> Json:
+def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:
     """Who carries whom, and what is allowed; SI."""
     head = scenario.lift
     return {
@@ -33,11 +35,11 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> Json
         "revision": head.revision,
         "remark": head.remark,
         "gravity": scenario.simulation.gravity,
-        "loads": [_load(scenario, lifted)] if lifted is not None else [],
+        "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
         "hooks": [_hook(scenario, rigging, name) for name in scenario.cranes or {}],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, sling) for sling in rigging.slings.values()],
-        "ropes": _ropes(scenario, rigging),
+        "ropes": _ropes(scenario, rigging, parts),
         "limits": _limits(scenario),
         "plan": [_step(step) for step in scenario.plan],
     }
@@ -47,14 +49,17 @@ def _force(scenario: Scenario, mass: float | None) -> float | None:
     return None if mass is None else mass * scenario.simulation.gravity
 
 
-def _load(scenario: Scenario, lifted: LiftedLoad) -> Json:
+def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
     load = scenario.load
     assert load is not None
+    body = parts.bodies[load.name]
+    # Ropes of `mechanics` may have been lumped on it: that moves its centre of gravity, not its frame.
+    centre = lifted.centre + np.array(body["centre_of_gravity"])
     contacts = [f"{load.name}.corner_{place}" for place in range(1, len(lifted.corners) + 1)]
     return {
         "name": load.name,
         "body": load.name,
-        "weight": _force(scenario, lifted.mass),
+        "weight": _force(scenario, body["mass"]),
         "calculated_mass": load.weight.calculated,
         "contingency": load.weight.contingency,
         "design_mass": load.weight.design,
@@ -68,7 +73,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad) -> Json:
             }
             for name, lug in load.lugs.items()
         },
-        "centre_of_gravity_from_datum": [float(part) for part in lifted.centre],
+        "centre_of_gravity_from_datum": [float(part) for part in centre],
     }
 
 
@@ -126,21 +131,29 @@ def _sling(scenario: Scenario, sling: SlingRigging) -> Json:
     }
 
 
-def _ropes(scenario: Scenario, rigging: Rigging) -> list[Json]:
+def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     """Every rope of the lift with what is known of it."""
-    kinds = {f"{name}.equalizing": equalizer.rope for name, equalizer in rigging.equalizers.items()}
-    kinds |= {f"sling.{name}": sling.rope for name, sling in rigging.slings.items()}
+    kinds = {f"{name}.equalizing": (one.rope, one.weight) for name, one in rigging.equalizers.items()}
+    kinds |= {f"sling.{name}": (sling.rope, sling.weight) for name, sling in rigging.slings.items()}
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
-    kinds |= {name: (scenario.ropes or {})[rope.rope] for name, rope in (plain or {}).items()}
+    for name, rope in (plain or {}).items():
+        kind = (scenario.ropes or {})[rope.rope]
+        kinds[name] = kind, rope_weight(kind, rope.rope_weight, rope.rope_nodes)
     return [
         {
             "name": name,
             "construction": kind.construction,
             "diameter": kind.diameter,
-            "mass_per_length": kind.mass_per_length,
+            "mass_per_length": weight.mass_per_length,
             "minimum_breaking_force": kind.breaking_force,
+            "weight": weight.way,
+            "mass": mass,
+            "mass_on_world": on_world,
+            "nodes": weight.nodes,
+            "end_mass": end_mass(mass, weight.nodes) if weight.nodes else None,
         }
-        for name, kind in kinds.items()
+        for name, (kind, weight) in kinds.items()
+        for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
 
 
@@ -172,9 +185,13 @@ def _step(step: Any) -> Json:
 def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:
     """What is needed to draw the system: bodies with shapes, sheaves, kinds of ropes, the ground."""
     return {
-        "bodies": [_body(scenario, rigging, lifted, body) for body in parts.bodies.values()],
+        "bodies": [
+            _body(scenario, rigging, lifted, body)
+            for body in parts.bodies.values()
+            if body["name"] not in parts.nodes
+        ],
         "sheaves": _sheaves(parts),
-        "ropes": [{"name": rope["name"], "kind": _rope_kind(rope["name"], rigging)} for rope in parts.ropes],
+        "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.rope_names],
         "ground": None if scenario.ground is None else {"level": scenario.ground.level},
         "axes": None,
     }

@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from gantline.assembly.spatial import IDENTITY, Array, about_axis, rotation_matrix, unit
+from gantline.assembly.spatial import (
+    IDENTITY,
+    Array,
+    about_axis,
+    inertia_list,
+    inertia_matrix,
+    point_inertia,
+    rotation_matrix,
+    unit,
+)
 
 __all__ = ["ORIGIN", "Parts", "end", "half_turn", "material", "sheave"]
 
@@ -24,7 +33,10 @@ class Parts:
 
     Attributes:
         bodies: bodies by name, parents before their children.
-        ropes: ropes in order.
+        ropes: ropes in order; a rope with nodes in pieces from node to node.
+        rope_names: ropes as the lift file knows them, in the same order.
+        nodes: names of the bodies that are nodes of a rope.
+        rope_mass: by rope with weight its mass, and what of it the world bears [kg].
         contacts: contact points in order.
         drives: drives by name.
         plan: steps in order.
@@ -32,6 +44,9 @@ class Parts:
 
     bodies: dict[str, Json] = field(default_factory=dict)
     ropes: list[Json] = field(default_factory=list)
+    rope_names: list[str] = field(default_factory=list)
+    nodes: set[str] = field(default_factory=set)
+    rope_mass: dict[str, tuple[float, float]] = field(default_factory=dict)
     contacts: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
@@ -65,7 +80,60 @@ class Parts:
 
     def add_rope(self, name: str, length: float | None, rope_material: Json, route: Sequence[Json]) -> None:
         """Add a rope with its unstretched length [m]; None is just taut at the start."""
-        self.ropes.append({"name": name, "length": length, "material": rope_material, "route": list(route)})
+        self.rope_names.append(name)
+        self.ropes.append(_rope(name, length, rope_material, route))
+
+    def add_rope_with_nodes(
+        self,
+        name: str,
+        length: float,
+        rope_material: Json,
+        ends: Sequence[Json],
+        nodes: Sequence[Sequence[float]],
+        masses: Sequence[float],
+    ) -> None:
+        """Add a rope as equal pieces between nodes with mass.
+
+        Pieces are called `<rope>/0`, `<rope>/1`, ..., and the node at the start of piece k `<rope>/k`: like
+        the segments of a rope, which have names that no lift file can give.
+
+        Args:
+            name: name of the rope.
+            length: unstretched length of the whole rope [m].
+            rope_material: of every piece.
+            ends: its two ends.
+            nodes: places at the start, world axes (nodes, 3) [m]; they start at rest.
+            masses: mass of each node (nodes,) [kg].
+        """
+        self.rope_names.append(name)
+        guides = [ends[0]]
+        for number, (place, mass) in enumerate(zip(nodes, masses, strict=True), start=1):
+            node = f"{name}/{number}"
+            self.nodes.add(node)
+            joint = {"type": "point", "position": list(place), "velocity": [0.0, 0.0, 0.0]}
+            self.add_body(node, joint, mass=mass)
+            guides.append(end(node))
+        guides.append(ends[1])
+        part = length / (len(nodes) + 1)
+        for number, piece in enumerate(pairwise(guides)):
+            self.ropes.append(_rope(f"{name}/{number}", part, rope_material, piece))
+
+    def lump(self, body: str | None, at: Sequence[float], mass: float) -> None:
+        """Fix a point mass [kg] at a point of a body frame [m]; on the world it changes nothing.
+
+        The body's frame stays where it is, its centre of gravity and its inertia follow.
+        """
+        if body is None or mass == 0:
+            return
+        given = self.bodies[body]
+        own, total = given["mass"], given["mass"] + mass
+        before, added = np.array(given["centre_of_gravity"]), np.array(at, dtype=np.float64)
+        centre = (own * before + mass * added) / total
+        inertia = inertia_matrix(given["inertia"])
+        inertia = inertia + point_inertia(own, before - centre) + point_inertia(mass, added - centre)
+        given["mass"] = total
+        given["centre_of_gravity"] = [float(part) for part in centre]
+        given["inertia"] = inertia_list(inertia)
 
     def pose(self, name: str | None) -> tuple[Array, Array]:
         """World position (3,) and rotation matrix (3, 3) of a body frame at the start; None is the world."""
@@ -92,20 +160,6 @@ class Parts:
         place: Array = position + rotation @ np.array(at)
         return place
 
-    def route_length(self, route: Sequence[Json]) -> float:
-        """Length of a route at the start, straight parts and arcs [m]."""
-        total = 0.0
-        before: Array | None = None
-        for guide in route:
-            arrive = self.place(guide["body"], guide["at"] if guide["type"] == "end" else guide["enter"])
-            if before is not None:
-                total += float(np.linalg.norm(arrive - before))
-            before = arrive
-            if guide["type"] == "half_turn":
-                total += math.pi * math.dist(guide["enter"], guide["leave"]) / 2
-                before = self.place(guide["body"], guide["leave"])
-        return total
-
     def document(self, gravity: float) -> Json:
         """The document for the core."""
         return {
@@ -116,6 +170,10 @@ class Parts:
             "drives": list(self.drives.values()),
             "plan": self.plan,
         }
+
+
+def _rope(name: str, length: float | None, rope_material: Json, route: Sequence[Json]) -> Json:
+    return {"name": name, "length": length, "material": rope_material, "route": list(route)}
 
 
 def end(body: str | None, at: Sequence[float] = ORIGIN) -> Json:

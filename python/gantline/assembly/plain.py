@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from gantline.assembly.parts import Json, Parts, end, half_turn, material, sheave
+from gantline.assembly.rope_weight import add_free_rope, lump_rope
+from gantline.assembly.route import route_length
 from gantline.assembly.spatial import IDENTITY, about_axis
 from gantline.scenario import Scenario
 from gantline.scenario.mechanics import (
@@ -17,12 +19,14 @@ from gantline.scenario.mechanics import (
     HingeJoint,
     Joint,
     Mechanics,
+    MechanicsRope,
     Point,
     RopeEnd,
     Rotation,
     Sheave,
     Slider,
 )
+from gantline.scenario.rope_weight import rope_weight
 
 __all__ = ["add_mechanics"]
 
@@ -36,7 +40,7 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
     """Add plain bodies, ropes and contacts.
 
     Raises:
-        ScenarioError: if a rope is too short for its route at the start.
+        ScenarioError: if a rope is too short for its route at the start, or cannot hang there.
     """
     mechanics = scenario.mechanics
     if mechanics is None:
@@ -44,26 +48,7 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
     for name in _parents_first(mechanics):
         _add_body(parts, name, mechanics.bodies[name])
     for name, rope in (mechanics.ropes or {}).items():
-        kind = (scenario.ropes or {})[rope.rope]
-        route = [_guide(guide) for guide in rope.route]
-        length = None if isinstance(rope.length, str) else rope.length
-        if any(guide["type"] == "sheave" for guide in route):
-            # Where the rope touches its sheaves is the core's to say.
-            parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
-            continue
-        routed = parts.route_length(route)
-        allowed = _ROUNDING if kind.inextensible else _MOST_STRAIN
-        if length is not None and routed > length * (1 + allowed):
-            sentence = f"the rope is {length:g} m, but its route has {routed:.9g} m at the start"
-            raise scenario.error(
-                ("mechanics", "ropes", name, "length"),
-                f"{sentence}; make it longer, or write 'length: as_routed'",
-            )
-        if routed < _ROUNDING:
-            raise scenario.error(
-                ("mechanics", "ropes", name, "route"), "has no length; its ends are in one place"
-            )
-        parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
+        _add_rope(parts, scenario, name, rope)
     for name, contact in (mechanics.contacts or {}).items():
         parts.contacts.append(
             {
@@ -78,6 +63,33 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
                 "friction": contact.friction,
             }
         )
+
+
+def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) -> None:
+    kind = (scenario.ropes or {})[rope.rope]
+    route = [_guide(guide) for guide in rope.route]
+    length = None if isinstance(rope.length, str) else rope.length
+    # Where the rope touches sheaves with true tangents, and so how long it is, is the core's to say.
+    if not any(guide["type"] == "sheave" for guide in route):
+        routed = route_length(parts, route)
+        allowed = _ROUNDING if kind.inextensible else _MOST_STRAIN
+        if length is not None and routed > length * (1 + allowed):
+            sentence = f"the rope is {length:g} m, but its route has {routed:.9g} m at the start"
+            raise scenario.error(
+                ("mechanics", "ropes", name, "length"),
+                f"{sentence}; make it longer, or write 'length: as_routed'",
+            )
+        if routed < _ROUNDING:
+            raise scenario.error(
+                ("mechanics", "ropes", name, "route"), "has no length; its ends are in one place"
+            )
+    weight = rope_weight(kind, rope.rope_weight, rope.rope_nodes)
+    lump_rope(parts, name, weight, length, route)
+    if weight.nodes:
+        known = routed if length is None else length
+        add_free_rope(parts, scenario, ("mechanics", "ropes", name), name, kind, weight, known, route)
+    else:
+        parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
 
 
 def _parents_first(mechanics: Mechanics) -> list[str]:

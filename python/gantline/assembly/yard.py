@@ -8,6 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.assembly.parts import Json, Parts, end, half_turn, material
+from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
+from gantline.assembly.route import route_length
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario
 from gantline.scenario.rigging import EqualizerRigging, Rigging, SlingRigging
@@ -26,17 +28,13 @@ def hoist_drive(hook: str) -> str:
 
 
 def upper_lump(sling: SlingRigging) -> float:
-    """Mass at the upper end of a sling: the upper shackle and half the rope [kg]."""
-    return _half_rope(sling) + (sling.top[1].mass if sling.top else 0.0)
+    """Mass at the upper end of a sling: the upper shackle and what the end carries of the rope [kg]."""
+    return mass_at_end(sling.weight, sling.length) + (sling.top[1].mass if sling.top else 0.0)
 
 
 def lower_lump(sling: SlingRigging) -> float:
-    """Mass at the lug of a sling: the lower shackle and half the rope [kg]."""
-    return _half_rope(sling) + (sling.bottom[1].mass if sling.bottom else 0.0)
-
-
-def _half_rope(sling: SlingRigging) -> float:
-    return sling.rope.mass_per_length * sling.length / 2
+    """Mass at the lug of a sling: the lower shackle and what the end carries of the rope [kg]."""
+    return mass_at_end(sling.weight, sling.length) + (sling.bottom[1].mass if sling.bottom else 0.0)
 
 
 def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
@@ -75,7 +73,9 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
             )
         route = _equalizing_route(equalizer)
         rope = material(equalizer.rope.stiffness, equalizer.rope.damping_time)
-        parts.add_rope(f"{equalizer.name}.equalizing", parts.route_length(route), rope, route)
+        length = route_length(parts, route)
+        parts.add_rope(f"{equalizer.name}.equalizing", length, rope, route)
+        lump_rope(parts, f"{equalizer.name}.equalizing", equalizer.weight, length, route)
 
 
 def _slider(axis: Sequence[float], drive: str | None) -> Json:
@@ -133,13 +133,13 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     """Each sling from its moving sheave (or hook) to its lug; `lugs` are positions in the load's body frame.
 
     Raises:
-        ScenarioError: if a sling is too short for where its ends are at the start.
+        ScenarioError: if a sling is too short for where its ends are at the start, or cannot hang there.
     """
     if scenario.load is None:
         return
     for sling in rigging.slings.values():
         route = [end(sling.upper_body), end(scenario.load.name, lugs[sling.lug])]
-        distance = parts.route_length(route)
+        distance = route_length(parts, route)
         short = distance - sling.length
         allowed = _TAUT if scenario.starts_at_rest or sling.rope.inextensible else _MOST_STRAIN * sling.length
         if short > allowed:
@@ -150,8 +150,11 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             if scenario.starts_at_rest and short <= _MOST_STRAIN * sling.length:
                 advice += ", or write 'start: as_given' if it shall pull from the start"
             raise scenario.error(("slings", sling.name), sentence + advice)
-        rope = material(sling.rope.stiffness, sling.rope.damping_time)
-        parts.add_rope(f"sling.{sling.name}", sling.length, rope, route)
+        path = ("slings", sling.name)
+        rope = f"sling.{sling.name}"
+        if sling.weight.mass_per_length > 0:  # lumped where hook, sheaves and load are made
+            parts.rope_mass[rope] = sling.weight.mass_per_length * sling.length, 0.0
+        add_free_rope(parts, scenario, path, rope, sling.rope, sling.weight, sling.length, route)
 
 
 def _not_shorter(distance: float, length: float) -> str:

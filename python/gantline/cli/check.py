@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gantline.cli.messages import scenario_errors
+
+if TYPE_CHECKING:
+    from gantline.results.rig import Rig
 
 
 def check(
@@ -41,8 +44,26 @@ def check(
     ]
     head = ("Kind of rope", "construction", "EA", "mass", "minimum breaking force")
     ropes = table(head, kinds, "llrrr") if kinds else []
-    typer.echo("\n".join([*heading(rig), *weights(rig), *ropes]))
-    counts = ", ".join(
-        f"{len(document[key])} {key}" for key in ("bodies", "ropes", "contacts") if document.get(key)
-    )
+    typer.echo("\n".join([*heading(rig), *weights(rig), *ropes, *_rope_weights(rig)]))
+    nodes = sum(rope.nodes for rope in rig.ropes)
+    numbers = {
+        "bodies": len(document["bodies"]) - nodes,
+        "ropes": len(rig.ropes),
+        "nodes of ropes": nodes,
+        "contacts": len(document["contacts"]),
+    }
+    counts = ", ".join(f"{number} {what}" for what, number in numbers.items() if number)
     typer.echo(f"{simulation.scenario.source}: in order ({counts}; {simulation.duration:g} s to simulate)")
+
+
+def _rope_weights(rig: Rig) -> list[str]:
+    """How the weight of each rope acts, for those that have one."""
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    rows = [
+        (rope.name, rope.weight, show(rope.mass, "kg", 1), show(rope.mass_on_world or None, "kg", 1))
+        for rope in rig.ropes
+        if rope.mass > 0.0
+    ]
+    return table(("Rope", "weight", "mass", "on the world"), rows, "llrr") if rows else []

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.nodes import joined
 from gantline.results.recording import Recording
 from gantline.results.rig import Hook, Load, Rig
 from gantline.results.rotation import tilt
@@ -17,7 +18,12 @@ Names = Mapping[str, Sequence[str]]
 
 # name in the columns -> name in the recording, dimensions, unit, description
 _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
-    "rope_tension": ("rope_tension", ("time", "rope"), "N", "tension of a rope, mean over its segments"),
+    "rope_tension": (
+        "rope_tension",
+        ("time", "rope"),
+        "N",
+        "tension of a rope: mean over its segments, or the largest of its nodes' segments",
+    ),
     "segment_tension": ("segment_tension", ("time", "segment"), "N", "tension of a segment of rope"),
     "segment_length": ("segment_length", ("time", "segment"), "m", "length of a segment of rope, stretched"),
     "rope_point": ("rope_point", ("time", "rope_point", "xyz"), "m", "points on the drawn path of a rope"),
@@ -85,6 +91,8 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     Returns:
         The recording, with the variables that riggers ask for added to those of the core.
     """
+    lift = Rig.from_json(rig)
+    columns, names, of_nodes = joined(columns, names, lift)
     variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
     for column, (name, dims, unit, description) in _DIRECT.items():
         if columns[column].size or "event" in dims:
@@ -93,7 +101,9 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         variables[name] = Variable((dim,), np.array(names[source], dtype=np.str_), "1", description)
     coordinates: dict[str, Sequence[str]] = {kind: names[kind] for kind in _NAMED if len(names[kind])}
     coordinates |= {"xyz": ("x", "y", "z"), "wxyz": ("w", "x", "y", "z")}
-    lift = Rig.from_json(rig)
+    if of_nodes:
+        variables |= of_nodes
+        coordinates["rope_end"] = ("first", "last")
     for derived, labels in (
         _sheave_travel(columns, names, lift),
         _hook_loads(columns, names, lift),

@@ -161,6 +161,11 @@ class Rope(_FromJson):
         diameter: Nominal diameter [m]; None if not said.
         mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
         minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
+        weight: How its weight acts: `none`, `lumped` or `distributed`.
+        mass: Mass that counts in the lift [kg].
+        mass_on_world: What of it the world bears, so that it is on no body [kg].
+        nodes: Number of nodes if it is distributed, else 0.
+        end_mass: What each end carries of the mass [kg], if there are nodes.
     """
 
     name: str
@@ -168,6 +173,11 @@ class Rope(_FromJson):
     diameter: float | None = None
     mass_per_length: float = 0.0
     minimum_breaking_force: float | None = None
+    weight: str = "none"
+    mass: float = 0.0
+    mass_on_world: float = 0.0
+    nodes: int = 0
+    end_mass: float | None = None
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from gantline.scenario.mechanics import (
     HingeJoint,
     Joint,
     Mechanics,
+    MechanicsRope,
     Point,
     RopeEnd,
     Sheave,
@@ -23,6 +24,7 @@ from gantline.scenario.mechanics import (
     TurnRamp,
 )
 from gantline.scenario.model import Scenario
+from gantline.scenario.rope_weight import check_rope_weight
 
 __all__ = ["check_mechanics"]
 
@@ -48,6 +50,8 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
         if rope.rope not in (scenario.ropes or {}):
             sentence = f"'{rope.rope}' is not a name of 'ropes'; {nearest(rope.rope, scenario.ropes or {})}"
             findings.add((*path, "rope"), sentence)
+        else:
+            _check_weight(findings, path, rope)
         for place, guide in enumerate(rope.route):
             is_last = place in (0, len(rope.route) - 1)
             _check_guide(findings, (*path, "route", place), guide, is_last, known)
@@ -138,6 +142,19 @@ def _check_mass(findings: Findings, path: Path, body: Body) -> None:
     ):
         sentence = "no body has such an inertia; each of xx, yy, zz is at most the sum of the other two"
         findings.add((*path, "inertia"), f"{sentence}, and products are small")
+
+
+def _check_weight(findings: Findings, path: Path, rope: MechanicsRope) -> None:
+    scenario = findings.scenario
+    check_rope_weight(
+        lambda key, sentence: findings.add((*path, key), sentence),
+        rope.rope,
+        (scenario.ropes or {})[rope.rope],
+        rope.rope_weight,
+        nodes_said=rope.rope_nodes is not None,
+        over_sheaves="this rope" if len(rope.route) > 2 else "",
+        gravity=scenario.simulation.gravity,
+    )
 
 
 def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, known: Sequence[str]) -> None:

@@ -27,6 +27,7 @@ from gantline.scenario.quantities import (
     found,
     refuse,
 )
+from gantline.scenario.rope_weight import RopeWeightWord
 from gantline.scenario.tree import MapNode
 
 __all__ = [
@@ -176,6 +177,11 @@ class EqualizerParts(Element):
     frame: EqualizerFrame | None = Field(None, description="The frame.")
     hinge: Hinge | None = Field(None, description="The hinge under the hook; without friction if not given.")
     rope: Name | None = Field(None, description="Equalizing rope, a name of 'ropes'.")
+    rope_weight: RopeWeightWord | None = Field(
+        None,
+        description="How the weight of the equalizing rope acts: 'none', or 'lumped' to frame and moving "
+        "sheaves. If not given: 'lumped' where its mass per length is known, else 'none'.",
+    )
     rope_ends: RopeEnds | None = Field(None, description="Dead ends of the equalizing rope.")
     fixed_sheaves: FixedSheaves | None = Field(None, description="Sheaves fixed in the frame.")
     moving_sheaves: MovingSheaves | None = Field(None, description="Sheaves that travel.")

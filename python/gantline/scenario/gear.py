@@ -30,6 +30,7 @@ from gantline.scenario.quantities import (
     found,
     refuse,
 )
+from gantline.scenario.rope_weight import NODES_SHOWN, WEIGHT_SHOWN, RopeNodes, RopeWeightWord
 from gantline.units import quantity
 
 __all__ = ["RopeMaterial", "Shackle", "Sling", "SlingDefaults", "SlingShackles"]
@@ -214,6 +215,8 @@ class SlingDefaults(Element):
         None, description="Effective length: bearing to bearing, shackles included, unloaded."
     )
     rope: Name | None = Field(None, description="Kind of rope, a name of 'ropes'.")
+    rope_weight: RopeWeightWord | None = Field(None, description=WEIGHT_SHOWN)
+    rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
     shackles: SlingShackles | None = Field(None, description="Shackles at both ends.")
     tolerance: Ratio | None = Field(None, description="Tolerance of the length, plus and minus.")
 

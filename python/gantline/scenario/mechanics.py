@@ -32,6 +32,7 @@ from gantline.scenario.quantities import (
     Velocity,
     WordOr,
 )
+from gantline.scenario.rope_weight import NODES_SHOWN, WEIGHT_SHOWN, RopeNodes, RopeWeightWord
 
 __all__ = [
     "Ball",
@@ -247,6 +248,8 @@ class MechanicsRope(Element):
     length: Annotated[
         float | Literal["as_routed"], WordOr(("as_routed",), Quantity("length", "positive"))
     ] = Field(description="Unstretched length; 'as_routed': just taut at the start.")
+    rope_weight: RopeWeightWord | None = Field(None, description=WEIGHT_SHOWN)
+    rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
     route: list[Guide] = Field(min_length=2, description="Ends and sheaves, in order.")
 
 

@@ -19,6 +19,7 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.gear import RopeMaterial, Shackle, SlingDefaults
 from gantline.scenario.model import Scenario
+from gantline.scenario.rope_weight import RopeWeight, RopeWeightWord, check_rope_weight, rope_weight
 
 __all__ = ["EqualizerRigging", "Rigging", "SlingRigging", "resolve", "split_reference"]
 
@@ -36,6 +37,7 @@ class EqualizerRigging:
     frame: EqualizerFrame
     hinge: Hinge
     rope: RopeMaterial
+    weight: RopeWeight
     rope_ends: RopeEnds
     fixed_sheaves: FixedSheaves
     moving_sheaves: MovingSheaves
@@ -54,6 +56,7 @@ class SlingRigging:
     length: float
     tolerance: float
     rope: RopeMaterial
+    weight: RopeWeight
     top: tuple[str, Shackle] | None
     bottom: tuple[str, Shackle] | None
 
@@ -123,7 +126,7 @@ def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
             sentence = f"'{given.type}' is not a name of 'equalizer_types'; {nearest(given.type, types)}"
             findings.add((*path, "type"), sentence)
             return None
-    for key in (*_EQUALIZER_NEEDS, "hinge", "rated_capacity"):
+    for key in (*_EQUALIZER_NEEDS, "hinge", "rated_capacity", "rope_weight"):
         parts[key] = getattr(given, key)
         if parts[key] is None and kind is not None:
             parts[key] = getattr(kind, key)
@@ -136,7 +139,26 @@ def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
     if len(findings.problems) > before:
         return None
     parts["hinge"] = parts["hinge"] or Hinge()
+    parts["weight"] = _equalizing_rope_weight(findings, name, parts["rope"], parts.pop("rope_weight"))
     return EqualizerRigging(name=name, hook=given.hangs_from, heading=given.heading, **parts)
+
+
+def _equalizing_rope_weight(
+    findings: Findings, name: str, kind: RopeMaterial, way: RopeWeightWord | None
+) -> RopeWeight:
+    given = (findings.scenario.equalizers or {})[name]
+    own = given.rope_weight is not None
+    base = ("equalizers", name) if own else ("equalizer_types", str(given.type))
+    rope = given.rope or (findings.scenario.equalizer_types or {})[str(given.type)].rope
+    check_rope_weight(
+        lambda key, sentence: findings.add((*base, key), sentence),
+        str(rope),
+        kind,
+        way,
+        over_sheaves="an equalizing rope",
+        gravity=findings.scenario.simulation.gravity,
+    )
+    return rope_weight(kind, way, None)
 
 
 def _check_hook(findings: Findings, name: str, given: Equalizer) -> None:
@@ -189,10 +211,34 @@ def _sling(findings: Findings, name: str) -> SlingRigging | None:
     top = _shackle(findings, shackles.top if shackles else None, (*base, "top"))
     bottom = _shackle(findings, shackles.bottom if shackles else None, (*base, "bottom"))
     tolerance = given.tolerance if given.tolerance is not None else defaults.tolerance
-    if len(findings.problems) > before or upper is None or lug is None or length is None or rope is None:
+    weight = _sling_weight(findings, name, str(rope_name), rope)
+    if len(findings.problems) > before or upper is None or lug is None or length is None:
+        return None
+    if rope is None or weight is None:
         return None
     hook, equalizer, sheave = upper
-    return SlingRigging(name, hook, equalizer, sheave, lug, length, tolerance or 0.0, rope, top, bottom)
+    return SlingRigging(
+        name, hook, equalizer, sheave, lug, length, tolerance or 0.0, rope, weight, top, bottom
+    )
+
+
+def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial | None) -> RopeWeight | None:
+    given = (findings.scenario.slings or {})[name]
+    defaults = findings.scenario.sling_defaults or SlingDefaults()
+    way = given.rope_weight if given.rope_weight is not None else defaults.rope_weight
+    nodes = given.rope_nodes if given.rope_nodes is not None else defaults.rope_nodes
+    if kind is None:
+        return None  # the rope itself has been reported
+
+    def add(key: str, sentence: str) -> None:
+        own = getattr(given, key) is not None
+        findings.add((*(("slings", name) if own else ("sling_defaults",)), key), sentence)
+
+    # Nodes that all slings have by default are none of a sling that says another way for itself.
+    nodes_said = given.rope_nodes is not None or (nodes is not None and given.rope_weight is None)
+    gravity = findings.scenario.simulation.gravity
+    check_rope_weight(add, rope, kind, way, nodes_said=nodes_said, gravity=gravity)
+    return rope_weight(kind, way, nodes)
 
 
 def _upper_end(findings: Findings, text: str, path: Path) -> tuple[str, str | None, int | None] | None:

@@ -1,0 +1,100 @@
+"""The weight of ropes: lumped to the bodies that they touch, or as nodes with mass between their ends.
+
+Lumped: half of each straight segment goes to the guide at either end of it, an arc to the sheave on which it
+lies, all by unstretched length; an end takes its share where the rope is fixed, a sheave at its centre. What
+falls to the world is borne by the world. The mass stays where it was put: it does not travel along with the
+rope.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gantline.assembly.catenary import NoRest, end_mass, hang, node_masses
+from gantline.assembly.parts import Json, Parts, material
+from gantline.assembly.route import route_lengths
+from gantline.scenario import Scenario
+from gantline.scenario.errors import PathPart
+from gantline.scenario.gear import RopeMaterial
+from gantline.scenario.rope_weight import RopeWeight
+
+__all__ = ["add_free_rope", "lump_rope", "mass_at_end"]
+
+
+def mass_at_end(weight: RopeWeight, length: float) -> float:
+    """Mass at each end of a rope that is free from end to end [kg]; `length` is unstretched [m]."""
+    mass = weight.mass_per_length * length
+    return end_mass(mass, weight.nodes) if weight.nodes else mass / 2
+
+
+def lump_rope(
+    parts: Parts, name: str, weight: RopeWeight, length: float | None, route: Sequence[Json]
+) -> None:
+    """Put the mass of a rope onto the bodies of its route.
+
+    Of a rope with nodes, only what its ends carry.
+
+    Args:
+        parts: the system so far, with all bodies of the route.
+        name: name of the rope.
+        weight: how its weight acts.
+        length: unstretched length [m]; None is just taut at the start.
+        route: guides in order.
+    """
+    if weight.mass_per_length == 0:
+        return
+    straight, arcs = route_lengths(parts, route)
+    routed = float(np.sum(straight) + np.sum(arcs))
+    length = routed if length is None else length
+    if weight.nodes:
+        shares = np.full(2, mass_at_end(weight, length))
+    else:
+        halves = np.concatenate(([0.0], straight / 2, [0.0]))
+        shares = (halves[:-1] + halves[1:] + arcs) * (weight.mass_per_length * length / routed)
+    for guide, share in zip(route, shares, strict=True):
+        at = guide["at"] if "at" in guide else (np.array(guide["enter"]) + np.array(guide["leave"])) / 2
+        parts.lump(guide["body"], at, float(share))
+    on_world = [share for guide, share in zip(route, shares, strict=True) if guide["body"] is None]
+    parts.rope_mass[name] = weight.mass_per_length * length, float(np.sum(on_world))
+
+
+def add_free_rope(
+    parts: Parts,
+    scenario: Scenario,
+    path: tuple[PathPart, ...],
+    name: str,
+    kind: RopeMaterial,
+    weight: RopeWeight,
+    length: float,
+    ends: Sequence[Json],
+) -> None:
+    """Add a rope that is free from end to end, with nodes that hang at rest if its weight is distributed.
+
+    Args:
+        parts: the system so far, with the bodies of both ends.
+        scenario: the lift.
+        path: where the lift file has the rope.
+        name: name of the rope.
+        kind: kind of rope.
+        weight: how its weight acts.
+        length: unstretched length [m].
+        ends: its two ends.
+
+    Raises:
+        ScenarioError: if no place at rest was found for the nodes.
+    """
+    made_of = material(kind.stiffness, kind.damping_time)
+    if not weight.nodes:
+        parts.add_rope(name, length, made_of, ends)
+        return
+    assert kind.stiffness is not None  # a rope with nodes has been checked to stretch
+    masses = node_masses(weight.mass_per_length * length, weight.nodes)
+    first, last = (parts.place(guide["body"], guide["at"]) for guide in ends)
+    try:
+        hanging = hang(first, last, length, kind.stiffness, masses * scenario.simulation.gravity)
+    except NoRest:
+        sentence = "no place was found where this rope hangs at rest"
+        raise scenario.error(path, f"{sentence}; fewer nodes or 'rope_weight: lumped' may be right") from None
+    parts.add_rope_with_nodes(name, length, made_of, ends, hanging.points[1:-1].tolist(), masses.tolist())
