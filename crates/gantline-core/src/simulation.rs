@@ -185,12 +185,11 @@ impl Simulation {
                 Method::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
                 Method::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
             });
-            samples.note_peaks(system, |rope, known| match method {
-                // Rope i has row i.
-                Method::Del(_) => (after.tension[rope] > known).then_some((after.tension[rope], after.time)),
+            samples.note_peaks(system, &after.q, |row, known| match method {
+                Method::Del(_) => (after.tension[row] > known).then_some((after.tension[row], after.time)),
                 Method::Adaptive(adaptive) => {
-                    let (tension, share) = adaptive.peak(rope, known)?;
-                    Some((tension, before.time + share * (after.time - before.time)))
+                    let (force, share) = adaptive.peak(row, known)?;
+                    Some((force, before.time + share * (after.time - before.time)))
                 }
             });
         });

@@ -65,6 +65,32 @@ pub struct Line {
     pub direction: DVec3,
     /// Couples on the two bodies per unit of force [m]; zero but for parts of a rope on sheaves.
     pub couple: [DVec3; 2],
+    /// ∂g/∂L of the span of a rope that starts with this line, where rope is fed into it; else 0.
+    pub supply: f64,
+}
+
+/// Where everything is.
+#[derive(Clone, Copy)]
+pub struct Placed<'a> {
+    /// The tree.
+    pub tree: &'a Tree,
+    /// Its poses.
+    pub kinematics: &'a Kinematics,
+    /// Its configuration.
+    pub q: &'a [f64],
+}
+
+/// Where everything is and how it moves.
+#[derive(Clone, Copy)]
+pub struct Moving<'a> {
+    /// Poses of the bodies.
+    pub kinematics: &'a Kinematics,
+    /// Their velocities.
+    pub twists: &'a [Twist],
+    /// Configuration.
+    pub q: &'a [f64],
+    /// Velocity coordinates.
+    pub v: &'a [f64],
 }
 
 /// What a kind of constraint has to say.
@@ -84,23 +110,20 @@ pub trait Constraint {
     /// Values g and rates ġ of all rows under the velocities of the bodies, and where their forces act: without
     /// gradients. The forces at a point of a step need no more, however deep the tree is. `value` as in
     /// [`Constraint::evaluate`].
-    fn locate(
-        &self,
-        motion: (&Kinematics, &[Twist]),
-        value: &mut [f64],
-        rate: &mut [f64],
-        lines: &mut [Line],
-    );
+    fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]);
 
     /// Rates ġ under other velocities of the bodies, with the lines as they were located.
-    fn rates(&self, twists: &[Twist], lines: &[Line], rate: &mut [f64]);
+    fn rates(&self, twists: &[Twist], v: &[f64], lines: &[Line], rate: &mut [f64]);
 
     /// Takes the forces T of the rows from what the joints of the bodies have to transmit (about their origins).
     fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]);
 
+    /// Adds to `force` what the forces T of the rows do to degrees of freedom that no body has: Σ T ∂g/∂s.
+    fn feed(&self, _tension: &[f64], _lines: &[Line], _force: &mut [f64]) {}
+
     /// Values g and gradients ∂g/∂q of all rows, in the order of [`Constraint::row_dofs`]. `value` comes in
     /// with what the state remembers of the row (where the anchor of a sticking contact is).
-    fn evaluate(&self, tree: &Tree, kinematics: &Kinematics, value: &mut [f64], gradient: &mut [f64]);
+    fn evaluate(&self, at: &Placed, value: &mut [f64], gradient: &mut [f64]);
 
     /// Groups of degrees of freedom whose motion turns the gradient, each with the row (0 is the first of
     /// this constraint) that it belongs to.
@@ -108,15 +131,8 @@ pub trait Constraint {
 
     /// Derivative of the gradient within one group, ∂G_j/∂q_k at `block[j · size + k]`, for increments as
     /// in [`Tree::advance`]. Its product with T is the exact geometric stiffness, with v the part of ∂ė/∂q.
-    /// `columns` is work space for one vector per degree of freedom.
-    fn curvature(
-        &self,
-        tree: &Tree,
-        kinematics: &Kinematics,
-        group: usize,
-        columns: &mut [DVec3],
-        block: &mut [f64],
-    );
+    /// `value` is g of the group's row, `columns` work space for one vector per degree of freedom.
+    fn curvature(&self, at: &Placed, value: f64, group: usize, columns: &mut [DVec3], block: &mut [f64]);
 }
 
 /// Any constraint.

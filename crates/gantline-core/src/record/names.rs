@@ -29,7 +29,11 @@ impl Names {
             rope: Vec::new(),
             segment: Vec::new(),
             rope_point: Vec::new(),
-            body: bodies.iter().map(|body| body.name.clone()).collect(),
+            body: bodies
+                .iter()
+                .filter(|body| body.joint.moves_body())
+                .map(|body| body.name.clone())
+                .collect(),
             joint: bodies.iter().filter(|body| body.joint.has_axis()).map(|body| body.name.clone()).collect(),
             contact: Vec::new(),
         };

@@ -20,7 +20,7 @@ pub(super) const WEIGHTS: [f64; 4] =
 /// Where the loss of a row is booked.
 fn loss_kind<'a>(system: &System, ledger: &'a mut Flows, row: usize, mode: Mode) -> &'a mut f64 {
     match system.rows.laws[row] {
-        _ if row < system.rope_count => &mut ledger.rope_damping,
+        _ if row < system.rope_rows() => &mut ledger.rope_damping,
         Law::Friction { .. } if mode == Mode::Slipping => &mut ledger.friction,
         _ => &mut ledger.contact_damping,
     }
@@ -97,7 +97,7 @@ impl Adaptive {
             *defect -= phi_rate;
         }
         probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
-        probe.rates(system, &self.defect, &mut self.rows);
+        probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
         let mut power = 0.0;
         for (row, law) in system.rows.laws.iter().enumerate() {
             let e = probe.frame.value[row];

@@ -11,7 +11,7 @@
 use glam::DVec3;
 
 use crate::clock::Stage;
-use crate::constraint::{AnyConstraint, Law, Line};
+use crate::constraint::{AnyConstraint, Law, Line, Moving};
 use crate::rope::route::Attachment;
 use crate::solver::complementarity::Mode;
 use crate::stepper::frame::Frame;
@@ -78,7 +78,7 @@ impl Evaluation {
         self.place(system, at);
         system.clock.time(Stage::Assembly, || {
             self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
-            self.locate(system, at.memory);
+            self.locate(system, at);
             self.tensions(system, at, modes, slip);
         });
     }
@@ -91,7 +91,7 @@ impl Evaluation {
 
     fn add_forces(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.locate(system, at.memory);
+        self.locate(system, at);
         self.tensions(system, at, modes, slip);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
@@ -102,6 +102,11 @@ impl Evaluation {
             }
         }
         self.balance(system, at);
+        for &index in &system.fed {
+            let tension = &self.tension[rows.first[index]..rows.first[index + 1]];
+            let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
+            system.constraints[index].feed(tension, lines, &mut self.imbalance);
+        }
     }
 
     /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
@@ -112,7 +117,7 @@ impl Evaluation {
 
     fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.frame.rows(system, at.memory);
+        self.frame.rows(system, &self.q, at.memory);
         for (row, rate) in self.rate.iter_mut().enumerate() {
             *rate = system.rows.rate(&self.frame.gradient, row, at.v);
         }
@@ -136,24 +141,25 @@ impl Evaluation {
     }
 
     /// Values and rates of the rows from the motion of the bodies.
-    fn locate(&mut self, system: &System, memory: &[f64]) {
-        self.frame.value.copy_from_slice(memory);
+    fn locate(&mut self, system: &System, at: &Point) {
+        self.frame.value.copy_from_slice(at.memory);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let own = rows.first[index]..rows.first[index + 1];
             let lines = &mut self.lines[rows.lines[index]..rows.lines[index + 1]];
-            let motion = (&self.frame.kinematics, self.dynamics.twists.as_slice());
+            let (kinematics, twists) = (&self.frame.kinematics, self.dynamics.twists.as_slice());
+            let moving = Moving { kinematics, twists, q: &self.q, v: at.v };
             let value = &mut self.frame.value[own.clone()];
-            constraint.locate(motion, value, &mut self.rate[own], lines);
+            constraint.locate(&moving, value, &mut self.rate[own], lines);
         }
     }
 
-    /// Rates of the rows under other velocities of the bodies, after [`Evaluation::forces`].
-    pub fn rates(&self, system: &System, twists: &[Twist], rate: &mut [f64]) {
+    /// Rates of the rows under other velocities, after [`Evaluation::forces`].
+    pub fn rates(&self, system: &System, twists: &[Twist], v: &[f64], rate: &mut [f64]) {
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
-            constraint.rates(twists, lines, &mut rate[rows.first[index]..rows.first[index + 1]]);
+            constraint.rates(twists, v, lines, &mut rate[rows.first[index]..rows.first[index + 1]]);
         }
     }
 
@@ -183,6 +189,9 @@ impl Evaluation {
         let damping = system.tree.damping.iter().zip(at.v);
         for (imbalance, (damping, v)) in self.imbalance.iter_mut().zip(damping) {
             *imbalance += damping * v;
+        }
+        for &dof in &system.flows {
+            self.imbalance[dof] += system.tree.armature[dof] * at.a[dof];
         }
         for (pull, &row) in self.pull.iter_mut().zip(&system.rigid) {
             *pull = pull_of(system, &self.frame, &self.dynamics, row);
@@ -241,7 +250,7 @@ pub struct Point<'a> {
 /// G v̇ + Ġ v of an inextensible rope at the motion of `dynamics`: each straight part gives
 /// n·(ẍ_B − ẍ_A) + |u⊥|²/ℓ, u the relative velocity of its ends.
 pub fn pull_of(system: &System, frame: &Frame, dynamics: &NewtonEuler, row: usize) -> f64 {
-    let AnyConstraint::Rope(rope) = &system.constraints[row] else { return 0.0 };
+    let AnyConstraint::Rope(rope) = system.constraint_of_row(row) else { return 0.0 };
     let kinematics = &frame.kinematics;
     let motion = |end: &Attachment, point: DVec3| {
         let Some(body) = end.body else { return (DVec3::ZERO, DVec3::ZERO) };

@@ -15,7 +15,7 @@ use glam::DVec3;
 use super::evaluation::{Evaluation, pull_of};
 use super::places::{Block, Places};
 use super::spins::Spins;
-use crate::constraint::Law;
+use crate::constraint::{Law, Placed};
 use crate::solver::complementarity::Mode;
 use crate::solver::layout::{Group, Layout};
 use crate::solver::ldu::Ldu;
@@ -136,14 +136,9 @@ impl TangentMatrix {
             &self.places.blocks[block];
         let (size, tension, law) = (dofs.len(), here.tension[*row], &system.rows.laws[*row]);
         let curvature = &mut self.curvature[..size * size];
-        let kinematics = &here.frame.kinematics;
-        system.constraints[*constraint].curvature(
-            &system.tree,
-            kinematics,
-            *number,
-            &mut self.columns,
-            curvature,
-        );
+        let at = Placed { tree: &system.tree, kinematics: &here.frame.kinematics, q: &state.q };
+        let value = here.frame.value[*row];
+        system.constraints[*constraint].curvature(&at, value, *number, &mut self.columns, curvature);
         for (place, value) in places.iter().zip(&*curvature) {
             self.stiffness[*place as usize] += tension * value;
         }
