@@ -74,7 +74,7 @@ def drum(body_name: str | None, at: Xyz, name: str, rate: float = 1.0) -> Json:
 
 
 def half_turn(
-    body_name: str | None, centre: Sequence[float], radius: float, over: bool, flow: str | None = None
+    body_name: str | None, centre: Sequence[float], radius: float, over: bool, flow: str | None = None, ratio: float = 1.0
 ) -> Json:
     """A sheave in the x-z plane; the rope lies on its top where `over`, else below it."""
     x, y, z = centre
@@ -86,6 +86,7 @@ def half_turn(
         "leave": leave,
         "bulge": [0, 0, 1 if over else -1],
         "flow": flow,
+        "ratio": ratio,
     }
 
 

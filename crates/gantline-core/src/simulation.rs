@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
+use crate::constraint::Law;
 use crate::event::{Event, EventKind, EventLog};
 use crate::record::columns::Columns;
 use crate::record::names::Names;
@@ -306,6 +307,10 @@ impl Simulation {
 fn method(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Method, SetupError> {
     match *spec {
         IntegratorSpec::Del { step, paper, geometric_stiffness } => {
+            if system.rows.laws.iter().any(|law| matches!(law, Law::Brake { .. })) {
+                let problem = "the integrator del knows no friction of sheaves and drums; use adaptive";
+                return Err(SetupError::Setting(problem.to_owned()));
+            }
             above_zero("the step", step, "s")?;
             Ok(Method::Del(Box::new(Del::new(system, step, geometric_stiffness && !paper))))
         }

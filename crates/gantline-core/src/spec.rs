@@ -102,6 +102,9 @@ pub enum JointSpec {
         /// Viscous damping [N s/m].
         #[serde(default)]
         damping: f64,
+        /// What a brake or dry friction holds [N].
+        #[serde(default)]
+        brake: f64,
         /// Name of the drive that prescribes this motion.
         #[serde(default)]
         drive: Option<String>,
@@ -198,6 +201,9 @@ pub enum GuideSpec {
         /// Name of the flow of rope over the sheave, towards the end of the route; none passes tension on as it is.
         #[serde(default)]
         flow: Option<String>,
+        /// Largest ratio of the tensions on both sides, 1 without losses; only with a flow.
+        #[serde(default = "one")]
+        ratio: f64,
     },
     /// A sheave with true tangents and the wrap that results.
     Sheave {
@@ -387,6 +393,10 @@ pub enum IntegratorSpec {
         #[serde(default = "yes")]
         geometric_stiffness: bool,
     },
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 fn yes() -> bool {

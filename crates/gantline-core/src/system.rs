@@ -79,7 +79,7 @@ pub struct ContactGroup {
 pub struct System {
     /// Bodies and joints.
     pub tree: Tree,
-    /// Ropes first, contacts after them.
+    /// Ropes first, contacts after them, then brakes.
     pub constraints: Vec<AnyConstraint>,
     /// How many of the constraints are ropes.
     pub rope_count: usize,
@@ -89,6 +89,8 @@ pub struct System {
     pub rigid: Vec<usize>,
     /// Constraints with flows.
     pub fed: Vec<usize>,
+    /// First constraint that is a brake; brakes come last, and each has one row.
+    pub first_brake: usize,
     /// Degrees of freedom of flows.
     pub flows: Vec<usize>,
     /// Prescribed joints.
@@ -108,7 +110,7 @@ impl System {
     pub fn ropes(&self) -> impl Iterator<Item = &Rope> {
         self.constraints.iter().filter_map(|constraint| match constraint {
             AnyConstraint::Rope(rope) => Some(rope),
-            AnyConstraint::Contact(_) => None,
+            AnyConstraint::Contact(_) | AnyConstraint::Brake(_) => None,
         })
     }
 

@@ -66,9 +66,14 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
-    let is_rope_fed =
-        |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Rope(rope) if is_fed(rope));
-    let fed = (0..constraints.len()).filter(|&index| is_rope_fed(&constraints[index])).collect();
+    let has_flow = |constraint: &AnyConstraint| match constraint {
+        AnyConstraint::Rope(rope) => is_fed(rope),
+        AnyConstraint::Brake(_) => true,
+        AnyConstraint::Contact(_) => false,
+    };
+    let fed = (0..constraints.len()).filter(|&index| has_flow(&constraints[index])).collect();
+    let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
+    let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
     let flows = (0..tree.velocities)
         .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
         .collect();
@@ -80,6 +85,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         rows,
         rigid,
         fed,
+        first_brake,
         flows,
         drives,
         driven,
@@ -190,6 +196,12 @@ fn first_state(
             Law::Unilateral { compliance, damping_time } => (compliance, damping_time),
             Law::Friction { normal, .. } => {
                 state.modes[row] = state.modes[normal];
+                continue;
+            }
+            Law::Brake { .. } => {
+                let speed = system.rows.rate(&frame.gradient, row, &state.v);
+                state.modes[row] = if speed == 0.0 { Mode::Acting } else { Mode::Slipping };
+                state.slip[row] = speed.signum();
                 continue;
             }
         };

@@ -4,13 +4,14 @@ use glam::DVec3;
 
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
+use crate::constraint::brake::{Brake, share_of_ratio};
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
 use crate::constraint::rope::span::{Feed, Span};
 use crate::contact::plane::Plane;
 use crate::rope::material::Material;
 use crate::rope::route::{Attachment, Guide, Route};
-use crate::spec::{ContactSpec, GuideSpec, MaterialSpec, RopeSpec, SystemSpec};
+use crate::spec::{ContactSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, SystemSpec};
 use crate::system::ContactGroup;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
@@ -36,6 +37,7 @@ pub(super) fn build_constraints(
     for given in &spec.ropes {
         constraints.push(AnyConstraint::Rope(build_rope(given, tree, start)?));
     }
+    let brakes = build_brakes(spec, tree, &constraints)?;
     let mut groups: Vec<ContactGroup> = Vec::new();
     for given in &spec.contacts {
         let group = groups.iter().position(|group| group.name == given.group).unwrap_or_else(|| {
@@ -45,7 +47,49 @@ pub(super) fn build_constraints(
         groups[group].contacts.push(constraints.len());
         constraints.push(AnyConstraint::Contact(build_contact(given, group, tree)?));
     }
+    constraints.extend(brakes);
     Ok((constraints, groups))
+}
+
+/// Friction of all flows that no drive prescribes: of the sheave that they pass, and of brakes.
+fn build_brakes(
+    spec: &SystemSpec,
+    tree: &Tree,
+    ropes: &[AnyConstraint],
+) -> Result<Vec<AnyConstraint>, BuildError> {
+    let mut brakes = Vec::new();
+    for (index, given) in spec.bodies.iter().enumerate() {
+        let JointSpec::Flow { brake: capacity, drive, .. } = &given.joint else { continue };
+        at_least_zero(&given.name, "its brake", *capacity)?;
+        let dof = tree.bodies[index].first_velocity;
+        let built = ropes.iter().filter_map(|constraint| match constraint {
+            AnyConstraint::Rope(rope) => Some(rope),
+            _ => None,
+        });
+        let rows = built.flat_map(|rope| &rope.spans).enumerate();
+        let spans: Vec<(usize, Span)> = rows
+            .filter(|(_, span)| span.feeds.iter().any(|feed| feed.dof == dof))
+            .map(|(row, span)| (row, span.clone()))
+            .collect();
+        if spans.is_empty() {
+            return error(&given.name, "no rope passes this flow");
+        }
+        let ratios = spec.ropes.iter().flat_map(|rope| &rope.route).filter_map(|guide| match guide {
+            GuideSpec::HalfTurn { flow: Some(flow), ratio, .. } if *flow == given.name => Some(*ratio),
+            _ => None,
+        });
+        let share = share_of_ratio(ratios.fold(1.0, f64::max));
+        if share > 0.0 && spans.len() != 2 {
+            let problem =
+                format!("a flow with losses passes one sheave of one rope, not {} spans", spans.len());
+            return error(&given.name, problem);
+        }
+        if (share > 0.0 || *capacity > 0.0) && drive.is_none() {
+            let brake = Brake::new(given.name.clone(), dof, *capacity, share, spans);
+            brakes.push(AnyConstraint::Brake(brake));
+        }
+    }
+    Ok(brakes)
 }
 
 /// What feeds the spans on both sides of a guide: name of the flow, and ∂L/∂s before and after the guide.
@@ -69,7 +113,15 @@ fn build_guide<'a>(
             };
             (Guide::End(Attachment { body, at: DVec3::from_array(*at) }), feed)
         }
-        GuideSpec::HalfTurn { body, enter, leave, bulge, flow } => {
+        GuideSpec::HalfTurn { body, enter, leave, bulge, flow, ratio } => {
+            if *ratio < 1.0 || ratio.is_nan() || *ratio > 1.0 && flow.is_none() {
+                return error(
+                    name,
+                    format!(
+                        "the ratio of tensions at a sheave is {ratio}; it must be 1 without a flow, else 1 or more"
+                    ),
+                );
+            }
             finite(name, "a point of its route", &[*enter, *leave].concat())?;
             let body = body_index(name, tree, body.as_ref())?;
             let guide = Guide::HalfTurn {

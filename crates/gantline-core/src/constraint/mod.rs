@@ -3,6 +3,7 @@
 //! The force of a row on the system is −Gᵀ T, G = ∂g/∂q, so T = −λ of paper eq. (15). Each kind is one
 //! file that implements [`Constraint`]; [`AnyConstraint`] is the closed set.
 
+pub mod brake;
 pub mod contact;
 pub mod rope;
 
@@ -11,6 +12,7 @@ use glam::DVec3;
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::{Kinematics, Twist};
+use brake::Brake;
 use contact::Contact;
 use rope::Rope;
 
@@ -35,6 +37,11 @@ pub enum Law {
         /// Row of the normal force; the two tangential rows follow it.
         normal: usize,
     },
+    /// A flow that is held by a bounded force, and slips against that.
+    Brake {
+        /// Rows of the spans whose tensions the bound depends on; one twice where there is one.
+        rows: [usize; 2],
+    },
 }
 
 impl Law {
@@ -42,13 +49,25 @@ impl Law {
     pub fn compliance(&self) -> f64 {
         match self {
             Self::Unilateral { compliance, .. } | Self::Friction { compliance, .. } => *compliance,
+            Self::Brake { .. } => 0.0,
         }
+    }
+
+    /// Rows whose forces the bound of this one depends on.
+    pub fn bounded_by(&self) -> impl Iterator<Item = usize> + use<> {
+        let (first, second) = match *self {
+            Self::Unilateral { .. } => (None, None),
+            Self::Friction { normal, .. } => (Some(normal), None),
+            Self::Brake { rows: [one, other] } => (Some(one), (other != one).then_some(other)),
+        };
+        first.into_iter().chain(second)
     }
 
     /// τ [s].
     pub fn damping_time(&self) -> f64 {
         match self {
             Self::Unilateral { damping_time, .. } | Self::Friction { damping_time, .. } => *damping_time,
+            Self::Brake { .. } => 0.0,
         }
     }
 }
@@ -142,6 +161,8 @@ pub enum AnyConstraint {
     Rope(Rope),
     /// A point that may touch a plane.
     Contact(Contact),
+    /// Friction on a flow.
+    Brake(Brake),
 }
 
 impl std::ops::Deref for AnyConstraint {
@@ -151,6 +172,7 @@ impl std::ops::Deref for AnyConstraint {
         match self {
             Self::Rope(rope) => rope,
             Self::Contact(contact) => contact,
+            Self::Brake(brake) => brake,
         }
     }
 }

@@ -134,6 +134,7 @@ impl Sampled {
                         violation = violation.max(length - rope.length);
                     }
                 }
+                AnyConstraint::Brake(_) => {}
                 AnyConstraint::Contact(contact) => {
                     self.add_contact(contact, [0, 1, 2].map(|k| tension[row + k]), columns)
                 }

@@ -3,7 +3,6 @@
 
 use super::order::{Node, NodeKind, elimination_order};
 use super::symbolic::Symbolic;
-use crate::constraint::Law;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 
@@ -84,9 +83,7 @@ fn pairs(system: &System, groups: &[Group], unknown: &[usize], free: usize) -> V
         pairs.extend(system.rows.dofs[entries].iter().map(|&dof| (free + row, unknown[dof])));
     }
     for (row, law) in system.rows.laws.iter().enumerate() {
-        if let Law::Friction { normal, .. } = law {
-            pairs.push((free + row, free + normal));
-        }
+        pairs.extend(law.bounded_by().map(|other| (free + row, free + other)));
     }
     for group in groups {
         for (i, &a) in group.dofs.iter().enumerate() {

@@ -89,7 +89,7 @@ fn flow(name: &str, inertia: f64, velocity: f64) -> BodySpec {
         name: name.into(),
         parent: None,
         placement: PlacementSpec { position: [0.0; 3], orientation: [1.0, 0.0, 0.0, 0.0] },
-        joint: JointSpec::Flow { inertia, velocity, damping: 0.0, drive: None },
+        joint: JointSpec::Flow { inertia, velocity, damping: 0.0, brake: 0.0, drive: None },
         mass: 0.0,
         centre_of_gravity: [0.0; 3],
         inertia: [0.0; 6],
@@ -152,6 +152,7 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
         leave: draw.scaled(2.0),
         bulge: [0.0, 0.0, 1.0],
         flow: Some("sheave".into()),
+        ratio: 1.0,
     };
     let mut route = vec![GuideSpec::End { body: body(draw), at: draw.scaled(4.0), drum: None }];
     if index == 0 {

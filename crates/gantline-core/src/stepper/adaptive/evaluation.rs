@@ -8,6 +8,8 @@
 //!
 //! τ is inverse dynamics; q = q₀ ⊕ φ with q₀ the configuration at the start of the step.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::clock::Stage;
@@ -45,6 +47,8 @@ pub struct Evaluation {
     pub imbalance: Vec<f64>,
     /// G v̇ + Ġ v of every inextensible rope [m/s²], by [`System::rigid`].
     pub pull: Vec<f64>,
+    /// Largest force of every brake [N].
+    pub bound: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
     lines: Vec<Line>,
     /// First degree of freedom of every joint's rotations in body axes.
@@ -67,6 +71,7 @@ impl Evaluation {
             tension: vec![0.0; rows],
             imbalance: vec![0.0; size],
             pull: vec![0.0; system.rigid.len()],
+            bound: vec![0.0; rows],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
             rigid_scale: 1e6,
@@ -174,8 +179,20 @@ impl Evaluation {
             let acts = modes[row] == Mode::Acting;
             self.trial[row] = if acts { *tension } else { self.frame.value[row] * self.rigid_scale };
         }
-        for (row, mode) in modes.iter().enumerate() {
-            self.tension[row] = match mode {
+        let brakes = system.rows.first[system.first_brake];
+        self.bounded(system, 0..brakes, modes, slip);
+        for (row, constraint) in (brakes..).zip(&system.constraints[system.first_brake..]) {
+            if let AnyConstraint::Brake(brake) = constraint {
+                self.bound[row] = brake.bound(&self.q, &self.tension);
+            }
+        }
+        self.bounded(system, brakes..modes.len(), modes, slip);
+    }
+
+    /// Forces of some rows with their modes.
+    fn bounded(&mut self, system: &System, rows: Range<usize>, modes: &[Mode], slip: &[f64]) {
+        for row in rows {
+            self.tension[row] = match modes[row] {
                 Mode::Slack => 0.0,
                 Mode::Acting => self.trial[row],
                 Mode::Slipping => self.slip_force(&system.rows.laws, row, slip),
@@ -194,7 +211,10 @@ impl Evaluation {
             self.imbalance[dof] += system.tree.armature[dof] * at.a[dof];
         }
         for (pull, &row) in self.pull.iter_mut().zip(&system.rigid) {
-            *pull = pull_of(system, &self.frame, &self.dynamics, row);
+            *pull = match system.constraint_of_row(row) {
+                AnyConstraint::Brake(brake) => at.a[brake.dof],
+                _ => pull_of(system, &self.frame, &self.dynamics, row),
+            };
         }
         self.phi_rate.copy_from_slice(at.v);
         for &first in &self.rotations {
@@ -205,10 +225,17 @@ impl Evaluation {
         }
     }
 
-    /// Force of a sliding contact along one tangent, with its direction against the motion.
+    /// Force of friction at its bound, against the motion: of a contact along one tangent, or of a flow.
     fn slip_force(&self, laws: &[Law], row: usize, slip: &[f64]) -> f64 {
-        let Law::Friction { coefficient, normal, .. } = laws[row] else { return 0.0 };
-        coefficient * self.trial[normal].max(0.0) * self.slip_direction(normal, slip)[row - normal - 1]
+        match laws[row] {
+            Law::Friction { coefficient, normal, .. } => {
+                coefficient
+                    * self.trial[normal].max(0.0)
+                    * self.slip_direction(normal, slip)[row - normal - 1]
+            }
+            Law::Brake { .. } => self.bound[row] * slip[row],
+            Law::Unilateral { .. } => 0.0,
+        }
     }
 
     /// How the force of a sliding contact turns with its velocity: μN/|v + v₀ d₀| [N s/m].

@@ -15,6 +15,9 @@ use crate::system::System;
 /// [m/s].
 const REVERSAL: f64 = 1e-6;
 
+/// The same of a flow against its slip [m/s].
+const FLOW_REVERSAL: f64 = 1e-5;
+
 impl Adaptive {
     /// Looks at the course of the step that has been computed and decides how much of it is made: up to where a row
     /// reaches the switching tolerance, or where the plan's condition is fulfilled.
@@ -141,6 +144,11 @@ impl Adaptive {
                 let anchor = along - coefficient * at.rate[normal];
                 -anchor / REVERSAL * SWITCHING * self.tolerance.tension
             }
+            (Law::Brake { .. }, Mode::Slack) => 0.0,
+            (Law::Brake { .. }, Mode::Acting) => at.trial[row].abs() - at.bound[row],
+            (Law::Brake { .. }, Mode::Slipping) => {
+                -at.rate[row] * state.slip[row] / FLOW_REVERSAL * SWITCHING * self.tolerance.tension
+            }
         }
     }
 
@@ -158,6 +166,7 @@ impl Adaptive {
         for (index, constraint) in system.constraints.iter().enumerate() {
             match constraint {
                 AnyConstraint::Rope(_) => any |= self.switch_rope(system, state, log, index, (start, length)),
+                AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake.dof),
                 AnyConstraint::Contact(contact) => {
                     let row = system.rows.first[index];
                     if let Some((taut, crossing)) = self.turn_over(system, state, row) {
@@ -211,6 +220,47 @@ impl Adaptive {
             );
         }
         last.is_some()
+    }
+
+    /// Holding and slipping of the brake `index` on a flow.
+    fn switch_brake(&self, system: &System, state: &mut State, index: usize, dof: usize) -> bool {
+        let row = system.rows.first[index];
+        if self.distance(system, state, row, &self.rodas.here) <= 0.0 {
+            return false;
+        }
+        if state.modes[row] == Mode::Slipping {
+            state.modes[row] = Mode::Acting;
+            // Inertia of a flow is its own: stopping it moves nothing else.
+            state.ledger.flows.friction += 0.5 * system.tree.armature[dof] * state.v[dof] * state.v[dof];
+            state.v[dof] = 0.0;
+        } else {
+            state.modes[row] = Mode::Slipping;
+            state.slip[row] = self.rodas.here.trial[row].signum();
+        }
+        true
+    }
+
+    /// Lets brakes slip that cannot hold, and hold where a flow at rest is pulled back; true where any changed. The
+    /// start of the step has been evaluated.
+    pub(super) fn settle(&self, system: &System, state: &mut State) -> bool {
+        let mut any = false;
+        for &index in &system.fed {
+            let AnyConstraint::Brake(brake) = &system.constraints[index] else { continue };
+            let (row, here) = (system.rows.first[index], &self.rodas.here);
+            let slips = match state.modes[row] {
+                Mode::Slipping => {
+                    let resting = state.v[brake.dof] * state.slip[row] <= 0.0;
+                    !(resting && state.acceleration[brake.dof] * state.slip[row] < 0.0)
+                }
+                _ => here.trial[row].abs() > here.bound[row],
+            };
+            if slips != (state.modes[row] == Mode::Slipping) {
+                state.modes[row] = if slips { Mode::Slipping } else { Mode::Acting };
+                state.slip[row] = here.trial[row].signum();
+                any = true;
+            }
+        }
+        any
     }
 
     /// Sticking and sliding of the contact `index`.
