@@ -66,11 +66,17 @@ fn build_brakes(
             AnyConstraint::Rope(rope) => Some(rope),
             _ => None,
         });
-        let rows = built.flat_map(|rope| &rope.spans).enumerate();
-        let spans: Vec<(usize, Span)> = rows
-            .filter(|(_, span)| span.feeds.iter().any(|feed| feed.dof == dof))
-            .map(|(row, span)| (row, span.clone()))
-            .collect();
+        let rows = built.flat_map(|rope| rope.spans.iter().map(|span| (span, rope.material))).enumerate();
+        let (mut spans, mut stiffness, mut damping) = (Vec::new(), 0.0, 0.0);
+        for (row, (span, material)) in rows {
+            if span.feeds.iter().any(|feed| feed.dof == dof) {
+                let own = 1.0 / material.compliance(span.length);
+                stiffness += own;
+                damping += own * material.damping_time;
+                spans.push((row, span.clone()));
+            }
+        }
+        let impedance = damping + (stiffness * tree.armature[dof]).sqrt();
         if spans.is_empty() {
             return error(&given.name, "no rope passes this flow");
         }
@@ -85,7 +91,7 @@ fn build_brakes(
             return error(&given.name, problem);
         }
         if (share > 0.0 || *capacity > 0.0) && drive.is_none() {
-            let brake = Brake::new(given.name.clone(), dof, *capacity, share, spans);
+            let brake = Brake::new(given.name.clone(), dof, [*capacity, share, impedance], spans);
             brakes.push(AnyConstraint::Brake(brake));
         }
     }

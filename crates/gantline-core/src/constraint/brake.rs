@@ -24,6 +24,8 @@ pub struct Brake {
     pub share: f64,
     /// Spans that it feeds, one or two, with their rows. The entries of their feeds are those of this row.
     pub spans: Vec<(usize, Span)>,
+    /// What a velocity of the flow does to the tensions on both sides [N s/m].
+    pub impedance: f64,
     dofs: Vec<usize>,
     own: usize,
 }
@@ -34,8 +36,13 @@ pub fn share_of_ratio(ratio: f64) -> f64 {
 }
 
 impl Brake {
-    /// A brake on the flow `dof`.
-    pub fn new(name: String, dof: usize, capacity: f64, share: f64, mut spans: Vec<(usize, Span)>) -> Self {
+    /// A brake on the flow `dof`, of a given `impedance` [N s/m].
+    pub fn new(
+        name: String,
+        dof: usize,
+        [capacity, share, impedance]: [f64; 3],
+        mut spans: Vec<(usize, Span)>,
+    ) -> Self {
         let mut dofs: Vec<usize> =
             spans.iter().flat_map(|(_, span)| span.feeds.iter().map(|feed| feed.dof)).collect();
         dofs.sort_unstable();
@@ -44,7 +51,7 @@ impl Brake {
         for feed in spans.iter_mut().flat_map(|(_, span)| &mut span.feeds) {
             feed.entry = entry(feed.dof);
         }
-        Self { name, dof, capacity, share, spans, own: entry(dof), dofs }
+        Self { name, dof, capacity, share, spans, impedance, own: entry(dof), dofs }
     }
 
     /// Largest force [N] at the configuration `q`, with the forces `force` of all rows.
@@ -81,7 +88,7 @@ impl Constraint for Brake {
 
     fn laws(&self, _first_row: usize) -> Vec<Law> {
         let rows = [0, self.spans.len() - 1].map(|side| self.spans[side].0);
-        vec![Law::Brake { rows }]
+        vec![Law::Brake { rows, impedance: self.impedance }]
     }
 
     fn lines(&self) -> usize {

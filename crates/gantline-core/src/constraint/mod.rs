@@ -41,6 +41,8 @@ pub enum Law {
     Brake {
         /// Rows of the spans whose tensions the bound depends on; one twice where there is one.
         rows: [usize; 2],
+        /// What a velocity of the flow does to the tensions on both sides [N s/m].
+        impedance: f64,
     },
 }
 
@@ -58,7 +60,7 @@ impl Law {
         let (first, second) = match *self {
             Self::Unilateral { .. } => (None, None),
             Self::Friction { normal, .. } => (Some(normal), None),
-            Self::Brake { rows: [one, other] } => (Some(one), (other != one).then_some(other)),
+            Self::Brake { rows: [one, other], .. } => (Some(one), (other != one).then_some(other)),
         };
         first.into_iter().chain(second)
     }

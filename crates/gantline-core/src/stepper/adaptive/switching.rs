@@ -15,9 +15,6 @@ use crate::system::System;
 /// [m/s].
 const REVERSAL: f64 = 1e-6;
 
-/// The same of a flow against its slip [m/s].
-const FLOW_REVERSAL: f64 = 1e-5;
-
 impl Adaptive {
     /// Looks at the course of the step that has been computed and decides how much of it is made: up to where a row
     /// reaches the switching tolerance, or where the plan's condition is fulfilled.
@@ -146,8 +143,8 @@ impl Adaptive {
             }
             (Law::Brake { .. }, Mode::Slack) => 0.0,
             (Law::Brake { .. }, Mode::Acting) => at.trial[row].abs() - at.bound[row],
-            (Law::Brake { .. }, Mode::Slipping) => {
-                -at.rate[row] * state.slip[row] / FLOW_REVERSAL * SWITCHING * self.tolerance.tension
+            (Law::Brake { impedance, .. }, Mode::Slipping) => {
+                (-at.rate[row] * state.slip[row] * impedance).min(2.0 * at.bound[row])
             }
         }
     }
