@@ -59,11 +59,23 @@ def free(position: Xyz, **start: Any) -> Json:
     return {"type": "free", "position": list(position), **at_rest, **start}
 
 
+def flow(name: str, inertia: float, **rest: Any) -> Json:
+    """Rope that passes a sheave or leaves a drum; `inertia` is that of what turns over its radius squared [kg]."""
+    return body(name, {"type": "flow", "inertia": inertia, **rest}, 0.0)
+
+
 def end(body_name: str | None, at: Xyz = (0, 0, 0)) -> Json:
     return {"type": "end", "body": body_name, "at": list(at)}
 
 
-def half_turn(body_name: str | None, centre: Sequence[float], radius: float, over: bool) -> Json:
+def drum(body_name: str | None, at: Xyz, name: str, rate: float = 1.0) -> Json:
+    """An end where the flow `name` pays out rope, `rate` times itself."""
+    return {**end(body_name, at), "drum": {"flow": name, "rate": rate}}
+
+
+def half_turn(
+    body_name: str | None, centre: Sequence[float], radius: float, over: bool, flow: str | None = None, ratio: float = 1.0
+) -> Json:
     """A sheave in the x-z plane; the rope lies on its top where `over`, else below it."""
     x, y, z = centre
     enter, leave = [x - radius, y, z], [x + radius, y, z]
@@ -73,6 +85,8 @@ def half_turn(body_name: str | None, centre: Sequence[float], radius: float, ove
         "enter": enter,
         "leave": leave,
         "bulge": [0, 0, 1 if over else -1],
+        "flow": flow,
+        "ratio": ratio,
     }
 
 

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
+use crate::constraint::Law;
 use crate::event::{Event, EventKind, EventLog};
 use crate::record::columns::Columns;
 use crate::record::names::Names;
@@ -185,12 +186,11 @@ impl Simulation {
                 Method::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
                 Method::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
             });
-            samples.note_peaks(system, |rope, known| match method {
-                // Rope i has row i.
-                Method::Del(_) => (after.tension[rope] > known).then_some((after.tension[rope], after.time)),
+            samples.note_peaks(system, &after.q, |row, known| match method {
+                Method::Del(_) => (after.tension[row] > known).then_some((after.tension[row], after.time)),
                 Method::Adaptive(adaptive) => {
-                    let (tension, share) = adaptive.peak(rope, known)?;
-                    Some((tension, before.time + share * (after.time - before.time)))
+                    let (force, share) = adaptive.peak(row, known)?;
+                    Some((force, before.time + share * (after.time - before.time)))
                 }
             });
         });
@@ -307,6 +307,10 @@ impl Simulation {
 fn method(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Method, SetupError> {
     match *spec {
         IntegratorSpec::Del { step, paper, geometric_stiffness } => {
+            if system.rows.laws.iter().any(|law| matches!(law, Law::Brake { .. })) {
+                let problem = "the integrator del knows no friction of sheaves and drums; use adaptive";
+                return Err(SetupError::Setting(problem.to_owned()));
+            }
             above_zero("the step", step, "s")?;
             Ok(Method::Del(Box::new(Del::new(system, step, geometric_stiffness && !paper))))
         }

@@ -92,6 +92,35 @@ pub enum JointSpec {
         /// Angular velocity [rad/s], body axes.
         angular_velocity: [f64; 3],
     },
+    /// Rope that passes a sheave or leaves a drum [m]; no body has this motion.
+    Flow {
+        /// Inertia of what turns over its radius squared [kg].
+        inertia: f64,
+        /// Start velocity [m/s]; what has passed counts from the start.
+        #[serde(default)]
+        velocity: f64,
+        /// Viscous damping [N s/m].
+        #[serde(default)]
+        damping: f64,
+        /// What a brake or dry friction holds [N].
+        #[serde(default)]
+        brake: f64,
+        /// Name of the drive that prescribes this motion.
+        #[serde(default)]
+        drive: Option<String>,
+    },
+}
+
+impl JointSpec {
+    /// Name of the drive that prescribes its motion, where it has one.
+    pub fn drive(&self) -> Option<&String> {
+        match self {
+            Self::Hinge(AxisJointSpec { drive, .. })
+            | Self::Slider(AxisJointSpec { drive, .. })
+            | Self::Flow { drive, .. } => drive.as_ref(),
+            _ => None,
+        }
+    }
 }
 
 /// A hinge or a slider.
@@ -154,6 +183,9 @@ pub enum GuideSpec {
         body: Option<String>,
         /// Point [m] in the body frame.
         at: [f64; 3],
+        /// What pays rope out here.
+        #[serde(default)]
+        drum: Option<DrumSpec>,
     },
     /// A sheave as in the paper: two attachment points that stay fixed in the body, and half a turn of
     /// rope between them.
@@ -166,6 +198,12 @@ pub enum GuideSpec {
         leave: [f64; 3],
         /// Unit vector, body frame, to the side on which the rope lies on the sheave.
         bulge: [f64; 3],
+        /// Name of the flow of rope over the sheave, towards the end of the route; none passes tension on as it is.
+        #[serde(default)]
+        flow: Option<String>,
+        /// Largest ratio of the tensions on both sides, 1 without losses; only with a flow.
+        #[serde(default = "one")]
+        ratio: f64,
     },
     /// A sheave with true tangents and the wrap that results.
     Sheave {
@@ -178,6 +216,16 @@ pub enum GuideSpec {
         /// Radius of the rope's centre line [m].
         radius: f64,
     },
+}
+
+/// A drum, or whatever pays out rope at an end.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DrumSpec {
+    /// Name of its flow.
+    pub flow: String,
+    /// Rope paid out per unit of that flow, negative where it winds up.
+    pub rate: f64,
 }
 
 /// A point of a body that may touch a plane of the world.
@@ -345,6 +393,10 @@ pub enum IntegratorSpec {
         #[serde(default = "yes")]
         geometric_stiffness: bool,
     },
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 fn yes() -> bool {

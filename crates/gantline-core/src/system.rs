@@ -79,7 +79,7 @@ pub struct ContactGroup {
 pub struct System {
     /// Bodies and joints.
     pub tree: Tree,
-    /// Ropes first, contacts after them.
+    /// Ropes first, contacts after them, then brakes.
     pub constraints: Vec<AnyConstraint>,
     /// How many of the constraints are ropes.
     pub rope_count: usize,
@@ -87,6 +87,12 @@ pub struct System {
     pub rows: Rows,
     /// Rows of inextensible ropes.
     pub rigid: Vec<usize>,
+    /// Constraints with flows.
+    pub fed: Vec<usize>,
+    /// First constraint that is a brake; brakes come last, and each has one row.
+    pub first_brake: usize,
+    /// Degrees of freedom of flows.
+    pub flows: Vec<usize>,
     /// Prescribed joints.
     pub drives: Vec<DriveJoint>,
     /// For every degree of freedom the drive that prescribes it.
@@ -100,12 +106,17 @@ pub struct System {
 }
 
 impl System {
-    /// The ropes, in the order of their rows: rope i is constraint i and has row i.
+    /// The ropes, in the order of their rows: rope i is constraint i.
     pub fn ropes(&self) -> impl Iterator<Item = &Rope> {
         self.constraints.iter().filter_map(|constraint| match constraint {
             AnyConstraint::Rope(rope) => Some(rope),
-            AnyConstraint::Contact(_) => None,
+            AnyConstraint::Contact(_) | AnyConstraint::Brake(_) => None,
         })
+    }
+
+    /// How many rows the ropes have; they stand before those of contacts.
+    pub fn rope_rows(&self) -> usize {
+        self.rows.first[self.rope_count]
     }
 
     /// Constraint that a row belongs to.

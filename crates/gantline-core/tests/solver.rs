@@ -143,7 +143,7 @@ fn a_singular_matrix_names_the_unknown() {
 /// An equalizer of n sheaves: load (0), frame (1), sheaves, slings, equalizing rope.
 fn equalizer(n: usize) -> (Vec<Node>, Vec<(usize, usize)>) {
     let joint = |size, above| Node { size, kind: NodeKind::Joint { above } };
-    let row = || Node { size: 1, kind: NodeKind::Row { compliant: true } };
+    let row = || Node { size: 1, kind: NodeKind::Row { compliant: true, holds: None } };
     let mut nodes = vec![joint(6, None), joint(1, None)];
     nodes.extend((0..n).map(|_| joint(1, Some(1))));
     nodes.extend((0..=n).map(|_| row()));
@@ -194,7 +194,7 @@ fn children_go_before_parents_and_rigid_rows_after_a_joint() {
         joint(None),
         joint(Some(0)),
         joint(Some(1)),
-        Node { size: 1, kind: NodeKind::Row { compliant: false } },
+        Node { size: 1, kind: NodeKind::Row { compliant: false, holds: None } },
     ];
     let order = elimination_order(&nodes, &[(0, 1), (1, 2), (0, 2), (3, 1)]);
     let place = |node| order.iter().position(|&other| other == node).unwrap();

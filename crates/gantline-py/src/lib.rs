@@ -123,11 +123,9 @@ impl Simulation {
 
     /// Tensions of all ropes (samples, ropes) [N], without working out the other columns.
     fn rope_tension<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let (samples, ropes) = (self.inner.samples(), self.inner.system().rope_count);
-        // Rope i has row i.
-        let rows = samples.tension.chunks_exact(self.inner.system().rows.count().max(1));
-        let tensions: Vec<f64> = rows.flat_map(|rows| &rows[..ropes]).copied().collect();
-        array(py, tensions, &[samples.time.len(), ropes])
+        let (samples, system) = (self.inner.samples(), self.inner.system());
+        let tensions = gantline_core::record::columns::rope_tensions(system, samples);
+        array(py, tensions, &[samples.time.len(), system.rope_count])
     }
 
     /// Names that go with the columns.

@@ -9,7 +9,8 @@ use thiserror::Error;
 
 use crate::audit::{Ledger, elastic_energy, gravity_energy};
 use crate::clock::Clock;
-use crate::constraint::Law;
+use crate::constraint::rope::Rope;
+use crate::constraint::{AnyConstraint, Law};
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
 use crate::solver::complementarity::Mode;
@@ -17,6 +18,7 @@ use crate::spec::SystemSpec;
 use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::{Rows, System};
+use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use plan::{build_drives, build_step};
 use rows::build_constraints;
@@ -63,6 +65,18 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let rows = Rows::new(&constraints);
     let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
+    let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
+    let has_flow = |constraint: &AnyConstraint| match constraint {
+        AnyConstraint::Rope(rope) => is_fed(rope),
+        AnyConstraint::Brake(_) => true,
+        AnyConstraint::Contact(_) => false,
+    };
+    let fed = (0..constraints.len()).filter(|&index| has_flow(&constraints[index])).collect();
+    let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
+    let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
+    let flows = (0..tree.velocities)
+        .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
+        .collect();
     let rope_count = spec.ropes.len();
     let mut system = System {
         tree,
@@ -70,6 +84,9 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         rope_count,
         rows,
         rigid,
+        fed,
+        first_brake,
+        flows,
         drives,
         driven,
         groups,
@@ -179,6 +196,12 @@ fn first_state(
             Law::Unilateral { compliance, damping_time } => (compliance, damping_time),
             Law::Friction { normal, .. } => {
                 state.modes[row] = state.modes[normal];
+                continue;
+            }
+            Law::Brake { .. } => {
+                let speed = system.rows.rate(&frame.gradient, row, &state.v);
+                state.modes[row] = if speed == 0.0 { Mode::Acting } else { Mode::Slipping };
+                state.slip[row] = speed.signum();
                 continue;
             }
         };

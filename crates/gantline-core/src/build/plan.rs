@@ -2,19 +2,16 @@
 
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::plan::{Move, Step, Until};
-use crate::spec::{AxisJointSpec, BodySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
+use crate::spec::{BodySpec, StepSpec, SystemSpec, UntilSpec};
 use crate::system::{ContactGroup, DriveJoint};
 use crate::tree::Tree;
 
 pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJoint>, BuildError> {
     let mut drives = Vec::with_capacity(spec.drives.len());
     for drive in &spec.drives {
-        let wanted = |given: &BodySpec| match &given.joint {
-            JointSpec::Hinge(joint) | JointSpec::Slider(joint) => joint.drive.as_ref() == Some(&drive.name),
-            _ => false,
-        };
+        let wanted = |given: &BodySpec| given.joint.drive() == Some(&drive.name);
         let Some(body) = spec.bodies.iter().position(wanted) else {
-            return error(&drive.name, "no hinge or slider names this drive");
+            return error(&drive.name, "no hinge, slider or flow names this drive");
         };
         if spec.bodies.iter().filter(|given| wanted(given)).count() > 1 {
             return error(&drive.name, "two joints name this drive; each needs its own");
@@ -34,8 +31,7 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
         drives.push(DriveJoint { name: drive.name.clone(), body, dof: tree.bodies[body].first_velocity });
     }
     for given in &spec.bodies {
-        if let JointSpec::Hinge(AxisJointSpec { drive: Some(name), .. })
-        | JointSpec::Slider(AxisJointSpec { drive: Some(name), .. }) = &given.joint
+        if let Some(name) = given.joint.drive()
             && !drives.iter().any(|drive| &drive.name == name)
         {
             return error(&given.name, format!("there is no drive `{name}`"));

@@ -4,14 +4,17 @@ use glam::DVec3;
 
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
+use crate::constraint::brake::{Brake, share_of_ratio};
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
+use crate::constraint::rope::span::{Feed, Span};
 use crate::contact::plane::Plane;
 use crate::rope::material::Material;
 use crate::rope::route::{Attachment, Guide, Route};
-use crate::spec::{ContactSpec, GuideSpec, MaterialSpec, RopeSpec, SystemSpec};
+use crate::spec::{ContactSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, SystemSpec};
 use crate::system::ContactGroup;
 use crate::tree::Tree;
+use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 
 /// Largest stretch of a rope over sheaves at the start: more is a mistake in its length.
@@ -34,6 +37,7 @@ pub(super) fn build_constraints(
     for given in &spec.ropes {
         constraints.push(AnyConstraint::Rope(build_rope(given, tree, start)?));
     }
+    let brakes = build_brakes(spec, tree, &constraints)?;
     let mut groups: Vec<ContactGroup> = Vec::new();
     for given in &spec.contacts {
         let group = groups.iter().position(|group| group.name == given.group).unwrap_or_else(|| {
@@ -43,36 +47,160 @@ pub(super) fn build_constraints(
         groups[group].contacts.push(constraints.len());
         constraints.push(AnyConstraint::Contact(build_contact(given, group, tree)?));
     }
+    constraints.extend(brakes);
     Ok((constraints, groups))
+}
+
+/// Friction of all flows that no drive prescribes: of the sheave that they pass, and of brakes.
+fn build_brakes(
+    spec: &SystemSpec,
+    tree: &Tree,
+    ropes: &[AnyConstraint],
+) -> Result<Vec<AnyConstraint>, BuildError> {
+    let mut brakes = Vec::new();
+    for (index, given) in spec.bodies.iter().enumerate() {
+        let JointSpec::Flow { brake: capacity, drive, .. } = &given.joint else { continue };
+        at_least_zero(&given.name, "its brake", *capacity)?;
+        let dof = tree.bodies[index].first_velocity;
+        let built = ropes.iter().filter_map(|constraint| match constraint {
+            AnyConstraint::Rope(rope) => Some(rope),
+            _ => None,
+        });
+        let rows = built.flat_map(|rope| rope.spans.iter().map(|span| (span, rope.material))).enumerate();
+        let (mut spans, mut stiffness, mut damping) = (Vec::new(), 0.0, 0.0);
+        for (row, (span, material)) in rows {
+            if span.feeds.iter().any(|feed| feed.dof == dof) {
+                let own = 1.0 / material.compliance(span.length);
+                stiffness += own;
+                damping += own * material.damping_time;
+                spans.push((row, span.clone()));
+            }
+        }
+        let impedance = damping + (stiffness * tree.armature[dof]).sqrt();
+        if spans.is_empty() {
+            return error(&given.name, "no rope passes this flow");
+        }
+        let ratios = spec.ropes.iter().flat_map(|rope| &rope.route).filter_map(|guide| match guide {
+            GuideSpec::HalfTurn { flow: Some(flow), ratio, .. } if *flow == given.name => Some(*ratio),
+            _ => None,
+        });
+        let share = share_of_ratio(ratios.fold(1.0, f64::max));
+        if share > 0.0 && spans.len() != 2 {
+            let problem =
+                format!("a flow with losses passes one sheave of one rope, not {} spans", spans.len());
+            return error(&given.name, problem);
+        }
+        if (share > 0.0 || *capacity > 0.0) && drive.is_none() {
+            let brake = Brake::new(given.name.clone(), dof, [*capacity, share, impedance], spans);
+            brakes.push(AnyConstraint::Brake(brake));
+        }
+    }
+    Ok(brakes)
+}
+
+/// What feeds the spans on both sides of a guide: name of the flow, and ∂L/∂s before and after the guide.
+type FeedSpec<'a> = (&'a String, f64, f64);
+
+fn build_guide<'a>(
+    name: &str,
+    given: &'a GuideSpec,
+    tree: &Tree,
+) -> Result<(Guide, Option<FeedSpec<'a>>), BuildError> {
+    Ok(match given {
+        GuideSpec::End { body, at, drum } => {
+            finite(name, "a point of its route", at)?;
+            let body = body_index(name, tree, body.as_ref())?;
+            let feed = match drum {
+                Some(drum) => {
+                    finite(name, "the rate of its drum", &[drum.rate])?;
+                    Some((&drum.flow, drum.rate, drum.rate))
+                }
+                None => None,
+            };
+            (Guide::End(Attachment { body, at: DVec3::from_array(*at) }), feed)
+        }
+        GuideSpec::HalfTurn { body, enter, leave, bulge, flow, ratio } => {
+            if *ratio < 1.0 || ratio.is_nan() || *ratio > 1.0 && flow.is_none() {
+                return error(
+                    name,
+                    format!(
+                        "the ratio of tensions at a sheave is {ratio}; it must be 1 without a flow, else 1 or more"
+                    ),
+                );
+            }
+            finite(name, "a point of its route", &[*enter, *leave].concat())?;
+            let body = body_index(name, tree, body.as_ref())?;
+            let guide = Guide::HalfTurn {
+                enter: Attachment { body, at: DVec3::from_array(*enter) },
+                leave: Attachment { body, at: DVec3::from_array(*leave) },
+                bulge: unit(name, "the bulge of a sheave", *bulge)?,
+            };
+            (guide, flow.as_ref().map(|flow| (flow, -1.0, 1.0)))
+        }
+        GuideSpec::Sheave { body, at, axis, radius } => {
+            finite(name, "a point of its route", at)?;
+            positive(name, "the radius of a sheave", *radius)?;
+            let body = body_index(name, tree, body.as_ref())?;
+            let centre = Attachment { body, at: DVec3::from_array(*at) };
+            let axis = unit(name, "the axis of a sheave", *axis)?;
+            (Guide::Sheave { centre, axis, radius: *radius }, None)
+        }
+    })
+}
+
+/// The spans between the guides that feed rope, with the length of the route shared out by what lies in each.
+fn build_spans(
+    name: &str,
+    route: &Route,
+    feeds: &[Option<FeedSpec>],
+    share: f64,
+    (tree, start): (&Tree, &Kinematics),
+) -> Result<Vec<Span>, BuildError> {
+    let feed = |given: &FeedSpec, rate: f64| {
+        let Some(body) = tree.bodies.iter().find(|body| &body.name == given.0) else {
+            return error(name, format!("there is no flow `{}`", given.0));
+        };
+        if !matches!(body.joint, Joint::Flow(_)) {
+            return error(name, format!("`{}` is a body; only a flow passes rope", given.0));
+        }
+        Ok(Feed { dof: body.first_velocity, position: body.first_position, entry: 0, rate })
+    };
+    let mut spans = Vec::new();
+    let mut from = 0;
+    for (index, given) in feeds.iter().enumerate().skip(1) {
+        if given.is_none() && index < route.parts.len() {
+            continue;
+        }
+        let inner: f64 = route.guides[from + 1..index].iter().map(Guide::fixed_arc).sum();
+        let outer: f64 = [from, index].map(|guide| route.guides[guide].fixed_arc()).iter().sum();
+        let arcs = inner + 0.5 * outer;
+        let mut span = Span { parts: from..index, arcs, length: 0.0, feeds: Vec::new() };
+        if let Some(before) = &feeds[from] {
+            span.feeds.push(feed(before, before.2)?);
+        }
+        if let Some(after) = given {
+            span.feeds.push(feed(after, after.1)?);
+        }
+        if let [one, other] = &mut span.feeds[..]
+            && one.dof == other.dof
+        {
+            one.rate += other.rate;
+            span.feeds.pop();
+        }
+        span.length = share * (arcs + route.length_of(from..index, start, |_, _| {}));
+        spans.push(span);
+        from = index;
+    }
+    Ok(spans)
 }
 
 fn build_rope(given: &RopeSpec, tree: &Tree, start: &Kinematics) -> Result<Rope, BuildError> {
     let name = &given.name;
-    let mut guides = Vec::with_capacity(given.route.len());
+    let (mut guides, mut feeds) = (Vec::new(), Vec::new());
     for guide in &given.route {
-        guides.push(match guide {
-            GuideSpec::End { body, at } => {
-                finite(name, "a point of its route", at)?;
-                let body = body_index(name, tree, body.as_ref())?;
-                Guide::End(Attachment { body, at: DVec3::from_array(*at) })
-            }
-            GuideSpec::HalfTurn { body, enter, leave, bulge } => {
-                finite(name, "a point of its route", &[*enter, *leave].concat())?;
-                let body = body_index(name, tree, body.as_ref())?;
-                Guide::HalfTurn {
-                    enter: Attachment { body, at: DVec3::from_array(*enter) },
-                    leave: Attachment { body, at: DVec3::from_array(*leave) },
-                    bulge: unit(name, "the bulge of a sheave", *bulge)?,
-                }
-            }
-            GuideSpec::Sheave { body, at, axis, radius } => {
-                finite(name, "a point of its route", at)?;
-                positive(name, "the radius of a sheave", *radius)?;
-                let body = body_index(name, tree, body.as_ref())?;
-                let centre = Attachment { body, at: DVec3::from_array(*at) };
-                Guide::Sheave { centre, axis: unit(name, "the axis of a sheave", *axis)?, radius: *radius }
-            }
-        });
+        let (guide, feed) = build_guide(name, guide, tree)?;
+        guides.push(guide);
+        feeds.push(feed);
     }
     let ends = [guides.first(), guides.last()];
     if guides.len() < 2 || !ends.iter().all(|guide| matches!(guide, Some(Guide::End(_)))) {
@@ -94,18 +222,26 @@ fn build_rope(given: &RopeSpec, tree: &Tree, start: &Kinematics) -> Result<Rope,
             format!("its length is {length} m, but its route has {routed:.6} m at the start"),
         );
     }
+    let is_fed = feeds.iter().any(Option::is_some);
     let material = match given.material {
-        MaterialSpec::Inextensible {} if route.parts.iter().any(|part| !part.is_plain()) => {
-            return error(name, "an inextensible rope runs over half turns only; give it an axial stiffness");
+        MaterialSpec::Inextensible {} if is_fed || route.parts.iter().any(|part| !part.is_plain()) => {
+            let problem =
+                "an inextensible rope runs over half turns without losses only; give it an axial stiffness";
+            return error(name, problem);
         }
         MaterialSpec::Inextensible {} => Material::INEXTENSIBLE,
         MaterialSpec::Elastic { axial_stiffness, damping_time } => {
             positive(name, "its axial stiffness", axial_stiffness)?;
             at_least_zero(name, "its damping time", damping_time)?;
-            Material::elastic(axial_stiffness, length, damping_time)
+            Material::elastic(axial_stiffness, damping_time)
         }
     };
-    Ok(Rope::new(name.clone(), route, length, material, tree))
+    let spans = if is_fed {
+        build_spans(name, &route, &feeds, length / routed, (tree, start))?
+    } else {
+        vec![Span { parts: 0..route.parts.len(), arcs: route.arcs, length, feeds: Vec::new() }]
+    };
+    Ok(Rope::new(name.clone(), route, spans, material, tree))
 }
 
 fn build_contact(given: &ContactSpec, group: usize, tree: &Tree) -> Result<Contact, BuildError> {

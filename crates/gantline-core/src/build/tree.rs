@@ -2,10 +2,11 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::{BuildError, at_least_zero, error, finite, unit};
+use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::spec::{AxisJointSpec, BodySpec, JointSpec, SystemSpec};
 use crate::tree::ball::Ball;
 use crate::tree::fixed::Fixed;
+use crate::tree::flow::Flow;
 use crate::tree::free::Free;
 use crate::tree::hinge::Hinge;
 use crate::tree::joint::Joint;
@@ -37,10 +38,18 @@ pub(super) fn build_tree(spec: &SystemSpec) -> Result<Tree, BuildError> {
     }
     let mut tree = Tree::new(bodies, DVec3::from_array(spec.gravity));
     for (index, given) in spec.bodies.iter().enumerate() {
-        if let JointSpec::Hinge(joint) | JointSpec::Slider(joint) = &given.joint {
-            at_least_zero(&given.name, "the joint's damping", joint.damping)?;
-            let dof = tree.bodies[index].first_velocity;
-            tree.damping[dof] = joint.damping;
+        let dof = tree.bodies[index].first_velocity;
+        match &given.joint {
+            JointSpec::Hinge(joint) | JointSpec::Slider(joint) => {
+                at_least_zero(&given.name, "the joint's damping", joint.damping)?;
+                tree.damping[dof] = joint.damping;
+            }
+            JointSpec::Flow { inertia, damping, .. } => {
+                at_least_zero(&given.name, "its damping", *damping)?;
+                positive(&given.name, "its inertia", *inertia)?;
+                (tree.damping[dof], tree.armature[dof]) = (*damping, *inertia);
+            }
+            _ => {}
         }
     }
     Ok(tree)
@@ -87,6 +96,10 @@ fn build_joint(name: &str, given: &JointSpec) -> Result<Joint, BuildError> {
             finite(name, "its start", &[joint.position, joint.velocity])?;
             Joint::Slider(Slider { axis: unit(name, "the slider axis", joint.axis)? })
         }
+        JointSpec::Flow { velocity, .. } => {
+            finite(name, "its start", &[*velocity])?;
+            Joint::Flow(Flow)
+        }
         JointSpec::Ball { orientation, angular_velocity } => {
             unit_quaternion(name, *orientation)?;
             finite(name, "its angular velocity", angular_velocity)?;
@@ -111,6 +124,7 @@ pub(super) fn start_of_joint(given: &JointSpec, q: &mut [f64], v: &mut [f64]) {
         | JointSpec::Slider(AxisJointSpec { position, velocity, .. }) => {
             (q[0], v[0]) = (*position, *velocity)
         }
+        JointSpec::Flow { velocity, .. } => (q[0], v[0]) = (0.0, *velocity),
         JointSpec::Ball { orientation, angular_velocity } => {
             q[..4].copy_from_slice(orientation);
             v[..3].copy_from_slice(angular_velocity);

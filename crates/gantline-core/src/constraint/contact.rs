@@ -7,11 +7,10 @@
 
 use glam::DVec3;
 
-use super::{Constraint, Law, Line};
+use super::{Constraint, Law, Line, Moving, Placed};
 use crate::contact::plane::Plane;
-use crate::tree::Tree;
 use crate::tree::bias::Wrench;
-use crate::tree::kinematics::{Kinematics, Twist};
+use crate::tree::kinematics::Twist;
 
 /// A point that may touch a plane.
 #[derive(Debug, Clone)]
@@ -66,21 +65,15 @@ impl Constraint for Contact {
         1
     }
 
-    fn locate(
-        &self,
-        (kinematics, twists): (&Kinematics, &[Twist]),
-        value: &mut [f64],
-        rate: &mut [f64],
-        lines: &mut [Line],
-    ) {
-        let pose = &kinematics.pose[self.body];
+    fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
+        let pose = &at.kinematics.pose[self.body];
         let arm = pose.rotation * self.at;
         lines[0].from = arm;
         self.values(pose.position + arm, value);
-        self.rates(twists, lines, rate);
+        self.rates(at.twists, at.v, lines, rate);
     }
 
-    fn rates(&self, twists: &[Twist], lines: &[Line], rate: &mut [f64]) {
+    fn rates(&self, twists: &[Twist], _v: &[f64], lines: &[Line], rate: &mut [f64]) {
         let velocity = twists[self.body].at(lines[0].from);
         rate[0] = -self.plane.normal.dot(velocity);
         rate[1] = self.plane.tangents[0].dot(velocity);
@@ -93,7 +86,8 @@ impl Constraint for Contact {
         wrenches[self.body].add(needed, lines[0].from);
     }
 
-    fn evaluate(&self, tree: &Tree, kinematics: &Kinematics, value: &mut [f64], gradient: &mut [f64]) {
+    fn evaluate(&self, at: &Placed, value: &mut [f64], gradient: &mut [f64]) {
+        let Placed { tree, kinematics, .. } = *at;
         let point = kinematics.point(Some(self.body), self.at);
         self.values(point, value);
         let count = self.dofs.len();
@@ -110,14 +104,8 @@ impl Constraint for Contact {
     }
 
     /// The plane is flat: only the point's own path is curved.
-    fn curvature(
-        &self,
-        tree: &Tree,
-        kinematics: &Kinematics,
-        group: usize,
-        columns: &mut [DVec3],
-        block: &mut [f64],
-    ) {
+    fn curvature(&self, at: &Placed, _value: f64, group: usize, columns: &mut [DVec3], block: &mut [f64]) {
+        let Placed { tree, kinematics, .. } = *at;
         let point = kinematics.point(Some(self.body), self.at);
         let direction = [-self.plane.normal, self.plane.tangents[0], self.plane.tangents[1]][group];
         for (column, &dof) in columns.iter_mut().zip(&self.dofs) {

@@ -3,6 +3,7 @@
 //! The force of a row on the system is −Gᵀ T, G = ∂g/∂q, so T = −λ of paper eq. (15). Each kind is one
 //! file that implements [`Constraint`]; [`AnyConstraint`] is the closed set.
 
+pub mod brake;
 pub mod contact;
 pub mod rope;
 
@@ -11,6 +12,7 @@ use glam::DVec3;
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::{Kinematics, Twist};
+use brake::Brake;
 use contact::Contact;
 use rope::Rope;
 
@@ -35,6 +37,13 @@ pub enum Law {
         /// Row of the normal force; the two tangential rows follow it.
         normal: usize,
     },
+    /// A flow that is held by a bounded force, and slips against that.
+    Brake {
+        /// Rows of the spans whose tensions the bound depends on; one twice where there is one.
+        rows: [usize; 2],
+        /// What a velocity of the flow does to the tensions on both sides [N s/m].
+        impedance: f64,
+    },
 }
 
 impl Law {
@@ -42,13 +51,25 @@ impl Law {
     pub fn compliance(&self) -> f64 {
         match self {
             Self::Unilateral { compliance, .. } | Self::Friction { compliance, .. } => *compliance,
+            Self::Brake { .. } => 0.0,
         }
+    }
+
+    /// Rows whose forces the bound of this one depends on.
+    pub fn bounded_by(&self) -> impl Iterator<Item = usize> + use<> {
+        let (first, second) = match *self {
+            Self::Unilateral { .. } => (None, None),
+            Self::Friction { normal, .. } => (Some(normal), None),
+            Self::Brake { rows: [one, other], .. } => (Some(one), (other != one).then_some(other)),
+        };
+        first.into_iter().chain(second)
     }
 
     /// τ [s].
     pub fn damping_time(&self) -> f64 {
         match self {
             Self::Unilateral { damping_time, .. } | Self::Friction { damping_time, .. } => *damping_time,
+            Self::Brake { .. } => 0.0,
         }
     }
 }
@@ -65,6 +86,32 @@ pub struct Line {
     pub direction: DVec3,
     /// Couples on the two bodies per unit of force [m]; zero but for parts of a rope on sheaves.
     pub couple: [DVec3; 2],
+    /// ∂g/∂L of the span of a rope that starts with this line, where rope is fed into it; else 0.
+    pub supply: f64,
+}
+
+/// Where everything is.
+#[derive(Clone, Copy)]
+pub struct Placed<'a> {
+    /// The tree.
+    pub tree: &'a Tree,
+    /// Its poses.
+    pub kinematics: &'a Kinematics,
+    /// Its configuration.
+    pub q: &'a [f64],
+}
+
+/// Where everything is and how it moves.
+#[derive(Clone, Copy)]
+pub struct Moving<'a> {
+    /// Poses of the bodies.
+    pub kinematics: &'a Kinematics,
+    /// Their velocities.
+    pub twists: &'a [Twist],
+    /// Configuration.
+    pub q: &'a [f64],
+    /// Velocity coordinates.
+    pub v: &'a [f64],
 }
 
 /// What a kind of constraint has to say.
@@ -84,23 +131,20 @@ pub trait Constraint {
     /// Values g and rates ġ of all rows under the velocities of the bodies, and where their forces act: without
     /// gradients. The forces at a point of a step need no more, however deep the tree is. `value` as in
     /// [`Constraint::evaluate`].
-    fn locate(
-        &self,
-        motion: (&Kinematics, &[Twist]),
-        value: &mut [f64],
-        rate: &mut [f64],
-        lines: &mut [Line],
-    );
+    fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]);
 
     /// Rates ġ under other velocities of the bodies, with the lines as they were located.
-    fn rates(&self, twists: &[Twist], lines: &[Line], rate: &mut [f64]);
+    fn rates(&self, twists: &[Twist], v: &[f64], lines: &[Line], rate: &mut [f64]);
 
     /// Takes the forces T of the rows from what the joints of the bodies have to transmit (about their origins).
     fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]);
 
+    /// Adds to `force` what the forces T of the rows do to degrees of freedom that no body has: Σ T ∂g/∂s.
+    fn feed(&self, _tension: &[f64], _lines: &[Line], _force: &mut [f64]) {}
+
     /// Values g and gradients ∂g/∂q of all rows, in the order of [`Constraint::row_dofs`]. `value` comes in
     /// with what the state remembers of the row (where the anchor of a sticking contact is).
-    fn evaluate(&self, tree: &Tree, kinematics: &Kinematics, value: &mut [f64], gradient: &mut [f64]);
+    fn evaluate(&self, at: &Placed, value: &mut [f64], gradient: &mut [f64]);
 
     /// Groups of degrees of freedom whose motion turns the gradient, each with the row (0 is the first of
     /// this constraint) that it belongs to.
@@ -108,15 +152,8 @@ pub trait Constraint {
 
     /// Derivative of the gradient within one group, ∂G_j/∂q_k at `block[j · size + k]`, for increments as
     /// in [`Tree::advance`]. Its product with T is the exact geometric stiffness, with v the part of ∂ė/∂q.
-    /// `columns` is work space for one vector per degree of freedom.
-    fn curvature(
-        &self,
-        tree: &Tree,
-        kinematics: &Kinematics,
-        group: usize,
-        columns: &mut [DVec3],
-        block: &mut [f64],
-    );
+    /// `value` is g of the group's row, `columns` work space for one vector per degree of freedom.
+    fn curvature(&self, at: &Placed, value: f64, group: usize, columns: &mut [DVec3], block: &mut [f64]);
 }
 
 /// Any constraint.
@@ -126,6 +163,8 @@ pub enum AnyConstraint {
     Rope(Rope),
     /// A point that may touch a plane.
     Contact(Contact),
+    /// Friction on a flow.
+    Brake(Brake),
 }
 
 impl std::ops::Deref for AnyConstraint {
@@ -135,6 +174,7 @@ impl std::ops::Deref for AnyConstraint {
         match self {
             Self::Rope(rope) => rope,
             Self::Contact(contact) => contact,
+            Self::Brake(brake) => brake,
         }
     }
 }

@@ -62,7 +62,7 @@ impl Columns {
             let acceleration = &samples.acceleration[index * velocities..][..velocities];
             let tension = &samples.tension[index * rows..][..rows];
             sampled.kinematics.update(&system.tree, q);
-            sampled.add_rows(system, tension, &mut columns);
+            sampled.add_rows(system, [q, tension], &mut columns);
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
         }
         columns
@@ -89,6 +89,29 @@ impl Columns {
     }
 }
 
+/// Mean tension over the straight parts of a rope [N] under the forces of its rows.
+fn mean_tension(rope: &Rope, force: &[f64], q: &[f64]) -> f64 {
+    if let [_] = rope.spans[..] {
+        return force[0] * rope.spans[0].scale(q);
+    }
+    let parts = rope.spans.iter().zip(force);
+    let sum: f64 = parts.map(|(span, force)| span.parts.len() as f64 * span.scale(q) * force).sum();
+    sum / rope.route.parts.len() as f64
+}
+
+/// Tensions of all ropes (samples, ropes) [N], without all that [`Columns`] works out.
+pub fn rope_tensions(system: &System, samples: &Samples) -> Vec<f64> {
+    let (positions, rows) = (system.tree.positions, system.rows.count());
+    let mut tensions = Vec::with_capacity(samples.time.len() * system.rope_count);
+    for index in 0..samples.time.len() {
+        let q = &samples.q[index * positions..][..positions];
+        let force = &samples.tension[index * rows..][..rows];
+        let ropes = system.ropes().zip(&system.rows.first);
+        tensions.extend(ropes.map(|(rope, &first)| mean_tension(rope, &force[first..], q)));
+    }
+    tensions
+}
+
 /// The system at one sample. Reused from sample to sample.
 struct Sampled {
     kinematics: Kinematics,
@@ -99,18 +122,19 @@ struct Sampled {
 }
 
 impl Sampled {
-    fn add_rows(&mut self, system: &System, tension: &[f64], columns: &mut Columns) {
+    fn add_rows(&mut self, system: &System, [q, tension]: [&[f64]; 2], columns: &mut Columns) {
         self.applied.fill(Wrench::default());
         let mut violation = 0.0_f64;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let row = system.rows.first[index];
             match constraint {
                 AnyConstraint::Rope(rope) => {
-                    let length = self.add_rope(rope, tension[row], columns);
-                    if rope.material.compliance == 0.0 {
+                    let length = self.add_rope(rope, &tension[row..], q, columns);
+                    if rope.material.is_inextensible() {
                         violation = violation.max(length - rope.length);
                     }
                 }
+                AnyConstraint::Brake(_) => {}
                 AnyConstraint::Contact(contact) => {
                     self.add_contact(contact, [0, 1, 2].map(|k| tension[row + k]), columns)
                 }
@@ -120,13 +144,15 @@ impl Sampled {
     }
 
     /// Adds a rope's columns and its forces on bodies; returns its length [m].
-    fn add_rope(&mut self, rope: &Rope, tension: f64, columns: &mut Columns) -> f64 {
-        columns.rope_tension.push(tension);
+    fn add_rope(&mut self, rope: &Rope, force: &[f64], q: &[f64], columns: &mut Columns) -> f64 {
+        columns.rope_tension.push(mean_tension(rope, force, q));
         self.straights.clear();
         let straights = &mut self.straights;
         let length = rope.route.length(&self.kinematics, |_, straight| straights.push(*straight));
         for (index, part) in rope.route.parts.iter().enumerate() {
             let straight = self.straights[index];
+            let span = rope.span_of[index];
+            let tension = force[span] * rope.spans[span].scale(q);
             columns.segment_tension.push(tension);
             columns.segment_length.push(straight.length);
             let [start, end] = straight.couple;
@@ -165,6 +191,12 @@ impl Sampled {
         self.dynamics.update(tree, &self.kinematics, v, Some(acceleration), applied, &mut self.unused);
         let NewtonEuler { twists, wrenches, .. } = &self.dynamics;
         for (index, body) in tree.bodies.iter().enumerate() {
+            if body.joint.has_axis() {
+                columns.joint_position.push(q[body.first_position]);
+            }
+            if !body.joint.moves_body() {
+                continue;
+            }
             let centre = self.kinematics.centre_of_gravity[index];
             let turn = DQuat::from_mat3(&self.kinematics.pose[index].rotation);
             let velocity = self.kinematics.point_velocity(twists, Some(index), centre);
@@ -173,9 +205,6 @@ impl Sampled {
             columns.body_velocity.extend_from_slice(velocity.as_ref());
             columns.body_angular_velocity.extend_from_slice(twists[index].angular.as_ref());
             columns.joint_force.extend_from_slice(wrenches[index].force.as_ref());
-            if body.joint.has_axis() {
-                columns.joint_position.push(q[body.first_position]);
-            }
         }
     }
 }

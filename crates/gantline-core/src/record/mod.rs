@@ -77,15 +77,23 @@ impl Samples {
         self.complementarity_residual.push(residual);
     }
 
-    /// Keeps the largest tension of every rope: `peak` gives that of a step and its time [s], where it is more than
-    /// what is known.
-    pub fn note_peaks(&mut self, system: &System, mut peak: impl FnMut(usize, f64) -> Option<(f64, f64)>) {
+    /// Keeps the largest tension of every rope: `peak` gives the largest force of a row in a step that ended at `q`,
+    /// and its time [s], where it is more than what is known.
+    pub fn note_peaks(
+        &mut self,
+        system: &System,
+        q: &[f64],
+        mut peak: impl FnMut(usize, f64) -> Option<(f64, f64)>,
+    ) {
         self.rope_peak_tension.resize(system.rope_count, 0.0);
         self.rope_peak_time.resize(system.rope_count, 0.0);
         let peaks = self.rope_peak_tension.iter_mut().zip(&mut self.rope_peak_time);
-        for (rope, (known, when)) in peaks.enumerate() {
-            if let Some(higher) = peak(rope, *known) {
-                (*known, *when) = higher;
+        for ((rope, &first), (known, when)) in system.ropes().zip(&system.rows.first).zip(peaks) {
+            for (index, span) in rope.spans.iter().enumerate() {
+                let scale = span.scale(q);
+                if let Some((force, time)) = peak(first + index, *known / scale) {
+                    (*known, *when) = (force * scale, time);
+                }
             }
         }
     }

@@ -29,7 +29,11 @@ impl Names {
             rope: Vec::new(),
             segment: Vec::new(),
             rope_point: Vec::new(),
-            body: bodies.iter().map(|body| body.name.clone()).collect(),
+            body: bodies
+                .iter()
+                .filter(|body| body.joint.moves_body())
+                .map(|body| body.name.clone())
+                .collect(),
             joint: bodies.iter().filter(|body| body.joint.has_axis()).map(|body| body.name.clone()).collect(),
             contact: Vec::new(),
         };
@@ -42,6 +46,7 @@ impl Names {
                     names.rope_point.extend(std::iter::repeat_n(rope.name.clone(), points));
                     names.rope.push(rope.name.clone());
                 }
+                AnyConstraint::Brake(_) => {}
                 AnyConstraint::Contact(contact) => names.contact.push(contact.name.clone()),
             }
         }

@@ -7,6 +7,7 @@
 //! therefore only has to say where its parts start and end.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use glam::DVec3;
 
@@ -85,7 +86,7 @@ impl Guide {
     }
 
     /// Length of rope on the guide [m] where it does not change: π D/2 for half a turn (paper eq. 19).
-    fn fixed_arc(&self) -> f64 {
+    pub fn fixed_arc(&self) -> f64 {
         match self {
             Self::End(_) | Self::Sheave { .. } => 0.0,
             Self::HalfTurn { enter, leave, .. } => PI * (leave.at - enter.at).length() / 2.0,
@@ -237,11 +238,21 @@ impl Route {
     }
 
     /// Length along the route [m], parts and arcs, with the parts as they lie; `each` sees every part.
-    pub fn length(&self, kinematics: &Kinematics, mut each: impl FnMut(usize, &Straight)) -> f64 {
-        let mut length = self.arcs;
+    pub fn length(&self, kinematics: &Kinematics, each: impl FnMut(usize, &Straight)) -> f64 {
+        self.arcs + self.length_of(0..self.parts.len(), kinematics, each)
+    }
+
+    /// Length of some parts [m] and of the wraps between them, without half turns.
+    pub fn length_of(
+        &self,
+        parts: Range<usize>,
+        kinematics: &Kinematics,
+        mut each: impl FnMut(usize, &Straight),
+    ) -> f64 {
+        let mut length = 0.0;
         let mut before: Option<Straight> = None;
-        for (index, part) in self.parts.iter().enumerate() {
-            let straight = part.locate(kinematics);
+        for index in parts {
+            let straight = self.parts[index].locate(kinematics);
             if let (Some(before), Guide::Sheave { radius, .. }) = (&before, self.guides[index]) {
                 length += radius * self.guides[index].wrap(kinematics, before, &straight);
             }

@@ -3,7 +3,7 @@
 
 use super::order::{Node, NodeKind, elimination_order};
 use super::symbolic::Symbolic;
-use crate::constraint::Law;
+use crate::constraint::AnyConstraint;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 
@@ -84,9 +84,7 @@ fn pairs(system: &System, groups: &[Group], unknown: &[usize], free: usize) -> V
         pairs.extend(system.rows.dofs[entries].iter().map(|&dof| (free + row, unknown[dof])));
     }
     for (row, law) in system.rows.laws.iter().enumerate() {
-        if let Law::Friction { normal, .. } = law {
-            pairs.push((free + row, free + normal));
-        }
+        pairs.extend(law.bounded_by().map(|other| (free + row, free + other)));
     }
     for group in groups {
         for (i, &a) in group.dofs.iter().enumerate() {
@@ -116,7 +114,11 @@ fn unknown_order(system: &System, unknown: &[usize], free: usize, pairs: &[(usiz
         members.push(unknowns);
     }
     for (row, law) in system.rows.laws.iter().enumerate() {
-        nodes.push(Node { size: 1, kind: NodeKind::Row { compliant: law.compliance() > 0.0 } });
+        let holds = match system.constraint_of_row(row) {
+            AnyConstraint::Brake(brake) => Some(node_of_body[tree.owner[brake.dof]]),
+            _ => None,
+        };
+        nodes.push(Node { size: 1, kind: NodeKind::Row { compliant: law.compliance() > 0.0, holds } });
         members.push(vec![free + row]);
     }
     let mut node_of_unknown = vec![0; free + system.rows.count()];

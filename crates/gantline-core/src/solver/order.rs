@@ -2,9 +2,11 @@
 //!
 //! Nodes are joints (with their degrees of freedom) and rows. Rules:
 //! - a joint goes after the joints that hang on it, which keeps the mass matrix free of fill;
-//! - a row without compliance goes after at least one of its joints, or its pivot would be zero;
-//! - among those allowed the one with the fewest unknowns around it goes first; a row counts double,
-//!   since eliminating it before its joints divides by its compliance.
+//! - a row without compliance goes after at least one of its joints, that of a brake after the flow that it holds, or
+//!   its pivot would be zero;
+//! - among those allowed the one with the fewest unknowns around it goes first; a row of which no joint has gone
+//!   counts double, since eliminating it divides by its compliance; so does that of an inextensible rope, whose pivot
+//!   then rests on that joint alone.
 //!
 //! On an equalizer this gives: sheave slide, its sling, the next sheave, …, load, frame, equalizing rope:
 //! a constant cost per sheave.
@@ -32,6 +34,8 @@ pub enum NodeKind {
     Row {
         /// True where ε > 0.
         compliant: bool,
+        /// The one joint that the row holds, where it is coupled to others by its bound only.
+        holds: Option<usize>,
     },
 }
 
@@ -60,6 +64,8 @@ struct Elimination<'a> {
     /// Joints that hang on each joint and are left.
     hanging: Vec<usize>,
     gone: Vec<bool>,
+    /// True for nodes around a joint that is gone.
+    met: Vec<bool>,
     /// Nodes that are allowed, by cost.
     queue: BTreeSet<(usize, usize)>,
 }
@@ -73,6 +79,7 @@ impl<'a> Elimination<'a> {
             rigid: vec![Vec::new(); nodes.len()],
             hanging: vec![0; nodes.len()],
             gone: vec![false; nodes.len()],
+            met: vec![false; nodes.len()],
             queue: BTreeSet::new(),
         };
         for &(a, b) in edges {
@@ -82,8 +89,9 @@ impl<'a> Elimination<'a> {
         for (index, node) in nodes.iter().enumerate() {
             match node.kind {
                 NodeKind::Joint { above: Some(above) } => graph.hanging[above] += 1,
-                NodeKind::Joint { above: None } | NodeKind::Row { compliant: true } => {}
-                NodeKind::Row { compliant: false } => {
+                NodeKind::Joint { above: None } | NodeKind::Row { compliant: true, .. } => {}
+                NodeKind::Row { holds: Some(joint), .. } => graph.rigid[joint].push(index),
+                NodeKind::Row { holds: None, .. } => {
                     let is_joint = |near: &&usize| matches!(nodes[**near].kind, NodeKind::Joint { .. });
                     for &joint in graph.around[index].iter().filter(is_joint) {
                         graph.rigid[joint].push(index);
@@ -94,7 +102,7 @@ impl<'a> Elimination<'a> {
         for (index, node) in nodes.iter().enumerate() {
             let allowed = match node.kind {
                 NodeKind::Joint { .. } => graph.hanging[index] == 0,
-                NodeKind::Row { compliant } => compliant,
+                NodeKind::Row { compliant, .. } => compliant,
             };
             if allowed {
                 graph.queue.insert(graph.key(index));
@@ -104,7 +112,10 @@ impl<'a> Elimination<'a> {
     }
 
     fn key(&self, node: usize) -> (usize, usize) {
-        let double = matches!(self.nodes[node].kind, NodeKind::Row { .. });
+        let double = match self.nodes[node].kind {
+            NodeKind::Joint { .. } => false,
+            NodeKind::Row { compliant, holds } => !(self.met[node] && (compliant || holds.is_some())),
+        };
         (if double { 2 * self.near[node] } else { self.near[node] }, node)
     }
 
@@ -120,10 +131,12 @@ impl<'a> Elimination<'a> {
         self.gone[node] = true;
         self.queue.remove(&self.key(node));
         let around = std::mem::take(&mut self.around[node]);
+        let is_joint = matches!(self.nodes[node].kind, NodeKind::Joint { .. });
         for &a in &around {
             let queued = self.queue.remove(&self.key(a));
             self.around[a].remove(&node);
             self.near[a] -= self.nodes[node].size;
+            self.met[a] |= is_joint;
             for &b in &around {
                 self.couple(a, b);
             }

@@ -54,8 +54,10 @@ impl Stiffness {
         self.explicit = if used { EXPLICIT } else { 0.0 };
         let mut group = 0;
         for (index, rope) in system.ropes().enumerate() {
-            let tension = state.tension[system.rows.first[index]];
             for part in 0..rope.route.parts.len() {
+                let span = rope.span_of[part];
+                let tension =
+                    state.tension[system.rows.first[index] + span] * rope.spans[span].scale(&state.q);
                 let range = self.start[group]..self.start[group + 1];
                 let columns = &mut self.columns[range.clone()];
                 let factor = rope.geometric_stiffness(&frame.kinematics, tension, part, columns);

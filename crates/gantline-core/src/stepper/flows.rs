@@ -106,7 +106,7 @@ impl StepFlows<'_> {
         let after = before + self.h * rate;
         let spring = if is_friction(law) { after } else { after.max(0.0) } / compliance;
         let damper = flow - self.h * spring * rate;
-        if row < system.rows.first[system.rope_count] {
+        if row < system.rope_rows() {
             state.ledger.flows.rope_damping += damper;
         } else {
             state.ledger.flows.contact_damping += damper;
@@ -124,11 +124,13 @@ impl StepFlows<'_> {
 
     /// Logs what changed in the step. A time within it is found by letting the law's value run linearly.
     pub fn events(&self, system: &System, state: &State, log: &mut EventLog) {
-        for row in 0..system.rows.first[system.rope_count] {
-            let (old, new) = (state.modes[row] != Mode::Slack, self.rows.modes[row] != Mode::Slack);
+        for (rope, first) in system.rows.first[..=system.rope_count].windows(2).enumerate() {
+            let taut = |modes: &[Mode]| modes[first[0]..first[1]].iter().all(|mode| *mode != Mode::Slack);
+            let (old, new) = (taut(&state.modes), taut(&self.rows.modes));
             if old != new {
-                let kind = if new { EventKind::Taut } else { EventKind::Slack };
-                log.push(self.crossing(state, row), kind, row);
+                let changed = (first[0]..first[1]).filter(|&row| state.modes[row] != self.rows.modes[row]);
+                let time = changed.map(|row| self.crossing(state, row)).fold(state.time, f64::max);
+                log.push(time, if new { EventKind::Taut } else { EventKind::Slack }, rope);
             }
         }
         for (index, group) in system.groups.iter().enumerate() {

@@ -1,6 +1,7 @@
 //! Everything that follows from a configuration: poses, mass matrix, rows and their gradients.
 
 use crate::clock::Stage;
+use crate::constraint::Placed;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
@@ -47,21 +48,17 @@ impl Frame {
     /// Evaluates poses and rows, not the mass matrix, at the configuration `q`.
     pub fn update_rows(&mut self, system: &System, q: &[f64], memory: &[f64]) {
         system.clock.time(Stage::Kinematics, || self.kinematics.update(&system.tree, q));
-        system.clock.time(Stage::Assembly, || self.rows(system, memory));
+        system.clock.time(Stage::Assembly, || self.rows(system, q, memory));
     }
 
-    /// Evaluates rows at the poses.
-    pub fn rows(&mut self, system: &System, memory: &[f64]) {
+    /// Evaluates rows at the poses, which belong to the configuration `q`.
+    pub fn rows(&mut self, system: &System, q: &[f64], memory: &[f64]) {
         self.value.copy_from_slice(memory);
         let rows = &system.rows;
+        let at = Placed { tree: &system.tree, kinematics: &self.kinematics, q };
         for (constraint, first) in system.constraints.iter().zip(rows.first.windows(2)) {
             let entries = rows.start[first[0]]..rows.start[first[1]];
-            constraint.evaluate(
-                &system.tree,
-                &self.kinematics,
-                &mut self.value[first[0]..first[1]],
-                &mut self.gradient[entries],
-            );
+            constraint.evaluate(&at, &mut self.value[first[0]..first[1]], &mut self.gradient[entries]);
         }
     }
 }

@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::ball::Ball;
 use super::fixed::Fixed;
+use super::flow::Flow;
 use super::free::Free;
 use super::hinge::Hinge;
 use super::point::Point;
@@ -61,6 +62,8 @@ pub enum Joint {
     Point(Point),
     /// Free motion.
     Free(Free),
+    /// Rope that passes.
+    Flow(Flow),
 }
 
 macro_rules! each {
@@ -72,6 +75,7 @@ macro_rules! each {
             Joint::Ball($inner) => $call,
             Joint::Point($inner) => $call,
             Joint::Free($inner) => $call,
+            Joint::Flow($inner) => $call,
         }
     };
 }
@@ -114,8 +118,13 @@ impl Joint {
         each!(self, joint, joint.advance(q, increment))
     }
 
+    /// False for flows, which are no motion of a body.
+    pub fn moves_body(&self) -> bool {
+        !matches!(self, Self::Flow(_))
+    }
+
     /// True for joints with one coordinate that a drive can prescribe and a plot can show.
     pub fn has_axis(&self) -> bool {
-        matches!(self, Self::Hinge(_) | Self::Slider(_))
+        matches!(self, Self::Hinge(_) | Self::Slider(_) | Self::Flow(_))
     }
 }

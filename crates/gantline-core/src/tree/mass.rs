@@ -91,6 +91,7 @@ impl MassMatrix {
                 let linear = kinematics.point_column(tree, other, origin);
                 self.values[slot] = angular.dot(above.angular) + momentum.dot(linear);
             }
+            self.values[self.row_start[dof + 1] - 1] += tree.armature[dof];
         }
     }
 

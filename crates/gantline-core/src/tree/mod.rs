@@ -3,6 +3,7 @@
 pub mod ball;
 pub mod bias;
 pub mod fixed;
+pub mod flow;
 pub mod free;
 pub mod hinge;
 pub mod joint;
@@ -77,6 +78,8 @@ pub struct Tree {
     pub subtree: Vec<Vec<usize>>,
     /// Viscous damping of every degree of freedom [N s/m or N m s/rad].
     pub damping: Vec<f64>,
+    /// Inertia of every degree of freedom itself, beside that of the bodies that it moves [kg].
+    pub armature: Vec<f64>,
     /// A typical inertia of every degree of freedom [kg or kg m²], to turn errors into forces.
     pub inertia_scale: Vec<f64>,
 }
@@ -110,7 +113,7 @@ impl Tree {
             }
         }
         let damping = vec![0.0; velocities];
-        let inertia_scale = vec![1.0; velocities];
+        let (armature, inertia_scale) = (vec![0.0; velocities], vec![1.0; velocities]);
         Self {
             bodies,
             gravity,
@@ -122,6 +125,7 @@ impl Tree {
             support,
             subtree,
             damping,
+            armature,
             inertia_scale,
         }
     }

@@ -3,8 +3,8 @@
 
 use gantline_core::build::build;
 use gantline_core::spec::{
-    AxisJointSpec, BodySpec, ContactSpec, GuideSpec, JointSpec, MaterialSpec, PlacementSpec, RopeSpec,
-    SystemSpec,
+    AxisJointSpec, BodySpec, ContactSpec, DrumSpec, GuideSpec, JointSpec, MaterialSpec, PlacementSpec,
+    RopeSpec, SystemSpec,
 };
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
@@ -84,7 +84,19 @@ fn joint(draw: &mut Draw, kind: usize) -> JointSpec {
     }
 }
 
-/// A rig with every joint type in its tree, three ropes (one over a sheave), one contact.
+fn flow(name: &str, inertia: f64, velocity: f64) -> BodySpec {
+    BodySpec {
+        name: name.into(),
+        parent: None,
+        placement: PlacementSpec { position: [0.0; 3], orientation: [1.0, 0.0, 0.0, 0.0] },
+        joint: JointSpec::Flow { inertia, velocity, damping: 0.0, brake: 0.0, drive: None },
+        mass: 0.0,
+        centre_of_gravity: [0.0; 3],
+        inertia: [0.0; 6],
+    }
+}
+
+/// A rig with every joint type in its tree, three ropes (one over a sheave that turns and from a drum), one contact.
 pub fn rig(seeds: &[f64]) -> SystemSpec {
     let mut draw = Draw::new(seeds);
     let mut bodies: Vec<BodySpec> = Vec::new();
@@ -104,6 +116,7 @@ pub fn rig(seeds: &[f64]) -> SystemSpec {
             inertia: [diagonal[0], diagonal[1], diagonal[2], 0.1 * mass * size * draw.number(), 0.0, 0.0],
         });
     }
+    bodies.extend(["sheave", "drum"].map(|name| flow(name, 30.0 + 20.0 * draw.number(), draw.number())));
     let ropes = (0..3).map(|index| rope(&mut draw, index)).collect();
     let contact = ContactSpec {
         name: "c0".into(),
@@ -138,12 +151,15 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
         enter: draw.vector(),
         leave: draw.scaled(2.0),
         bulge: [0.0, 0.0, 1.0],
+        flow: Some("sheave".into()),
+        ratio: 1.0,
     };
-    let mut route = vec![GuideSpec::End { body: body(draw), at: draw.scaled(4.0) }];
+    let mut route = vec![GuideSpec::End { body: body(draw), at: draw.scaled(4.0), drum: None }];
     if index == 0 {
         route.push(middle);
     }
-    route.push(GuideSpec::End { body: body(draw), at: draw.scaled(4.0) });
+    let drum = (index == 0).then(|| DrumSpec { flow: "drum".into(), rate: 0.4 });
+    route.push(GuideSpec::End { body: body(draw), at: draw.scaled(4.0), drum });
     RopeSpec {
         name: format!("r{index}"),
         length: Some(1.0),
@@ -232,7 +248,11 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
             let axial_stiffness = 10.0_f64.powf(6.5 + 2.0 * draw.number());
             MaterialSpec::Elastic { axial_stiffness, damping_time: 0.003 * (1.0 + draw.number()) }
         };
-        let route = ends.map(|(body, at)| GuideSpec::End { body: body.map(|body| format!("b{body}")), at });
+        let route = ends.map(|(body, at)| GuideSpec::End {
+            body: body.map(|body| format!("b{body}")),
+            at,
+            drum: None,
+        });
         let length = (b - a).length().max(0.5) * if rigid { slack.max(1.001) } else { slack };
         spec.ropes.push(RopeSpec {
             name: format!("r{index}"),
@@ -258,10 +278,10 @@ pub fn sheave_rig(seeds: &[f64]) -> Option<(System, State, Frame)> {
         radius: 0.3 + 0.2 * draw.number(),
     };
     let route = vec![
-        GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0) },
+        GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None },
         sheave(&mut draw, 8.0),
         sheave(&mut draw, -8.0),
-        GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0) },
+        GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None },
     ];
     let material = MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 };
     spec.ropes = vec![RopeSpec { name: "r".into(), length: None, material, route }];

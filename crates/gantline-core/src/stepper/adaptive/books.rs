@@ -20,8 +20,9 @@ pub(super) const WEIGHTS: [f64; 4] =
 /// Where the loss of a row is booked.
 fn loss_kind<'a>(system: &System, ledger: &'a mut Flows, row: usize, mode: Mode) -> &'a mut f64 {
     match system.rows.laws[row] {
-        _ if row < system.rope_count => &mut ledger.rope_damping,
+        _ if row < system.rope_rows() => &mut ledger.rope_damping,
         Law::Friction { .. } if mode == Mode::Slipping => &mut ledger.friction,
+        Law::Brake { .. } => &mut ledger.friction,
         _ => &mut ledger.contact_damping,
     }
 }
@@ -51,7 +52,7 @@ impl Adaptive {
                 (Law::Unilateral { .. }, Mode::Acting) => spring_energy(law, -value),
                 (Law::Unilateral { .. }, _) => -spring_energy(law, value),
                 (Law::Friction { .. }, Mode::Slipping) => -row_energy(law, mode, value, here.tension[row]),
-                (Law::Friction { .. }, _) => 0.0,
+                (Law::Friction { .. } | Law::Brake { .. }, _) => 0.0,
             };
             *loss_kind(system, &mut self.flows, row, mode) += sign * lost;
         }
@@ -79,7 +80,7 @@ impl Adaptive {
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
             let (rate, tension) = (probe.rate[row], probe.tension[row]);
-            if compliance == 0.0 {
+            if compliance == 0.0 && state.modes[row] != Mode::Slipping {
                 // Its velocity along the rope is a defect of the method.
                 ledger.method += duration * tension * rate;
                 continue;
@@ -97,14 +98,14 @@ impl Adaptive {
             *defect -= phi_rate;
         }
         probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
-        probe.rates(system, &self.defect, &mut self.rows);
+        probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
         let mut power = 0.0;
         for (row, law) in system.rows.laws.iter().enumerate() {
             let e = probe.frame.value[row];
             let stretch = match law {
                 Law::Unilateral { .. } => e.max(0.0),
                 Law::Friction { .. } if state.modes[row] == Mode::Acting => e,
-                Law::Friction { .. } => 0.0,
+                Law::Friction { .. } | Law::Brake { .. } => 0.0,
             };
             if law.compliance() > 0.0 {
                 power += self.rows[row] * stretch / law.compliance();

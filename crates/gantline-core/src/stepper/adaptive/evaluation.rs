@@ -8,10 +8,12 @@
 //!
 //! τ is inverse dynamics; q = q₀ ⊕ φ with q₀ the configuration at the start of the step.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::clock::Stage;
-use crate::constraint::{AnyConstraint, Law, Line};
+use crate::constraint::{AnyConstraint, Law, Line, Moving};
 use crate::rope::route::Attachment;
 use crate::solver::complementarity::Mode;
 use crate::stepper::frame::Frame;
@@ -45,6 +47,8 @@ pub struct Evaluation {
     pub imbalance: Vec<f64>,
     /// G v̇ + Ġ v of every inextensible rope [m/s²], by [`System::rigid`].
     pub pull: Vec<f64>,
+    /// Largest force of every brake [N].
+    pub bound: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
     lines: Vec<Line>,
     /// First degree of freedom of every joint's rotations in body axes.
@@ -67,6 +71,7 @@ impl Evaluation {
             tension: vec![0.0; rows],
             imbalance: vec![0.0; size],
             pull: vec![0.0; system.rigid.len()],
+            bound: vec![0.0; rows],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
             rigid_scale: 1e6,
@@ -78,7 +83,7 @@ impl Evaluation {
         self.place(system, at);
         system.clock.time(Stage::Assembly, || {
             self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
-            self.locate(system, at.memory);
+            self.locate(system, at);
             self.tensions(system, at, modes, slip);
         });
     }
@@ -91,7 +96,7 @@ impl Evaluation {
 
     fn add_forces(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.locate(system, at.memory);
+        self.locate(system, at);
         self.tensions(system, at, modes, slip);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
@@ -102,6 +107,11 @@ impl Evaluation {
             }
         }
         self.balance(system, at);
+        for &index in &system.fed {
+            let tension = &self.tension[rows.first[index]..rows.first[index + 1]];
+            let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
+            system.constraints[index].feed(tension, lines, &mut self.imbalance);
+        }
     }
 
     /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
@@ -112,7 +122,7 @@ impl Evaluation {
 
     fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.frame.rows(system, at.memory);
+        self.frame.rows(system, &self.q, at.memory);
         for (row, rate) in self.rate.iter_mut().enumerate() {
             *rate = system.rows.rate(&self.frame.gradient, row, at.v);
         }
@@ -136,24 +146,25 @@ impl Evaluation {
     }
 
     /// Values and rates of the rows from the motion of the bodies.
-    fn locate(&mut self, system: &System, memory: &[f64]) {
-        self.frame.value.copy_from_slice(memory);
+    fn locate(&mut self, system: &System, at: &Point) {
+        self.frame.value.copy_from_slice(at.memory);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let own = rows.first[index]..rows.first[index + 1];
             let lines = &mut self.lines[rows.lines[index]..rows.lines[index + 1]];
-            let motion = (&self.frame.kinematics, self.dynamics.twists.as_slice());
+            let (kinematics, twists) = (&self.frame.kinematics, self.dynamics.twists.as_slice());
+            let moving = Moving { kinematics, twists, q: &self.q, v: at.v };
             let value = &mut self.frame.value[own.clone()];
-            constraint.locate(motion, value, &mut self.rate[own], lines);
+            constraint.locate(&moving, value, &mut self.rate[own], lines);
         }
     }
 
-    /// Rates of the rows under other velocities of the bodies, after [`Evaluation::forces`].
-    pub fn rates(&self, system: &System, twists: &[Twist], rate: &mut [f64]) {
+    /// Rates of the rows under other velocities, after [`Evaluation::forces`].
+    pub fn rates(&self, system: &System, twists: &[Twist], v: &[f64], rate: &mut [f64]) {
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
-            constraint.rates(twists, lines, &mut rate[rows.first[index]..rows.first[index + 1]]);
+            constraint.rates(twists, v, lines, &mut rate[rows.first[index]..rows.first[index + 1]]);
         }
     }
 
@@ -168,8 +179,20 @@ impl Evaluation {
             let acts = modes[row] == Mode::Acting;
             self.trial[row] = if acts { *tension } else { self.frame.value[row] * self.rigid_scale };
         }
-        for (row, mode) in modes.iter().enumerate() {
-            self.tension[row] = match mode {
+        let brakes = system.rows.first[system.first_brake];
+        self.bounded(system, 0..brakes, modes, slip);
+        for (row, constraint) in (brakes..).zip(&system.constraints[system.first_brake..]) {
+            if let AnyConstraint::Brake(brake) = constraint {
+                self.bound[row] = brake.bound(&self.q, &self.tension);
+            }
+        }
+        self.bounded(system, brakes..modes.len(), modes, slip);
+    }
+
+    /// Forces of some rows with their modes.
+    fn bounded(&mut self, system: &System, rows: Range<usize>, modes: &[Mode], slip: &[f64]) {
+        for row in rows {
+            self.tension[row] = match modes[row] {
                 Mode::Slack => 0.0,
                 Mode::Acting => self.trial[row],
                 Mode::Slipping => self.slip_force(&system.rows.laws, row, slip),
@@ -184,8 +207,14 @@ impl Evaluation {
         for (imbalance, (damping, v)) in self.imbalance.iter_mut().zip(damping) {
             *imbalance += damping * v;
         }
+        for &dof in &system.flows {
+            self.imbalance[dof] += system.tree.armature[dof] * at.a[dof];
+        }
         for (pull, &row) in self.pull.iter_mut().zip(&system.rigid) {
-            *pull = pull_of(system, &self.frame, &self.dynamics, row);
+            *pull = match system.constraint_of_row(row) {
+                AnyConstraint::Brake(brake) => at.a[brake.dof],
+                _ => pull_of(system, &self.frame, &self.dynamics, row),
+            };
         }
         self.phi_rate.copy_from_slice(at.v);
         for &first in &self.rotations {
@@ -196,10 +225,17 @@ impl Evaluation {
         }
     }
 
-    /// Force of a sliding contact along one tangent, with its direction against the motion.
+    /// Force of friction at its bound, against the motion: of a contact along one tangent, or of a flow.
     fn slip_force(&self, laws: &[Law], row: usize, slip: &[f64]) -> f64 {
-        let Law::Friction { coefficient, normal, .. } = laws[row] else { return 0.0 };
-        coefficient * self.trial[normal].max(0.0) * self.slip_direction(normal, slip)[row - normal - 1]
+        match laws[row] {
+            Law::Friction { coefficient, normal, .. } => {
+                coefficient
+                    * self.trial[normal].max(0.0)
+                    * self.slip_direction(normal, slip)[row - normal - 1]
+            }
+            Law::Brake { .. } => self.bound[row] * slip[row],
+            Law::Unilateral { .. } => 0.0,
+        }
     }
 
     /// How the force of a sliding contact turns with its velocity: μN/|v + v₀ d₀| [N s/m].
@@ -241,7 +277,7 @@ pub struct Point<'a> {
 /// G v̇ + Ġ v of an inextensible rope at the motion of `dynamics`: each straight part gives
 /// n·(ẍ_B − ẍ_A) + |u⊥|²/ℓ, u the relative velocity of its ends.
 pub fn pull_of(system: &System, frame: &Frame, dynamics: &NewtonEuler, row: usize) -> f64 {
-    let AnyConstraint::Rope(rope) = &system.constraints[row] else { return 0.0 };
+    let AnyConstraint::Rope(rope) = system.constraint_of_row(row) else { return 0.0 };
     let kinematics = &frame.kinematics;
     let motion = |end: &Attachment, point: DVec3| {
         let Some(body) = end.body else { return (DVec3::ZERO, DVec3::ZERO) };

@@ -50,7 +50,7 @@ impl Looks {
     pub fn note(&mut self, system: &System, k: usize, at: &Evaluation) {
         let forces = self.forces[k].iter_mut().zip(&system.rows.laws);
         for ((force, law), (trial, tension)) in forces.zip(at.trial.iter().zip(&at.tension)) {
-            *force = if matches!(law, Law::Friction { .. }) { *tension } else { *trial };
+            *force = if matches!(law, Law::Unilateral { .. }) { *trial } else { *tension };
         }
     }
 

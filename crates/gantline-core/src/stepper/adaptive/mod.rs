@@ -68,6 +68,8 @@ const FIRST_STEP: f64 = 1e-3;
 const STEP_FLOOR: f64 = 1e-10;
 /// How far from its law a row may get before it changes side, in tolerances of tension.
 const SWITCHING: f64 = 5.0;
+/// Rounds in which brakes settle between holding and slipping after a change.
+const SETTLING: usize = 20;
 
 /// The integrator with its work arrays.
 #[derive(Debug, Clone)]
@@ -217,6 +219,14 @@ impl Adaptive {
         }
         if state.restart {
             self.restart(system, state, frame)?;
+            for _ in 0..SETTLING {
+                self.rodas.evaluate(system, state);
+                self.current = true;
+                if !self.settle(system, state) {
+                    break;
+                }
+                self.restart(system, state, frame)?;
+            }
         }
         if !self.current {
             self.rodas.evaluate(system, state);
@@ -374,7 +384,8 @@ impl Adaptive {
 
     /// How many inextensible ropes act.
     fn rigid_acting(&self, system: &System, state: &State) -> usize {
-        system.rigid.iter().filter(|&&row| state.modes[row] == Mode::Acting).count()
+        let ropes = system.rigid.iter().filter(|&&row| row < system.rope_rows());
+        ropes.filter(|&&row| state.modes[row] == Mode::Acting).count()
     }
 
     fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {

@@ -1,7 +1,6 @@
 //! Where the numbers of the matrix of [`super::tangent`] go. Found once.
 
 use super::evaluation::first_rotation;
-use crate::constraint::Law;
 use crate::solver::layout::{Group, Layout, NONE};
 use crate::solver::ldu::Ldu;
 use crate::system::System;
@@ -23,8 +22,8 @@ pub struct Places {
     pub in_column: Vec<u32>,
     /// Diagonal of every row.
     pub diagonal: Vec<u32>,
-    /// Tangential rows and the places of their coupling to the normal ones.
-    pub friction: Vec<(usize, u32)>,
+    /// Rows of friction by the rows that their bounds depend on, and the places of these couplings; ascending.
+    pub friction: Vec<(usize, usize, u32)>,
     /// Groups whose motion turns gradients.
     pub blocks: Vec<Block>,
     /// Bodies whose joints have rotations in body axes.
@@ -130,12 +129,12 @@ impl Places {
                 group: group.clone(),
             });
         }
-        let friction = system.rows.laws.iter().enumerate().filter_map(|(row, law)| match law {
-            Law::Friction { normal, .. } => Some((row, finder.of(layout.row(row), layout.row(*normal)))),
-            Law::Unilateral { .. } => None,
-        });
+        let mut friction = Vec::new();
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            friction.extend(law.bounded_by().map(|to| (row, to, finder.of(layout.row(row), layout.row(to)))));
+        }
         Self {
-            friction: friction.collect(),
+            friction,
             diagonal: (0..system.rows.count())
                 .map(|row| finder.of(layout.row(row), layout.row(row)))
                 .collect(),

@@ -141,6 +141,11 @@ impl Adaptive {
                 let anchor = along - coefficient * at.rate[normal];
                 -anchor / REVERSAL * SWITCHING * self.tolerance.tension
             }
+            (Law::Brake { .. }, Mode::Slack) => 0.0,
+            (Law::Brake { .. }, Mode::Acting) => at.trial[row].abs() - at.bound[row],
+            (Law::Brake { impedance, .. }, Mode::Slipping) => {
+                (-at.rate[row] * state.slip[row] * impedance).min(2.0 * at.bound[row])
+            }
         }
     }
 
@@ -156,27 +161,100 @@ impl Adaptive {
     ) -> bool {
         let mut any = false;
         for (index, constraint) in system.constraints.iter().enumerate() {
-            let row = system.rows.first[index];
-            if self.distance(system, state, row, &self.rodas.here) > 0.0 {
-                any = true;
-                let taut = state.modes[row] == Mode::Slack;
-                state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
-                state.engaged |= taut;
-                let crossing = self.looks.crossing(row, self.rodas.here.trial[row] > 0.0);
-                let time = start + length * crossing;
-                match constraint {
-                    AnyConstraint::Rope(_) => {
-                        log.push(time, if taut { EventKind::Taut } else { EventKind::Slack }, index);
+            match constraint {
+                AnyConstraint::Rope(_) => any |= self.switch_rope(system, state, log, index, (start, length)),
+                AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake.dof),
+                AnyConstraint::Contact(contact) => {
+                    let row = system.rows.first[index];
+                    if let Some((taut, crossing)) = self.turn_over(system, state, row) {
+                        any = true;
+                        self.set_friction(state, row, state.modes[row]);
+                        self.log_group(system, state, log, contact.group, taut, start + length * crossing);
                     }
-                    AnyConstraint::Contact(contact) => {
-                        let mode = if taut { Mode::Acting } else { Mode::Slack };
-                        self.set_friction(state, row, mode);
-                        self.log_group(system, state, log, contact.group, taut, time);
-                    }
+                    any |= self.switch_friction(system, state, log, index);
                 }
             }
-            if let AnyConstraint::Contact(_) = constraint {
-                any |= self.switch_friction(system, state, log, index);
+        }
+        any
+    }
+
+    /// Lets a rope or normal row change side where it has crossed over: whether it acts now, and the share of the
+    /// step at which it crossed.
+    fn turn_over(&self, system: &System, state: &mut State, row: usize) -> Option<(bool, f64)> {
+        if self.distance(system, state, row, &self.rodas.here) <= 0.0 {
+            return None;
+        }
+        let taut = state.modes[row] == Mode::Slack;
+        state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
+        state.engaged |= taut;
+        Some((taut, self.looks.crossing(row, self.rodas.here.trial[row] > 0.0)))
+    }
+
+    /// The rows of a rope; it is slack where any of them is.
+    fn switch_rope(
+        &self,
+        system: &System,
+        state: &mut State,
+        log: &mut EventLog,
+        index: usize,
+        (start, length): (f64, f64),
+    ) -> bool {
+        let rows = system.rows.first[index]..system.rows.first[index + 1];
+        let taut = |state: &State| state.modes[rows.clone()].iter().all(|mode| *mode != Mode::Slack);
+        let before = taut(state);
+        let mut last = None;
+        for row in rows.clone() {
+            if let Some((_, crossing)) = self.turn_over(system, state, row) {
+                last = Some(last.unwrap_or(0.0_f64).max(crossing));
+            }
+        }
+        let after = taut(state);
+        if let (Some(crossing), true) = (last, before != after) {
+            log.push(
+                start + length * crossing,
+                if after { EventKind::Taut } else { EventKind::Slack },
+                index,
+            );
+        }
+        last.is_some()
+    }
+
+    /// Holding and slipping of the brake `index` on a flow.
+    fn switch_brake(&self, system: &System, state: &mut State, index: usize, dof: usize) -> bool {
+        let row = system.rows.first[index];
+        if self.distance(system, state, row, &self.rodas.here) <= 0.0 {
+            return false;
+        }
+        if state.modes[row] == Mode::Slipping {
+            state.modes[row] = Mode::Acting;
+            // Inertia of a flow is its own: stopping it moves nothing else.
+            state.ledger.flows.friction += 0.5 * system.tree.armature[dof] * state.v[dof] * state.v[dof];
+            state.v[dof] = 0.0;
+        } else {
+            state.modes[row] = Mode::Slipping;
+            state.slip[row] = self.rodas.here.trial[row].signum();
+        }
+        true
+    }
+
+    /// Lets brakes slip that cannot hold, and hold where a flow at rest is pulled back; true where any changed. The
+    /// start of the step has been evaluated.
+    pub(super) fn settle(&self, system: &System, state: &mut State) -> bool {
+        let mut any = false;
+        for &index in &system.fed {
+            let AnyConstraint::Brake(brake) = &system.constraints[index] else { continue };
+            let (row, here) = (system.rows.first[index], &self.rodas.here);
+            let slips = match state.modes[row] {
+                Mode::Slipping => {
+                    let resting = state.v[brake.dof] * state.slip[row] <= 0.0;
+                    !(resting && state.acceleration[brake.dof] * state.slip[row] < 0.0)
+                }
+                _ => here.trial[row].abs() > here.bound[row],
+            };
+            if slips != (state.modes[row] == Mode::Slipping) {
+                state.modes[row] = if slips { Mode::Slipping } else { Mode::Acting };
+                state.slip[row] = here.trial[row].signum();
+                any = true;
             }
         }
         any

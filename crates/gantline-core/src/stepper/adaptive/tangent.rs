@@ -15,7 +15,8 @@ use glam::DVec3;
 use super::evaluation::{Evaluation, pull_of};
 use super::places::{Block, Places};
 use super::spins::Spins;
-use crate::constraint::Law;
+use crate::constraint::brake::Brake;
+use crate::constraint::{AnyConstraint, Law, Placed};
 use crate::solver::complementarity::Mode;
 use crate::solver::layout::{Group, Layout};
 use crate::solver::ldu::Ldu;
@@ -104,8 +105,10 @@ impl TangentMatrix {
                 self.place_block(system, here, state, block);
             }
         }
-        for &row in system.rigid.iter().filter(|&&row| state.modes[row] == Mode::Acting) {
-            self.linearise_pull(system, state, row);
+        for &row in &system.rigid {
+            if state.modes[row] == Mode::Acting && row < system.rope_rows() {
+                self.linearise_pull(system, state, row);
+            }
         }
     }
 
@@ -136,14 +139,9 @@ impl TangentMatrix {
             &self.places.blocks[block];
         let (size, tension, law) = (dofs.len(), here.tension[*row], &system.rows.laws[*row]);
         let curvature = &mut self.curvature[..size * size];
-        let kinematics = &here.frame.kinematics;
-        system.constraints[*constraint].curvature(
-            &system.tree,
-            kinematics,
-            *number,
-            &mut self.columns,
-            curvature,
-        );
+        let at = Placed { tree: &system.tree, kinematics: &here.frame.kinematics, q: &state.q };
+        let value = here.frame.value[*row];
+        system.constraints[*constraint].curvature(&at, value, *number, &mut self.columns, curvature);
         for (place, value) in places.iter().zip(&*curvature) {
             self.stiffness[*place as usize] += tension * value;
         }
@@ -285,6 +283,17 @@ impl TangentMatrix {
         let (own, turned) = (&gradient[range.clone()], &self.turned[range.clone()]);
         match state.modes[row] {
             Mode::Slack => {}
+            Mode::Slipping if matches!(law, Law::Brake { .. }) => {
+                for place in in_row {
+                    self.values[place] = 0.0;
+                }
+                let square = kappa * kappa * state.slip[row];
+                if let Some(brake) = brake_of(system, row) {
+                    brake.add_slopes(&state.q, &here.tension, |entry, slope| {
+                        self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
+                    });
+                }
+            }
             Mode::Slipping => {
                 let [first, second] = slip_weights(law, here, &state.slip, row).map(|weight| kappa * weight);
                 let partner = partner_of(system, law, row);
@@ -305,18 +314,19 @@ impl TangentMatrix {
                 }
             }
         }
-        if let (Mode::Slipping, Law::Friction { coefficient, normal, .. }) = (state.modes[row], *law) {
-            let direction = here.slip_direction(normal, &state.slip)[row - normal - 1];
-            let place = self.friction_place(row);
-            self.values[place] = coefficient * direction;
+        if state.modes[row] == Mode::Slipping {
+            let brake = brake_of(system, row);
+            let friction = &self.places.friction;
+            let first = friction.partition_point(|&(other, ..)| other < row);
+            for &(_, to, place) in friction[first..].iter().take_while(|&&(other, ..)| other == row) {
+                self.values[place as usize] = match *law {
+                    Law::Friction { coefficient, normal, .. } => {
+                        coefficient * here.slip_direction(normal, &state.slip)[row - normal - 1]
+                    }
+                    _ => brake.map_or(0.0, |brake| brake.weight(&state.q, to) * state.slip[row]),
+                };
+            }
         }
-    }
-
-    /// Place of the coupling of a tangential row to its normal row.
-    fn friction_place(&self, row: usize) -> usize {
-        let friction = &self.places.friction;
-        let found = friction.binary_search_by_key(&row, |&(row, _)| row);
-        found.map_or(self.places.first_driven - 1, |index| friction[index].1 as usize)
     }
 
     /// Makes and factorises [M Gᵀ; G 0] with the inextensible ropes that act: for accelerations, projections and
@@ -380,6 +390,15 @@ impl TangentMatrix {
             }
             out[dof] += scale * (velocity.lower[diagonal] + system.tree.damping[dof]) * x[dof];
         }
+    }
+}
+
+/// The brake whose row it is.
+fn brake_of(system: &System, row: usize) -> Option<&Brake> {
+    let index = row.checked_sub(system.rows.first[system.first_brake])?;
+    match &system.constraints[system.first_brake + index] {
+        AnyConstraint::Brake(brake) => Some(brake),
+        _ => None,
     }
 }
 

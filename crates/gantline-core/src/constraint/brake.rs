@@ -1,0 +1,124 @@
+//! Friction that holds a flow: of a sheave's bearing and groove, or of a drum's brake.
+//!
+//! The force on the flow is at most `capacity` + `share` (T₁ + T₂), T₁ and T₂ the tensions on both sides of a sheave. While
+//! that is enough the flow is held: no creep, and the force is what it takes. Where it is not, the flow slips against
+//! the whole of it. With share = (ρ − 1)/(ρ + 1) tensions that slip steadily are as T₁/T₂ = ρ, in either direction.
+
+use glam::DVec3;
+
+use super::rope::span::Span;
+use super::{Constraint, Law, Line, Moving, Placed};
+use crate::tree::bias::Wrench;
+use crate::tree::kinematics::Twist;
+
+/// Friction on a flow.
+#[derive(Debug, Clone)]
+pub struct Brake {
+    /// Name of the flow.
+    pub name: String,
+    /// Its degree of freedom.
+    pub dof: usize,
+    /// Largest force without any tension [N].
+    pub capacity: f64,
+    /// Share of the sum of both tensions.
+    pub share: f64,
+    /// Spans that it feeds, one or two, with their rows. The entries of their feeds are those of this row.
+    pub spans: Vec<(usize, Span)>,
+    /// What a velocity of the flow does to the tensions on both sides [N s/m].
+    pub impedance: f64,
+    dofs: Vec<usize>,
+    own: usize,
+}
+
+/// (ρ − 1)/(ρ + 1) of the ratio ρ ≥ 1 of the tensions on both sides of a slipping sheave.
+pub fn share_of_ratio(ratio: f64) -> f64 {
+    (ratio - 1.0) / (ratio + 1.0)
+}
+
+impl Brake {
+    /// A brake on the flow `dof`, of a given `impedance` [N s/m].
+    pub fn new(
+        name: String,
+        dof: usize,
+        [capacity, share, impedance]: [f64; 3],
+        mut spans: Vec<(usize, Span)>,
+    ) -> Self {
+        let mut dofs: Vec<usize> =
+            spans.iter().flat_map(|(_, span)| span.feeds.iter().map(|feed| feed.dof)).collect();
+        dofs.sort_unstable();
+        dofs.dedup();
+        let entry = |dof: usize| dofs.partition_point(|&other| other < dof);
+        for feed in spans.iter_mut().flat_map(|(_, span)| &mut span.feeds) {
+            feed.entry = entry(feed.dof);
+        }
+        Self { name, dof, capacity, share, spans, impedance, own: entry(dof), dofs }
+    }
+
+    /// Largest force [N] at the configuration `q`, with the forces `force` of all rows.
+    pub fn bound(&self, q: &[f64], force: &[f64]) -> f64 {
+        let tensions = self.spans.iter().map(|(row, span)| span.scale(q) * force[*row].max(0.0));
+        self.capacity + self.share * tensions.sum::<f64>()
+    }
+
+    /// How the bound answers to the force of a row.
+    pub fn weight(&self, q: &[f64], row: usize) -> f64 {
+        let span = self.spans.iter().find(|(other, _)| *other == row);
+        span.map_or(0.0, |(_, span)| self.share * span.scale(q))
+    }
+
+    /// How the bound answers to the flows, by entry of the row: they change the lengths of the spans, ∂w/∂L = −w/2L.
+    pub fn add_slopes(&self, q: &[f64], force: &[f64], mut add: impl FnMut(usize, f64)) {
+        for (row, span) in &self.spans {
+            let slope = -0.5 * self.share * force[*row].max(0.0) * span.scale(q) / span.unstretched(q);
+            for feed in &span.feeds {
+                add(feed.entry, slope * feed.rate);
+            }
+        }
+    }
+}
+
+impl Constraint for Brake {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn row_dofs(&self) -> Vec<Vec<usize>> {
+        vec![self.dofs.clone()]
+    }
+
+    fn laws(&self, _first_row: usize) -> Vec<Law> {
+        let rows = [0, self.spans.len() - 1].map(|side| self.spans[side].0);
+        vec![Law::Brake { rows, impedance: self.impedance }]
+    }
+
+    fn lines(&self) -> usize {
+        0
+    }
+
+    fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], _lines: &mut [Line]) {
+        value[0] = 0.0;
+        rate[0] = at.v[self.dof];
+    }
+
+    fn rates(&self, _twists: &[Twist], v: &[f64], _lines: &[Line], rate: &mut [f64]) {
+        rate[0] = v[self.dof];
+    }
+
+    fn apply(&self, _tension: &[f64], _lines: &[Line], _wrenches: &mut [Wrench]) {}
+
+    fn feed(&self, tension: &[f64], _lines: &[Line], force: &mut [f64]) {
+        force[self.dof] += tension[0];
+    }
+
+    fn evaluate(&self, _at: &Placed, value: &mut [f64], gradient: &mut [f64]) {
+        value[0] = 0.0;
+        gradient.fill(0.0);
+        gradient[self.own] = 1.0;
+    }
+
+    fn curvature_groups(&self) -> Vec<(usize, Vec<usize>)> {
+        Vec::new()
+    }
+
+    fn curvature(&self, _: &Placed, _: f64, _: usize, _: &mut [DVec3], _: &mut [f64]) {}
+}

@@ -1,0 +1,332 @@
+//! Length of a rope: g = Σ parts + Σ arcs − L (paper eqs. 16, 19, 20); where rope is fed, see [`span`].
+//!
+//! With n the unit direction of a part from A to B, ġ = Σ n·(v_B − v_A): each part adds n·(J_B − J_A), the
+//! sum of eqs. (18) and (22). A degree of freedom that moves A and B as one rigid whole cannot change
+//! |B − A| and is left out of the pattern: so the sheaves of an equalizer do not couple to what carries
+//! the whole of it.
+
+mod levers;
+mod sheaves;
+pub mod span;
+
+use glam::DVec3;
+
+use super::{Constraint, Law, Line, Moving, Placed};
+use crate::rope::material::Material;
+use crate::rope::route::{Attachment, Part, Route, Straight, unit};
+use crate::tree::Tree;
+use crate::tree::bias::Wrench;
+use crate::tree::kinematics::{Kinematics, Twist};
+use levers::{Ends, Lever, PartLevers, add_levers, bend, pull, pulls, transversal, without};
+use span::{Span, Stretch};
+
+/// A rope as a constraint: one row per [`Span`].
+#[derive(Debug, Clone)]
+pub struct Rope {
+    /// Unique name.
+    pub name: String,
+    /// Its way.
+    pub route: Route,
+    /// Unstretched length L where no flow has fed it [m].
+    pub length: f64,
+    /// What it is made of.
+    pub material: Material,
+    /// Stretches of one tension, from end to end.
+    pub spans: Vec<Span>,
+    /// Number of the span of every straight part.
+    pub span_of: Vec<usize>,
+    /// Degrees of freedom of every row.
+    dofs: Vec<Vec<usize>>,
+    levers: Vec<Lever>,
+    parts: Vec<PartLevers>,
+}
+
+/// Arm [m], place [m] and velocity [m/s] of an end of a straight part.
+// In the innermost loop of every method: a call would cost as much as the work.
+#[inline(always)]
+fn held((kinematics, twists): (&Kinematics, &[Twist]), attachment: &Attachment) -> (DVec3, DVec3, DVec3) {
+    let Some(body) = attachment.body else { return (attachment.at, attachment.at, DVec3::ZERO) };
+    let pose = &kinematics.pose[body];
+    let arm = pose.rotation * attachment.at;
+    (arm, pose.position + arm, twists[body].at(arm))
+}
+
+impl Rope {
+    /// A rope in `tree`; the entries of the spans' feeds are set here.
+    pub fn new(name: String, route: Route, mut spans: Vec<Span>, material: Material, tree: &Tree) -> Self {
+        let ends_of = |part: &Part| -> Ends {
+            let (from, to) = (tree.support_of(part.from.at.body), tree.support_of(part.to.at.body));
+            (without(from, to), without(to, from))
+        };
+        let (mut levers, mut parts) = (Vec::new(), Vec::with_capacity(route.parts.len()));
+        let (mut rows, mut span_of, mut base) = (Vec::new(), Vec::new(), 0);
+        for (index, span) in spans.iter_mut().enumerate() {
+            let ends: Vec<Ends> = route.parts[span.parts.clone()].iter().map(ends_of).collect();
+            let moved = ends.iter().flat_map(|(from, to)| from.iter().chain(to)).copied();
+            let mut dofs: Vec<usize> = moved.chain(span.feeds.iter().map(|feed| feed.dof)).collect();
+            dofs.sort_unstable();
+            dofs.dedup();
+            add_levers(&ends, (&dofs, base), tree, (&mut levers, &mut parts));
+            for feed in &mut span.feeds {
+                feed.entry = base + dofs.partition_point(|&dof| dof < feed.dof);
+            }
+            base += dofs.len();
+            rows.push(dofs);
+            span_of.resize(span.parts.end, index);
+        }
+        let length = spans.iter().map(|span| span.length).sum();
+        Self { name, route, length, material, spans, span_of, dofs: rows, levers, parts }
+    }
+
+    /// Levers of the start and of the end of a straight part.
+    fn ends(&self, part: PartLevers) -> (&[Lever], &[Lever]) {
+        self.levers[part.start..part.end].split_at(part.split - part.start)
+    }
+
+    /// Where the straight parts lie now.
+    pub fn straights<'a>(&'a self, kinematics: &'a Kinematics) -> impl Iterator<Item = Straight> + 'a {
+        self.route.parts.iter().map(move |part| part.locate(kinematics))
+    }
+
+    /// Locates the parts of a span; returns its length [m] and the rate of that, both without what feeds it.
+    fn locate_span(&self, span: &Span, at: &Moving, lines: &mut [Line]) -> (f64, f64) {
+        let mut length = span.arcs;
+        if !self.route.is_plain {
+            let origin =
+                |body: Option<usize>| body.map_or(DVec3::ZERO, |body| at.kinematics.pose[body].position);
+            length += self.route.length_of(span.parts.clone(), at.kinematics, |part, straight| {
+                let Part { from, to } = &self.route.parts[part];
+                let (from, to) = (straight.from - origin(from.at.body), straight.to - origin(to.at.body));
+                let (direction, couple) = (straight.pull, straight.couple);
+                lines[part - span.parts.start] = Line { from, to, direction, couple, supply: 0.0 };
+            });
+            return (length, self.rate_of(span, at.twists, lines));
+        }
+        let mut speed = 0.0;
+        for (part, line) in self.route.parts[span.parts.clone()].iter().zip(lines) {
+            let (from, start, start_velocity) = held((at.kinematics, at.twists), &part.from.at);
+            let (to, stop, stop_velocity) = held((at.kinematics, at.twists), &part.to.at);
+            let (direction, part_length) = unit(stop - start);
+            length += part_length;
+            speed += direction.dot(stop_velocity - start_velocity);
+            *line = Line { from, to, direction, couple: [DVec3::ZERO; 2], supply: 0.0 };
+        }
+        (length, speed)
+    }
+
+    /// Rate of a span along its lines, without what feeds it.
+    fn rate_of(&self, span: &Span, twists: &[Twist], lines: &[Line]) -> f64 {
+        let velocity = |body: Option<usize>, arm| body.map_or(DVec3::ZERO, |body| twists[body].at(arm));
+        let turn = |body: Option<usize>| body.map_or(DVec3::ZERO, |body| twists[body].angular);
+        let mut sum = 0.0;
+        for (part, line) in self.route.parts[span.parts.clone()].iter().zip(lines) {
+            let (from, to) = (part.from.at.body, part.to.at.body);
+            sum += line.direction.dot(velocity(to, line.to) - velocity(from, line.from));
+            if !self.route.is_plain {
+                sum += line.couple[0].dot(turn(from)) + line.couple[1].dot(turn(to));
+            }
+        }
+        sum
+    }
+
+    /// The part of the geometric stiffness of one straight part that is positive semidefinite by construction:
+    /// fills `columns` with the transversal relative velocity c per degree of freedom of the group and returns
+    /// the factor f of K = f Σ cᵢ·cⱼ, f = T/ℓ [N/m].
+    pub fn geometric_stiffness(
+        &self,
+        kinematics: &Kinematics,
+        tension: f64,
+        group: usize,
+        columns: &mut [DVec3],
+    ) -> f64 {
+        let straight = self.route.parts[group].locate(kinematics);
+        columns.fill(DVec3::ZERO);
+        self.transversals(kinematics, &straight, group, columns);
+        if straight.length > 0.0 { tension / straight.length } else { 0.0 }
+    }
+
+    /// How every degree of freedom of a group moves the end of the straight part against its start, across it.
+    fn transversals(
+        &self,
+        kinematics: &Kinematics,
+        straight: &Straight,
+        group: usize,
+        columns: &mut [DVec3],
+    ) {
+        let (from, to) = self.ends(self.parts[group]);
+        transversal(kinematics, from, straight.from, (straight.direction, -1.0), columns);
+        transversal(kinematics, to, straight.to, (straight.direction, 1.0), &mut columns[from.len()..]);
+    }
+}
+
+impl Constraint for Rope {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn row_dofs(&self) -> Vec<Vec<usize>> {
+        self.dofs.clone()
+    }
+
+    fn laws(&self, _first_row: usize) -> Vec<Law> {
+        let damping_time = self.material.damping_time;
+        let compliances = self.spans.iter().map(|span| self.material.compliance(span.length));
+        compliances.map(|compliance| Law::Unilateral { compliance, damping_time }).collect()
+    }
+
+    fn lines(&self) -> usize {
+        self.route.parts.len()
+    }
+
+    fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
+        for (row, span) in self.spans.iter().enumerate() {
+            let lines = &mut lines[span.parts.clone()];
+            let (length, speed) = self.locate_span(span, at, lines);
+            let Stretch { value: g, scale, supply, .. } = span.stretch(at.q, length);
+            (value[row], rate[row]) = (g, speed);
+            if !span.feeds.is_empty() {
+                for line in &mut *lines {
+                    line.direction *= scale;
+                    line.couple = line.couple.map(|couple| couple * scale);
+                }
+                lines[0].supply = supply;
+                rate[row] = scale * speed + supply * span.speed(at.v);
+            }
+        }
+    }
+
+    fn rates(&self, twists: &[Twist], v: &[f64], lines: &[Line], rate: &mut [f64]) {
+        for (span, rate) in self.spans.iter().zip(rate) {
+            let lines = &lines[span.parts.clone()];
+            *rate = self.rate_of(span, twists, lines) + lines[0].supply * span.speed(v);
+        }
+    }
+
+    fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]) {
+        for (span, &tension) in self.spans.iter().zip(tension) {
+            for (part, line) in self.route.parts[span.parts.clone()].iter().zip(&lines[span.parts.clone()]) {
+                let pull = line.direction * tension;
+                if let Some(body) = part.from.at.body {
+                    wrenches[body].add(-pull, line.from);
+                    wrenches[body].moment += line.couple[0] * tension;
+                }
+                if let Some(body) = part.to.at.body {
+                    wrenches[body].add(pull, line.to);
+                    wrenches[body].moment += line.couple[1] * tension;
+                }
+            }
+        }
+    }
+
+    fn feed(&self, tension: &[f64], lines: &[Line], force: &mut [f64]) {
+        for (span, tension) in self.spans.iter().zip(tension) {
+            let pull = tension * lines[span.parts.start].supply;
+            for feed in &span.feeds {
+                force[feed.dof] += pull * feed.rate;
+            }
+        }
+    }
+
+    fn evaluate(&self, at: &Placed, value: &mut [f64], gradient: &mut [f64]) {
+        let mut first = 0;
+        for (row, (span, dofs)) in self.spans.iter().zip(&self.dofs).enumerate() {
+            let length = self.route.length_of(span.parts.clone(), at.kinematics, |part, straight| {
+                let (from, to) = self.ends(self.parts[part]);
+                let [start, end] = straight.couple;
+                pull(at.kinematics, from, (straight.from, -straight.pull, start), gradient);
+                pull(at.kinematics, to, (straight.to, straight.pull, end), gradient);
+            });
+            let stretch = span.stretch(at.q, span.arcs + length);
+            value[row] = stretch.value;
+            if !span.feeds.is_empty() {
+                for entry in &mut gradient[first..first + dofs.len()] {
+                    *entry *= stretch.scale;
+                }
+                for feed in &span.feeds {
+                    gradient[feed.entry] = stretch.supply * feed.rate;
+                }
+            }
+            first += dofs.len();
+        }
+    }
+
+    fn curvature_groups(&self) -> Vec<(usize, Vec<usize>)> {
+        let groups = self.parts.iter().zip(&self.span_of).map(|(part, &span)| {
+            let moved = self.levers[part.start..part.end].iter().map(|lever| lever.dof as usize);
+            (span, moved.chain(self.spans[span].feeds.iter().map(|feed| feed.dof)).collect())
+        });
+        groups.collect()
+    }
+
+    /// ∂G_j/∂q_k = c_j·c_k/ℓ + n·(∂J_j/∂q_k of the end − of the start): the part turns, and its ends move on
+    /// curves. Where rope is fed also what L does to both.
+    fn curvature(&self, at: &Placed, value: f64, group: usize, columns: &mut [DVec3], block: &mut [f64]) {
+        let span = &self.spans[self.span_of[group]];
+        let (from, to) = self.ends(self.parts[group]);
+        let moved = from.len() + to.len();
+        let size = moved + span.feeds.len();
+        if self.route.parts[group].is_plain() {
+            self.curvature_between_points(at.kinematics, group, columns, (&mut *block, size));
+        } else {
+            self.curvature_on_sheaves(at, group, (&mut *block, size));
+        }
+        if span.feeds.is_empty() {
+            return;
+        }
+        let (scale, unstretched) = (span.scale(at.q), span.unstretched(at.q));
+        for j in 0..moved {
+            for k in 0..moved {
+                block[j * size + k] *= scale;
+            }
+        }
+        // ∂²g/∂ℓ∂L = −w/2L and, once per span, ∂²g/∂L² = w/L (1 + ¾ ε).
+        let straight = self.route.parts[group].locate(at.kinematics);
+        let mut j = 0;
+        let mut across = |entry: f64| {
+            for (k, feed) in span.feeds.iter().enumerate() {
+                let value = -0.5 * scale / unstretched * entry * feed.rate;
+                block[j * size + moved + k] = value;
+                block[(moved + k) * size + j] = value;
+            }
+            j += 1;
+        };
+        let [start, end] = straight.couple;
+        pulls(at.kinematics, from, (straight.from, -straight.pull, start), |_, entry| across(entry));
+        pulls(at.kinematics, to, (straight.to, straight.pull, end), |_, entry| across(entry));
+        let strain = value / (scale * unstretched);
+        let own = if group == span.parts.start { scale / unstretched * (1.0 + 0.75 * strain) } else { 0.0 };
+        for (j, one) in span.feeds.iter().enumerate() {
+            for (k, other) in span.feeds.iter().enumerate() {
+                block[(moved + j) * size + moved + k] = own * one.rate * other.rate;
+            }
+        }
+    }
+}
+
+impl Rope {
+    fn curvature_between_points(
+        &self,
+        kinematics: &Kinematics,
+        group: usize,
+        columns: &mut [DVec3],
+        (block, size): (&mut [f64], usize),
+    ) {
+        let straight = self.route.parts[group].locate(kinematics);
+        let (from, to) = self.ends(self.parts[group]);
+        let (split, moved) = (from.len(), from.len() + to.len());
+        let columns = &mut columns[..moved];
+        self.transversals(kinematics, &straight, group, columns);
+        let inverse = if straight.length > 0.0 { 1.0 / straight.length } else { 0.0 };
+        for (j, column) in columns.iter().enumerate() {
+            let column = *column * inverse;
+            for (k, other) in columns[..=j].iter().enumerate() {
+                let value = column.dot(*other);
+                block[j * size + k] = value;
+                block[k * size + j] = value;
+            }
+        }
+        let direction = straight.direction;
+        bend(kinematics, from, straight.from, (direction, -1.0), (columns, 0), (&mut *block, size));
+        bend(kinematics, to, straight.to, (direction, 1.0), (columns, split), (block, size));
+    }
+}

@@ -1,0 +1,85 @@
+//! A stretch of rope of one tension: the whole rope, or what lies between two places that feed it.
+//!
+//! The unstretched length L changes where sheaves with losses or inertia, or drums, feed rope: L = L₀ + Σ r s over
+//! their flows s. The row's value is
+//!
+//! ```text
+//! g = (ℓ − L) √(L₀/L)        ∂g/∂ℓ = w        ∂g/∂L = −w (1 + ε/2)        w = √(L₀/L), ε = (ℓ − L)/L
+//! ```
+//!
+//! With the constant compliance L₀/EA its energy g² EA/2L₀ is that of the rope, EA (ℓ − L)²/2L, so its forces are those
+//! of the rope, whatever L does: along ℓ the tension T = w λ, λ the force of the row, and along L the tension and the
+//! stretch that goes with the rope, T (1 + ε/2). Without feeds w = 1 and g = ℓ − L.
+
+use std::ops::Range;
+
+/// A degree of freedom that feeds rope into a span.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Feed {
+    /// Degree of freedom, one of a flow.
+    pub dof: usize,
+    /// Its coordinate in q.
+    pub position: usize,
+    /// Its entry in the gradients of the rope's rows.
+    pub entry: usize,
+    /// ∂L/∂s: 1 into the span, −1 out of it, a drum's radius.
+    pub rate: f64,
+}
+
+/// A stretch of one tension.
+#[derive(Debug, Clone)]
+pub struct Span {
+    /// Its straight parts.
+    pub parts: Range<usize>,
+    /// Arcs of half turns [m], half of those at its ends.
+    pub arcs: f64,
+    /// L₀ [m].
+    pub length: f64,
+    /// What feeds it.
+    pub feeds: Vec<Feed>,
+}
+
+/// How the row of a span answers.
+#[derive(Debug, Clone, Copy)]
+pub struct Stretch {
+    /// L [m].
+    pub unstretched: f64,
+    /// g [m].
+    pub value: f64,
+    /// w = ∂g/∂ℓ.
+    pub scale: f64,
+    /// ∂g/∂L.
+    pub supply: f64,
+}
+
+impl Span {
+    /// L at the configuration `q` [m].
+    pub fn unstretched(&self, q: &[f64]) -> f64 {
+        self.length + self.feeds.iter().map(|feed| feed.rate * q[feed.position]).sum::<f64>()
+    }
+
+    /// The row at the configuration `q`, where the span is `length` [m] long.
+    #[inline]
+    pub fn stretch(&self, q: &[f64], length: f64) -> Stretch {
+        if self.feeds.is_empty() {
+            let unstretched = self.length;
+            return Stretch { unstretched, value: length - unstretched, scale: 1.0, supply: -1.0 };
+        }
+        let unstretched = self.unstretched(q);
+        let scale = self.scale(q);
+        let excess = length - unstretched;
+        let supply = -scale * (1.0 + 0.5 * excess / unstretched);
+        Stretch { unstretched, value: excess * scale, scale, supply }
+    }
+
+    /// w at the configuration `q`: tension over the force of the row.
+    pub fn scale(&self, q: &[f64]) -> f64 {
+        if self.feeds.is_empty() { 1.0 } else { (self.length / self.unstretched(q)).sqrt() }
+    }
+
+    /// L̇ under the velocities `v` [m/s].
+    #[inline]
+    pub fn speed(&self, v: &[f64]) -> f64 {
+        self.feeds.iter().map(|feed| feed.rate * v[feed.dof]).sum()
+    }
+}
