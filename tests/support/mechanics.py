@@ -74,9 +74,12 @@ def drum(body_name: str | None, at: Xyz, name: str, rate: float = 1.0) -> Json:
 
 
 def half_turn(
-    body_name: str | None, centre: Sequence[float], radius: float, over: bool, flow: str | None = None, ratio: float = 1.0
+    body_name: str | None, centre: Sequence[float], radius: float, over: bool, **passing: Any
 ) -> Json:
-    """A sheave in the x-z plane; the rope lies on its top where `over`, else below it."""
+    """A sheave in the x-z plane; the rope lies on its top where `over`, else below it.
+
+    `passing`: `flow`, the name of the flow over it, and the `ratio` of tensions at which that slips.
+    """
     x, y, z = centre
     enter, leave = [x - radius, y, z], [x + radius, y, z]
     return {
@@ -85,8 +88,7 @@ def half_turn(
         "enter": enter,
         "leave": leave,
         "bulge": [0, 0, 1 if over else -1],
-        "flow": flow,
-        "ratio": ratio,
+        **passing,
     }
 
 
