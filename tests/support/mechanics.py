@@ -60,7 +60,7 @@ def free(position: Xyz, **start: Any) -> Json:
 
 
 def flow(name: str, inertia: float, **rest: Any) -> Json:
-    """Rope that passes a sheave or leaves a drum; `inertia` is that of what turns over its radius squared [kg]."""
+    """Rope that passes a sheave or leaves a drum; `inertia` of what turns over its radius squared [kg]."""
     return body(name, {"type": "flow", "inertia": inertia, **rest}, 0.0)
 
 
