@@ -5,6 +5,7 @@ use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::Step;
 use crate::tree::Tree;
+use crate::tree::joint::Joint;
 
 /// Rows of all constraints, one after another, with a static sparsity pattern.
 #[derive(Debug, Clone, Default)]
@@ -112,6 +113,19 @@ impl System {
             AnyConstraint::Rope(rope) => Some(rope),
             AnyConstraint::Contact(_) | AnyConstraint::Brake(_) => None,
         })
+    }
+
+    /// How many ropes there are where two that meet in a point without size count as one: pieces of a heavy rope.
+    pub fn whole_ropes(&self) -> usize {
+        let mut ends = vec![0; self.tree.bodies.len()];
+        for rope in self.ropes() {
+            let route = &rope.route.parts;
+            let both = [route[0].from.at.body, route[route.len() - 1].to.at.body];
+            both.into_iter().flatten().for_each(|body| ends[body] += 1);
+        }
+        let is_node =
+            |body: &usize| matches!(self.tree.bodies[*body].joint, Joint::Point(_)) && ends[*body] == 2;
+        self.rope_count - (0..ends.len()).filter(is_node).count()
     }
 
     /// How many rows the ropes have; they stand before those of contacts.

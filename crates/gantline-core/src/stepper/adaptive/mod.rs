@@ -48,7 +48,7 @@ impl Tolerance {
     pub fn default_of(system: &System) -> Self {
         let mass: f64 = system.tree.bodies.iter().map(|body| body.mass).sum();
         let weight = mass * system.tree.gravity.length();
-        let share = weight / system.rope_count.max(1) as f64;
+        let share = weight / system.whole_ropes().max(1) as f64;
         let tension = if share > 0.0 { 1e-4 * share } else { 1.0 };
         Self { tension, position: 1e-4 }
     }
@@ -394,6 +394,11 @@ impl Adaptive {
     }
 
     fn too_short(&self, system: &System, state: &State) -> StepError {
+        let used_up = system.ropes().find(|rope| rope.spans.iter().any(|span| span.is_used_up(&state.q)));
+        if let Some(rope) = used_up {
+            let cause = "there is no rope left between two of the places that it passes".to_owned();
+            return StepError { time: state.time, element: rope.name.clone(), cause };
+        }
         let element = self.weights.worst(system, state, &self.rodas);
         let cause =
             format!("the step fell below {STEP_FLOOR} s: forces change faster than any step can follow");
