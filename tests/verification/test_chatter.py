@@ -2,15 +2,9 @@
 
 from __future__ import annotations
 
-import pytest
-
 from mechanics import adaptive, body, contact, document, free
 
 
-@pytest.mark.xfail(
-    reason="the anchor of a sliding contact is held to stop by speeds alone, without τ times accelerations: "
-    "sticking and sliding each say that the other is right"
-)
 def test_a_turning_body_lands_on_a_corner() -> None:
     """One corner with damping and friction, falling 0.1 m at 0.2 rad/s: it sticks and slides a few times."""
     corner = contact("corner", "body", (1, 0, -0.5), stiffness=1e8, damping_time=0.01, friction=0.4)

@@ -86,6 +86,8 @@ pub struct System {
     pub rows: Rows,
     /// Rows of inextensible ropes.
     pub rigid: Vec<usize>,
+    /// Tangential rows of contacts.
+    pub friction: Vec<usize>,
     /// Prescribed joints.
     pub drives: Vec<DriveJoint>,
     /// For every degree of freedom the drive that prescribes it.

@@ -63,7 +63,9 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
     let rope_count = spec.ropes.len();
-    let mut system = System { tree, constraints, rope_count, rows, rigid, drives, driven, groups, plan };
+    let friction = (0..rows.count()).filter(|&row| matches!(rows.laws[row], Law::Friction { .. })).collect();
+    let mut system =
+        System { tree, constraints, rope_count, rows, rigid, friction, drives, driven, groups, plan };
     let state = first_state(spec, &mut system, q, v)?;
     Ok((system, state))
 }
@@ -134,7 +136,6 @@ fn first_state(
         trial: vec![0.0; rows],
         modes: vec![Mode::Slack; rows],
         memory: vec![0.0; rows],
-        slip: vec![0.0; rows],
         next_step: 0.0,
         restart: true,
         engaged: false,
@@ -186,7 +187,6 @@ fn first_state(
     }
     let kinetic = 0.5 * frame.mass.quadratic(&state.v);
     let gravity = gravity_energy(system, &frame.kinematics);
-    state.ledger =
-        Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes, &state.tension));
+    state.ledger = Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes));
     Ok(state)
 }

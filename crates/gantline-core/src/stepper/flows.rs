@@ -201,7 +201,7 @@ pub fn set_driven(system: &System, state: &mut State) {
 pub fn stored(system: &System, state: &State, frame: &Frame) -> [f64; 3] {
     let kinetic = 0.5 * frame.mass.quadratic(&state.v);
     let gravity = gravity_energy(system, &frame.kinematics);
-    let elastic = elastic_energy(system, &frame.value, &state.modes, &state.tension);
+    let elastic = elastic_energy(system, &frame.value, &state.modes);
     [kinetic, gravity, elastic]
 }
 

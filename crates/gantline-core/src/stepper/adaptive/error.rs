@@ -67,6 +67,14 @@ impl Weights {
                 count += 1.0;
             }
         }
+        for (error_anchor, &row) in error.anchor.iter().zip(&system.friction) {
+            if state.modes[row] == Mode::Slipping {
+                // The spring is what carries when it sticks again.
+                let stretch = system.rows.rate(&here.frame.gradient, row, &error.phi) - error_anchor;
+                sum += (stretch / system.rows.laws[row].compliance() / tolerance.tension).powi(2);
+                count += 1.0;
+            }
+        }
         let tension = if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 };
         let (mut sum, mut count) = (0.0, 0.0);
         for dof in (0..error.v.len()).filter(free) {

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! φ̇ = v (rotation vectors: see [`rate_of_rotation`])      0 = τ(q, v, a) + D v + Gᵀ T
-//! T = (e + τ ė)/ε for rows that act, 0 for slack ones, μ N d for sliding ones
+//! T = T* = (e + τ ė)/ε for rows that act, 0 for slack ones, μ N T*/|T*| for sliding contacts
+//! α̇ = (ε/τ) (T* − T), the motion of their anchors, which e counts from
 //! G v̇ + Ġ v = 0 for inextensible ropes that act, whose T is an unknown of its own
 //! ```
 //!
@@ -19,9 +20,6 @@ use crate::tree::Body;
 use crate::tree::bias::NewtonEuler;
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Twist;
-
-/// Sliding slower than this, v₀ [m/s], keeps the direction in which it started.
-const SLOW: f64 = 1e-4;
 
 /// Everything at one point. Reused from point to point.
 #[derive(Debug, Clone)]
@@ -44,6 +42,8 @@ pub struct Evaluation {
     pub imbalance: Vec<f64>,
     /// G v̇ + Ġ v of every inextensible rope [m/s²], by [`System::rigid`].
     pub pull: Vec<f64>,
+    /// α̇ of the anchors of sliding contacts [m/s], by [`System::friction`].
+    pub anchor_rate: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
     lines: Vec<Line>,
     /// First degree of freedom of every joint's rotations in body axes.
@@ -66,6 +66,7 @@ impl Evaluation {
             tension: vec![0.0; rows],
             imbalance: vec![0.0; size],
             pull: vec![0.0; system.rigid.len()],
+            anchor_rate: vec![0.0; system.friction.len()],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
             rigid_scale: 1e6,
@@ -73,19 +74,19 @@ impl Evaluation {
     }
 
     /// Positions, velocities and forces of the rows at q₀ ⊕ φ, v; no accelerations, no gradients.
-    pub fn rows(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    pub fn rows(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.place(system, at);
         self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
-        self.locate(system, at.memory);
-        self.tensions(system, at, modes, slip);
+        self.locate(system, at);
+        self.tensions(system, at, modes);
     }
 
     /// The same and the imbalance.
-    pub fn forces(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    pub fn forces(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.place(system, at);
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.locate(system, at.memory);
-        self.tensions(system, at, modes, slip);
+        self.locate(system, at);
+        self.tensions(system, at, modes);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let tension = &self.tension[rows.first[index]..rows.first[index + 1]];
@@ -98,14 +99,15 @@ impl Evaluation {
     }
 
     /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
-    pub fn all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    pub fn all(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.place(system, at);
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
         self.frame.rows(system, at.memory);
+        self.move_anchors(system, at);
         for (row, rate) in self.rate.iter_mut().enumerate() {
             *rate = system.rows.rate(&self.frame.gradient, row, at.v);
         }
-        self.tensions(system, at, modes, slip);
+        self.tensions(system, at, modes);
         self.balance(system, at);
         for (row, &tension) in self.tension.iter().enumerate() {
             if tension != 0.0 {
@@ -123,8 +125,8 @@ impl Evaluation {
     }
 
     /// Values and rates of the rows from the motion of the bodies.
-    fn locate(&mut self, system: &System, memory: &[f64]) {
-        self.frame.value.copy_from_slice(memory);
+    fn locate(&mut self, system: &System, at: &Point) {
+        self.frame.value.copy_from_slice(at.memory);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let own = rows.first[index]..rows.first[index + 1];
@@ -132,6 +134,14 @@ impl Evaluation {
             let motion = (&self.frame.kinematics, self.dynamics.twists.as_slice());
             let value = &mut self.frame.value[own.clone()];
             constraint.locate(motion, value, &mut self.rate[own], lines);
+        }
+        self.move_anchors(system, at);
+    }
+
+    /// Anchors that have slid by α since the start of the step.
+    fn move_anchors(&mut self, system: &System, at: &Point) {
+        for (anchor, &row) in at.anchor.iter().zip(&system.friction) {
+            self.frame.value[row] -= anchor;
         }
     }
 
@@ -145,7 +155,7 @@ impl Evaluation {
     }
 
     /// Forces of the rows from their values and rates.
-    fn tensions(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    fn tensions(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         let states = self.frame.value.iter().zip(&self.rate);
         for ((law, trial), (value, rate)) in system.rows.laws.iter().zip(&mut self.trial).zip(states) {
             let compliance = law.compliance();
@@ -159,7 +169,16 @@ impl Evaluation {
             self.tension[row] = match mode {
                 Mode::Slack => 0.0,
                 Mode::Acting => self.trial[row],
-                Mode::Slipping => self.slip_force(&system.rows.laws, row, slip),
+                Mode::Slipping => self.trial[row] * self.slip_share(&system.rows.laws[row]),
+            };
+        }
+        for (rate, &row) in self.anchor_rate.iter_mut().zip(&system.friction) {
+            *rate = match modes[row] {
+                Mode::Slipping => {
+                    let law = &system.rows.laws[row];
+                    law.compliance() / law.damping_time() * (self.trial[row] - self.tension[row])
+                }
+                _ => 0.0,
             };
         }
     }
@@ -183,29 +202,18 @@ impl Evaluation {
         }
     }
 
-    /// Force of a sliding contact along one tangent, with its direction against the motion.
-    fn slip_force(&self, laws: &[Law], row: usize, slip: &[f64]) -> f64 {
-        let Law::Friction { coefficient, normal, .. } = laws[row] else { return 0.0 };
-        coefficient * self.trial[normal].max(0.0) * self.slip_direction(normal, slip)[row - normal - 1]
+    /// Part of what the spring and damper of a sliding contact would carry that its bound lets through, μN/|T*|.
+    pub fn slip_share(&self, law: &Law) -> f64 {
+        let Law::Friction { coefficient, normal, .. } = *law else { return 1.0 };
+        let size = self.trial[normal + 1].hypot(self.trial[normal + 2]);
+        if size > 0.0 { coefficient * self.trial[normal].max(0.0) / size } else { 0.0 }
     }
 
-    /// How the force of a sliding contact turns with its velocity: μN/|v + v₀ d₀| [N s/m].
-    pub fn turning(&self, coefficient: f64, normal: usize, slip: &[f64]) -> f64 {
-        let [x, y] = self.slip_velocity(normal, slip);
-        coefficient * self.trial[normal].max(0.0) / x.hypot(y)
-    }
-
-    /// Direction of the motion of a sliding contact with the given normal row.
-    pub fn slip_direction(&self, normal: usize, slip: &[f64]) -> [f64; 2] {
-        let [x, y] = self.slip_velocity(normal, slip);
-        let speed = x.hypot(y);
-        [x / speed, y / speed]
-    }
-
-    /// v + v₀ d₀, d₀ the direction at the start of the step: without v₀ a contact that starts to slide would have
-    /// no direction, and one that hardly moves could turn infinitely fast.
-    fn slip_velocity(&self, normal: usize, slip: &[f64]) -> [f64; 2] {
-        [1, 2].map(|k| self.rate[normal + k] + SLOW * slip[normal + k])
+    /// Direction of the force of a sliding contact with the given normal row, T*/|T*|.
+    pub fn slip_direction(&self, normal: usize) -> [f64; 2] {
+        let [x, y] = [1, 2].map(|k| self.trial[normal + k]);
+        let size = x.hypot(y).max(f64::MIN_POSITIVE);
+        [x / size, y / size]
     }
 }
 
@@ -223,6 +231,8 @@ pub struct Point<'a> {
     pub a: &'a [f64],
     /// Tensions of inextensible ropes [N], by [`System::rigid`].
     pub rigid: &'a [f64],
+    /// α, how far anchors have slid [m], by [`System::friction`].
+    pub anchor: &'a [f64],
 }
 
 /// G v̇ + Ġ v of an inextensible rope at the motion of `dynamics`: each straight part gives

@@ -288,9 +288,9 @@ impl Adaptive {
     /// Evaluates the course at one share of the step, rows only.
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
-        let Increment { phi, v, a, rigid } = &self.point;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
-        self.probe.rows(system, &point, &state.modes, &state.slip);
+        let Increment { phi, v, a, rigid, anchor } = &self.point;
+        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        self.probe.rows(system, &point, &state.modes);
     }
 
     /// Makes the step up to the share `made`: state, books, changes of modes.
@@ -316,6 +316,9 @@ impl Adaptive {
         for (tension, &row) in self.point.rigid.iter().zip(&system.rigid) {
             state.tension[row] = *tension;
         }
+        for (anchor, &row) in self.point.anchor.iter().zip(&system.friction) {
+            state.memory[row] += anchor;
+        }
         if self.made < 1.0 {
             system.tree.advance(&mut state.q, &self.point.phi);
             self.rodas.evaluate(system, state);
@@ -335,7 +338,7 @@ impl Adaptive {
         if self.switch(system, state, log, start, length) {
             state.restart = true;
             self.rodas.evaluate(system, state);
-            state.ledger.flows.method += held - self.held(system, state);
+            state.ledger.flows.contact_damping += held - self.held(system, state);
         }
         self.hand_over(system, state);
         self.refresh(system, frame);

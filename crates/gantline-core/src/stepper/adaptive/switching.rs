@@ -11,10 +11,6 @@ use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
 
-/// Speed of an anchor against the direction of sliding that counts as much as the switching tolerance of a force
-/// [m/s].
-const REVERSAL: f64 = 1e-6;
-
 /// What the laws ask at the shares [`LOOKS`] of a step.
 #[derive(Debug, Clone)]
 pub struct Looks {
@@ -46,9 +42,9 @@ impl Adaptive {
             self.looks.trial[index].copy_from_slice(&self.probe.trial);
         }
         self.set_driven(system, state);
-        let Increment { phi, v, a, rigid } = &self.rodas.course.end;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
-        self.next.all(system, &point, &state.modes, &state.slip);
+        let Increment { phi, v, a, rigid, anchor } = &self.rodas.course.end;
+        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        self.next.all(system, &point, &state.modes);
         self.looks.far[WEIGHTS.len()] = self.farthest(system, state, &self.next);
         self.looks.trial[WEIGHTS.len()].copy_from_slice(&self.next.trial);
     }
@@ -136,14 +132,9 @@ impl Adaptive {
             (Law::Unilateral { .. }, _) => -at.trial[row],
             (Law::Friction { normal, .. }, _) if row != normal + 1 => 0.0,
             (Law::Friction { .. }, Mode::Slack) => 0.0,
-            (Law::Friction { coefficient, normal, .. }, Mode::Acting) => {
-                at.trial[row].hypot(at.trial[row + 1]) - coefficient * at.trial[normal].max(0.0)
-            }
-            (Law::Friction { coefficient, normal, .. }, Mode::Slipping) => {
-                // The anchor slides as long as the point moves faster than a growing bound stretches the spring.
-                let along = at.rate[row] * state.slip[row] + at.rate[row + 1] * state.slip[row + 1];
-                let anchor = along - coefficient * at.rate[normal];
-                -anchor / REVERSAL * SWITCHING * self.tolerance.tension
+            (Law::Friction { coefficient, normal, .. }, mode) => {
+                let beyond = at.trial[row].hypot(at.trial[row + 1]) - coefficient * at.trial[normal].max(0.0);
+                if mode == Mode::Slipping { -beyond } else { beyond }
             }
         }
     }
@@ -173,7 +164,7 @@ impl Adaptive {
                     }
                     AnyConstraint::Contact(contact) => {
                         let mode = if taut { Mode::Acting } else { Mode::Slack };
-                        self.set_friction(state, row, mode);
+                        self.set_friction(system, state, row, mode);
                         self.log_group(system, state, log, contact.group, taut, time);
                     }
                 }
@@ -188,46 +179,23 @@ impl Adaptive {
     /// Sticking and sliding of the contact `index`.
     fn switch_friction(&self, system: &System, state: &mut State, log: &mut EventLog, index: usize) -> bool {
         let first = system.rows.first[index] + 1;
-        let here = &self.rodas.here;
-        if state.modes[first] == Mode::Slipping {
-            let direction = here.slip_direction(first - 1, &state.slip);
-            let turned = self.distance(system, state, first, here) > 0.0;
-            if turned {
-                // The anchor is where spring and damper carry the present force.
-                for k in 0..2 {
-                    let row = first + k;
-                    let Law::Friction { coefficient, normal, compliance, damping_time } =
-                        system.rows.laws[row]
-                    else {
-                        continue;
-                    };
-                    let force = coefficient * here.trial[normal].max(0.0) * state.slip[row];
-                    let stretch = force * compliance - damping_time * here.rate[row];
-                    state.memory[row] += here.frame.value[row] - stretch;
-                }
-                self.set_modes(state, first, Mode::Acting);
-                log.push(state.time, EventKind::Stick, index);
-            } else {
-                state.slip[first..first + 2].copy_from_slice(&direction);
-            }
-            return turned;
+        if self.distance(system, state, first, &self.rodas.here) <= 0.0 {
+            return false;
         }
-        if self.distance(system, state, first, here) > 0.0 {
-            let size = here.trial[first].hypot(here.trial[first + 1]);
-            for k in 0..2 {
-                state.slip[first + k] = here.trial[first + k] / size;
-            }
-            self.set_modes(state, first, Mode::Slipping);
-            log.push(state.time, EventKind::Slip, index);
-            return true;
-        }
-        false
+        let sticks = state.modes[first] == Mode::Slipping;
+        self.set_modes(state, first, if sticks { Mode::Acting } else { Mode::Slipping });
+        log.push(state.time, if sticks { EventKind::Stick } else { EventKind::Slip }, index);
+        true
     }
 
     /// Friction follows its normal force: a contact that closes sticks where it touches.
-    fn set_friction(&self, state: &mut State, normal: usize, mode: Mode) {
+    fn set_friction(&mut self, system: &System, state: &mut State, normal: usize, mode: Mode) {
+        let here = &mut self.rodas.here;
         for row in [normal + 1, normal + 2] {
-            state.memory[row] += self.rodas.here.frame.value[row];
+            let law = &system.rows.laws[row];
+            state.memory[row] += std::mem::take(&mut here.frame.value[row]);
+            // The damper acts from the first moment.
+            here.trial[row] = law.damping_time() * here.rate[row] / law.compliance();
         }
         self.set_modes(state, normal + 1, mode);
     }
