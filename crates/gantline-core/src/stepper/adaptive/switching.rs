@@ -11,6 +11,9 @@ use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
 
+/// A rope whose ends come closer by more than this [m/s] loosens; less is rounding.
+const STANDSTILL: f64 = 1e-9;
+
 /// What the laws ask at the shares [`LOOKS`] of a step.
 #[derive(Debug, Clone)]
 pub struct Looks {
@@ -128,6 +131,10 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
+            // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
+            (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
+                at.trial[row] - self.looks.start[row].max(0.0)
+            }
             (Law::Unilateral { .. }, Mode::Slack) => at.trial[row],
             (Law::Unilateral { .. }, _) => -at.trial[row],
             (Law::Friction { normal, .. }, _) if row != normal + 1 => 0.0,
@@ -152,7 +159,7 @@ impl Adaptive {
         let mut any = false;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let row = system.rows.first[index];
-            if self.distance(system, state, row, &self.rodas.here) > 0.0 {
+            if self.distance(system, state, row, &self.rodas.here) > 0.0 && !self.loosens(system, state, row) {
                 any = true;
                 let taut = state.modes[row] == Mode::Slack;
                 state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
@@ -174,6 +181,13 @@ impl Adaptive {
             }
         }
         any
+    }
+
+    /// True for a slack inextensible rope that is at its length and not about to be pulled: one that rounding, or
+    /// another rope that is let go in the same moment, has put there.
+    fn loosens(&self, system: &System, state: &State, row: usize) -> bool {
+        let rigid = system.rows.laws[row].compliance() == 0.0;
+        rigid && state.modes[row] == Mode::Slack && self.rodas.here.rate[row] < STANDSTILL
     }
 
     /// Sticking and sliding of the contact `index`.
