@@ -9,6 +9,7 @@
 mod books;
 mod error;
 pub mod evaluation;
+mod impact;
 mod places;
 pub mod rodas;
 mod spins;
@@ -83,6 +84,8 @@ pub struct Adaptive {
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
+    /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
+    taut: Vec<bool>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
     /// Share of the last computed step that was made.
@@ -110,6 +113,7 @@ impl Adaptive {
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
+            taut: Vec::with_capacity(system.rigid.len()),
             current: false,
             made: 1.0,
         }
@@ -218,73 +222,6 @@ impl Adaptive {
         Ok(())
     }
 
-    /// Accelerations and tensions of inextensible ropes that belong to the modes: M a + Gᵀ T = −imbalance,
-    /// G a = −Ġ v.
-    fn restart(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
-        for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
-            if system.driven[dof].is_none() {
-                *acceleration = 0.0;
-            }
-        }
-        for &row in &system.rigid {
-            state.tension[row] = 0.0;
-        }
-        self.rodas.evaluate(system, state);
-        let Rodas { matrix, here, .. } = &mut self.rodas;
-        matrix.factorise_inertia(system, &frame.mass, &here.frame.gradient, &state.modes)?;
-        for (force, imbalance) in self.rate.phi.iter_mut().zip(&here.imbalance) {
-            *force = -imbalance;
-        }
-        self.rows.fill(0.0);
-        for (pull, &row) in here.pull.iter().zip(&system.rigid) {
-            if state.modes[row] == Mode::Acting {
-                self.rows[row] = -pull;
-            }
-        }
-        self.rate.a.fill(0.0);
-        matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a);
-        for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
-            if system.driven[dof].is_none() {
-                *acceleration = self.rate.a[dof];
-            }
-        }
-        for &row in &system.rigid {
-            if state.modes[row] == Mode::Acting {
-                state.tension[row] = matrix.row_solution(row);
-            }
-        }
-        state.restart = false;
-        self.current = false;
-        Ok(())
-    }
-
-    /// Puts inextensible ropes that act back to their length and their ends to equal speed, both with the least
-    /// kinetic energy of the correction. Where one has just gone taut, that is the impact (restitution 0).
-    fn project(&mut self, system: &System, state: &mut State, frame: &mut Frame) -> Result<(), ZeroPivot> {
-        for positions in [true, false] {
-            let modes = &state.modes;
-            let matrix = &mut self.rodas.matrix;
-            matrix.factorise_inertia(system, &frame.mass, &frame.gradient, modes)?;
-            self.rows.fill(0.0);
-            for &row in system.rigid.iter().filter(|&&row| modes[row] == Mode::Acting) {
-                let rate = system.rows.rate(&frame.gradient, row, &state.v);
-                self.rows[row] = if positions { -frame.value[row] } else { -rate };
-            }
-            self.rate.phi.fill(0.0);
-            self.rate.a.fill(0.0);
-            matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a);
-            if positions {
-                system.tree.advance(&mut state.q, &self.rate.a);
-                frame.update(system, state);
-            } else {
-                for (velocity, change) in state.v.iter_mut().zip(&self.rate.a) {
-                    *velocity += change;
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// Evaluates the course at one share of the step, rows only.
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
@@ -334,7 +271,7 @@ impl Adaptive {
         self.book_springs(system, state, 1.0);
         state.ledger.flows += std::mem::take(&mut self.flows);
         let held = self.held(system, state);
-        let taut = self.rigid_acting(system, state);
+        self.note_taut(system, state);
         if self.switch(system, state, log, start, length) {
             state.restart = true;
             self.rodas.evaluate(system, state);
@@ -342,16 +279,17 @@ impl Adaptive {
         }
         self.hand_over(system, state);
         self.refresh(system, frame);
-        let rigid = self.rigid_acting(system, state);
-        if rigid > 0 {
+        let were_taut = system.rigid.iter().zip(&self.taut);
+        let hit = were_taut.into_iter().any(|(&row, &taut)| !taut && state.modes[row] == Mode::Acting);
+        if system.rigid.iter().any(|&row| state.modes[row] == Mode::Acting) {
             let before: f64 = flows::stored(system, state, frame).iter().sum();
-            self.project(system, state, frame)?;
+            self.project(system, state, frame, log, hit)?;
             self.rodas.evaluate(system, state);
             self.refresh(system, frame);
             self.hand_over(system, state);
             let lost = before - flows::stored(system, state, frame).iter().sum::<f64>();
             let flows = &mut state.ledger.flows;
-            *(if rigid > taut { &mut flows.impact } else { &mut flows.method }) += lost;
+            *(if hit { &mut flows.impact } else { &mut flows.method }) += lost;
         }
         flows::store(system, state, frame);
         Ok(())
@@ -370,11 +308,6 @@ impl Adaptive {
     /// Brings `frame` to the configuration that has just been evaluated.
     fn refresh(&self, system: &System, frame: &mut Frame) {
         frame.follow(system, &self.rodas.here.frame);
-    }
-
-    /// How many inextensible ropes act.
-    fn rigid_acting(&self, system: &System, state: &State) -> usize {
-        system.rigid.iter().filter(|&&row| state.modes[row] == Mode::Acting).count()
     }
 
     fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {

@@ -12,7 +12,7 @@ use crate::state::State;
 use crate::system::System;
 
 /// A rope whose ends come closer by more than this [m/s] loosens; less is rounding.
-const STANDSTILL: f64 = 1e-9;
+pub(super) const STANDSTILL: f64 = 1e-9;
 
 /// What the laws ask at the shares [`LOOKS`] of a step.
 #[derive(Debug, Clone)]
@@ -159,7 +159,8 @@ impl Adaptive {
         let mut any = false;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let row = system.rows.first[index];
-            if self.distance(system, state, row, &self.rodas.here) > 0.0 && !self.loosens(system, state, row) {
+            if self.distance(system, state, row, &self.rodas.here) > 0.0 && !self.loosens(system, state, row)
+            {
                 any = true;
                 let taut = state.modes[row] == Mode::Slack;
                 state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
