@@ -2,7 +2,7 @@
 
 mod rigs;
 
-use rigs::runs::{adaptive_closes, drawn};
+use rigs::runs::{adaptive_closes, del_stays_bounded, drawn};
 
 /// Runs rig `number` of `seed`; it may take `most` steps.
 fn runs(seed: u64, number: u32, most: u64) {
@@ -52,4 +52,21 @@ fn a_link_is_whipped_straight() {
 #[test]
 fn two_ropes_share_an_impact() {
     runs(46, 130, 200);
+}
+
+/// `del` at 1 ms, where a heavy body whips a light one. The fixed point for velocity terms ran away, squaring its
+/// error twelve times, and velocities were not finite.
+#[test]
+fn the_fixed_point_of_del_may_run_away() {
+    for (seed, number) in [(4, 192), (13, 24)] {
+        let rigs = drawn(seed, number + 1);
+        del_stays_bounded(&rigs[number as usize]).unwrap_or_else(|error| panic!("{seed}/{number}: {error}"));
+    }
+}
+
+/// `del` at 1 ms fed this rig with 98 % of its energy, turning bodies by more than a radian in a step. A shorter step
+/// does not.
+#[test]
+fn del_feeds_no_rig_at_a_step_that_is_short_enough() {
+    del_stays_bounded(&drawn(8, 27)[26]).unwrap();
 }
