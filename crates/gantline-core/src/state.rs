@@ -27,10 +27,9 @@ pub struct State {
     pub trial: Vec<f64>,
     /// How every row takes part.
     pub modes: Vec<Mode>,
-    /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m].
+    /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m], for brakes the
+    /// direction of slip.
     pub memory: Vec<f64>,
-    /// Direction in which the contact of a tangential row slides, by row.
-    pub slip: Vec<f64>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
     pub next_step: f64,
     /// True at the start and after a change that makes the accelerations jump.
@@ -60,7 +59,6 @@ impl State {
             trial,
             modes,
             memory,
-            slip,
             next_step,
             restart,
             engaged,
@@ -79,7 +77,6 @@ impl State {
         self.trial.copy_from_slice(trial);
         self.modes.copy_from_slice(modes);
         self.memory.copy_from_slice(memory);
-        self.slip.copy_from_slice(slip);
         self.plan.copy_from(plan);
     }
 }

@@ -87,7 +87,11 @@ pub struct System {
     /// Rows of the constraints.
     pub rows: Rows,
     /// Rows of inextensible ropes.
+    pub inextensible: Vec<usize>,
+    /// Those and the rows of brakes: rows without compliance, whose force is an unknown of its own.
     pub rigid: Vec<usize>,
+    /// Tangential rows of contacts.
+    pub friction: Vec<usize>,
     /// Constraints with flows.
     pub fed: Vec<usize>,
     /// First constraint that is a brake; brakes come last, and each has one row.
@@ -135,6 +139,11 @@ impl System {
 
     /// Constraint that a row belongs to.
     pub fn constraint_of_row(&self, row: usize) -> &AnyConstraint {
-        &self.constraints[self.rows.first.partition_point(|&first| first <= row) - 1]
+        &self.constraints[self.constraint_index(row)]
+    }
+
+    /// Its index.
+    pub fn constraint_index(&self, row: usize) -> usize {
+        self.rows.first.partition_point(|&first| first <= row) - 1
     }
 }

@@ -63,7 +63,9 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     start.update(&tree, &q);
     let (constraints, groups) = build_constraints(spec, &tree, &start)?;
     let rows = Rows::new(&constraints);
-    let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
+    let rigid: Vec<usize> = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
+    let is_brake_row = |row: &usize| matches!(rows.laws[*row], Law::Brake { .. });
+    let inextensible = rigid.iter().copied().filter(|row| !is_brake_row(row)).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
     let has_flow = |constraint: &AnyConstraint| match constraint {
@@ -78,12 +80,15 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
         .collect();
     let rope_count = spec.ropes.len();
+    let friction = (0..rows.count()).filter(|&row| matches!(rows.laws[row], Law::Friction { .. })).collect();
     let mut system = System {
         tree,
         constraints,
         rope_count,
         rows,
+        inextensible,
         rigid,
+        friction,
         fed,
         first_brake,
         flows,
@@ -163,7 +168,6 @@ fn first_state(
         trial: vec![0.0; rows],
         modes: vec![Mode::Slack; rows],
         memory: vec![0.0; rows],
-        slip: vec![0.0; rows],
         next_step: 0.0,
         restart: true,
         engaged: false,
@@ -201,7 +205,7 @@ fn first_state(
             Law::Brake { .. } => {
                 let speed = system.rows.rate(&frame.gradient, row, &state.v);
                 state.modes[row] = if speed == 0.0 { Mode::Acting } else { Mode::Slipping };
-                state.slip[row] = speed.signum();
+                state.memory[row] = speed.signum();
                 continue;
             }
         };
@@ -221,7 +225,6 @@ fn first_state(
     }
     let kinetic = 0.5 * frame.mass.quadratic(&state.v);
     let gravity = gravity_energy(system, &frame.kinematics);
-    state.ledger =
-        Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes, &state.tension));
+    state.ledger = Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes));
     Ok(state)
 }

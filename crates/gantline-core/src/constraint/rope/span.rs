@@ -77,9 +77,9 @@ impl Span {
         if self.feeds.is_empty() { 1.0 } else { (self.length / self.unstretched(q)).sqrt() }
     }
 
-    /// True where so little is left of it that its stiffness is out of any scale: 1 % and less.
+    /// True where nearly nothing is left of it beside its arcs: 1 % and less.
     pub fn is_used_up(&self, q: &[f64]) -> bool {
-        self.unstretched(q) <= 0.01 * self.length
+        self.unstretched(q) - self.arcs <= 0.01 * self.length
     }
 
     /// L̇ under the velocities `v` [m/s].

@@ -9,6 +9,7 @@
 mod books;
 mod error;
 pub mod evaluation;
+mod impact;
 mod looks;
 mod places;
 pub mod rodas;
@@ -91,6 +92,8 @@ pub struct Adaptive {
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
+    /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
+    taut: Vec<bool>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
     /// Share of the last computed step that was made.
@@ -119,6 +122,7 @@ impl Adaptive {
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
+            taut: Vec::with_capacity(system.rigid.len()),
             current: false,
             made: 1.0,
         }
@@ -236,84 +240,12 @@ impl Adaptive {
         Ok(())
     }
 
-    /// Accelerations and tensions of inextensible ropes that belong to the modes: M a + Gᵀ T = −imbalance,
-    /// G a = −Ġ v.
-    fn restart(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
-        for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
-            if system.driven[dof].is_none() {
-                *acceleration = 0.0;
-            }
-        }
-        for &row in &system.rigid {
-            state.tension[row] = 0.0;
-        }
-        self.rodas.evaluate(system, state);
-        let Rodas { matrix, here, .. } = &mut self.rodas;
-        let gradient = &here.frame.gradient;
-        system.clock.time(Stage::Factorisation, || {
-            matrix.factorise_inertia(system, &frame.mass, gradient, &state.modes)
-        })?;
-        for (force, imbalance) in self.rate.phi.iter_mut().zip(&here.imbalance) {
-            *force = -imbalance;
-        }
-        self.rows.fill(0.0);
-        for (pull, &row) in here.pull.iter().zip(&system.rigid) {
-            if state.modes[row] == Mode::Acting {
-                self.rows[row] = -pull;
-            }
-        }
-        self.rate.a.fill(0.0);
-        system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
-        for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
-            if system.driven[dof].is_none() {
-                *acceleration = self.rate.a[dof];
-            }
-        }
-        for &row in &system.rigid {
-            if state.modes[row] == Mode::Acting {
-                state.tension[row] = matrix.row_solution(row);
-            }
-        }
-        state.restart = false;
-        self.current = false;
-        Ok(())
-    }
-
-    /// Puts inextensible ropes that act back to their length and their ends to equal speed, both with the least
-    /// kinetic energy of the correction. Where one has just gone taut, that is the impact (restitution 0).
-    fn project(&mut self, system: &System, state: &mut State, frame: &mut Frame) -> Result<(), ZeroPivot> {
-        for positions in [true, false] {
-            let modes = &state.modes;
-            let matrix = &mut self.rodas.matrix;
-            system.clock.time(Stage::Factorisation, || {
-                matrix.factorise_inertia(system, &frame.mass, &frame.gradient, modes)
-            })?;
-            self.rows.fill(0.0);
-            for &row in system.rigid.iter().filter(|&&row| modes[row] == Mode::Acting) {
-                let rate = system.rows.rate(&frame.gradient, row, &state.v);
-                self.rows[row] = if positions { -frame.value[row] } else { -rate };
-            }
-            self.rate.phi.fill(0.0);
-            self.rate.a.fill(0.0);
-            system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
-            if positions {
-                system.tree.advance(&mut state.q, &self.rate.a);
-                frame.update(system, state);
-            } else {
-                for (velocity, change) in state.v.iter_mut().zip(&self.rate.a) {
-                    *velocity += change;
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// Evaluates the course at one share of the step, rows only.
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
-        let Increment { phi, v, a, rigid } = &self.point;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
-        self.probe.rows(system, &point, &state.modes, &state.slip);
+        let Increment { phi, v, a, rigid, anchor } = &self.point;
+        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        self.probe.rows(system, &point, &state.modes);
     }
 
     /// Makes the step up to the share `made`: state, books, changes of modes.
@@ -334,6 +266,9 @@ impl Adaptive {
         for (tension, &row) in self.end.rigid.iter().zip(&system.rigid) {
             state.tension[row] = *tension;
         }
+        for (anchor, &row) in self.end.anchor.iter().zip(&system.friction) {
+            state.memory[row] += anchor;
+        }
         // The last look was at the end of the step: it is the start of the next.
         std::mem::swap(&mut self.next, &mut self.rodas.here);
         let here = &mut self.rodas.here;
@@ -344,24 +279,25 @@ impl Adaptive {
         self.book_springs(system, state, 1.0);
         state.ledger.flows += std::mem::take(&mut self.flows);
         let held = self.held(system, state);
-        let taut = self.rigid_acting(system, state);
+        self.note_taut(system, state);
         if system.clock.time(Stage::Events, || self.switch(system, state, log, start, length)) {
             state.restart = true;
             self.rodas.evaluate(system, state);
-            state.ledger.flows.method += held - self.held(system, state);
+            state.ledger.flows.contact_damping += held - self.held(system, state);
         }
         self.hand_over(system, state);
         self.refresh(system, frame);
-        let rigid = self.rigid_acting(system, state);
-        if rigid > 0 {
+        let were_taut = system.inextensible.iter().zip(&self.taut);
+        let hit = were_taut.into_iter().any(|(&row, &taut)| !taut && state.modes[row] == Mode::Acting);
+        if system.inextensible.iter().any(|&row| state.modes[row] == Mode::Acting) {
             let before: f64 = flows::stored(system, state, frame).iter().sum();
-            self.project(system, state, frame)?;
+            self.project(system, state, frame, log, hit)?;
             self.rodas.evaluate(system, state);
             self.refresh(system, frame);
             self.hand_over(system, state);
             let lost = before - flows::stored(system, state, frame).iter().sum::<f64>();
             let flows = &mut state.ledger.flows;
-            *(if rigid > taut { &mut flows.impact } else { &mut flows.method }) += lost;
+            *(if hit { &mut flows.impact } else { &mut flows.method }) += lost;
         }
         flows::store(system, state, frame);
         Ok(())
@@ -380,12 +316,6 @@ impl Adaptive {
     /// Brings `frame` to the configuration that has just been evaluated.
     fn refresh(&self, system: &System, frame: &mut Frame) {
         frame.follow(system, &self.rodas.here.frame);
-    }
-
-    /// How many inextensible ropes act.
-    fn rigid_acting(&self, system: &System, state: &State) -> usize {
-        let ropes = system.rigid.iter().filter(|&&row| row < system.rope_rows());
-        ropes.filter(|&&row| state.modes[row] == Mode::Acting).count()
     }
 
     fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {
