@@ -4,6 +4,7 @@ use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::Step;
+use crate::plan::drive::Timeline;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
 
@@ -64,6 +65,8 @@ pub struct DriveJoint {
     pub body: usize,
     /// Degree of freedom.
     pub dof: usize,
+    /// True for a motor of limited force, which a brake between it and its flow stands for.
+    pub is_limited: bool,
 }
 
 /// Contacts that carry one load together.
@@ -96,6 +99,8 @@ pub struct System {
     pub fed: Vec<usize>,
     /// First constraint that is a brake; brakes come last, and each has one row.
     pub first_brake: usize,
+    /// Rows of the brakes of motors, and their drives.
+    pub motors: Vec<(usize, usize)>,
     /// Degrees of freedom of flows.
     pub flows: Vec<usize>,
     /// Prescribed joints.
@@ -117,6 +122,14 @@ impl System {
             AnyConstraint::Rope(rope) => Some(rope),
             AnyConstraint::Contact(_) | AnyConstraint::Brake(_) => None,
         })
+    }
+
+    /// Drives that prescribe the motion of their joints, with their timelines.
+    pub fn prescribed<'a>(
+        &'a self,
+        timelines: &'a [Timeline],
+    ) -> impl Iterator<Item = (&'a DriveJoint, &'a Timeline)> {
+        self.drives.iter().zip(timelines).filter(|(drive, _)| !drive.is_limited)
     }
 
     /// How many ropes there are where two that meet in a point without size count as one: pieces of a heavy rope.

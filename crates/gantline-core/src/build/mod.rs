@@ -55,7 +55,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     }
     let drives = build_drives(spec, &tree)?;
     let mut driven = vec![None; tree.velocities];
-    for (index, drive) in drives.iter().enumerate() {
+    for (index, drive) in drives.iter().enumerate().filter(|(_, drive)| !drive.is_limited) {
         driven[drive.dof] = Some(index);
         v[drive.dof] = 0.0;
     }
@@ -76,6 +76,12 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let fed = (0..constraints.len()).filter(|&index| has_flow(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
     let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
+    let motors =
+        constraints[first_brake..].iter().zip(rows.first[first_brake]..).filter_map(|(brake, row)| {
+            let AnyConstraint::Brake(brake) = brake else { return None };
+            Some((row, drives.iter().position(|drive| drive.dof == brake.dof)?))
+        });
+    let motors = motors.collect();
     let flows = (0..tree.velocities)
         .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
         .collect();
@@ -91,6 +97,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         friction,
         fed,
         first_brake,
+        motors,
         flows,
         drives,
         driven,

@@ -74,7 +74,7 @@ impl StepFlows<'_> {
         let h = self.h;
         frame.mass.multiply(&state.acceleration, work);
         self.stiffness.add_force(self.v, &state.v, h * h, work);
-        for drive in &system.drives {
+        for drive in system.drives.iter().filter(|drive| !drive.is_limited) {
             let damping = system.tree.damping[drive.dof] * self.v[drive.dof];
             work[drive.dof] += h * (self.c[drive.dof] + damping);
         }
@@ -83,7 +83,7 @@ impl StepFlows<'_> {
                 work[dof] += h * entry * self.rows.tension[row];
             }
         }
-        for drive in &system.drives {
+        for drive in system.drives.iter().filter(|drive| !drive.is_limited) {
             state.ledger.flows.drive_work += work[drive.dof] * self.v[drive.dof];
         }
     }
@@ -213,7 +213,7 @@ pub fn supports(system: &System, tension: &[f64], out: &mut [f64]) {
 
 /// Puts driven joints exactly where their drives are, so rounding does not add up.
 pub fn set_driven(system: &System, state: &mut State) {
-    for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+    for (drive, timeline) in system.prescribed(&state.plan.timelines) {
         let position = system.tree.bodies[drive.body].first_position;
         state.q[position] = timeline.motion(state.time).position;
     }

@@ -5,7 +5,7 @@
 //! adds or takes; it is computed like any other flow.
 
 use super::Adaptive;
-use super::evaluation::Point;
+use super::evaluation::{Point, Schedule};
 use super::rodas::Increment;
 use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
@@ -30,7 +30,8 @@ impl Adaptive {
         self.rodas.course.rate_at(theta, &mut self.rate);
         let Increment { phi, v, rigid, anchor, .. } = &self.point;
         let a = &self.rate.v;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        let schedule = Schedule::after(state, theta * self.rodas.course.h);
+        let point = Point { schedule, base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
         self.probe.forces(system, &point, &state.modes);
         self.book_point(system, state, duration);
     }
@@ -78,6 +79,7 @@ impl Adaptive {
                 // A brake that slips; else a velocity along the rope is a defect of the method.
                 let slips = state.modes[row] == Mode::Slipping;
                 *(if slips { &mut ledger.friction } else { &mut ledger.method }) += duration * tension * rate;
+                ledger.drive_work -= duration * tension * probe.asked[row];
                 continue;
             }
             if state.modes[row] == Mode::Acting {

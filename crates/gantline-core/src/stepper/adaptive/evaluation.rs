@@ -13,8 +13,10 @@ use glam::DVec3;
 
 use crate::clock::Stage;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
+use crate::plan::drive::Timeline;
 use crate::rope::route::Attachment;
 use crate::solver::complementarity::Mode;
+use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::System;
 use crate::tree::Body;
@@ -45,6 +47,8 @@ pub struct Evaluation {
     pub pull: Vec<f64>,
     /// Largest force of every brake [N].
     pub bound: Vec<f64>,
+    /// Velocity that the drive of a motor asks for, by the row of its brake [m/s]; 0 for other rows.
+    pub asked: Vec<f64>,
     /// α̇ of the anchors of sliding contacts [m/s], by [`System::friction`].
     pub anchor_rate: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
@@ -70,6 +74,7 @@ impl Evaluation {
             imbalance: vec![0.0; size],
             pull: vec![0.0; system.rigid.len()],
             bound: vec![0.0; rows],
+            asked: vec![0.0; rows],
             anchor_rate: vec![0.0; system.friction.len()],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
@@ -126,6 +131,7 @@ impl Evaluation {
         for (row, rate) in self.rate.iter_mut().enumerate() {
             *rate = system.rows.rate(&self.frame.gradient, row, at.v);
         }
+        self.follow(system, at);
         self.tensions(system, at, modes);
         self.balance(system, at);
         for (row, &tension) in self.tension.iter().enumerate() {
@@ -158,6 +164,15 @@ impl Evaluation {
             constraint.locate(&moving, value, &mut self.rate[own], lines);
         }
         self.move_anchors(system, at);
+        self.follow(system, at);
+    }
+
+    /// Rates of motors against what their drives ask for.
+    fn follow(&mut self, system: &System, at: &Point) {
+        for &(row, drive) in &system.motors {
+            self.asked[row] = at.schedule.timelines[drive].motion(at.schedule.time).velocity;
+            self.rate[row] -= self.asked[row];
+        }
     }
 
     /// Anchors that have slid by α since the start of the step.
@@ -197,9 +212,10 @@ impl Evaluation {
         }
         for (row, constraint) in (brakes..).zip(&system.constraints[system.first_brake..]) {
             if let AnyConstraint::Brake(brake) = constraint {
-                self.bound[row] = brake.bound(&self.q, &self.tension);
                 let slips = modes[row] == Mode::Slipping;
-                self.tension[row] = if slips { self.bound[row] * at.memory[row] } else { self.trial[row] };
+                let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
+                self.bound[row] = brake.bound(&self.q, &self.tension, -direction * at.v[brake.dof]);
+                self.tension[row] = if slips { self.bound[row] * direction } else { self.trial[row] };
             }
         }
         for (rate, &row) in self.anchor_rate.iter_mut().zip(&system.friction) {
@@ -229,6 +245,12 @@ impl Evaluation {
                 _ => pull_of(system, &self.frame, &self.dynamics, row),
             };
         }
+        for &(row, drive) in &system.motors {
+            if let Ok(index) = system.rigid.binary_search(&row) {
+                let Schedule { timelines, from, time } = at.schedule;
+                self.pull[index] -= timelines[drive].acceleration(from, time).0;
+            }
+        }
         self.phi_rate.copy_from_slice(at.v);
         for &first in &self.rotations {
             let range = first..first + 3;
@@ -253,8 +275,28 @@ impl Evaluation {
     }
 }
 
+/// What drives ask for, and when: at `time` in a step that started at `from` [s].
+#[derive(Clone, Copy)]
+pub struct Schedule<'a> {
+    /// Of all drives.
+    pub timelines: &'a [Timeline],
+    /// Start of the step [s].
+    pub from: f64,
+    /// Now [s].
+    pub time: f64,
+}
+
+impl<'a> Schedule<'a> {
+    /// At `elapsed` [s] after `state`, where a step starts.
+    pub fn after(state: &'a State, elapsed: f64) -> Self {
+        Self { timelines: &state.plan.timelines, from: state.time, time: state.time + elapsed }
+    }
+}
+
 /// Where to evaluate.
 pub struct Point<'a> {
+    /// When.
+    pub schedule: Schedule<'a>,
     /// q₀.
     pub base: &'a [f64],
     /// What rows remember.

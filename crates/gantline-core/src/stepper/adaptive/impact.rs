@@ -132,7 +132,7 @@ impl Adaptive {
             matrix.factorise_inertia(system, &frame.mass, &frame.gradient, &state.modes)
         })?;
         self.rows.fill(0.0);
-        for &row in system.rigid.iter().filter(|&&row| state.modes[row] == Mode::Acting) {
+        for &row in system.inextensible.iter().filter(|&&row| state.modes[row] == Mode::Acting) {
             self.rows[row] = wanted(row);
         }
         self.rate.phi.fill(0.0);

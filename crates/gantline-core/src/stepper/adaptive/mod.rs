@@ -31,7 +31,7 @@ use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Twist;
-use evaluation::{Evaluation, Point};
+use evaluation::{Evaluation, Point, Schedule};
 use looks::Looks;
 use rodas::{Increment, Rodas};
 
@@ -214,12 +214,17 @@ impl Adaptive {
 
     /// Makes sure that the start of the step is evaluated and its accelerations are right.
     fn begin(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
-        let driven = system.drives.iter().zip(&state.plan.timelines);
-        for (drive, timeline) in driven {
+        for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let (a, _) = timeline.acceleration(state.time, state.time);
             state.restart |= state.acceleration[drive.dof] != a;
             state.acceleration[drive.dof] = a;
             state.v[drive.dof] = timeline.motion(state.time).velocity;
+        }
+        for &(_, drive) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Acting) {
+            let timeline = &state.plan.timelines[drive];
+            let (dof, wanted) = (system.drives[drive].dof, timeline.acceleration(state.time, state.time).0);
+            state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
+            state.v[dof] = timeline.motion(state.time).velocity;
         }
         if state.restart {
             self.restart(system, state, frame)?;
@@ -244,7 +249,8 @@ impl Adaptive {
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
         let Increment { phi, v, a, rigid, anchor } = &self.point;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        let schedule = Schedule::after(state, theta * self.rodas.course.h);
+        let point = Point { schedule, base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
         self.probe.rows(system, &point, &state.modes);
     }
 

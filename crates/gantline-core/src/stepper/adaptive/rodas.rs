@@ -29,9 +29,9 @@
 //! The acceleration is never solved for: the residual of inverse dynamics takes its place, so a mass matrix
 //! that changes with q costs nothing extra.
 
-use super::evaluation::{Evaluation, Point};
+use super::evaluation::{Evaluation, Point, Schedule};
 use super::tableau::{A, C, D, GAMMA, H, STAGES, TIMES};
-use super::tangent::{TangentMatrix, slip_weights};
+use super::tangent::{TangentMatrix, brake_of, slip_weights};
 use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
@@ -204,6 +204,7 @@ impl Rodas {
             *tension = state.tension[row];
         }
         let point = Point {
+            schedule: Schedule::after(state, 0.0),
             base: &state.q,
             memory: &state.memory,
             phi: &self.none.phi,
@@ -245,7 +246,9 @@ impl Rodas {
             self.point.set(A[stage], &self.k, &self.course.start);
             if stage > 0 {
                 let Increment { phi, v, a, rigid, anchor } = &self.point;
-                let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+                let schedule = Schedule::after(state, TIMES[stage] * h);
+                let point =
+                    Point { schedule, base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
                 self.stage.forces(system, &point, modes);
             }
             self.stage_sides(system, state, mass, stage, h);
@@ -275,7 +278,7 @@ impl Rodas {
             add(&mut self.r, weight / h, &k.phi);
             add(&mut self.rho, weight / h, &k.v);
         }
-        for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+        for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let dof = drive.dof;
             let (now, _) = timeline.acceleration(state.time, state.time + TIMES[stage] * h);
             let (_, jerk) = timeline.acceleration(state.time, state.time);
@@ -311,6 +314,16 @@ impl Rodas {
                 let along = system.rows.rate(&self.here.frame.gradient, row, &self.sum);
                 let turning = self.matrix.pull_rate(system, index, &self.r);
                 self.rows[row] = along + kappa * (turning - at.pull[index]);
+            }
+        }
+        for &(row, drive) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Acting) {
+            let (_, jerk) = state.plan.timelines[drive].acceleration(state.time, state.time);
+            self.rows[row] += kappa * h * D[stage] * jerk;
+        }
+        for &(row, _) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Slipping) {
+            if let Some(brake) = brake_of(system, row) {
+                let driven = -state.memory[row] * state.v[brake.dof];
+                self.rows[row] = -kappa * brake.slope(driven) * self.r[brake.dof];
             }
         }
         for index in 0..system.friction.len() {

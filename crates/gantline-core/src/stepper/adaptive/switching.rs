@@ -1,7 +1,7 @@
 //! Changes of the rows' modes: seen along the course of a step, made at its end.
 
 use super::books::WEIGHTS;
-use super::evaluation::{Evaluation, Point};
+use super::evaluation::{Evaluation, Point, Schedule};
 use super::rodas::Increment;
 use super::{Adaptive, LOOKS, SWITCHING};
 use crate::audit::Flows;
@@ -56,14 +56,15 @@ impl Adaptive {
     fn arrive(&mut self, system: &System, state: &State) {
         self.rodas.course.at(self.made, &mut self.end);
         let time = state.time + self.made * self.rodas.course.h;
-        for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+        for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let motion = timeline.motion(time);
             let position = state.q[system.tree.bodies[drive.body].first_position];
             self.end.phi[drive.dof] = motion.position - position;
             self.end.v[drive.dof] = motion.velocity;
         }
         let Increment { phi, v, a, rigid, anchor } = &self.end;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        let schedule = Schedule::after(state, self.made * self.rodas.course.h);
+        let point = Point { schedule, base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
         self.next.all(system, &point, &state.modes);
     }
 
@@ -226,8 +227,10 @@ impl Adaptive {
         if state.modes[row] == Mode::Slipping {
             state.modes[row] = Mode::Acting;
             // Inertia of a flow is its own: stopping it moves nothing else.
-            state.ledger.flows.friction += 0.5 * system.tree.armature[dof] * state.v[dof] * state.v[dof];
-            state.v[dof] = 0.0;
+            let asked = self.rodas.here.asked[row];
+            let change = state.v[dof] * state.v[dof] - asked * asked;
+            state.ledger.flows.friction += 0.5 * system.tree.armature[dof] * change;
+            state.v[dof] = asked;
         } else {
             state.modes[row] = Mode::Slipping;
             state.memory[row] = self.rodas.here.trial[row].signum();
@@ -244,8 +247,8 @@ impl Adaptive {
             let (row, here) = (system.rows.first[index], &self.rodas.here);
             let slips = match state.modes[row] {
                 Mode::Slipping => {
-                    let resting = state.v[brake.dof] * state.memory[row] <= 0.0;
-                    !(resting && state.acceleration[brake.dof] * state.memory[row] < 0.0)
+                    let resting = here.rate[row] * state.memory[row] <= 0.0;
+                    !(resting && self.lag(system, state, row, brake.dof) * state.memory[row] < 0.0)
                 }
                 _ => here.trial[row].abs() > here.bound[row],
             };
@@ -263,6 +266,13 @@ impl Adaptive {
     fn loosens(&self, system: &System, state: &State, row: usize) -> bool {
         let rigid = system.rows.laws[row].compliance() == 0.0;
         rigid && state.modes[row] == Mode::Slack && self.rodas.here.rate[row] < STANDSTILL
+    }
+
+    /// Acceleration of a flow against what the drive of its motor asks for [m/s²].
+    fn lag(&self, system: &System, state: &State, row: usize, dof: usize) -> f64 {
+        let motor = system.motors.iter().find(|(other, _)| *other == row);
+        let asked = |drive: usize| state.plan.timelines[drive].acceleration(state.time, state.time).0;
+        state.acceleration[dof] - motor.map_or(0.0, |&(_, drive)| asked(drive))
     }
 
     /// Sticking and sliding of the contact `index`.

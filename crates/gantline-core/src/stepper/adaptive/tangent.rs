@@ -286,6 +286,10 @@ impl TangentMatrix {
                 }
                 let square = kappa * kappa * state.memory[row];
                 if let Some(brake) = brake_of(system, row) {
+                    let driven = -state.memory[row] * state.v[brake.dof];
+                    let own = self.places.in_row[range.start + brake.own] as usize;
+                    // d(bound · direction)/dv, the direction's square being 1.
+                    self.values[own] -= kappa * brake.slope(driven);
                     brake.add_slopes(&state.q, &here.tension, |entry, slope| {
                         self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
                     });
@@ -395,7 +399,7 @@ impl TangentMatrix {
 }
 
 /// The brake whose row it is.
-fn brake_of(system: &System, row: usize) -> Option<&Brake> {
+pub fn brake_of(system: &System, row: usize) -> Option<&Brake> {
     let index = row.checked_sub(system.rows.first[system.first_brake])?;
     match &system.constraints[system.first_brake + index] {
         AnyConstraint::Brake(brake) => Some(brake),
