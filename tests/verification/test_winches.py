@@ -1,7 +1,7 @@
 """Drums whose motors have a limited force and power: a load on one rope, in closed form.
 
 The drum's inertia over its radius squared is I [kg], the load's mass m; both move as one where the rope is
-stiff. Stretch shows by its strain, 2.5e-6 here, and by the damped oscillation that ends each ramp's transient.
+stiff. Stretch shows by its strain, 2.5e-6 here, and by the damped oscillation that each ramp starts.
 """
 
 from __future__ import annotations
