@@ -57,6 +57,7 @@ def slope(run: Run, start: float, stop: float) -> float:
 
 
 def test_a_motor_that_is_strong_enough_follows_its_drive() -> None:
+    """Way of a plan with two ramps, 0.5 m/s (1 + 7 + 0.5) s, and tensions of a drive without limit."""
     # Two ramps of 2 s and 1 s and 7 s between them: 0.5 m/s (1 + 7 + 0.5) s.
     ramps = [(1.0, 2.0, -0.5), (10.0, 1.0, 0.0)]
     strong = winch(ramps, 14.0, capacity=1.2 * WEIGHT)
@@ -68,6 +69,7 @@ def test_a_motor_that_is_strong_enough_follows_its_drive() -> None:
 
 
 def test_a_motor_that_is_too_weak_lets_the_load_down() -> None:
+    """Acceleration (m g − F)/(m + I), tension m (g − a), heat of the brake F s."""
     force = 0.5 * WEIGHT
     run = winch([], 3.0, capacity=force)
     # (m + I) a = m g − F; the rope carries m (g − a).
@@ -79,6 +81,7 @@ def test_a_motor_that_is_too_weak_lets_the_load_down() -> None:
 
 
 def test_a_motor_at_its_limit_needs_its_time_to_come_to_speed() -> None:
+    """Acceleration (F − m g)/(m + I), and the time at which it meets its drive."""
     force = 1.05 * WEIGHT
     run = winch([(1.0, 0.1, -1.0)], 8.0, capacity=force)
     expected = (force - WEIGHT) / (MASS + INERTIA)
@@ -91,6 +94,7 @@ def test_a_motor_at_its_limit_needs_its_time_to_come_to_speed() -> None:
 
 
 def test_power_limits_the_speed_of_hoisting() -> None:
+    """Speed P/(m g) going up, the drive's own going down."""
     run = winch([(1.0, 2.0, -1.0)], 12.0, capacity=2.0 * WEIGHT, power=0.5 * WEIGHT)
     # P = m g v.
     assert speed(run)[-1] == pytest.approx(-0.5, rel=5e-6)
@@ -100,7 +104,7 @@ def test_power_limits_the_speed_of_hoisting() -> None:
 
 
 def test_constant_tension() -> None:
-    """A winch that hauls with a force below the weight of a load keeps its rope at that force."""
+    """A winch that hauls with less than the weight: tension of a load that falls with (m g − F)/(m + I)."""
     force = 0.3 * WEIGHT
     run = winch([(0.0, 0.01, -2.0)], 2.0, capacity=force)
     accelerated = MASS * (G - (WEIGHT - force) / (MASS + INERTIA))
@@ -108,6 +112,7 @@ def test_constant_tension() -> None:
 
 
 def test_an_emergency_stop_slips_until_the_load_rests() -> None:
+    """Way of slipping to rest, v² (m + I)/2(F − m g)."""
     force = 1.3 * WEIGHT
     run = winch([(1.0, 1.0, 1.0), (4.0, 0.001, 0.0)], 8.0, capacity=force)
     # 0.5 m in the ramp, 2 m at speed, then v²/2a with (m + I) a = F − m g.
