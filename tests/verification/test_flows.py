@@ -1,4 +1,4 @@
-"""Sheaves with losses and inertia, drums, brakes: the closed forms of docs/concepts/flows.md, by `adaptive`."""
+"""Sheaves with losses and inertia, drums, brakes: closed forms of docs/concepts/flows.md, by `adaptive`."""
 
 from __future__ import annotations
 
