@@ -85,7 +85,8 @@ def test_capstan_sticks_for_an_hour() -> None:
     """13 over 10 kg is less than e^{μπ}: tensions are the weights, and the rope does not creep in 3600 s."""
     run = adaptive(atwood(10.0, 13.0, 2.0, ratio=CAPSTAN), 3600.0, sample_interval=10.0)
     low, high = run.columns["segment_tension"][-1]
-    assert high / low == pytest.approx(1.3, rel=1e-9)
+    # The tolerance of a step is 1 mN of 100 N; an hour of damped ringing leaves far less of it.
+    assert high / low == pytest.approx(1.3, rel=1e-8)
     # A regularised law would creep at a share of its slip velocity: 1e-6 m/s makes 3.6 mm.
     assert np.abs(run.joint("sheave")).max() < 1e-9
 
