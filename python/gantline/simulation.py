@@ -209,7 +209,7 @@ def _refused(scenario: Scenario, message: str) -> ScenarioError:
     """What the core refuses, at the line of the element that it names."""
     element, _, sentence = message.partition(": ")
     if scenario.mechanics is not None:
-        for kind in ("bodies", "ropes", "contacts"):
+        for kind in ("bodies", "drums", "ropes", "contacts"):
             if element in (getattr(scenario.mechanics, kind) or {}):
                 return scenario.error(("mechanics", kind, element), sentence)
     return ScenarioError(str(scenario.source), [Problem(None, "", message)])

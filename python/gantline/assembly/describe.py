@@ -40,6 +40,8 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, sling) for sling in rigging.slings.values()],
         "ropes": _ropes(scenario, rigging, parts),
+        "sheaves": _sheaves_with_flow(parts),
+        "drums": _drums(scenario),
         "limits": _limits(scenario),
         "plan": [_step(step) for step in scenario.plan],
     }
@@ -155,6 +157,28 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
         for name, (kind, weight) in kinds.items()
         for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
+
+
+def _sheaves_with_flow(parts: Parts) -> list[Json]:
+    """Every sheave that is not ideal, in the order of ropes and routes."""
+    return [
+        {
+            "name": guide["flow"],
+            "rope": rope["name"],
+            "segments": [f"{rope['name']}/{place - 1}", f"{rope['name']}/{place}"],
+            "ratio": guide["ratio"],
+            "inertia": parts.flows[guide["flow"]]["joint"]["inertia"],
+            "inertia_from": parts.inertia_from[guide["flow"]],
+        }
+        for rope in parts.ropes
+        for place, guide in enumerate(rope["route"])
+        if "flow" in guide
+    ]
+
+
+def _drums(scenario: Scenario) -> list[Json]:
+    drums = scenario.mechanics.drums if scenario.mechanics is not None else None
+    return [{"name": name, "diameter": drum.diameter} for name, drum in (drums or {}).items()]
 
 
 def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:

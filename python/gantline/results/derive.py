@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.flows import rope_flows
 from gantline.results.nodes import joined
 from gantline.results.recording import Recording
 from gantline.results.rig import Hook, Load, Rig
@@ -46,7 +47,12 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "rad/s",
         "angular velocity of a body, world axes",
     ),
-    "joint_position": ("joint_position", ("time", "joint"), "m or rad", "position of a slider or hinge"),
+    "joint_position": (
+        "joint_position",
+        ("time", "joint"),
+        "m or rad",
+        "position of a slider or hinge; rope that passed a sheave or left a drum",
+    ),
     "contact_force": ("contact_force", ("time", "contact"), "N", "normal force of a contact point"),
     "energy": (
         "energy",
@@ -108,6 +114,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         _sheave_travel(columns, names, lift),
         _hook_loads(columns, names, lift),
         _load_state(columns, names, lift),
+        rope_flows(columns, names, lift),
     ):
         variables |= derived
         coordinates |= labels

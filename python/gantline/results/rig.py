@@ -181,6 +181,41 @@ class Rope(_FromJson):
 
 
 @dataclass(frozen=True)
+class Sheave(_FromJson):
+    """A sheave with losses or inertia.
+
+    Attributes:
+        name: Of the flow of rope over it: `<equalizer>/moving_<n>`, `<equalizer>/fixed_<n>`, or
+            `<rope>/sheave_<n>` of a rope of `mechanics`, counted from 1 along the rope.
+        rope: The rope over it.
+        segments: Segments of the rope before and after it.
+        ratio: Largest ratio of the tensions on both sides, 1 without losses.
+        inertia: Mass that moves with the rope, moment of inertia over radius squared [kg].
+        inertia_from: What that mass is, in words.
+    """
+
+    name: str
+    rope: str
+    segments: Sequence[str]
+    ratio: float = 1.0
+    inertia: float = 0.0
+    inertia_from: str = ""
+
+
+@dataclass(frozen=True)
+class Drum(_FromJson):
+    """A drum of `mechanics`.
+
+    Attributes:
+        name: Its name, also that of its flow.
+        diameter: Pitch diameter on which its rope is counted [m].
+    """
+
+    name: str
+    diameter: float = 0.0
+
+
+@dataclass(frozen=True)
 class Step(_FromJson):
     """One step of the plan.
 
@@ -212,6 +247,8 @@ class Rig(_FromJson):
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
         ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
+        sheaves: Sheaves with losses or inertia.
+        drums: Drums.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         plan: Steps of the plan.
     """
@@ -226,6 +263,8 @@ class Rig(_FromJson):
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
     ropes: Sequence[Rope] = ()
+    sheaves: Sequence[Sheave] = ()
+    drums: Sequence[Drum] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
     plan: Sequence[Step] = ()
 
@@ -238,6 +277,8 @@ class Rig(_FromJson):
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
+            "sheaves": tuple(Sheave.from_json(d) for d in document.get("sheaves") or ()),
+            "drums": tuple(Drum.from_json(d) for d in document.get("drums") or ()),
             "plan": tuple(Step.from_json(d) for d in document.get("plan") or ()),
             "limits": document.get("limits") or {},
         }

@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer, Load, Sling
+from gantline.results.rig import Equalizer, Load, Sheave, Sling
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -157,6 +157,23 @@ def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
     mean = tensions.mean(axis=0)
     spread = tensions.max(axis=0) - tensions.min(axis=0)
     ratio: FloatArray = np.divide(spread, mean, out=np.zeros_like(mean), where=mean > 0.0)
+    return ratio
+
+
+def tension_ratio(recording: Recording, sheave: Sheave) -> FloatArray:
+    """Larger over smaller tension on both sides of a sheave [1], shape (time,).
+
+    1 where the loads are not clear, in a lift in which they ever are, and where one side carries no more than
+    1 % of the largest tension: of a rope that is hardly taut the inertia of the sheave makes ratios that mean
+    nothing.
+    """
+    tension = recording.column("sheave_tension", sheave.name)
+    low, high = tension.min(axis=1), tension.max(axis=1)
+    counts = low > _CARRYING_FROM * np.max(high, initial=0.0)
+    clear = is_clear(recording)
+    if clear.any():
+        counts &= clear
+    ratio: FloatArray = np.divide(high, low, out=np.ones_like(high), where=counts)
     return ratio
 
 
