@@ -171,6 +171,27 @@ def test_drums_and_their_plan() -> None:
     assert inertia == pytest.approx([30.0] * 4)
 
 
+def test_a_drive_with_limits() -> None:
+    limited = spoiled(
+        "acceleration: 0.2 m/s^2}", "acceleration: 0.2 m/s^2, capacity: 80 kN, power: 30 kW}", TACKLE
+    )
+    winch = flows(assembled(limited))["winch"]
+    assert (winch["capacity"], winch["power"]) == (80e3, 30e3)
+    assert "capacity" not in flows(assembled(TACKLE))["winch"]
+
+
+def test_a_drive_with_limits_that_are_too_low_does_not_lift() -> None:
+    """20 t on four parts with losses need 56 kN and more at the lead line."""
+    strong, weak = (
+        simulate(
+            parse_scenario(spoiled("0.2 m/s^2}", f"0.2 m/s^2, capacity: {pull}}}", TACKLE)), duration=6.0
+        )
+        for pull in ("100 kN", "40 kN")
+    )
+    rises = [run.column("joint_position", "load")[-1] for run in (strong, weak)]
+    assert rises[0] > 0.2 and rises[1] < -1.0
+
+
 def test_two_drums_on_one_shaft() -> None:
     shaft = "shaft: {diameter: 0.6 m, moment_of_inertia: 4.5 t m^2, brake: 10 kN, damping: 1 kN s/m}"
     text = TACKLE.replace("    winch: ", f"    {shaft}\n    winch: ").replace(
@@ -217,6 +238,11 @@ def test_a_motion_given_in_advance() -> None:
             "1 m/s is faster than 'winch' can turn; its highest speed is 0.5",
         ),
         ("acceleration: 0.1 m/s^2, by", "acceleration: 1 m/s^2, by", "1 m/s^2 is more than 'winch' can do"),
+        (
+            "acceleration: 0.2 m/s^2}",
+            "acceleration: 0.2 m/s^2, power: 30 kW}",
+            "'power' is given without 'capacity', the largest pull at low speed",
+        ),
         ("haul_in: winch", "haul_in: [winch, winch]", "names a drum twice; each drum stands once"),
         ("haul_in: winch", "haul_in: wench", "'wench' is not a drum; did you mean 'winch'?"),
         ("haul_in: winch", "hoist: winch", "'winch' is not a hook; there is none"),

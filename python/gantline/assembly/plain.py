@@ -83,8 +83,12 @@ def _add_drum(parts: Parts, name: str, drum: Drum) -> None:
     elif drum.drive is not None:
         drive = drum_drive(name)
         parts.add_drive(drive)
+    motor = {}
+    if drum.drive is not None and drum.drive.capacity is not None:
+        motor = {"capacity": drum.drive.capacity, "power": drum.drive.power}
     brake = drum.brake or 0.0
-    parts.add_flow(name, drum.inertia, velocity=drum.velocity, damping=drum.damping, brake=brake, drive=drive)
+    rest = {"velocity": drum.velocity, "damping": drum.damping, "brake": brake, "drive": drive, **motor}
+    parts.add_flow(name, drum.inertia, **rest)
 
 
 def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) -> None:

@@ -12,9 +12,11 @@ from gantline.scenario.quantities import (
     Damping,
     NotNegativeForce,
     PositiveAcceleration,
+    PositiveForce,
     PositiveInertia,
     PositiveLength,
     PositiveMass,
+    PositivePower,
     PositiveSpeed,
     Speed,
     refuse,
@@ -32,6 +34,16 @@ class DrumDrive(Element):
     acceleration: PositiveAcceleration = Field(
         description="Highest acceleration of the rope; also used where a step names none."
     )
+    capacity: PositiveForce | None = Field(
+        None, description="Largest pull of the rope on its diameter; whatever it takes where it is left out."
+    )
+    power: PositivePower | None = Field(None, description="Largest power for hauling in, beside a capacity.")
+
+    @model_validator(mode="after")
+    def _power_needs_a_capacity(self) -> DrumDrive:
+        if self.power is not None and self.capacity is None:
+            raise refuse("'power' is given without 'capacity', the largest pull at low speed", "power")
+        return self
 
 
 class Drum(Element):
