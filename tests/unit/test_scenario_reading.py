@@ -128,12 +128,10 @@ def test_an_equalizer_may_differ_from_its_type() -> None:
 
 def test_a_problem_of_a_type_is_shown_at_the_type() -> None:
     start, end = BASE.index("    frame:"), BASE.index("slings:\n")
-    parts = BASE[start:end].replace("{damping: 1 kN m s}", "{friction: 1 kN m}")
+    parts = BASE[start:end].replace("along: [-1.2 m, 1.2 m]", "along: [-1.2 m]")
     text = BASE[:start] + "    type: EQ2\n" + BASE[end:]
     text = text.replace("equalizers:\n", f"equalizer_types:\n  EQ2:\n{parts}equalizers:\n")
-    with pytest.raises(
-        ScenarioError, match=r"equalizer_types\.EQ2\.hinge\.friction: a hinge friction of 1000 N m"
-    ):
+    with pytest.raises(ScenarioError, match=r"equalizer_types\.EQ2\.rope_ends\.along: found 1 rope ends"):
         parse_scenario(text)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from gantline.assembly import Assembly, assemble
+from gantline.assembly.yard import PIN
 from gantline.cli.summary import summary
 from gantline.results.recording import Recording
 from gantline.scenario import ScenarioError, parse_scenario
@@ -55,6 +56,10 @@ plan:
   - {step: lower, pay_out: winch, speed: 6 m/min, acceleration: 0.1 m/s^2, by: 1 m}
   - {step: hold, hold: until_end}
 """
+
+
+#: The lift that tests spoil, by the integrator that knows friction.
+ADAPTIVE = BASE.replace("integrator: del, step: 1 ms", "integrator: adaptive")
 
 
 def assembled(text: str) -> Assembly:
@@ -192,6 +197,24 @@ def test_a_drive_with_limits_that_are_too_low_does_not_lift() -> None:
     assert rises[0] > 0.2 and rises[1] < -1.0
 
 
+def test_hinges_with_friction_and_pinned_sheaves() -> None:
+    def joints(text: str) -> dict[str, Any]:
+        return {one["name"]: one["joint"] for one in assembled(text).document["bodies"]}
+
+    plain = joints(ADAPTIVE)
+    assert plain["e1"]["friction"] == plain["e1.1"]["friction"] == 0.0
+    rough = joints(spoiled("hinge: {damping: 1 kN m s}", "hinge: {friction: 5 kN m}", ADAPTIVE))
+    assert rough["e1"]["friction"] == 5e3
+    pinned = joints(spoiled("travel: {up: 1 m", "travel: {locked: true, up: 1 m", ADAPTIVE))
+    assert [pinned[f"e1.{place}"]["friction"] for place in (1, 2)] == [PIN, PIN]
+
+
+def test_pinned_sheaves_do_not_move() -> None:
+    text = spoiled("travel: {up: 1 m", "travel: {locked: true, up: 1 m", ADAPTIVE)
+    run = simulate(parse_scenario(text), duration=6.0)
+    assert np.abs(run["sheave_travel"].values).max() < 1e-9
+
+
 def test_two_drums_on_one_shaft() -> None:
     shaft = "shaft: {diameter: 0.6 m, moment_of_inertia: 4.5 t m^2, brake: 10 kN, damping: 1 kN s/m}"
     text = TACKLE.replace("    winch: ", f"    {shaft}\n    winch: ").replace(
@@ -248,7 +271,11 @@ def test_a_motion_given_in_advance() -> None:
         ("haul_in: winch", "hoist: winch", "'winch' is not a hook; there is none"),
         ("by: 1 m", "until: {supports: clear}", "this waits for a load to leave the ground"),
         ("body: world, at: [1.5", "body: nowhere, at: [1.5", "'nowhere' is not a body"),
-        ("mass: none}", "mass: none}\nsimulation: {integrator: del}", "'del' knows no friction of sheaves"),
+        (
+            "mass: none}",
+            "mass: none}\nsimulation: {integrator: del}",
+            "'del' knows no friction of sheaves and joints",
+        ),
     ],
 )
 def test_errors_of_drums(old: str, new: str, says: str) -> None:

@@ -144,6 +144,9 @@ pub struct AxisJointSpec {
     /// Viscous damping [N m s/rad or N s/m].
     #[serde(default)]
     pub damping: f64,
+    /// Dry friction that holds it [N m or N].
+    #[serde(default)]
+    pub friction: f64,
     /// Name of the drive that prescribes this joint's motion.
     #[serde(default)]
     pub drive: Option<String>,

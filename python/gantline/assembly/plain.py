@@ -170,6 +170,7 @@ def _joint(parts: Parts, name: str, joint: Joint) -> Json:
             "position": joint.position,
             "velocity": joint.velocity,
             "damping": joint.damping,
+            "friction": joint.friction,
             "drive": drive,
         }
     if isinstance(joint, Ball):

@@ -21,6 +21,8 @@ __all__ = ["add_equalizers", "add_hooks", "add_slings", "hoist_drive", "lower_lu
 _TAUT = 1e-6
 #: Largest stretch of a sling at the start of a lift that is not at rest.
 _MOST_STRAIN = 0.02
+#: What a locking pin holds [N]: more than any lift has.
+PIN = 1e12
 
 
 def hoist_drive(hook: str) -> str:
@@ -64,10 +66,11 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
             if sling.equalizer == equalizer.name
         }
         sheaves = equalizer.moving_sheaves
+        held_by = PIN if equalizer.travel.locked else 0.0
         for place, along in enumerate(sheaves.along, start=1):
             parts.add_body(
                 f"{equalizer.name}.{place}",
-                _slider((0.0, 0.0, -1.0), None),  # travel down is positive
+                _slider((0.0, 0.0, -1.0), None, held_by),  # travel down is positive
                 parent=equalizer.name,
                 position=(along, 0.0, -sheaves.below_hook),
                 mass=sheaves.mass + carried.get(place, 0.0),
@@ -79,13 +82,14 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         lump_rope(parts, f"{equalizer.name}.equalizing", equalizer.weight, length, route)
 
 
-def _slider(axis: Sequence[float], drive: str | None) -> Json:
+def _slider(axis: Sequence[float], drive: str | None, friction: float = 0.0) -> Json:
     return {
         "type": "slider",
         "axis": list(axis),
         "position": 0.0,
         "velocity": 0.0,
         "damping": 0.0,
+        "friction": friction,
         "drive": drive,
     }
 
@@ -101,6 +105,7 @@ def _add_frame(parts: Parts, equalizer: EqualizerRigging) -> None:
         "position": equalizer.heading,
         "velocity": 0.0,
         "damping": equalizer.hinge.damping,
+        "friction": equalizer.hinge.friction,
         "drive": None,
     }
     parts.add_body(

@@ -9,7 +9,7 @@ from gantline.scenario.check_plan import check_plan
 from gantline.scenario.errors import ScenarioError
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
-from gantline.scenario.mechanics import HalfTurn
+from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
 from gantline.scenario.model import Scenario
 from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
 from gantline.scenario.sheave import taken_together
@@ -82,7 +82,7 @@ def _check_simulation(findings: Findings) -> None:
                 sentence = f"'{key}' belongs to 'integrator: {kind}', this lift has '{settings.integrator}'"
                 findings.add(("simulation", key), f"{sentence}; leave it out or name the other integrator")
     if settings.integrator == "del" and _has_friction(findings.scenario):
-        sentence = "'del' knows no friction of sheaves and no brakes"
+        sentence = "'del' knows no friction of sheaves and joints, no brakes and no pins"
         findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' is right here")
     if settings.step > duration:
         sentence = (
@@ -99,14 +99,21 @@ def _check_simulation(findings: Findings) -> None:
 
 
 def _has_friction(scenario: Scenario) -> bool:
-    """Whether a sheave has losses or a drum a brake."""
+    """Whether a sheave has losses, a drum a brake, a joint friction, or moving sheaves are pinned."""
     found = False
-    for name in scenario.equalizers or {}:
+    for name, given in (scenario.equalizers or {}).items():
         for key in SHEAVES:
             words = [said for _, said in sheave_levels(scenario, name, key)]
             found |= taken_together(words).bearing_efficiency < 1
+        kind = (scenario.equalizer_types or {}).get(given.type or "")
+        hinge = given.hinge or (kind and kind.hinge)
+        travel = given.travel or (kind and kind.travel)
+        found |= bool(hinge and hinge.friction) or bool(travel and travel.locked)
     if scenario.mechanics is not None:
         guides = [guide for rope in (scenario.mechanics.ropes or {}).values() for guide in rope.route]
         found |= any(isinstance(guide, HalfTurn) and guide.bearing_efficiency < 1 for guide in guides)
-        found |= any(drum.brake for drum in (scenario.mechanics.drums or {}).values())
+        drums = (scenario.mechanics.drums or {}).values()
+        found |= any(drum.brake or (drum.drive and drum.drive.capacity) for drum in drums)
+        joints = [body.joint for body in (scenario.mechanics.bodies or {}).values()]
+        found |= any(isinstance(joint, HingeJoint | Slider) and joint.friction > 0.0 for joint in joints)
     return found

@@ -31,7 +31,6 @@ def check_equalizer(findings: Findings, equalizer: EqualizerRigging) -> None:
         findings.add((*base, *parts), sentence)
 
     _check_sheaves(findings, equalizer)
-    _check_simulated(add, equalizer)
     _check_counts(add, equalizer)
     if len(findings.problems) == before:
         _check_order(add, equalizer)
@@ -62,14 +61,6 @@ def _check_sheaves(findings: Findings, equalizer: EqualizerRigging) -> None:
             for shared, own in said_twice(holder.sheaves, getattr(holder, key)):
                 sentence = f"'{shared}' of all sheaves stands beside '{own}' of '{key}'; say it in one place"
                 findings.add((*path, "sheaves", shared), sentence)
-
-
-def _check_simulated(add: _Add, equalizer: EqualizerRigging) -> None:
-    if equalizer.hinge.friction != 0:
-        sentence = f"a hinge friction of {equalizer.hinge.friction:g} N m cannot be simulated yet; 0 kN m can"
-        add("hinge.friction", sentence)
-    if equalizer.travel.locked:
-        add("travel.locked", "locking pins cannot be simulated yet; 'locked: false' can")
 
 
 def _check_counts(add: _Add, equalizer: EqualizerRigging) -> None:

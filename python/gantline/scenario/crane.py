@@ -161,7 +161,7 @@ class Travel(Element):
 
     up: NotNegativeLength = Field(description="Travel up from the start.")
     down: NotNegativeLength = Field(description="Travel down from the start.")
-    locked: Flag = Field(False, description="true: locking pins are in; cannot be simulated yet.")
+    locked: Flag = Field(False, description="true: locking pins hold all moving sheaves where they start.")
 
 
 class EqualizerParts(Element):

@@ -20,6 +20,7 @@ from gantline.scenario.quantities import (
     ListOf,
     Mass,
     Name,
+    NotNegativeForce,
     Number,
     Position,
     PositiveLength,
@@ -30,6 +31,7 @@ from gantline.scenario.quantities import (
     Sizes,
     Speed,
     Text,
+    Torque,
     Velocity,
     WordOr,
     refuse,
@@ -104,6 +106,7 @@ class HingeJoint(Element):
     position: Angle = Field(0.0, description="Angle at the start.")
     velocity: AngularSpeed = Field(0.0, description="Angular speed at the start.")
     damping: RotationalDamping = Field(0.0, description="Damping of the turning.")
+    friction: Torque = Field(0.0, description="Dry friction that holds it, without a motion.")
     motion: list[TurnRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
 
 
@@ -117,6 +120,7 @@ class Slider(Element):
     position: Length = Field(0.0, description="Travel at the start.")
     velocity: Speed = Field(0.0, description="Speed at the start.")
     damping: Damping = Field(0.0, description="Damping of the sliding.")
+    friction: NotNegativeForce = Field(0.0, description="Dry friction that holds it, without a motion.")
     motion: list[SpeedRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
 
 

@@ -19,6 +19,8 @@ use crate::tree::kinematics::Kinematics;
 
 /// Largest stretch of a rope over sheaves at the start: more is a mistake in its length.
 const MOST_STRAIN: f64 = 0.02;
+/// A joint with dry friction that turns back as slowly as this [m/s or rad/s] is as good as held.
+const SLOW: f64 = 1e-4;
 
 fn body_index(element: &str, tree: &Tree, name: Option<&String>) -> Result<Option<usize>, BuildError> {
     let Some(name) = name else { return Ok(None) };
@@ -51,13 +53,23 @@ pub(super) fn build_constraints(
     Ok((constraints, groups))
 }
 
-/// Friction of all flows that no drive prescribes: of the sheave that they pass, and of brakes.
+/// Friction of all flows and joints that no drive prescribes: of pins, of the sheave that rope passes, and of brakes.
 fn build_brakes(
     spec: &SystemSpec,
     tree: &Tree,
     ropes: &[AnyConstraint],
 ) -> Result<Vec<AnyConstraint>, BuildError> {
     let mut brakes = Vec::new();
+    for (index, given) in spec.bodies.iter().enumerate() {
+        if let JointSpec::Hinge(joint) | JointSpec::Slider(joint) = &given.joint {
+            at_least_zero(&given.name, "the joint's friction", joint.friction)?;
+            if joint.friction > 0.0 && joint.drive.is_none() {
+                let dof = tree.bodies[index].first_velocity;
+                let limits = [joint.friction, 0.0, joint.friction / SLOW, f64::INFINITY];
+                brakes.push(AnyConstraint::Brake(Brake::new(given.name.clone(), dof, limits, Vec::new())));
+            }
+        }
+    }
     for (index, given) in spec.bodies.iter().enumerate() {
         let JointSpec::Flow { brake, capacity, power, drive, .. } = &given.joint else { continue };
         at_least_zero(&given.name, "its brake", *brake)?;

@@ -1,4 +1,4 @@
-//! Friction that holds a flow: of a sheave's bearing and groove, or of a drum's brake.
+//! Friction that holds a flow, a hinge or a slider: of a sheave's bearing and groove, of a drum's brake, of a pin.
 //!
 //! A motor of limited force holds its flow at the speed that its drive asks for, and where the force is not enough the
 //! flow slips against it: the same law, in the frame of the drive.
@@ -17,7 +17,7 @@ use crate::tree::kinematics::Twist;
 /// Friction on a flow.
 #[derive(Debug, Clone)]
 pub struct Brake {
-    /// Name of the flow.
+    /// Name of the flow or of the joint's body.
     pub name: String,
     /// Its degree of freedom.
     pub dof: usize,
@@ -25,7 +25,7 @@ pub struct Brake {
     pub capacity: f64,
     /// Share of the sum of both tensions.
     pub share: f64,
-    /// Spans that it feeds, one or two, with their rows. The entries of their feeds are those of this row.
+    /// Spans that a flow feeds, one or two, with their rows. The entries of their feeds are those of this row.
     pub spans: Vec<(usize, Span)>,
     /// What a velocity of the flow does to the tensions on both sides [N s/m].
     pub impedance: f64,
@@ -49,8 +49,8 @@ impl Brake {
         [capacity, share, impedance, power]: [f64; 4],
         mut spans: Vec<(usize, Span)>,
     ) -> Self {
-        let mut dofs: Vec<usize> =
-            spans.iter().flat_map(|(_, span)| span.feeds.iter().map(|feed| feed.dof)).collect();
+        let fed = spans.iter().flat_map(|(_, span)| span.feeds.iter().map(|feed| feed.dof));
+        let mut dofs: Vec<usize> = fed.chain([dof]).collect();
         dofs.sort_unstable();
         dofs.dedup();
         let entry = |dof: usize| dofs.partition_point(|&other| other < dof);
@@ -108,7 +108,8 @@ impl Constraint for Brake {
     }
 
     fn laws(&self, _first_row: usize) -> Vec<Law> {
-        let rows = [0, self.spans.len() - 1].map(|side| self.spans[side].0);
+        let row = |side: Option<&(usize, Span)>| side.map(|side| side.0);
+        let rows = [row(self.spans.first()), row(self.spans.get(1))];
         vec![Law::Brake { rows, impedance: self.impedance }]
     }
 

@@ -37,11 +37,11 @@ pub enum Law {
         /// Row of the normal force; the two tangential rows follow it.
         normal: usize,
     },
-    /// A flow that is held by a bounded force, and slips against that.
+    /// A flow or joint that is held by a bounded force, and slips against that.
     Brake {
-        /// Rows of the spans whose tensions the bound depends on; one twice where there is one.
-        rows: [usize; 2],
-        /// What a velocity of the flow does to the tensions on both sides [N s/m].
+        /// Rows of the spans whose tensions the bound depends on.
+        rows: [Option<usize>; 2],
+        /// What a velocity does to the forces that act on it [N s/m or N m s/rad].
         impedance: f64,
     },
 }
@@ -60,7 +60,7 @@ impl Law {
         let (first, second) = match *self {
             Self::Unilateral { .. } => (None, None),
             Self::Friction { normal, .. } => (Some(normal), None),
-            Self::Brake { rows: [one, other], .. } => (Some(one), (other != one).then_some(other)),
+            Self::Brake { rows: [one, other], .. } => (one, other),
         };
         first.into_iter().chain(second)
     }

@@ -69,6 +69,7 @@ fn joint(draw: &mut Draw, kind: usize) -> JointSpec {
         position: draw.number(),
         velocity: draw.number(),
         damping: 0.0,
+        friction: 0.0,
         drive: None,
     };
     match kind {

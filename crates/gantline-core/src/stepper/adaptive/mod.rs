@@ -286,6 +286,7 @@ impl Adaptive {
         state.ledger.flows += std::mem::take(&mut self.flows);
         let held = self.held(system, state);
         self.note_taut(system, state);
+        self.rate.v.copy_from_slice(&state.v);
         if system.clock.time(Stage::Events, || self.switch(system, state, log, start, length)) {
             state.restart = true;
             self.rodas.evaluate(system, state);
@@ -293,6 +294,11 @@ impl Adaptive {
         }
         self.hand_over(system, state);
         self.refresh(system, frame);
+        if self.rate.v != state.v {
+            // Brakes have stopped what hardly moved.
+            let lost = frame.mass.quadratic(&self.rate.v) - frame.mass.quadratic(&state.v);
+            state.ledger.flows.friction += 0.5 * lost;
+        }
         let were_taut = system.inextensible.iter().zip(&self.taut);
         let hit = were_taut.into_iter().any(|(&row, &taut)| !taut && state.modes[row] == Mode::Acting);
         if system.inextensible.iter().any(|&row| state.modes[row] == Mode::Acting) {

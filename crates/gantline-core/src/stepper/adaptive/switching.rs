@@ -218,7 +218,7 @@ impl Adaptive {
         last.is_some()
     }
 
-    /// Holding and slipping of the brake `index` on a flow.
+    /// Holding and slipping of the brake `index`.
     fn switch_brake(&self, system: &System, state: &mut State, index: usize, dof: usize) -> bool {
         let row = system.rows.first[index];
         if self.distance(system, state, row, &self.rodas.here) <= 0.0 {
@@ -226,10 +226,8 @@ impl Adaptive {
         }
         if state.modes[row] == Mode::Slipping {
             state.modes[row] = Mode::Acting;
-            // Inertia of a flow is its own: stopping it moves nothing else.
+            // So slow that it makes no difference to what moves along; the books see to its energy.
             let asked = self.rodas.here.asked[row];
-            let change = state.v[dof] * state.v[dof] - asked * asked;
-            state.ledger.flows.friction += 0.5 * system.tree.armature[dof] * change;
             state.v[dof] = asked;
         } else {
             state.modes[row] = Mode::Slipping;
