@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::Ledger;
 use crate::plan::PlanState;
+use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 
 /// State of a run at a moment.
@@ -31,6 +32,8 @@ pub struct State {
     pub memory: Vec<f64>,
     /// Direction in which the contact of a tangential row slides, by row.
     pub slip: Vec<f64>,
+    /// How ropes lie on sheaves with true tangents, by [`crate::system::System::sheaves`].
+    pub seats: Vec<Seat>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
     pub next_step: f64,
     /// True at the start and after a change that makes the accelerations jump.
@@ -61,6 +64,7 @@ impl State {
             modes,
             memory,
             slip,
+            seats,
             next_step,
             restart,
             engaged,
@@ -80,6 +84,7 @@ impl State {
         self.modes.copy_from_slice(modes);
         self.memory.copy_from_slice(memory);
         self.slip.copy_from_slice(slip);
+        self.seats.copy_from_slice(seats);
         self.plan.copy_from(plan);
     }
 }

@@ -74,6 +74,17 @@ pub struct ContactGroup {
     pub contacts: Vec<usize>,
 }
 
+/// Where a sheave with true tangents is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SheavePlace {
+    /// Index of the rope.
+    pub rope: usize,
+    /// Index of the guide in its route.
+    pub guide: usize,
+    /// True where the rope may leave it.
+    pub may_lift_off: bool,
+}
+
 /// A system, built and checked.
 #[derive(Debug, Clone)]
 pub struct System {
@@ -85,6 +96,8 @@ pub struct System {
     pub rope_count: usize,
     /// Rows of the constraints.
     pub rows: Rows,
+    /// Sheaves with true tangents, in the order of ropes and routes.
+    pub sheaves: Vec<SheavePlace>,
     /// Rows of inextensible ropes.
     pub rigid: Vec<usize>,
     /// Constraints with flows.
@@ -112,6 +125,12 @@ impl System {
             AnyConstraint::Rope(rope) => Some(rope),
             AnyConstraint::Contact(_) | AnyConstraint::Brake(_) => None,
         })
+    }
+
+    /// Name of a sheave with true tangents: its rope, and its place in the route, where the first end is 0.
+    pub fn sheave_name(&self, seat: usize) -> String {
+        let SheavePlace { rope, guide, .. } = self.sheaves[seat];
+        format!("{}/{guide}", self.constraints[rope].name())
     }
 
     /// How many rows the ropes have; they stand before those of contacts.

@@ -264,8 +264,9 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
     spec
 }
 
-/// A rope over two real sheaves on random bodies, between two ends; none where some part has no tangent.
-pub fn sheave_rig(seeds: &[f64]) -> Option<(System, State, Frame)> {
+/// A rope over two real sheaves on random bodies and through an eye, between two ends; none where some part has no
+/// tangent. Where it may lift off it lies on none of the sheaves that it does not touch.
+pub fn sheave_rig(seeds: &[f64], may_lift_off: bool) -> Option<(System, State, Frame)> {
     let mut spec = rig(seeds);
     let mut draw = Draw::new(&seeds[200..]);
     let sheave = |draw: &mut Draw, shift: f64| GuideSpec::Sheave {
@@ -276,11 +277,13 @@ pub fn sheave_rig(seeds: &[f64]) -> Option<(System, State, Frame)> {
         },
         axis: draw.direction(),
         radius: 0.3 + 0.2 * draw.number(),
+        may_lift_off,
     };
     let route = vec![
         GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None },
         sheave(&mut draw, 8.0),
         sheave(&mut draw, -8.0),
+        GuideSpec::Eye { body: body(&mut draw), at: draw.scaled(3.0) },
         GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None },
     ];
     let material = MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 };

@@ -34,7 +34,15 @@ impl Adaptive {
         self.rodas.course.at(theta, &mut self.point);
         self.rodas.course.rate_at(theta, &mut self.rate);
         let Increment { phi, v, rigid, .. } = &self.point;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a: &self.rate.v, rigid };
+        let point = Point {
+            base: &state.q,
+            memory: &state.memory,
+            seats: &state.seats,
+            phi,
+            v,
+            a: &self.rate.v,
+            rigid,
+        };
         self.probe.forces(system, &point, &state.modes, &state.slip);
         self.book_point(system, state, duration);
     }

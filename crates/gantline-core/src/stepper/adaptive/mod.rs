@@ -12,6 +12,7 @@ pub mod evaluation;
 mod looks;
 mod places;
 pub mod rodas;
+mod seating;
 mod spins;
 mod switching;
 mod tableau;
@@ -19,7 +20,7 @@ pub mod tangent;
 
 use super::flows;
 use super::frame::Frame;
-use super::{StepError, StepReport};
+use super::{StepError, StepReport, seats};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -91,6 +92,10 @@ pub struct Adaptive {
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
+    /// Wrap angles of all sheaves at the end of the part that is made, and the share of it at which a rope left one
+    /// or came back.
+    wraps: Vec<f64>,
+    crossings: Vec<f64>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
     /// Share of the last computed step that was made.
@@ -119,6 +124,8 @@ impl Adaptive {
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
+            wraps: vec![0.0; system.sheaves.len()],
+            crossings: vec![0.0; system.sheaves.len()],
             current: false,
             made: 1.0,
         }
@@ -312,7 +319,7 @@ impl Adaptive {
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
         let Increment { phi, v, a, rigid } = &self.point;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
+        let point = Point { base: &state.q, memory: &state.memory, seats: &state.seats, phi, v, a, rigid };
         self.probe.rows(system, &point, &state.modes, &state.slip);
     }
 
@@ -345,7 +352,11 @@ impl Adaptive {
         state.ledger.flows += std::mem::take(&mut self.flows);
         let held = self.held(system, state);
         let taut = self.rigid_acting(system, state);
-        if system.clock.time(Stage::Events, || self.switch(system, state, log, start, length)) {
+        let switched = system.clock.time(Stage::Events, || {
+            self.follow_seats(system, state, log, (start, length))
+                | self.switch(system, state, log, start, length)
+        });
+        if switched {
             state.restart = true;
             self.rodas.evaluate(system, state);
             state.ledger.flows.method += held - self.held(system, state);
@@ -397,6 +408,6 @@ impl Adaptive {
         let element = self.weights.worst(system, state, &self.rodas);
         let cause =
             format!("the step fell below {STEP_FLOOR} s: forces change faster than any step can follow");
-        StepError { time: state.time, element, cause }
+        seats::explain(system, state, StepError { time: state.time, element, cause })
     }
 }

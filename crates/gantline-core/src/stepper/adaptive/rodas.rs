@@ -185,6 +185,7 @@ impl Rodas {
         let point = Point {
             base: &state.q,
             memory: &state.memory,
+            seats: &state.seats,
             phi: &self.none.phi,
             v: &state.v,
             a: &state.acceleration,
@@ -223,7 +224,8 @@ impl Rodas {
             self.point.set(A[stage], &self.k, &self.course.start);
             if stage > 0 {
                 let Increment { phi, v, a, rigid } = &self.point;
-                let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
+                let point =
+                    Point { base: &state.q, memory: &state.memory, seats: &state.seats, phi, v, a, rigid };
                 self.stage.forces(system, &point, modes, slip);
             }
             self.stage_sides(system, state, mass, stage, h);

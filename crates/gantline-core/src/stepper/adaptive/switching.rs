@@ -25,10 +25,12 @@ impl Adaptive {
         let crossed = self.survey(system, state, allowed);
         let made = crossed.map_or(1.0, |look| self.cut(system, state, look, allowed));
         let made = self.condition(system, state, made);
+        let made = self.seated_up_to(system, state, made);
         if made < 1.0 {
             self.made = made;
             self.survey(system, state, f64::INFINITY);
         }
+        self.look_at_seats(system, state);
         self.looks.fit();
     }
 
@@ -64,7 +66,7 @@ impl Adaptive {
             self.end.v[drive.dof] = motion.velocity;
         }
         let Increment { phi, v, a, rigid } = &self.end;
-        let point = Point { base: &state.q, memory: &state.memory, phi, v, a, rigid };
+        let point = Point { base: &state.q, memory: &state.memory, seats: &state.seats, phi, v, a, rigid };
         self.next.all(system, &point, &state.modes, &state.slip);
     }
 

@@ -139,7 +139,8 @@ impl TangentMatrix {
             &self.places.blocks[block];
         let (size, tension, law) = (dofs.len(), here.tension[*row], &system.rows.laws[*row]);
         let curvature = &mut self.curvature[..size * size];
-        let at = Placed { tree: &system.tree, kinematics: &here.frame.kinematics, q: &state.q };
+        let kinematics = &here.frame.kinematics;
+        let at = Placed { tree: &system.tree, kinematics, q: &state.q, seats: &state.seats };
         let value = here.frame.value[*row];
         system.constraints[*constraint].curvature(&at, value, *number, &mut self.columns, curvature);
         for (place, value) in places.iter().zip(&*curvature) {
