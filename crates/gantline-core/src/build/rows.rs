@@ -266,6 +266,10 @@ fn build_rope(
     let route = Route::new(guides);
     check_parts(name, &route, start)?;
     take_seats(&route, start, seats);
+    // Past a sheave that the rope has left the sheaves before and after it may be in each other's way.
+    if let Some((index, reason)) = route.refusal(start, seats) {
+        return error(name, format!("its part {} at the start: {reason}", index + 1));
+    }
     let routed = route.length(start, seats, |_, _| {});
     let length = given.length.unwrap_or(routed);
     positive(name, "its length", length)?;

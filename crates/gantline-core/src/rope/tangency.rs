@@ -99,6 +99,8 @@ const STEPS: usize = 20;
 const TOLERANCE: f64 = 1e-15;
 /// Residual u·D of a tangent that is returned, over the size of the part and its circles.
 const CLOSE: f64 = 1e-12;
+/// Cosine of the angle between axes that are about parallel.
+const PARALLEL: f64 = 0.9;
 /// Share of the distance of coordinates from the origin that counts as size: their rounding over [`CLOSE`].
 const FAR: f64 = 1e-3;
 
@@ -141,8 +143,15 @@ pub fn common_tangent(start: &Circle, end: &Circle) -> Result<Tangent, NoTangent
         Ok(tangent) => return Ok(tangent),
         Err(found) => found,
     };
-    if start.radius > 0.0 && end.radius > 0.0 {
-        // Circles that overlap may hold each other's centres and still have a tangent on the outside.
+    // The start's circle may hold the end's centre, seen along its axis, and not where the rope touches the end.
+    if let Some(radial) = end.touch(start.centre, -1.0)
+        && let Ok(tangent) = tangent_from(start, end, end.at(radial))
+    {
+        return Ok(tangent);
+    }
+    if start.radius > 0.0 && end.radius > 0.0 && start.axis.dot(end.axis).abs() > PARALLEL {
+        // Circles that overlap may hold each other's centres and still have a tangent on the outside. Only where
+        // axes are about parallel is it the only one.
         let across = end.axis.any_orthonormal_vector();
         let along = end.axis.cross(across);
         let guesses = [across, along, -across, -along].map(|radial| end.at(radial));
