@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from gantline.assembly.parts import Json, Parts, end, half_turn, material, sheave
+from gantline.assembly.parts import Json, Parts, end, eye, half_turn, material, sheave
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
 from gantline.assembly.route import route_length
 from gantline.assembly.spatial import IDENTITY, about_axis
@@ -14,6 +14,7 @@ from gantline.scenario.mechanics import (
     Ball,
     Body,
     BodyInertia,
+    Eye,
     Fixed,
     Guide,
     HingeJoint,
@@ -163,9 +164,11 @@ def _ramp(ramp: Any) -> Json:
 
 
 def _guide(guide: Guide) -> Json:
+    body = None if guide.body == _WORLD else guide.body
     if isinstance(guide, RopeEnd):
-        return end(None if guide.body == _WORLD else guide.body, guide.at)
+        return end(body, guide.at)
+    if isinstance(guide, Eye):
+        return eye(body, guide.at)
     if isinstance(guide, Sheave):
-        body = None if guide.body == _WORLD else guide.body
-        return sheave(body, guide.at, guide.axis, guide.diameter / 2)
+        return sheave(body, guide.at, guide.axis, guide.diameter / 2, may_lift_off=guide.may_lift_off)
     return half_turn(guide.body, guide.enter, guide.leave, guide.bulge)

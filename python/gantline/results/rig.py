@@ -181,6 +181,21 @@ class Rope(_FromJson):
 
 
 @dataclass(frozen=True)
+class Sheave(_FromJson):
+    """A sheave that its rope touches along true tangents.
+
+    Attributes:
+        name: Its name among the sheaves of the recording: the rope, and the place in its route from 0 on.
+        rope: Its rope.
+        may_lift_off: Whether the rope may leave it.
+    """
+
+    name: str
+    rope: str
+    may_lift_off: bool = False
+
+
+@dataclass(frozen=True)
 class Step(_FromJson):
     """One step of the plan.
 
@@ -212,7 +227,9 @@ class Rig(_FromJson):
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
         ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
+        sheaves: Sheaves with true tangents.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
+        assumed_limits: Those of them that the lift file does not name: going past one is a warning.
         plan: Steps of the plan.
     """
 
@@ -226,7 +243,9 @@ class Rig(_FromJson):
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
     ropes: Sequence[Rope] = ()
+    sheaves: Sequence[Sheave] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
+    assumed_limits: Sequence[str] = ()
     plan: Sequence[Step] = ()
 
     @classmethod
@@ -238,6 +257,7 @@ class Rig(_FromJson):
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
+            "sheaves": tuple(Sheave.from_json(d) for d in document.get("sheaves") or ()),
             "plan": tuple(Step.from_json(d) for d in document.get("plan") or ()),
             "limits": document.get("limits") or {},
         }

@@ -209,6 +209,12 @@ impl Del {
         flows::set_driven(system, state);
         frame.update(system, state);
         if !system.sheaves.is_empty() {
+            if let Some(row) = frame.value.iter().position(|value| !value.is_finite()) {
+                let element = system.constraint_of_row(row).name().to_owned();
+                let error =
+                    StepError { time: state.time, element, cause: "it has no length here".to_owned() };
+                return Err(seats::explain(system, state, error));
+            }
             self.follow_seats(system, state, frame, log);
         }
         flows::store(system, state, frame);

@@ -173,22 +173,23 @@ impl Adaptive {
         flows::supports(system, &state.tension, &mut self.support);
         let soon = state.time + 1e-12 * (1.0 + state.time);
         state.plan.advance(&system.plan, state.time, soon, &self.support, log);
-        self.begin(system, state, frame).map_err(|pivot| self.singular(system, state.time, pivot))?;
+        self.begin(system, state, frame).map_err(|pivot| self.singular(system, state, pivot))?;
         let stop = state.plan.next_time(&system.plan, soon).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };
         if state.engaged {
             h = h.min(2.0 * state.engaged_step);
         }
+        h = h.min(self.winding_limit(system, state));
         let (mut rejected, mut last) = (0, f64::INFINITY);
         let (error, reach) = loop {
             let reach = stop - state.time;
             // Never leave a sliver before a stop.
             h = if h >= reach { reach } else { h.min(0.5 * reach) };
             let solved = self.rodas.attempt(system, state, &frame.mass, h);
-            solved.map_err(|pivot| self.singular(system, state.time, pivot))?;
+            solved.map_err(|pivot| self.singular(system, state, pivot))?;
             report.factorisations += 1;
             let error = self.weights.norm(system, state, &self.rodas, &self.tolerance);
-            if error <= 1.0 {
+            if error <= 1.0 && self.has_tangents(system, state) {
                 break (error, reach);
             }
             rejected += 1;
@@ -211,7 +212,7 @@ impl Adaptive {
         let whole = self.made == 1.0 && h == reach;
         state.next_step = h * stretch;
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
-            .map_err(|pivot| self.singular(system, state.time, pivot))?;
+            .map_err(|pivot| self.singular(system, state, pivot))?;
         Ok(report)
     }
 
@@ -399,9 +400,9 @@ impl Adaptive {
         ropes.filter(|&&row| state.modes[row] == Mode::Acting).count()
     }
 
-    fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {
+    fn singular(&self, system: &System, state: &State, pivot: ZeroPivot) -> StepError {
         let element = self.rodas.matrix.layout.element(system, pivot.unknown).to_owned();
-        super::singular(time, element)
+        seats::explain(system, state, super::singular(state.time, element))
     }
 
     fn too_short(&self, system: &System, state: &State) -> StepError {

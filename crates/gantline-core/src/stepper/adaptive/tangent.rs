@@ -101,7 +101,9 @@ impl TangentMatrix {
             self.pull_velocity[system.rows.start[row]..system.rows.start[row + 1]].fill(0.0);
         }
         for block in 0..self.places.blocks.len() {
-            if state.modes[self.places.blocks[block].group.row] != Mode::Slack {
+            let Group { row, dofs, .. } = &self.places.blocks[block].group;
+            // A part between two points of the world has nothing that moves it.
+            if state.modes[*row] != Mode::Slack && !dofs.is_empty() {
                 self.place_block(system, here, state, block);
             }
         }
