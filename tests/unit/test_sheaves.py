@@ -79,6 +79,19 @@ def test_a_rope_that_may_leave_is_none(tmp_path: Path) -> None:
     assert np.abs(across).max() < 1e-12, "drawn straight from the end to the eye"
 
 
+def test_a_saved_run_goes_on_off_the_sheave(tmp_path: Path) -> None:
+    """The checkpoint knows which sheaves the rope has left: the same numbers as without a break."""
+    path = lift(tmp_path, rest=", may_lift_off: true")
+    whole = Simulation(path).run()
+    broken, other = Simulation(path), Simulation(path)
+    broken.run(until=1.5)
+    other.restore(broken.save())
+    again = other.run()
+    for name in ("rope_tension", "wrap_angle", "fleet_angle", "rope_point"):
+        assert np.array_equal(again[name].values, whole[name].values), name
+    assert again.events("rope_off_sheave") == whole.events("rope_off_sheave")
+
+
 def test_variables_and_table_of_sheaves(tmp_path: Path) -> None:
     recording = run(tmp_path)
     assert recording["wrap_angle"].dims == ("time", "sheave")
