@@ -211,7 +211,7 @@ def _refused(scenario: Scenario, message: str) -> ScenarioError:
     """What the core refuses, at the line of the element that it names."""
     element, _, sentence = message.partition(": ")
     if scenario.mechanics is not None:
-        for kind in ("bodies", "ropes", "contacts"):
+        for kind in ("bodies", "drums", "ropes", "contacts"):
             if element in (getattr(scenario.mechanics, kind) or {}):
                 return scenario.error(("mechanics", kind, element), sentence)
     return ScenarioError(str(scenario.source), [Problem(None, "", message)])
@@ -219,7 +219,7 @@ def _refused(scenario: Scenario, message: str) -> ScenarioError:
 
 def _off_sheaves(rig: Mapping[str, Any], columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:
     """Warnings of ropes that left a sheave which they may not leave: once for each sheave, the first time."""
-    held = {sheave["name"] for sheave in rig.get("sheaves", ()) if not sheave["may_lift_off"]}
+    held = {sheave["name"] for sheave in rig.get("wrapped_sheaves", ()) if not sheave["may_lift_off"]}
     first: dict[str, float] = {}
     for time_off, kind, name in zip(
         columns["event_time"], names["event_kind"], names["event_name"], strict=True

@@ -25,6 +25,7 @@ DIMENSIONS: Final[dict[str, dict[str, float]]] = {
     "mass": {"t": _TONNE, "kg": 1.0, "g": 1e-3},
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "min": _MINUTE, "h": _HOUR},
     "force": {"kN": 1e3, "N": 1.0, "MN": 1e6},
+    "power": {"kW": 1e3, "W": 1.0, "MW": 1e6},
     "angle": {"deg": _DEGREE, "rad": 1.0},
     "speed": {"m/min": 1 / _MINUTE, "m/s": 1.0, "mm/s": 1e-3, "km/h": 1e3 / _HOUR},
     "angular_speed": {
@@ -50,6 +51,7 @@ _WORDS: Final[dict[str, tuple[str, str]]] = {
     "mass": ("a mass", "'300 t' or '20 kg'"),
     "time": ("a time", "'40 s' or '2 ms'"),
     "force": ("a force", "'200 MN' or '10 kN'"),
+    "power": ("a power", "'250 kW'"),
     "angle": ("an angle", "'2 deg' or '0.1 rad'"),
     "speed": ("a speed", "'3 m/min' or '0.1 m/s'"),
     "angular_speed": ("an angular speed", "'0.5 deg/s' or '0.1 rad/s'"),

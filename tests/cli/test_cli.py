@@ -188,3 +188,36 @@ def test_check_names_what_is_wrong(tmp_path: Path) -> None:
     assert "lift.yaml:2" in err
     assert "title" in err
     assert "Traceback" not in err
+
+
+def test_check_lists_sheaves_with_losses_and_drums(tmp_path: Path) -> None:
+    lift = tmp_path / "lift.yaml"
+    lift.write_text(
+        """\
+format: 1
+lift: {title: A winch}
+duration: 1 s
+ropes: {rope: {axial_stiffness: 100 MN}}
+mechanics:
+  bodies:
+    head: {joint: {type: fixed}}
+    box: {at: [-1 m, 0 m, -20 m], joint: {type: slider, axis: [0, 0, 1]}, mass: 1 t}
+  drums:
+    winch: {diameter: 1 m, moment_of_inertia: 250 kg m^2, brake: 20 kN}
+  ropes:
+    fall:
+      rope: rope
+      length: as_routed
+      route:
+        - {type: end, body: box}
+        - {type: half_turn, body: head, enter: [-1 m, 0 m, 0 m], leave: [1 m, 0 m, 0 m], bulge: [0, 0, 1],
+           bearing: roller, sheave_mass: 150 kg}
+        - {type: end, body: world, at: [1 m, 0 m, -20 m], drum: winch}
+"""
+    )
+    out = " ".join(gantline_says("check", str(lift))[1].split())
+    # 1/0.98, and half of the mass of a disc
+    assert "fall/sheave_1 fall 1.0204 75.0 kg half of its mass" in out
+    assert "(2 bodies, 1 ropes, 1 drums; 1 s to simulate)" in out
+    code, out, err = gantline_says("run", str(lift), "-o", str(tmp_path / "out"), "--integrator", "del")
+    assert code == 2 and "the integrator del knows no friction of sheaves and drums; use adaptive" in err

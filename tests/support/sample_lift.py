@@ -261,7 +261,7 @@ def sample_columns(
         "rope": ["e1.equalizing", *SLINGS],
         "segment": [f"{name}/0" for name in SLINGS],
         "rope_point": ["e1.equalizing"] * equalizing.shape[1] + [name for name in SLINGS for _ in range(2)],
-        "sheave": [],
+        "wrapped_sheave": [],
         "body": ["test_hook", "e1", *SHEAVES, "block"],
         "joint": ["test_hook", "e1", *SHEAVES],
         "contact": CORNERS,

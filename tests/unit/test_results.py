@@ -137,7 +137,7 @@ def test_a_sling_that_hangs_in_the_hook_adds_the_vertical_part_of_its_tension() 
         "rope": ["sling.A"],
         "segment": ["sling.A/0"],
         "rope_point": ["sling.A", "sling.A"],
-        "sheave": [],
+        "wrapped_sheave": [],
         "body": ["hook"],
         "joint": [],
         "contact": [],

@@ -62,17 +62,17 @@ def run(folder: Path, **given: str) -> Recording:
 def test_a_rope_that_leaves_is_a_warning(tmp_path: Path) -> None:
     recording = run(tmp_path)
     ((time, kind, name),) = recording.events("rope_off_sheave")
-    assert (kind, name) == ("rope_off_sheave", "r/1")
+    assert (kind, name) == ("rope_off_sheave", "r/sheave_1")
     (warning,) = recording.attributes["warnings"]
-    assert f"the rope leaves the sheave r/1 at {time:.3f} s" in warning
-    assert recording.column("wrap_angle", "r/1")[-1] < 0.0
+    assert f"the rope leaves the sheave r/sheave_1 at {time:.3f} s" in warning
+    assert recording.column("wrap_angle", "r/sheave_1")[-1] < 0.0
 
 
 def test_a_rope_that_may_leave_is_none(tmp_path: Path) -> None:
     recording = run(tmp_path, rest=", may_lift_off: true")
     assert len(recording.events("rope_off_sheave")) == 1
     assert not recording.attributes["warnings"]
-    assert recording.column("wrap_angle", "r/1")[-1] == 0.0
+    assert recording.column("wrap_angle", "r/sheave_1")[-1] == 0.0
     points = recording["rope_point"].values[-1]
     way = points[-2] - points[0]
     across = np.cross(points[:-1] - points[0], way) / np.linalg.norm(way)
@@ -94,13 +94,13 @@ def test_a_saved_run_goes_on_off_the_sheave(tmp_path: Path) -> None:
 
 def test_variables_and_table_of_sheaves(tmp_path: Path) -> None:
     recording = run(tmp_path)
-    assert recording["wrap_angle"].dims == ("time", "sheave")
+    assert recording["wrap_angle"].dims == ("time", "wrapped_sheave")
     assert recording["wrap_angle"].unit == recording["fleet_angle"].unit == "rad"
-    assert recording["fleet_angle"].dims == ("time", "sheave", "sheave_side")
-    assert tuple(recording.coordinates["sheave"]) == ("r/1",)
+    assert recording["fleet_angle"].dims == ("time", "wrapped_sheave", "sheave_side")
+    assert tuple(recording.coordinates["wrapped_sheave"]) == ("r/sheave_1",)
     assert tuple(recording.coordinates["sheave_side"]) == ("arriving", "leaving")
     lines = summary(recording, [], str)
-    (row,) = [line for line in lines if line.lstrip().startswith("r/1")]
+    (row,) = [line for line in lines if line.lstrip().startswith("r/sheave_1")]
     assert "deg" in row
 
 
@@ -117,7 +117,7 @@ def test_fleet_angle_is_held_against_its_limit(tmp_path: Path, limits: str, verd
     recording = run(tmp_path, start="[-8 m, 0.5 m, 7 m]", limits=limits)
     (check,) = [check for check in check_recording(recording) if check.name == "fleet_angle"]
     assert check.verdict is verdict
-    assert check.where == "r/1"
+    assert check.where == "r/sheave_1"
     assert check.value == pytest.approx(recording.metrics()["peak_fleet_angle"])
     assert 5.0 < math.degrees(check.value or 0.0) < 8.0
     if not limits:
@@ -131,7 +131,7 @@ def test_a_lift_without_such_sheaves_has_no_limit_of_fleet_angles(tmp_path: Path
     )
     path.write_text(text, encoding="utf-8")
     rig = assemble(load_scenario(path)).rig
-    assert rig["sheaves"] == [] and rig["limits"] == {} and rig["assumed_limits"] == []
+    assert rig["wrapped_sheaves"] == [] and rig["limits"] == {} and rig["assumed_limits"] == []
     recording = Simulation(path).run()
     assert "wrap_angle" not in recording and "sheave_side" not in recording.coordinates
 

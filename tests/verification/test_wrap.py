@@ -86,7 +86,7 @@ def test_rope_leaves_the_sheave_and_comes_back() -> None:
     assert np.abs(angle - np.where(straight, 0.0, wrap)).max() < 1e-9
     # Times by the motion itself: z rises through 0 in the middle of its travel, and falls through it.
     times = [time for time, _ in run.events("rope_off_sheave") + run.events("rope_on_sheave")]
-    assert [name for _, name in run.events("rope_off_sheave")] == ["r/1"]
+    assert [name for _, name in run.events("rope_off_sheave")] == ["r/sheave_1"]
     assert len(times) == 2
     for time in times:
         assert np.interp(time, run.time, z) == pytest.approx(0.0, abs=1e-4), "samples 0.01 s apart"
@@ -143,7 +143,7 @@ def test_interrupted_pendulum_rises_to_its_height() -> None:
     events = sorted(run.events("rope_on_sheave") + run.events("rope_off_sheave"))
     assert len(events) == len(np.flatnonzero(np.diff(np.sign(x))))
     for time, name in events:
-        assert name == "r/1"
+        assert name == "r/sheave_1"
         assert np.interp(time, run.time, x) == pytest.approx(0.0, abs=2e-3)
     angle = run.columns["wrap_angle"][:, 0]
     assert np.all(angle >= 0.0) and np.all(angle[x < -0.01] == 0.0)

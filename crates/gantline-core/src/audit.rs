@@ -146,18 +146,10 @@ pub fn spring_energy(law: &Law, e: f64) -> f64 {
     if compliance > 0.0 { 0.5 * stretch * stretch / compliance } else { 0.0 }
 }
 
-/// Energy in the spring of a row [J]. A friction row that slides is stretched by its force, one without normal
-/// force not at all.
-pub fn row_energy(law: &Law, mode: Mode, value: f64, tension: f64) -> f64 {
-    match (law, mode) {
-        (Law::Friction { .. }, Mode::Slack) => 0.0,
-        (Law::Friction { compliance, .. }, Mode::Slipping) => spring_energy(law, tension * compliance),
-        _ => spring_energy(law, value),
-    }
-}
-
-/// Σ spring energies of all rows at the values `value` [J].
-pub fn elastic_energy(system: &System, value: &[f64], modes: &[Mode], tension: &[f64]) -> f64 {
-    let laws = system.rows.laws.iter().enumerate();
-    laws.map(|(row, law)| row_energy(law, modes[row], value[row], tension[row])).sum()
+/// Σ spring energies of all rows at the values `value` [J]; tangential springs of open contacts hold nothing.
+pub fn elastic_energy(system: &System, value: &[f64], modes: &[Mode]) -> f64 {
+    let laws = system.rows.laws.iter().zip(modes).zip(value);
+    let held =
+        laws.filter(|((law, mode), _)| !(matches!(law, Law::Friction { .. }) && **mode == Mode::Slack));
+    held.map(|((law, _), value)| spring_energy(law, *value)).sum()
 }

@@ -105,7 +105,13 @@ pub enum JointSpec {
         /// What a brake or dry friction holds [N].
         #[serde(default)]
         brake: f64,
-        /// Name of the drive that prescribes this motion.
+        /// Largest force of the drive [N]; none prescribes the motion whatever it takes.
+        #[serde(default)]
+        capacity: Option<f64>,
+        /// Largest power of the drive [W], with its capacity.
+        #[serde(default)]
+        power: Option<f64>,
+        /// Name of the drive that prescribes this motion, or asks for it where it has a capacity.
         #[serde(default)]
         drive: Option<String>,
     },

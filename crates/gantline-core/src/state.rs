@@ -28,10 +28,9 @@ pub struct State {
     pub trial: Vec<f64>,
     /// How every row takes part.
     pub modes: Vec<Mode>,
-    /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m].
+    /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m], for brakes the
+    /// direction of slip.
     pub memory: Vec<f64>,
-    /// Direction in which the contact of a tangential row slides, by row.
-    pub slip: Vec<f64>,
     /// How ropes lie on sheaves with true tangents, by [`crate::system::System::sheaves`].
     pub seats: Vec<Seat>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
@@ -63,7 +62,6 @@ impl State {
             trial,
             modes,
             memory,
-            slip,
             seats,
             next_step,
             restart,
@@ -83,7 +81,6 @@ impl State {
         self.trial.copy_from_slice(trial);
         self.modes.copy_from_slice(modes);
         self.memory.copy_from_slice(memory);
-        self.slip.copy_from_slice(slip);
         self.seats.copy_from_slice(seats);
         self.plan.copy_from(plan);
     }

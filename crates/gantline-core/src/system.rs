@@ -4,7 +4,9 @@ use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::Step;
+use crate::plan::drive::Timeline;
 use crate::tree::Tree;
+use crate::tree::joint::Joint;
 
 /// Rows of all constraints, one after another, with a static sparsity pattern.
 #[derive(Debug, Clone, Default)]
@@ -63,6 +65,8 @@ pub struct DriveJoint {
     pub body: usize,
     /// Degree of freedom.
     pub dof: usize,
+    /// True for a motor of limited force, which a brake between it and its flow stands for.
+    pub is_limited: bool,
 }
 
 /// Contacts that carry one load together.
@@ -99,11 +103,17 @@ pub struct System {
     /// Sheaves with true tangents, in the order of ropes and routes.
     pub sheaves: Vec<SheavePlace>,
     /// Rows of inextensible ropes.
+    pub inextensible: Vec<usize>,
+    /// Those and the rows of brakes: rows without compliance, whose force is an unknown of its own.
     pub rigid: Vec<usize>,
+    /// Tangential rows of contacts.
+    pub friction: Vec<usize>,
     /// Constraints with flows.
     pub fed: Vec<usize>,
     /// First constraint that is a brake; brakes come last, and each has one row.
     pub first_brake: usize,
+    /// Rows of the brakes of motors, and their drives.
+    pub motors: Vec<(usize, usize)>,
     /// Degrees of freedom of flows.
     pub flows: Vec<usize>,
     /// Prescribed joints.
@@ -127,10 +137,31 @@ impl System {
         })
     }
 
-    /// Name of a sheave with true tangents: its rope, and its place in the route, where the first end is 0.
+    /// Name of a sheave with true tangents: its rope, and its number along the route.
     pub fn sheave_name(&self, seat: usize) -> String {
         let SheavePlace { rope, guide, .. } = self.sheaves[seat];
-        format!("{}/{guide}", self.constraints[rope].name())
+        format!("{}/sheave_{guide}", self.constraints[rope].name())
+    }
+
+    /// Drives that prescribe the motion of their joints, with their timelines.
+    pub fn prescribed<'a>(
+        &'a self,
+        timelines: &'a [Timeline],
+    ) -> impl Iterator<Item = (&'a DriveJoint, &'a Timeline)> {
+        self.drives.iter().zip(timelines).filter(|(drive, _)| !drive.is_limited)
+    }
+
+    /// How many ropes there are where two that meet in a point without size count as one: pieces of a heavy rope.
+    pub fn whole_ropes(&self) -> usize {
+        let mut ends = vec![0; self.tree.bodies.len()];
+        for rope in self.ropes() {
+            let route = &rope.route.parts;
+            let both = [route[0].from.at.body, route[route.len() - 1].to.at.body];
+            both.into_iter().flatten().for_each(|body| ends[body] += 1);
+        }
+        let is_node =
+            |body: &usize| matches!(self.tree.bodies[*body].joint, Joint::Point(_)) && ends[*body] == 2;
+        self.rope_count - (0..ends.len()).filter(is_node).count()
     }
 
     /// How many rows the ropes have; they stand before those of contacts.
@@ -140,6 +171,11 @@ impl System {
 
     /// Constraint that a row belongs to.
     pub fn constraint_of_row(&self, row: usize) -> &AnyConstraint {
-        &self.constraints[self.rows.first.partition_point(|&first| first <= row) - 1]
+        &self.constraints[self.constraint_index(row)]
+    }
+
+    /// Its index.
+    pub fn constraint_index(&self, row: usize) -> usize {
+        self.rows.first.partition_point(|&first| first <= row) - 1
     }
 }

@@ -100,8 +100,8 @@ impl Simulation {
             ("segment_tension", columns.segment_tension, vec![count, segments]),
             ("segment_length", columns.segment_length, vec![count, segments]),
             ("rope_point", columns.rope_point, vec![count, points, 3]),
-            ("wrap_angle", columns.wrap_angle, vec![count, names.sheave.len()]),
-            ("fleet_angle", columns.fleet_angle, vec![count, names.sheave.len(), 2]),
+            ("wrap_angle", columns.wrap_angle, vec![count, names.wrapped_sheave.len()]),
+            ("fleet_angle", columns.fleet_angle, vec![count, names.wrapped_sheave.len(), 2]),
             ("body_position", columns.body_position, vec![count, bodies, 3]),
             ("body_orientation", columns.body_orientation, vec![count, bodies, 4]),
             ("body_velocity", columns.body_velocity, vec![count, bodies, 3]),
@@ -138,7 +138,7 @@ impl Simulation {
         out.set_item("rope", names.rope)?;
         out.set_item("segment", names.segment)?;
         out.set_item("rope_point", names.rope_point)?;
-        out.set_item("sheave", names.sheave)?;
+        out.set_item("wrapped_sheave", names.wrapped_sheave)?;
         out.set_item("body", names.body)?;
         out.set_item("joint", names.joint)?;
         out.set_item("contact", names.contact)?;

@@ -43,8 +43,10 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, sling) for sling in rigging.slings.values()],
         "ropes": _ropes(scenario, rigging, parts),
-        "sheaves": (sheaves := _true_sheaves(parts)),
-        **_limits(scenario, has_sheaves=bool(sheaves)),
+        "sheaves": _sheaves_with_flow(parts),
+        "drums": _drums(scenario),
+        "wrapped_sheaves": (wrapped := _wrapped_sheaves(parts)),
+        **_limits(scenario, has_sheaves=bool(wrapped)),
         "plan": [_step(step) for step in scenario.plan],
     }
 
@@ -161,14 +163,40 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     ]
 
 
+def _sheaves_with_flow(parts: Parts) -> list[Json]:
+    """Every sheave that is not ideal, in the order of ropes and routes."""
+    return [
+        {
+            "name": guide["flow"],
+            "rope": rope["name"],
+            "segments": [f"{rope['name']}/{place - 1}", f"{rope['name']}/{place}"],
+            "ratio": guide["ratio"],
+            "inertia": parts.flows[guide["flow"]]["joint"]["inertia"],
+            "inertia_from": parts.inertia_from[guide["flow"]],
+        }
+        for rope in parts.ropes
+        for place, guide in enumerate(rope["route"])
+        if "flow" in guide
+    ]
+
+
+def _drums(scenario: Scenario) -> list[Json]:
+    drums = scenario.mechanics.drums if scenario.mechanics is not None else None
+    return [{"name": name, "diameter": drum.diameter} for name, drum in (drums or {}).items()]
+
+
 def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:
     return {"name": name, "working_load_limit": _force(scenario, shackle.working_load_limit)}
 
 
-def _true_sheaves(parts: Parts) -> list[Json]:
-    """Sheaves with true tangents, named as in recordings: rope and place in its route."""
+def _wrapped_sheaves(parts: Parts) -> list[Json]:
+    """Sheaves with true tangents, named as in recordings."""
     return [
-        {"name": f"{rope['name']}/{place}", "rope": rope["name"], "may_lift_off": guide["may_lift_off"]}
+        {
+            "name": f"{rope['name']}/sheave_{place}",
+            "rope": rope["name"],
+            "may_lift_off": guide["may_lift_off"],
+        }
         for rope in parts.ropes
         for place, guide in enumerate(rope["route"])
         if guide["type"] == "sheave"

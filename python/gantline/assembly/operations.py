@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from gantline.assembly.parts import Json
+from gantline.assembly.plain import drum_drive
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Scenario
-from gantline.scenario.plan import HoistStep, HoldStep, LowerStep, Step
+from gantline.scenario.plan import DrumStep, HoldStep, HookStep, MovingStep, Step
 
 __all__ = ["moved_drives", "operations"]
 
@@ -17,9 +18,11 @@ def operations(scenario: Scenario, weight: float) -> list[Json]:
 
 def moved_drives(step: Step) -> list[str]:
     """Names of the drives that a step moves."""
-    if isinstance(step, HoldStep):
-        return []
-    return [hoist_drive(hook) for hook in step.hooks]
+    if isinstance(step, HookStep):
+        return [hoist_drive(hook) for hook in step.hooks]
+    if isinstance(step, DrumStep):
+        return [drum_drive(drum) for drum in step.drums]
+    return []
 
 
 def _operation(scenario: Scenario, step: Step, place: int, weight: float) -> Json:
@@ -30,18 +33,15 @@ def _operation(scenario: Scenario, step: Step, place: int, weight: float) -> Jso
             else {"type": "duration", "duration": step.hold}
         )
         return {"name": step.step, "moves": [], "start_at": 0.0 if place == 0 else None, "until": until}
-    cranes = scenario.cranes or {}
-    moves = []
-    for hook in step.hooks:
-        acceleration = step.acceleration if step.acceleration is not None else cranes[hook].hoist.acceleration
-        moves.append(
-            {
-                "drive": hoist_drive(hook),
-                "velocity": step.direction * step.speed,
-                "acceleration": acceleration,
-                "shape": "linear",
-            }
-        )
+    moves = [
+        {
+            "drive": drive,
+            "velocity": step.direction * step.speed,
+            "acceleration": step.acceleration if step.acceleration is not None else most,
+            "shape": "linear",
+        }
+        for drive, most in zip(moved_drives(step), _accelerations(scenario, step), strict=True)
+    ]
     start = step.start_at if step.start_at is not None or place > 0 else 0.0
     return {
         "name": step.step,
@@ -51,7 +51,16 @@ def _operation(scenario: Scenario, step: Step, place: int, weight: float) -> Jso
     }
 
 
-def _until(scenario: Scenario, step: HoistStep | LowerStep, weight: float) -> Json:
+def _accelerations(scenario: Scenario, step: MovingStep) -> list[float]:
+    """Highest acceleration of each drive that a step moves [m/s^2]."""
+    if isinstance(step, HookStep):
+        return [(scenario.cranes or {})[hook].hoist.acceleration for hook in step.hooks]
+    assert isinstance(step, DrumStep) and scenario.mechanics is not None  # checked when the file was read
+    drives = [(scenario.mechanics.drums or {})[drum].drive for drum in step.drums]
+    return [drive.acceleration for drive in drives if drive is not None]
+
+
+def _until(scenario: Scenario, step: MovingStep, weight: float) -> Json:
     if step.brake_from is not None:
         return {"type": "brake_from", "time": step.brake_from}
     if step.by is not None:

@@ -29,10 +29,12 @@ Json = dict[str, Any]
 
 @dataclass
 class Parts:
-    """Bodies, ropes, contacts, drives and steps, in the form of the document that the core reads.
+    """Bodies, flows, ropes, contacts, drives and steps, in the form of the document that the core reads.
 
     Attributes:
         bodies: bodies by name, parents before their children.
+        flows: rope that passes sheaves and leaves drums by name; for the core, joints that move no body.
+        inertia_from: what the inertia of the flow over a sheave is, in words.
         ropes: ropes in order; a rope with nodes in pieces from node to node.
         rope_names: ropes as the lift file knows them, in the same order.
         nodes: names of the bodies that are nodes of a rope.
@@ -43,6 +45,8 @@ class Parts:
     """
 
     bodies: dict[str, Json] = field(default_factory=dict)
+    flows: dict[str, Json] = field(default_factory=dict)
+    inertia_from: dict[str, str] = field(default_factory=dict)
     ropes: list[Json] = field(default_factory=list)
     rope_names: list[str] = field(default_factory=list)
     nodes: set[str] = field(default_factory=set)
@@ -64,15 +68,22 @@ class Parts:
         inertia: Sequence[float] = (0.0,) * 6,
     ) -> None:
         """Add a body on a joint; `position` and `orientation` place the joint in the parent."""
-        self.bodies[name] = {
-            "name": name,
-            "parent": parent,
-            "placement": {"position": list(position), "orientation": list(orientation)},
-            "joint": joint,
-            "mass": mass,
-            "centre_of_gravity": list(centre_of_gravity),
-            "inertia": list(inertia),
-        }
+        given = _body(name, joint)
+        given |= {"parent": parent, "mass": mass}
+        given["placement"] = {"position": list(position), "orientation": list(orientation)}
+        given |= {"centre_of_gravity": list(centre_of_gravity), "inertia": list(inertia)}
+        self.bodies[name] = given
+
+    def add_flow(self, name: str, inertia: float, **rest: Any) -> None:
+        """Add rope that passes a sheave or leaves a drum.
+
+        Args:
+            name: name of the flow, in one set with the bodies.
+            inertia: mass that moves with the rope [kg].
+            rest: `velocity` [m/s], `damping` [N s/m], `brake` [N], `drive`, `capacity` [N], `power` [W].
+        """
+        joint = {"type": "flow", "inertia": inertia, **rest}
+        self.flows[name] = _body(name, joint)
 
     def add_drive(self, name: str, ramps: Sequence[Json] = ()) -> None:
         """Add a drive, at rest unless `ramps` give its motion in advance."""
@@ -164,7 +175,7 @@ class Parts:
         """The document for the core."""
         return {
             "gravity": [0.0, 0.0, -gravity],
-            "bodies": list(self.bodies.values()),
+            "bodies": [*self.bodies.values(), *self.flows.values()],
             "ropes": self.ropes,
             "contacts": self.contacts,
             "drives": list(self.drives.values()),
@@ -172,24 +183,59 @@ class Parts:
         }
 
 
+def _body(name: str, joint: Json) -> Json:
+    """A body without mass, its joint at the origin of the world."""
+    return {
+        "name": name,
+        "parent": None,
+        "placement": {"position": list(ORIGIN), "orientation": list(IDENTITY)},
+        "joint": joint,
+        "mass": 0.0,
+        "centre_of_gravity": list(ORIGIN),
+        "inertia": [0.0] * 6,
+    }
+
+
 def _rope(name: str, length: float | None, rope_material: Json, route: Sequence[Json]) -> Json:
     return {"name": name, "length": length, "material": rope_material, "route": list(route)}
 
 
-def end(body: str | None, at: Sequence[float] = ORIGIN) -> Json:
-    """A dead end of a rope on a body (None: the world)."""
-    return {"type": "end", "body": body, "at": list(at)}
+def end(body: str | None, at: Sequence[float] = ORIGIN, drum: tuple[str, float] | None = None) -> Json:
+    """An end of a rope on a body (None: the world).
+
+    Args:
+        body: what holds the end.
+        at: its place in the body's axes [m].
+        drum: flow of the drum that pays out here and the rope paid out per unit of it; None is a dead end.
+    """
+    guide = {"type": "end", "body": body, "at": list(at)}
+    return guide if drum is None else {**guide, "drum": {"flow": drum[0], "rate": drum[1]}}
 
 
-def half_turn(body: str, enter: Sequence[float], leave: Sequence[float], bulge: Sequence[float]) -> Json:
-    """Half a turn over a sheave, from `enter` to `leave`, on the side of `bulge`; body axes."""
-    return {
+def half_turn(
+    body: str,
+    enter: Sequence[float],
+    leave: Sequence[float],
+    bulge: Sequence[float],
+    passing: tuple[str, float] | None = None,
+) -> Json:
+    """Half a turn over a sheave.
+
+    Args:
+        body: what carries the sheave.
+        enter: where the rope comes on, body axes [m].
+        leave: where it goes off [m].
+        bulge: side on which it lies.
+        passing: flow of the rope over the sheave and the largest ratio of tensions; None is an ideal sheave.
+    """
+    guide = {
         "type": "half_turn",
         "body": body,
         "enter": list(enter),
         "leave": list(leave),
         "bulge": unit(bulge),
     }
+    return guide if passing is None else {**guide, "flow": passing[0], "ratio": passing[1]}
 
 
 def sheave(

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gantline.assembly.parts import Json, Parts, end, eye, half_turn, material, sheave
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
 from gantline.assembly.route import route_length
+from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import IDENTITY, about_axis
 from gantline.scenario import Scenario
+from gantline.scenario.drum import Drum
 from gantline.scenario.mechanics import (
     Ball,
     Body,
     BodyInertia,
     Eye,
     Fixed,
-    Guide,
     HingeJoint,
     Joint,
     Mechanics,
@@ -28,8 +29,9 @@ from gantline.scenario.mechanics import (
     Slider,
 )
 from gantline.scenario.rope_weight import rope_weight
+from gantline.scenario.sheave import sheave_losses
 
-__all__ = ["add_mechanics"]
+__all__ = ["add_mechanics", "drum_drive"]
 
 _WORLD = "world"
 #: Largest stretch of a rope at the start.
@@ -38,7 +40,7 @@ _ROUNDING = 1e-9
 
 
 def add_mechanics(parts: Parts, scenario: Scenario) -> None:
-    """Add plain bodies, ropes and contacts.
+    """Add plain bodies, drums, ropes and contacts.
 
     Raises:
         ScenarioError: if a rope is too short for its route at the start, or cannot hang there.
@@ -48,6 +50,8 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
         return
     for name in _parents_first(mechanics):
         _add_body(parts, name, mechanics.bodies[name])
+    for name, drum in (mechanics.drums or {}).items():
+        _add_drum(parts, name, drum)
     for name, rope in (mechanics.ropes or {}).items():
         _add_rope(parts, scenario, name, rope)
     for name, contact in (mechanics.contacts or {}).items():
@@ -66,9 +70,33 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
         )
 
 
+def drum_drive(drum: str) -> str:
+    """Name of the drive that turns a drum as the plan says."""
+    return f"{drum}.drive"
+
+
+def _add_drum(parts: Parts, name: str, drum: Drum) -> None:
+    """A drum is a flow: the rope that it has paid out, on its own diameter."""
+    drive = None
+    if drum.motion is not None:
+        drive = f"{name}.motion"
+        parts.add_drive(drive, [_ramp(ramp) for ramp in drum.motion])
+    elif drum.drive is not None:
+        drive = drum_drive(name)
+        parts.add_drive(drive)
+    motor = {}
+    if drum.drive is not None and drum.drive.capacity is not None:
+        motor = {"capacity": drum.drive.capacity, "power": drum.drive.power}
+    brake = drum.brake or 0.0
+    rest = {"velocity": drum.velocity, "damping": drum.damping, "brake": brake, "drive": drive, **motor}
+    parts.add_flow(name, drum.inertia, **rest)
+
+
 def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) -> None:
     kind = (scenario.ropes or {})[rope.rope]
-    route = [_guide(guide) for guide in rope.route]
+    mechanics = scenario.mechanics
+    drums = mechanics.drums if mechanics is not None else None
+    route = _route(parts, drums or {}, name, rope, kind.mass_per_length)
     length = None if isinstance(rope.length, str) else rope.length
     # Where the rope touches sheaves with true tangents, and so how long it is, is the core's to say.
     if not any(guide["type"] == "sheave" for guide in route):
@@ -163,12 +191,31 @@ def _ramp(ramp: Any) -> Json:
     return {"at": ramp.at, "duration": ramp.duration, "velocity": ramp.velocity, "shape": ramp.shape}
 
 
-def _guide(guide: Guide) -> Json:
-    body = None if guide.body == _WORLD else guide.body
-    if isinstance(guide, RopeEnd):
-        return end(body, guide.at)
-    if isinstance(guide, Eye):
-        return eye(body, guide.at)
-    if isinstance(guide, Sheave):
-        return sheave(body, guide.at, guide.axis, guide.diameter / 2, may_lift_off=guide.may_lift_off)
-    return half_turn(guide.body, guide.enter, guide.leave, guide.bulge)
+def _route(
+    parts: Parts, drums: Mapping[str, Drum], name: str, rope: MechanicsRope, rope_mass: float
+) -> list[Json]:
+    """Guides of a rope; sheaves count from 1 along it, and those that are not ideal have a flow."""
+    route: list[Json] = []
+    for guide in rope.route:
+        body = None if guide.body == _WORLD else guide.body
+        if isinstance(guide, RopeEnd):
+            route.append(end(body, guide.at, _paid_out(drums, guide)))
+        elif isinstance(guide, Sheave):
+            lifts = guide.may_lift_off
+            route.append(sheave(body, guide.at, guide.axis, guide.diameter / 2, may_lift_off=lifts))
+        elif isinstance(guide, Eye):
+            route.append(eye(body, guide.at))
+        else:
+            losses = sheave_losses(guide, guide.radius, rope_mass)
+            passing = add_sheave_flow(parts, f"{name}/sheave_{len(route)}", losses)
+            route.append(half_turn(guide.body, guide.enter, guide.leave, guide.bulge, passing))
+    return route
+
+
+def _paid_out(drums: Mapping[str, Drum], guide: RopeEnd) -> tuple[str, float] | None:
+    """Drum of an end and the rope that it pays out there per unit of its flow."""
+    if guide.drum is None:
+        return None
+    own = drums[guide.drum].diameter
+    rate = (guide.drum_diameter or own) / own
+    return guide.drum, -rate if guide.wound == "against" else rate

@@ -10,6 +10,7 @@ import numpy as np
 from gantline.assembly.parts import Json, Parts, end, half_turn, material
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
 from gantline.assembly.route import route_length
+from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario
 from gantline.scenario.rigging import EqualizerRigging, Rigging, SlingRigging
@@ -71,7 +72,7 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
                 position=(along, 0.0, -sheaves.below_hook),
                 mass=sheaves.mass + carried.get(place, 0.0),
             )
-        route = _equalizing_route(equalizer)
+        route = _equalizing_route(parts, equalizer)
         rope = material(equalizer.rope.stiffness, equalizer.rope.damping_time)
         length = route_length(parts, route)
         parts.add_rope(f"{equalizer.name}.equalizing", length, rope, route)
@@ -112,20 +113,22 @@ def _add_frame(parts: Parts, equalizer: EqualizerRigging) -> None:
     )
 
 
-def _equalizing_route(equalizer: EqualizerRigging) -> list[Json]:
+def _equalizing_route(parts: Parts, equalizer: EqualizerRigging) -> list[Json]:
     """Dead end, around moving sheave 1, over fixed sheave 1, around moving sheave 2, ..., dead end."""
+    losses = equalizer.sheave_losses
     name = equalizer.name
     ends, fixed, moving = equalizer.rope_ends, equalizer.fixed_sheaves, equalizer.moving_sheaves
     radius = moving.pitch_diameter / 2
-    around = half_turn(name, (-radius, 0.0, 0.0), (radius, 0.0, 0.0), (0.0, 0.0, -1.0))
     route = [end(name, (ends.along[0], 0.0, -ends.below_hook))]
     for place in range(len(moving.along)):
-        route.append({**around, "body": f"{name}.{place + 1}"})
+        passing = add_sheave_flow(parts, f"{name}/moving_{place + 1}", losses["moving_sheaves"])
+        enter, leave = (-radius, 0.0, 0.0), (radius, 0.0, 0.0)
+        route.append(half_turn(f"{name}.{place + 1}", enter, leave, (0.0, 0.0, -1.0), passing))
         if place < len(fixed.along):
             along, high, reach = fixed.along[place], -fixed.below_hook, fixed.pitch_diameter / 2
-            route.append(
-                half_turn(name, (along - reach, 0.0, high), (along + reach, 0.0, high), (0.0, 0.0, 1.0))
-            )
+            passing = add_sheave_flow(parts, f"{name}/fixed_{place + 1}", losses["fixed_sheaves"])
+            enter, leave = (along - reach, 0.0, high), (along + reach, 0.0, high)
+            route.append(half_turn(name, enter, leave, (0.0, 0.0, 1.0), passing))
     return [*route, end(name, (ends.along[1], 0.0, -ends.below_hook))]
 
 

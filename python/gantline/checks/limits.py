@@ -84,7 +84,7 @@ def _out_of_plane(recording: Recording, during: BoolArray) -> Iterator[Candidate
 
 
 def _fleet_angle(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
-    for sheave in recording.rig.sheaves:
+    for sheave in recording.rig.wrapped_sheaves:
         carrying = during & series.is_carrying(recording.column("rope_tension", sheave.rope))
         yield from _extreme(recording, series.fleet_angle(recording, sheave), carrying, sheave.name)
 

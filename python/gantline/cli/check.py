@@ -44,12 +44,13 @@ def check(
     ]
     head = ("Kind of rope", "construction", "EA", "mass", "minimum breaking force")
     ropes = table(head, kinds, "llrrr") if kinds else []
-    typer.echo("\n".join([*heading(rig), *weights(rig), *ropes, *_rope_weights(rig)]))
+    typer.echo("\n".join([*heading(rig), *weights(rig), *ropes, *_rope_weights(rig), *_sheaves(rig)]))
     nodes = sum(rope.nodes for rope in rig.ropes)
     numbers = {
-        "bodies": len(document["bodies"]) - nodes,
+        "bodies": len(document["bodies"]) - nodes - len(rig.sheaves) - len(rig.drums),
         "ropes": len(rig.ropes),
         "nodes of ropes": nodes,
+        "drums": len(rig.drums),
         "contacts": len(document["contacts"]),
     }
     counts = ", ".join(f"{number} {what}" for what, number in numbers.items() if number)
@@ -67,3 +68,22 @@ def _rope_weights(rig: Rig) -> list[str]:
         if rope.mass > 0.0
     ]
     return table(("Rope", "weight", "mass", "on the world"), rows, "llrr") if rows else []
+
+
+def _sheaves(rig: Rig) -> list[str]:
+    """Losses and inertia of each sheave that is not ideal."""
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    head = ("Sheave", "rope", "slips at a ratio of", "moves with the rope", "")
+    rows = [
+        (
+            sheave.name,
+            sheave.rope,
+            f"{sheave.ratio:.4f}" if sheave.ratio > 1.0 else "-",
+            show(sheave.inertia, "kg", 1),
+            sheave.inertia_from,
+        )
+        for sheave in rig.sheaves
+    ]
+    return table(head, rows, "llrrl") if rows else []

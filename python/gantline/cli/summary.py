@@ -41,7 +41,9 @@ def summary(recording: Recording, checks: list[Check], style: Callable[[Verdict]
         *(_equalizer(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
         _ropes(recording),
-        _sheaves(recording),
+        _wraps(recording),
+        _losses(recording),
+        _drums(recording),
         _hold_points(recording),
         _checks(rig, checks, style),
         _trust(recording, metrics),
@@ -52,7 +54,7 @@ def summary(recording: Recording, checks: list[Check], style: Callable[[Verdict]
 def heading(rig: Rig) -> list[str]:
     """Number, revision, title and remark of a lift."""
     revision = f" rev {rig.revision}" if rig.number and rig.revision else ""
-    title = "  ".join(word for word in (f"{rig.number}{revision}", rig.title) if word)
+    title = "  ".join(word for word in (f"{rig.number or ''}{revision}", rig.title) if word)
     return [line for line in (title, rig.remark) if line]
 
 
@@ -252,10 +254,10 @@ def _ropes(recording: Recording) -> list[str]:
     return table(head, rows, "l" + "r" * (len(head) - 1)) if rows else []
 
 
-def _sheaves(recording: Recording) -> list[str]:
+def _wraps(recording: Recording) -> list[str]:
     """Sheaves with true tangents: over which angle the rope lies on them, and how far it runs askew."""
     rows = []
-    for sheave in recording.rig.sheaves:
+    for sheave in recording.rig.wrapped_sheaves:
         wrap = recording.column("wrap_angle", sheave.name)
         carrying = series.is_carrying(recording.column("rope_tension", sheave.rope))
         fleet = series.peak(recording, series.fleet_angle(recording, sheave), carrying)
@@ -264,6 +266,49 @@ def _sheaves(recording: Recording) -> list[str]:
         rows.append((sheave.name, *angles, *largest))
     head = ("Sheave", "least wrap", "largest wrap", "largest fleet angle", "at")
     return table(head, rows, "lrrrr") if rows else []
+
+
+def _losses(recording: Recording) -> list[str]:
+    """What losses of sheaves do to each rope: its worst sheave, and how far its segments differ."""
+    lossy = [sheave for sheave in recording.rig.sheaves if sheave.ratio > 1.0]
+    rows = []
+    for rope in dict.fromkeys(sheave.rope for sheave in lossy):
+        own = [sheave for sheave in lossy if sheave.rope == rope]
+        ratios = {sheave.name: series.tension_ratio(recording, sheave) for sheave in own}
+        worst = max(own, key=lambda sheave: float(ratios[sheave.name].max()))
+        ratio = ratios[worst.name]
+        force = np.array([recording.column("sheave_tension", sheave.name)[-1] for sheave in own])
+        unit, digits = ("kN", 1) if force.max() >= 1e3 else ("N", 3)
+        rows.append(
+            (
+                rope,
+                f"{float(ratio.max()):.4f}",
+                f"{worst.ratio:.4f}",
+                worst.name,
+                show(float(recording.time[int(ratio.argmax())]), "s", 2),
+                show(float(force.min()), unit, digits),
+                show(float(force.max()), unit, digits),
+            )
+        )
+    head = (
+        "Rope with losses",
+        "worst ratio at a sheave",
+        "slips from",
+        "",
+        "at",
+        "least at the end",
+        "largest",
+    )
+    return table(head, rows, "lrrlrrr") if rows else []
+
+
+def _drums(recording: Recording) -> list[str]:
+    rows = []
+    for drum in recording.rig.drums:
+        paid_out = recording.column("rope_paid_out", drum.name)
+        extremes = (show(float(paid_out[-1]), "m", 3), show(float(paid_out.min()), "m", 3))
+        rows.append((drum.name, *extremes, show(float(paid_out.max()), "m", 3)))
+    return table(("Drum", "rope paid out at the end", "least", "most"), rows, "lrrr") if rows else []
 
 
 def _hold_points(recording: Recording) -> list[str]:

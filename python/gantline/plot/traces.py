@@ -206,7 +206,27 @@ def _ropes(recording: Recording, title: str, ropes: dict[str, str]) -> Figure | 
     tensions = {name: recording.column("rope_tension", rope) for name, rope in ropes.items()}
     peak = max((*series.rope_peak(recording, rope), name) for name, rope in ropes.items())
     _force_panel(recording, panel, tensions, "Tension", peak)
+    bands = [
+        _shade_segments(recording, panel, index, rope, peak[0]) for index, rope in enumerate(ropes.values())
+    ]
+    if any(bands):
+        panel.set_ylabel(f"{panel.get_ylabel()},\nrange of its segments shaded")
     return figure
+
+
+def _shade_segments(recording: Recording, panel: Axes, index: int, rope: str, peak: float) -> bool:
+    """Shade the range of tension over the segments of a rope; False where all have the same."""
+    names = recording.coordinates.get("segment", ())
+    own = [place for place, name in enumerate(names) if name.rpartition("/")[0] == rope]
+    if not own:
+        return False
+    tensions = recording["segment_tension"].values[:, own]
+    low, high = tensions.min(axis=1), tensions.max(axis=1)
+    if float((high - low).max()) <= 1e-6 * peak:
+        return False
+    scale, _ = force_unit(peak)
+    panel.fill_between(recording.time, low / scale, high / scale, color=colour(index), alpha=0.3, linewidth=0)
+    return True
 
 
 def _force_panel(

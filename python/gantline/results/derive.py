@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.flows import rope_flows
 from gantline.results.nodes import joined
 from gantline.results.recording import Recording
 from gantline.results.rig import Hook, Load, Rig
@@ -29,13 +30,13 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
     "rope_point": ("rope_point", ("time", "rope_point", "xyz"), "m", "points on the drawn path of a rope"),
     "wrap_angle": (
         "wrap_angle",
-        ("time", "sheave"),
+        ("time", "wrapped_sheave"),
         "rad",
         "angle over which a rope lies on a sheave; 0 where it runs straight past",
     ),
     "fleet_angle": (
         "fleet_angle",
-        ("time", "sheave", "sheave_side"),
+        ("time", "wrapped_sheave", "sheave_side"),
         "rad",
         "angle of a rope to the plane of a sheave, positive to where its axis points",
     ),
@@ -58,7 +59,12 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "rad/s",
         "angular velocity of a body, world axes",
     ),
-    "joint_position": ("joint_position", ("time", "joint"), "m or rad", "position of a slider or hinge"),
+    "joint_position": (
+        "joint_position",
+        ("time", "joint"),
+        "m or rad",
+        "position of a slider or hinge; rope that passed a sheave or left a drum",
+    ),
     "contact_force": ("contact_force", ("time", "contact"), "N", "normal force of a contact point"),
     "energy": (
         "energy",
@@ -82,7 +88,7 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
     "rope_peak_time": ("rope_peak_time", ("rope",), "s", "time of the largest tension of a rope"),
     "event_time": ("event_time", ("event",), "s", "time of an event"),
 }
-_NAMED = ("rope", "segment", "sheave", "body", "joint", "contact", "energy_kind")
+_NAMED = ("rope", "segment", "wrapped_sheave", "body", "joint", "contact", "energy_kind")
 # name in the recording, name among the names, dimension, description
 _TEXTS = (
     ("rope_of_point", "rope_point", "rope_point", "rope to which a drawn point belongs"),
@@ -121,6 +127,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         _sheave_travel(columns, names, lift),
         _hook_loads(columns, names, lift),
         _load_state(columns, names, lift),
+        rope_flows(columns, names, lift),
     ):
         variables |= derived
         coordinates |= labels

@@ -27,12 +27,14 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
 - `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity from its start
   while clear
+- `peak_sheave_tension_ratio`, `final_sheave_tension_ratio` [1]: largest ratio of the tensions on both sides
+  of a sheave with losses, over the samples and at the last one; while the loads are clear, if they ever are
 - `travel_used_up`, `travel_used_down` [1]: largest travel of a moving sheave above/below its start, of its
   stroke that way
 - `travel_used_up_when_clear`, `travel_used_down_when_clear` [1]: the same while the loads are clear
 - `final_sheave_travel.<sheave>` [m]: travel of that moving sheave at the last sample, down positive
 - `final_joint_travel.<joint>` [m or rad]: position of that hinge or slider at the last sample less that at
-  the start
+  the start; of a sheave with losses or inertia the rope that has passed it, of a drum the rope paid out
 - `energy_remainder` [1]: largest magnitude, over all steps, of the energy that the audit cannot place,
   relative to the largest of kinetic + elastic + |work of drives|
 """
@@ -131,8 +133,12 @@ def _spread(recording: Recording) -> Iterator[_Metric]:
 
 
 def _sheaves(recording: Recording) -> Iterator[_Metric]:
+    lossy = [sheave for sheave in recording.rig.sheaves if sheave.ratio > 1.0]
+    ratios = [series.tension_ratio(recording, sheave) for sheave in lossy]
+    yield "peak_sheave_tension_ratio", _largest(float(ratio.max()) for ratio in ratios)
+    yield "final_sheave_tension_ratio", _largest(float(ratio[-1]) for ratio in ratios)
     angles = []
-    for sheave in recording.rig.sheaves:
+    for sheave in recording.rig.wrapped_sheaves:
         carrying = series.is_carrying(recording.column("rope_tension", sheave.rope))
         angles.append(float(series.fleet_angle(recording, sheave)[carrying].max(initial=0.0)))
     yield "peak_fleet_angle", _largest(angles)

@@ -182,10 +182,32 @@ class Rope(_FromJson):
 
 @dataclass(frozen=True)
 class Sheave(_FromJson):
+    """A sheave with losses or inertia.
+
+    Attributes:
+        name: Of the flow of rope over it: `<equalizer>/moving_<n>`, `<equalizer>/fixed_<n>`, or
+            `<rope>/sheave_<n>` of a rope of `mechanics`, counted from 1 along the rope.
+        rope: The rope over it.
+        segments: Segments of the rope before and after it.
+        ratio: Largest ratio of the tensions on both sides, 1 without losses.
+        inertia: Mass that moves with the rope, moment of inertia over radius squared [kg].
+        inertia_from: What that mass is, in words.
+    """
+
+    name: str
+    rope: str
+    segments: Sequence[str]
+    ratio: float = 1.0
+    inertia: float = 0.0
+    inertia_from: str = ""
+
+
+@dataclass(frozen=True)
+class WrappedSheave(_FromJson):
     """A sheave that its rope touches along true tangents.
 
     Attributes:
-        name: Its name among the sheaves of the recording: the rope, and the place in its route from 0 on.
+        name: `<rope>/sheave_<n>`, counted from 1 along the rope.
         rope: Its rope.
         may_lift_off: Whether the rope may leave it.
     """
@@ -193,6 +215,19 @@ class Sheave(_FromJson):
     name: str
     rope: str
     may_lift_off: bool = False
+
+
+@dataclass(frozen=True)
+class Drum(_FromJson):
+    """A drum of `mechanics`.
+
+    Attributes:
+        name: Its name, also that of its flow.
+        diameter: Pitch diameter on which its rope is counted [m].
+    """
+
+    name: str
+    diameter: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -227,7 +262,9 @@ class Rig(_FromJson):
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
         ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
-        sheaves: Sheaves with true tangents.
+        sheaves: Sheaves with losses or inertia.
+        drums: Drums.
+        wrapped_sheaves: Sheaves with true tangents.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         assumed_limits: Those of them that the lift file does not name: going past one is a warning.
         plan: Steps of the plan.
@@ -244,6 +281,8 @@ class Rig(_FromJson):
     slings: Sequence[Sling] = ()
     ropes: Sequence[Rope] = ()
     sheaves: Sequence[Sheave] = ()
+    drums: Sequence[Drum] = ()
+    wrapped_sheaves: Sequence[WrappedSheave] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
     assumed_limits: Sequence[str] = ()
     plan: Sequence[Step] = ()
@@ -258,6 +297,10 @@ class Rig(_FromJson):
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
             "sheaves": tuple(Sheave.from_json(d) for d in document.get("sheaves") or ()),
+            "drums": tuple(Drum.from_json(d) for d in document.get("drums") or ()),
+            "wrapped_sheaves": tuple(
+                WrappedSheave.from_json(d) for d in document.get("wrapped_sheaves") or ()
+            ),
             "plan": tuple(Step.from_json(d) for d in document.get("plan") or ()),
             "limits": document.get("limits") or {},
         }

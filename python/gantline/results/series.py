@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer, Load, Sheave, Sling
+from gantline.results.rig import Equalizer, Load, Sheave, Sling, WrappedSheave
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -160,10 +160,27 @@ def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
     return ratio
 
 
-def fleet_angle(recording: Recording, sheave: Sheave) -> FloatArray:
+def fleet_angle(recording: Recording, sheave: WrappedSheave) -> FloatArray:
     """Larger of the angles [rad] of a rope to the plane of a sheave on its two sides, shape (time,)."""
     larger: FloatArray = np.abs(recording.column("fleet_angle", sheave.name)).max(axis=1)
     return larger
+
+
+def tension_ratio(recording: Recording, sheave: Sheave) -> FloatArray:
+    """Larger over smaller tension on both sides of a sheave [1], shape (time,).
+
+    1 where the loads are not clear, in a lift in which they ever are, and where one side carries no more than
+    1 % of the largest tension: of a rope that is hardly taut the inertia of the sheave makes ratios that mean
+    nothing.
+    """
+    tension = recording.column("sheave_tension", sheave.name)
+    low, high = tension.min(axis=1), tension.max(axis=1)
+    counts = low > _CARRYING_FROM * np.max(high, initial=0.0)
+    clear = is_clear(recording)
+    if clear.any():
+        counts &= clear
+    ratio: FloatArray = np.divide(high, low, out=np.ones_like(high), where=counts)
+    return ratio
 
 
 def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:

@@ -9,8 +9,10 @@ from gantline.scenario.check_plan import check_plan
 from gantline.scenario.errors import ScenarioError
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
+from gantline.scenario.mechanics import HalfTurn
 from gantline.scenario.model import Scenario
-from gantline.scenario.rigging import resolve
+from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
+from gantline.scenario.sheave import taken_together
 
 __all__ = ["check"]
 
@@ -46,7 +48,7 @@ def check(scenario: Scenario) -> None:
 
 
 def _check_names(findings: Findings) -> None:
-    """Cranes, equalizers, their moving sheaves, the load and plain bodies share one set of names."""
+    """Cranes, equalizers, their moving sheaves, the load, plain bodies and drums share one set of names."""
     scenario = findings.scenario
     named: list[tuple[str, str, Path]] = []
     named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
@@ -55,6 +57,8 @@ def _check_names(findings: Findings) -> None:
         named.append((scenario.load.name, "the load", ("load", "name")))
     if scenario.mechanics is not None:
         named += [(name, "a body", ("mechanics", "bodies", name)) for name in scenario.mechanics.bodies]
+        drums = scenario.mechanics.drums or {}
+        named += [(name, "a drum", ("mechanics", "drums", name)) for name in drums]
     taken: dict[str, str] = {}
     for name, what, path in named:
         if name == "world":
@@ -77,6 +81,9 @@ def _check_simulation(findings: Findings) -> None:
             if key in settings.model_fields_set:
                 sentence = f"'{key}' belongs to 'integrator: {kind}', this lift has '{settings.integrator}'"
                 findings.add(("simulation", key), f"{sentence}; leave it out or name the other integrator")
+    if settings.integrator == "del" and _has_friction(findings.scenario):
+        sentence = "'del' knows no friction of sheaves and no brakes"
+        findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' is right here")
     if settings.step > duration:
         sentence = (
             f"the step of {settings.step:g} s is longer than the duration of {duration:g} s; 1 ms is usual"
@@ -89,3 +96,17 @@ def _check_simulation(findings: Findings) -> None:
         if duration / interval > most:
             sentence = f"{duration:g} s in parts of {interval:g} s are more than {most // 10**6} million"
             findings.add(("simulation", key), f"{sentence}; {usual} is usual")
+
+
+def _has_friction(scenario: Scenario) -> bool:
+    """Whether a sheave has losses or a drum a brake."""
+    found = False
+    for name in scenario.equalizers or {}:
+        for key in SHEAVES:
+            words = [said for _, said in sheave_levels(scenario, name, key)]
+            found |= taken_together(words).bearing_efficiency < 1
+    if scenario.mechanics is not None:
+        guides = [guide for rope in (scenario.mechanics.ropes or {}).values() for guide in rope.route]
+        found |= any(isinstance(guide, HalfTurn) and guide.bearing_efficiency < 1 for guide in guides)
+        found |= any(drum.brake for drum in (scenario.mechanics.drums or {}).values())
+    return found

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
-from gantline.scenario.findings import Findings
-from gantline.scenario.rigging import EqualizerRigging
+from gantline.scenario.crane import EqualizerParts
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.rigging import SHEAVES, EqualizerRigging, sheave_levels
+from gantline.scenario.sheave import SheaveWords, check_losses, said_twice, taken_together
 
 __all__ = ["check_equalizer"]
 
@@ -14,6 +16,7 @@ _ROUNDING = 1e-9
 
 #: Notes a problem at a dotted key of the equalizer, or of its type if the type says it.
 _Add = Callable[[str, str], None]
+_Levels = Sequence[tuple[Path, SheaveWords]]
 
 
 def check_equalizer(findings: Findings, equalizer: EqualizerRigging) -> None:
@@ -27,6 +30,7 @@ def check_equalizer(findings: Findings, equalizer: EqualizerRigging) -> None:
         base = ("equalizers", equalizer.name) if own else ("equalizer_types", str(given.type))
         findings.add((*base, *parts), sentence)
 
+    _check_sheaves(findings, equalizer)
     _check_simulated(add, equalizer)
     _check_counts(add, equalizer)
     if len(findings.problems) == before:
@@ -34,19 +38,33 @@ def check_equalizer(findings: Findings, equalizer: EqualizerRigging) -> None:
         _check_places(add, equalizer)
 
 
+def _check_sheaves(findings: Findings, equalizer: EqualizerRigging) -> None:
+    scenario = findings.scenario
+    given = (scenario.equalizers or {})[equalizer.name]
+    kind = (scenario.equalizer_types or {}).get(given.type or "")
+    rope = given.rope or (kind.rope if kind is not None else None)
+    for key in SHEAVES:
+        levels = sheave_levels(scenario, equalizer.name, key)
+        part = next(path for path, _ in levels if path[-1] == key)
+
+        def add(word: str, sentence: str, levels: _Levels = levels, part: Path = part) -> None:
+            said = (path for path, words in levels if word and getattr(words, word) is not None)
+            findings.add((*next(said), word) if word else part, sentence)
+
+        words = taken_together([words for _, words in levels])
+        losses = equalizer.sheave_losses[key]
+        check_losses(add, words, losses, str(rope), equalizer.rope.inextensible)
+    holders: list[tuple[EqualizerParts, Path]] = [(given, ("equalizers", equalizer.name))]
+    if kind is not None:
+        holders.append((kind, ("equalizer_types", str(given.type))))
+    for holder, path in holders:
+        for key in SHEAVES:
+            for shared, own in said_twice(holder.sheaves, getattr(holder, key)):
+                sentence = f"'{shared}' of all sheaves stands beside '{own}' of '{key}'; say it in one place"
+                findings.add((*path, "sheaves", shared), sentence)
+
+
 def _check_simulated(add: _Add, equalizer: EqualizerRigging) -> None:
-    for key, sheaves in (
-        ("fixed_sheaves", equalizer.fixed_sheaves),
-        ("moving_sheaves", equalizer.moving_sheaves),
-    ):
-        if sheaves.efficiency > 1:
-            add(f"{key}.efficiency", f"{sheaves.efficiency:g} is above 1; no sheave gives force back")
-        elif sheaves.efficiency != 1:
-            sentence = f"an efficiency of {sheaves.efficiency:g} cannot be simulated yet"
-            add(f"{key}.efficiency", f"{sentence}; ideal sheaves can: 1.0")
-        if sheaves.rotating_mass != 0:
-            sentence = f"a rotating mass of {sheaves.rotating_mass:g} kg cannot be simulated yet; 0 kg can"
-            add(f"{key}.rotating_mass", sentence)
     if equalizer.hinge.friction != 0:
         sentence = f"a hinge friction of {equalizer.hinge.friction:g} N m cannot be simulated yet; 0 kN m can"
         add("hinge.friction", sentence)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from gantline.scenario.drum import Drum
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.mechanics import (
@@ -20,11 +21,11 @@ from gantline.scenario.mechanics import (
     RopeEnd,
     Sheave,
     Slider,
-    SpeedRamp,
-    TurnRamp,
 )
 from gantline.scenario.model import Scenario
+from gantline.scenario.motion import SpeedRamp, TurnRamp
 from gantline.scenario.rope_weight import check_rope_weight
+from gantline.scenario.sheave import check_losses, sheave_losses
 
 __all__ = ["check_mechanics"]
 
@@ -52,11 +53,13 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
             findings.add((*path, "rope"), sentence)
         else:
             _check_weight(findings, path, rope)
+            _check_flows(findings, path, rope, mechanics.drums or {})
         for place, guide in enumerate(rope.route):
             is_last = place in (0, len(rope.route) - 1)
             _check_guide(findings, (*path, "route", place), guide, is_last, known)
         if name in taken:
             findings.add(path, f"'{name}' is already the name of a rope of the rigging; use another name")
+    _check_drums(findings, mechanics)
     corners = [f"{scenario.load.name}.corner_{place}" for place in range(1, 9)] if scenario.load else []
     for name, contact in (mechanics.contacts or {}).items():
         path = ("mechanics", "contacts", name)
@@ -155,6 +158,42 @@ def _check_weight(findings: Findings, path: Path, rope: MechanicsRope) -> None:
         over_sheaves="this rope" if len(rope.route) > 2 else "",
         gravity=scenario.simulation.gravity,
     )
+
+
+def _check_drums(findings: Findings, mechanics: Mechanics) -> None:
+    """Each drum has a rope, and its motion is in order."""
+    ends = [guide for rope in (mechanics.ropes or {}).values() for guide in rope.route]
+    used = {guide.drum for guide in ends if isinstance(guide, RopeEnd)}
+    for name, drum in (mechanics.drums or {}).items():
+        path: Path = ("mechanics", "drums", name)
+        if name not in used:
+            sentence = "no rope ends on this drum"
+            findings.add(path, f"{sentence}; name it at an end of a route, or leave it out")
+        if drum.motion is not None:
+            _check_motion(findings, (*path, "motion"), drum.motion)
+
+
+def _check_flows(findings: Findings, path: Path, rope: MechanicsRope, drums: Mapping[str, Drum]) -> None:
+    """Whether the sheaves and drums of a rope can be simulated with its kind of rope."""
+    kind = (findings.scenario.ropes or {})[rope.rope]
+    for place, guide in enumerate(rope.route):
+        at: Path = (*path, "route", place)
+
+        def add(key: str, sentence: str, at: Path = at) -> None:
+            findings.add((*at, key) if key else at, sentence)
+
+        if isinstance(guide, HalfTurn):
+            losses = sheave_losses(guide, guide.radius, kind.mass_per_length)
+            check_losses(add, guide, losses, rope.rope, kind.inextensible)
+        elif not isinstance(guide, RopeEnd) or guide.drum is None:
+            continue
+        elif guide.drum not in drums:
+            add("drum", f"'{guide.drum}' is not a name of 'drums'; {nearest(guide.drum, drums)}")
+        elif kind.inextensible:
+            sentence = f"rope '{rope.rope}' is inextensible, and a rope on a drum has to stretch"
+            add("drum", f"{sentence}; give it an axial stiffness")
+        elif rope.rope_weight == "distributed":
+            add("drum", "a rope with nodes cannot be paid out by a drum; 'rope_weight: lumped' is right here")
 
 
 def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, known: Sequence[str]) -> None:

@@ -1,10 +1,15 @@
-"""Whether the plan can be carried out by the hooks there are."""
+"""Whether the plan can be carried out by the hooks and drums there are."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from gantline.scenario.crane import Hoist
+from gantline.scenario.drum import DrumDrive
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
-from gantline.scenario.plan import HoistStep, HoldStep, LowerStep, MovingStep
+from gantline.scenario.model import Scenario
+from gantline.scenario.plan import DrumStep, HoldStep, HookStep, LowerStep, MovingStep, PayOutStep
 
 __all__ = ["check_plan"]
 
@@ -21,29 +26,47 @@ def check_plan(findings: Findings) -> None:
                 sentence = "'until_end' stands before other steps, which would never begin"
                 findings.add(("plan", place, "hold"), f"{sentence}; only the last step holds until the end")
             continue
-        _check_hooks(findings, place, step)
+        _check_moved(findings, place, step)
         earliest = _check_times(findings, place, step, earliest)
         if step.until is not None:
             _check_condition(findings, place, step)
 
 
-def _check_hooks(findings: Findings, place: int, step: HoistStep | LowerStep) -> None:
-    cranes = findings.scenario.cranes or {}
-    for name in step.hooks:
-        if name not in cranes:
-            findings.add(("plan", place, step.verb), f"'{name}' is not a hook; {nearest(name, cranes)}")
+def _check_moved(findings: Findings, place: int, step: MovingStep) -> None:
+    """Each step moves what there is, once, and not faster than its hoist or drive can."""
+    what = "hook" if isinstance(step, HookStep) else "drum"
+    names = step.hooks if isinstance(step, HookStep) else step.drums if isinstance(step, DrumStep) else ()
+    known = _movable(findings.scenario, what)
+    for name in names:
+        if name not in known:
+            sentence = f"'{name}' is not a {what}; {nearest(name, known)}"
+            findings.add(("plan", place, step.verb), sentence)
             continue
-        hoist = cranes[name].hoist
-        if step.speed > hoist.speed * _ROUNDING:
-            sentence = f"{step.speed:g} m/s is faster than '{name}' can hoist"
-            findings.add(("plan", place, "speed"), f"{sentence}; its highest speed is {hoist.speed:g} m/s")
-        if step.acceleration is not None and step.acceleration > hoist.acceleration * _ROUNDING:
+        drive = known[name]
+        if drive is None:
+            sentence = f"drum '{name}' has no 'drive' that could turn it"
+            right = "'drive: {speed: 30 m/min, acceleration: 0.1 m/s^2}'"
+            findings.add(("plan", place, step.verb), f"{sentence}; give it one, such as {right}")
+            continue
+        if step.speed > drive.speed * _ROUNDING:
+            can = "hoist" if what == "hook" else "turn"
+            sentence = f"{step.speed:g} m/s is faster than '{name}' can {can}"
+            findings.add(("plan", place, "speed"), f"{sentence}; its highest speed is {drive.speed:g} m/s")
+        if step.acceleration is not None and step.acceleration > drive.acceleration * _ROUNDING:
             sentence = f"{step.acceleration:g} m/s^2 is more than '{name}' can do"
             findings.add(
-                ("plan", place, "acceleration"), f"{sentence}; its most is {hoist.acceleration:g} m/s^2"
+                ("plan", place, "acceleration"), f"{sentence}; its most is {drive.acceleration:g} m/s^2"
             )
-    if len(set(step.hooks)) < len(step.hooks):
-        findings.add(("plan", place, step.verb), "names a hook twice; each hook stands once")
+    if len(set(names)) < len(names):
+        findings.add(("plan", place, step.verb), f"names a {what} twice; each {what} stands once")
+
+
+def _movable(scenario: Scenario, what: str) -> Mapping[str, Hoist | DrumDrive | None]:
+    """Hooks or drums by name, with what moves them."""
+    if what == "hook":
+        return {name: crane.hoist for name, crane in (scenario.cranes or {}).items()}
+    drums = scenario.mechanics.drums if scenario.mechanics is not None else None
+    return {name: drum.drive for name, drum in (drums or {}).items()}
 
 
 def _check_times(findings: Findings, place: int, step: MovingStep, earliest: float) -> float:
@@ -62,11 +85,12 @@ def _check_times(findings: Findings, place: int, step: MovingStep, earliest: flo
     return earliest
 
 
-def _check_condition(findings: Findings, place: int, step: HoistStep | LowerStep) -> None:
+def _check_condition(findings: Findings, place: int, step: MovingStep) -> None:
     path = ("plan", place, "until")
     if findings.scenario.load is None or findings.scenario.ground is None:
         sentence = "this waits for a load to leave the ground"
         findings.add(path, f"{sentence}; there is no 'load' on a 'ground' in this file")
-    elif isinstance(step, LowerStep):
-        sentence = "lowering until something happens cannot be simulated yet"
+    elif isinstance(step, (LowerStep, PayOutStep)):
+        doing = "lowering" if isinstance(step, LowerStep) else "paying out"
+        sentence = f"{doing} until something happens cannot be simulated yet"
         findings.add(path, f"{sentence}; end the step with 'by' or 'brake_from'")

@@ -21,13 +21,13 @@ from gantline.scenario.quantities import (
     PositiveLength,
     PositiveMass,
     PositiveSpeed,
-    Ratio,
     RotationalDamping,
     Torque,
     found,
     refuse,
 )
 from gantline.scenario.rope_weight import RopeWeightWord
+from gantline.scenario.sheave import SheaveWords
 from gantline.scenario.tree import MapNode
 
 __all__ = [
@@ -132,7 +132,7 @@ class RopeEnds(Element):
     below_hook: PositiveLength = Field(description="Depth below the bearing of the hook.")
 
 
-class FixedSheaves(Element):
+class FixedSheaves(SheaveWords):
     """The sheaves that are fixed in the frame."""
 
     what: ClassVar[str] = "fixed_sheaves"
@@ -140,10 +140,6 @@ class FixedSheaves(Element):
     along: Lengths = Field(description="Positions along the frame.")
     below_hook: PositiveLength = Field(description="Depth of their centres below the bearing of the hook.")
     pitch_diameter: PositiveLength = Field(description="Diameter on which the rope's axis lies.")
-    efficiency: Ratio = Field(1.0, description="Efficiency of one sheave; only 1.0 can be simulated yet.")
-    rotating_mass: Mass = Field(
-        0.0, description="Mass that turns with the rope; only 0 can be simulated yet."
-    )
 
 
 class MovingSheaves(FixedSheaves):
@@ -183,6 +179,11 @@ class EqualizerParts(Element):
         "sheaves. If not given: 'lumped' where its mass per length is known, else 'none'.",
     )
     rope_ends: RopeEnds | None = Field(None, description="Dead ends of the equalizing rope.")
+    sheaves: SheaveWords | None = Field(
+        None,
+        description="Losses and inertia of all its sheaves, unless fixed or moving ones have their own. "
+        "Inertia if none is given: half of the mass of a moving sheave.",
+    )
     fixed_sheaves: FixedSheaves | None = Field(None, description="Sheaves fixed in the frame.")
     moving_sheaves: MovingSheaves | None = Field(None, description="Sheaves that travel.")
     travel: Travel | None = Field(None, description="Limits of travel.")

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element, Named
+from gantline.scenario.drum import Drum
+from gantline.scenario.motion import SpeedRamp, TurnRamp
 from gantline.scenario.quantities import (
     Angle,
     AngularSpeed,
@@ -22,18 +25,19 @@ from gantline.scenario.quantities import (
     Position,
     PositiveLength,
     PositiveStiffness,
-    PositiveTime,
     Quantity,
     Ratio,
     RotationalDamping,
     Sizes,
     Speed,
     Text,
-    Time,
     Velocity,
     WordOr,
+    refuse,
 )
 from gantline.scenario.rope_weight import NODES_SHOWN, WEIGHT_SHOWN, RopeNodes, RopeWeightWord
+from gantline.scenario.sheave import SheaveWords
+from gantline.scenario.tree import MapNode
 
 __all__ = [
     "Ball",
@@ -56,8 +60,6 @@ __all__ = [
     "Rotation",
     "Sheave",
     "Slider",
-    "SpeedRamp",
-    "TurnRamp",
 ]
 
 Direction = Annotated[tuple[float, float, float], ListOf(Number(least=-1e6, most=1e6), 3)]
@@ -84,28 +86,6 @@ class BodyInertia(Element):
     xy: Inertia = Field(0.0, description="Off-diagonal term xy.")
     xz: Inertia = Field(0.0, description="Off-diagonal term xz.")
     yz: Inertia = Field(0.0, description="Off-diagonal term yz.")
-
-
-class SpeedRamp(Element):
-    """A change of speed of a given motion."""
-
-    what: ClassVar[str] = "a step of a motion"
-
-    at: Time = Field(description="When it begins.")
-    duration: PositiveTime = Field(description="How long it takes.")
-    velocity: Speed = Field(description="Speed after it, along the axis.")
-    shape: Literal["linear", "smooth"] = Field("smooth", description="How the speed changes.")
-
-
-class TurnRamp(Element):
-    """A change of angular speed of a given motion."""
-
-    what: ClassVar[str] = "a step of a motion"
-
-    at: Time = Field(description="When it begins.")
-    duration: PositiveTime = Field(description="How long it takes.")
-    velocity: AngularSpeed = Field(description="Angular speed after it, about the axis.")
-    shape: Literal["linear", "smooth"] = Field("smooth", description="How the speed changes.")
 
 
 class Fixed(Element):
@@ -205,16 +185,34 @@ class Body(Element):
 
 
 class RopeEnd(Element):
-    """A dead end of a rope."""
+    """An end of a rope: a dead end, or where a drum pays it out."""
 
     what: ClassVar[str] = "an end of a rope"
 
     type: Literal["end"] = Field(description="Kind of guide.")
-    body: Name = Field(description="Body that it is fixed to, or 'world'.")
+    body: Name = Field(description="Body that it, or its drum, is fixed to; or 'world'.")
     at: Position = Field(ORIGIN, description="Place in the body's axes.")
+    drum: Name | None = Field(
+        None, description="Drum that pays rope out here, a name of 'drums'; a dead end if not given."
+    )
+    drum_diameter: PositiveLength | None = Field(
+        None, description="Pitch diameter on which this rope lies; that of the drum if not given."
+    )
+    wound: Literal["with", "against"] | None = Field(
+        None,
+        description="'against': wound the other way round, so that it is hauled in where the drum pays out; "
+        "'with' if not given.",
+    )
+
+    @model_validator(mode="after")
+    def _of_a_drum(self) -> RopeEnd:
+        for key in ("drum_diameter", "wound"):
+            if self.drum is None and getattr(self, key) is not None:
+                raise refuse(f"'{key}' stands without 'drum'; name the drum or leave it out", key)
+        return self
 
 
-class HalfTurn(Element):
+class HalfTurn(SheaveWords):
     """Half a turn over a sheave, at fixed places of a body, as in the paper."""
 
     what: ClassVar[str] = "a half turn over a sheave"
@@ -224,6 +222,11 @@ class HalfTurn(Element):
     enter: Position = Field(description="Where the rope comes on, in the body's axes.")
     leave: Position = Field(description="Where the rope goes off, in the body's axes.")
     bulge: Direction = Field(description="Side on which the rope lies on the sheave, three plain numbers.")
+
+    @property
+    def radius(self) -> float:
+        """Pitch radius [m]."""
+        return math.dist(self.enter, self.leave) / 2
 
 
 class Sheave(Element):
@@ -239,6 +242,14 @@ class Sheave(Element):
     may_lift_off: Flag = Field(
         False, description="Whether the rope may leave it and run straight past; else that is a warning."
     )
+
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """Losses of such a sheave: say that they are for half turns, not that the word is not known."""
+        for key in SheaveWords.model_fields:
+            if key in data:
+                sentence = "losses and inertia of a sheave with true tangents cannot be simulated yet"
+                raise refuse(f"{sentence}; those of a 'half_turn' can", key)
 
 
 class Eye(Element):
@@ -294,10 +305,11 @@ class Contact(Element):
 
 
 class Mechanics(Element):
-    """Plain bodies, ropes and contacts."""
+    """Plain bodies, drums, ropes and contacts."""
 
     what: ClassVar[str] = "mechanics"
 
     bodies: Named[Body] = Field(description="Bodies by name.")
+    drums: Named[Drum] | None = Field(None, description="Drums by name.")
     ropes: Named[MechanicsRope] | None = Field(None, description="Ropes by name.")
     contacts: Named[Contact] | None = Field(None, description="Contacts by name.")

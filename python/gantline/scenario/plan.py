@@ -32,11 +32,15 @@ __all__ = [
     "MEASURES",
     "Bound",
     "Condition",
+    "DrumStep",
+    "HaulInStep",
     "HoistStep",
     "HoldStep",
+    "HookStep",
     "Limits",
     "LowerStep",
     "MovingStep",
+    "PayOutStep",
     "Require",
     "Step",
 ]
@@ -161,16 +165,25 @@ class _AnyStep(Element):
 
 
 class MovingStep(_AnyStep):
-    """A step that moves hooks up or down."""
+    """A step that moves hooks or drums."""
 
-    speed: PositiveSpeed = Field(description="Speed of the hooks.")
-    acceleration: PositiveAcceleration | None = Field(None, description="The hoist's own if not given.")
+    #: The key that says what is moved.
+    verb: ClassVar[str]
+    #: Sign of the motion of its drives.
+    direction: ClassVar[float]
+
+    speed: PositiveSpeed = Field(description="Speed of the hooks, or of the rope on the drums.")
+    acceleration: PositiveAcceleration | None = Field(
+        None, description="That of the hoist or drive itself if not given."
+    )
     start_at: Time | None = Field(
         None, description="Time of the start; when the step before ends if not given."
     )
-    brake_from: Time | None = Field(None, description="Time from which the hooks brake.")
-    until: Condition | None = Field(None, description="Condition on which the hooks brake.")
-    by: PositiveLength | None = Field(None, description="Distance after which the hooks are at rest.")
+    brake_from: Time | None = Field(None, description="Time from which they brake.")
+    until: Condition | None = Field(None, description="Condition on which they brake.")
+    by: PositiveLength | None = Field(
+        None, description="Distance of the hooks, or length of rope, after which they are at rest."
+    )
 
     @model_validator(mode="after")
     def _one_end(self) -> MovingStep:
@@ -181,7 +194,27 @@ class MovingStep(_AnyStep):
         return self
 
 
-class HoistStep(MovingStep):
+class HookStep(MovingStep):
+    """A step that moves hooks up or down."""
+
+    @property
+    def hooks(self) -> tuple[str, ...]:
+        """Hooks that move."""
+        moved: tuple[str, ...] = getattr(self, self.verb)
+        return moved
+
+
+class DrumStep(MovingStep):
+    """A step that turns drums."""
+
+    @property
+    def drums(self) -> tuple[str, ...]:
+        """Drums that turn."""
+        moved: tuple[str, ...] = getattr(self, self.verb)
+        return moved
+
+
+class HoistStep(HookStep):
     """A step that hoists."""
 
     what: ClassVar[str] = "a hoist step"
@@ -191,13 +224,8 @@ class HoistStep(MovingStep):
     verb: ClassVar[str] = "hoist"
     direction: ClassVar[float] = 1.0
 
-    @property
-    def hooks(self) -> tuple[str, ...]:
-        """Hooks that move."""
-        return self.hoist
 
-
-class LowerStep(MovingStep):
+class LowerStep(HookStep):
     """A step that lowers."""
 
     what: ClassVar[str] = "a lower step"
@@ -207,10 +235,27 @@ class LowerStep(MovingStep):
     verb: ClassVar[str] = "lower"
     direction: ClassVar[float] = -1.0
 
-    @property
-    def hooks(self) -> tuple[str, ...]:
-        """Hooks that move."""
-        return self.lower
+
+class HaulInStep(DrumStep):
+    """A step in which drums haul rope in."""
+
+    what: ClassVar[str] = "a haul_in step"
+
+    haul_in: Names = Field(description="Drum or drums of 'mechanics' that haul in.")
+
+    verb: ClassVar[str] = "haul_in"
+    direction: ClassVar[float] = -1.0
+
+
+class PayOutStep(DrumStep):
+    """A step in which drums pay rope out."""
+
+    what: ClassVar[str] = "a pay_out step"
+
+    pay_out: Names = Field(description="Drum or drums of 'mechanics' that pay out.")
+
+    verb: ClassVar[str] = "pay_out"
+    direction: ClassVar[float] = 1.0
 
 
 class HoldStep(_AnyStep):
@@ -225,7 +270,7 @@ class HoldStep(_AnyStep):
 
 def _verb(data: Any) -> str | None:
     if isinstance(data, dict):
-        verbs = [verb for verb in ("hoist", "lower", "hold") if verb in data]
+        verbs = [verb for verb in ("hoist", "lower", "haul_in", "pay_out", "hold") if verb in data]
         return f"{verbs[0]} step" if verbs else None
     return None
 
@@ -233,11 +278,14 @@ def _verb(data: Any) -> str | None:
 Step = Annotated[
     Annotated[HoistStep, Tag("hoist step")]
     | Annotated[LowerStep, Tag("lower step")]
+    | Annotated[HaulInStep, Tag("haul_in step")]
+    | Annotated[PayOutStep, Tag("pay_out step")]
     | Annotated[HoldStep, Tag("hold step")],
     Discriminator(
         _verb,
         custom_error_type="gantline",
-        custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower' and 'hold'",
+        custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', "
+        "'haul_in', 'pay_out' and 'hold'",
     ),
 ]
 

@@ -25,6 +25,7 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
     "mass": (1e9, "1000000 t"),
     "time": (1e6, "1000000 s"),
     "force": (1e13, "1e7 MN"),
+    "power": (1e12, "1e6 MW"),
     "angle": (100.0, "5729 deg"),
     "speed": (1e3, "1000 m/s"),
     "angular_speed": (1e4, "1e4 rad/s"),
@@ -311,6 +312,7 @@ NotNegativeLength = Annotated[float, Quantity("length", "not_negative")]
 Mass = Annotated[float, Quantity("mass", "not_negative")]
 PositiveMass = Annotated[float, Quantity("mass", "positive")]
 PositiveForce = Annotated[float, Quantity("force", "positive")]
+PositivePower = Annotated[float, Quantity("power", "positive")]
 NotNegativeForce = Annotated[float, Quantity("force", "not_negative")]
 Time = Annotated[float, Quantity("time", "not_negative")]
 PositiveTime = Annotated[float, Quantity("time", "positive")]

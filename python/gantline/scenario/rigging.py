@@ -20,15 +20,31 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.gear import RopeMaterial, Shackle, SlingDefaults
 from gantline.scenario.model import Scenario
 from gantline.scenario.rope_weight import RopeWeight, RopeWeightWord, check_rope_weight, rope_weight
+from gantline.scenario.sheave import SheaveLosses, SheaveWords, sheave_losses, taken_together
 
-__all__ = ["EqualizerRigging", "Rigging", "SlingRigging", "resolve", "split_reference"]
+__all__ = [
+    "SHEAVES",
+    "EqualizerRigging",
+    "Rigging",
+    "SlingRigging",
+    "resolve",
+    "sheave_levels",
+    "split_reference",
+]
+
+#: Keys of an equalizer's sheaves.
+SHEAVES = ("fixed_sheaves", "moving_sheaves")
 
 _EQUALIZER_NEEDS = ("frame", "rope", "rope_ends", "fixed_sheaves", "moving_sheaves", "travel")
 
 
 @dataclass(frozen=True)
 class EqualizerRigging:
-    """An equalizer with all its parts."""
+    """An equalizer with all its parts.
+
+    Attributes:
+        sheave_losses: what one of its `fixed_sheaves` and one of its `moving_sheaves` do to the rope.
+    """
 
     name: str
     hook: str
@@ -42,6 +58,7 @@ class EqualizerRigging:
     fixed_sheaves: FixedSheaves
     moving_sheaves: MovingSheaves
     travel: Travel
+    sheave_losses: dict[str, SheaveLosses]
 
 
 @dataclass(frozen=True)
@@ -140,7 +157,35 @@ def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
         return None
     parts["hinge"] = parts["hinge"] or Hinge()
     parts["weight"] = _equalizing_rope_weight(findings, name, parts["rope"], parts.pop("rope_weight"))
-    return EqualizerRigging(name=name, hook=given.hangs_from, heading=given.heading, **parts)
+    own_mass, rope_mass = parts["moving_sheaves"].mass, parts["rope"].mass_per_length
+    losses = {}
+    for key in SHEAVES:
+        words = taken_together([said for _, said in sheave_levels(findings.scenario, name, key)])
+        losses[key] = sheave_losses(words, parts[key].pitch_diameter / 2, rope_mass, own_mass)
+    return EqualizerRigging(
+        name=name, hook=given.hangs_from, heading=given.heading, sheave_losses=losses, **parts
+    )
+
+
+def sheave_levels(scenario: Scenario, name: str, key: str) -> list[tuple[Path, SheaveWords]]:
+    """Places that say something of losses and inertia of an equalizer's sheaves, the one that counts first.
+
+    Args:
+        scenario: the lift.
+        name: name of the equalizer.
+        key: `fixed_sheaves` or `moving_sheaves`.
+    """
+    given = (scenario.equalizers or {})[name]
+    kind = (scenario.equalizer_types or {}).get(given.type or "")
+    own, of_type = ("equalizers", name), ("equalizer_types", str(given.type))
+    order: list[tuple[Path, SheaveWords | None]] = [((*own, "sheaves"), given.sheaves)]
+    if getattr(given, key) is not None:  # takes the place of those of the type, with all their words
+        order.insert(0, ((*own, key), getattr(given, key)))
+    elif kind is not None:
+        order.append(((*of_type, key), getattr(kind, key)))
+    if kind is not None:
+        order.append(((*of_type, "sheaves"), kind.sheaves))
+    return [(path, words) for path, words in order if words is not None]
 
 
 def _equalizing_rope_weight(

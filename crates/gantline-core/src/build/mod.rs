@@ -57,7 +57,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     }
     let drives = build_drives(spec, &tree)?;
     let mut driven = vec![None; tree.velocities];
-    for (index, drive) in drives.iter().enumerate() {
+    for (index, drive) in drives.iter().enumerate().filter(|(_, drive)| !drive.is_limited) {
         driven[drive.dof] = Some(index);
         v[drive.dof] = 0.0;
     }
@@ -65,7 +65,9 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     start.update(&tree, &q);
     let Built { constraints, groups, seats } = build_constraints(spec, &tree, &start)?;
     let rows = Rows::new(&constraints);
-    let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
+    let rigid: Vec<usize> = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
+    let is_brake_row = |row: &usize| matches!(rows.laws[*row], Law::Brake { .. });
+    let inextensible = rigid.iter().copied().filter(|row| !is_brake_row(row)).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
     let has_flow = |constraint: &AnyConstraint| match constraint {
@@ -76,20 +78,30 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let fed = (0..constraints.len()).filter(|&index| has_flow(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
     let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
+    let motors =
+        constraints[first_brake..].iter().zip(rows.first[first_brake]..).filter_map(|(brake, row)| {
+            let AnyConstraint::Brake(brake) = brake else { return None };
+            Some((row, drives.iter().position(|drive| drive.dof == brake.dof)?))
+        });
+    let motors = motors.collect();
     let flows = (0..tree.velocities)
         .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
         .collect();
     let rope_count = spec.ropes.len();
     let sheaves = places_of_sheaves(&constraints);
+    let friction = (0..rows.count()).filter(|&row| matches!(rows.laws[row], Law::Friction { .. })).collect();
     let mut system = System {
         tree,
         constraints,
         rope_count,
         rows,
         sheaves,
+        inextensible,
         rigid,
+        friction,
         fed,
         first_brake,
+        motors,
         flows,
         drives,
         driven,
@@ -179,7 +191,6 @@ fn first_state(
         trial: vec![0.0; rows],
         modes: vec![Mode::Slack; rows],
         memory: vec![0.0; rows],
-        slip: vec![0.0; rows],
         seats,
         next_step: 0.0,
         restart: true,
@@ -218,7 +229,7 @@ fn first_state(
             Law::Brake { .. } => {
                 let speed = system.rows.rate(&frame.gradient, row, &state.v);
                 state.modes[row] = if speed == 0.0 { Mode::Acting } else { Mode::Slipping };
-                state.slip[row] = speed.signum();
+                state.memory[row] = speed.signum();
                 continue;
             }
         };
@@ -238,7 +249,6 @@ fn first_state(
     }
     let kinetic = 0.5 * frame.mass.quadratic(&state.v);
     let gravity = gravity_energy(system, &frame.kinematics);
-    state.ledger =
-        Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes, &state.tension));
+    state.ledger = Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes));
     Ok(state)
 }

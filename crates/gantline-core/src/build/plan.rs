@@ -2,7 +2,7 @@
 
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::plan::{Move, Step, Until};
-use crate::spec::{BodySpec, StepSpec, SystemSpec, UntilSpec};
+use crate::spec::{BodySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
 use crate::system::{ContactGroup, DriveJoint};
 use crate::tree::Tree;
 
@@ -28,7 +28,9 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
             finite(&drive.name, "a ramp", &[ramp.at, ramp.velocity])?;
             positive(&drive.name, "the duration of a ramp", ramp.duration)?;
         }
-        drives.push(DriveJoint { name: drive.name.clone(), body, dof: tree.bodies[body].first_velocity });
+        let is_limited = matches!(spec.bodies[body].joint, JointSpec::Flow { capacity: Some(_), .. });
+        let dof = tree.bodies[body].first_velocity;
+        drives.push(DriveJoint { name: drive.name.clone(), body, dof, is_limited });
     }
     for given in &spec.bodies {
         if let Some(name) = given.joint.drive()

@@ -69,8 +69,28 @@ fn build_brakes(
 ) -> Result<Vec<AnyConstraint>, BuildError> {
     let mut brakes = Vec::new();
     for (index, given) in spec.bodies.iter().enumerate() {
-        let JointSpec::Flow { brake: capacity, drive, .. } = &given.joint else { continue };
-        at_least_zero(&given.name, "its brake", *capacity)?;
+        let JointSpec::Flow { brake, capacity, power, drive, .. } = &given.joint else { continue };
+        at_least_zero(&given.name, "its brake", *brake)?;
+        let limit = match capacity {
+            Some(capacity) => {
+                positive(&given.name, "the capacity of its drive", *capacity)?;
+                if drive.is_none() || *brake > 0.0 {
+                    return error(
+                        &given.name,
+                        "a capacity is that of a drive, which takes the place of a brake",
+                    );
+                }
+                *capacity
+            }
+            None => *brake,
+        };
+        let power = power.unwrap_or(f64::INFINITY);
+        if power <= 0.0 || power.is_nan() || power.is_finite() && capacity.is_none() {
+            return error(
+                &given.name,
+                "the power of a drive is more than zero and stands beside its capacity",
+            );
+        }
         let dof = tree.bodies[index].first_velocity;
         let built = ropes.iter().filter_map(|constraint| match constraint {
             AnyConstraint::Rope(rope) => Some(rope),
@@ -100,8 +120,8 @@ fn build_brakes(
                 format!("a flow with losses passes one sheave of one rope, not {} spans", spans.len());
             return error(&given.name, problem);
         }
-        if (share > 0.0 || *capacity > 0.0) && drive.is_none() {
-            let brake = Brake::new(given.name.clone(), dof, [*capacity, share, impedance], spans);
+        if capacity.is_some() || (share > 0.0 || limit > 0.0) && drive.is_none() {
+            let brake = Brake::new(given.name.clone(), dof, [limit, share, impedance, power], spans);
             brakes.push(AnyConstraint::Brake(brake));
         }
     }

@@ -1,5 +1,8 @@
 //! Friction that holds a flow: of a sheave's bearing and groove, or of a drum's brake.
 //!
+//! A motor of limited force holds its flow at the speed that its drive asks for, and where the force is not enough the
+//! flow slips against it: the same law, in the frame of the drive.
+//!
 //! The force on the flow is at most `capacity` + `share` (T₁ + T₂), T₁ and T₂ the tensions on both sides of a sheave. While
 //! that is enough the flow is held: no creep, and the force is what it takes. Where it is not, the flow slips against
 //! the whole of it. With share = (ρ − 1)/(ρ + 1) tensions that slip steadily are as T₁/T₂ = ρ, in either direction.
@@ -26,8 +29,11 @@ pub struct Brake {
     pub spans: Vec<(usize, Span)>,
     /// What a velocity of the flow does to the tensions on both sides [N s/m].
     pub impedance: f64,
+    /// Largest power of a motor [W].
+    pub power: f64,
     dofs: Vec<usize>,
-    own: usize,
+    /// Entry of its own flow.
+    pub own: usize,
 }
 
 /// (ρ − 1)/(ρ + 1) of the ratio ρ ≥ 1 of the tensions on both sides of a slipping sheave.
@@ -36,11 +42,11 @@ pub fn share_of_ratio(ratio: f64) -> f64 {
 }
 
 impl Brake {
-    /// A brake on the flow `dof`, of a given `impedance` [N s/m].
+    /// A brake on the flow `dof`, of a given `impedance` [N s/m] and, of a motor, `power` [W].
     pub fn new(
         name: String,
         dof: usize,
-        [capacity, share, impedance]: [f64; 3],
+        [capacity, share, impedance, power]: [f64; 4],
         mut spans: Vec<(usize, Span)>,
     ) -> Self {
         let mut dofs: Vec<usize> =
@@ -51,13 +57,28 @@ impl Brake {
         for feed in spans.iter_mut().flat_map(|(_, span)| &mut span.feeds) {
             feed.entry = entry(feed.dof);
         }
-        Self { name, dof, capacity, share, spans, impedance, own: entry(dof), dofs }
+        Self { name, dof, capacity, share, spans, impedance, power, own: entry(dof), dofs }
     }
 
-    /// Largest force [N] at the configuration `q`, with the forces `force` of all rows.
-    pub fn bound(&self, q: &[f64], force: &[f64]) -> f64 {
+    /// Largest force [N] at the configuration `q`, with the forces `force` of all rows; `driven` is the speed [m/s] at
+    /// which a motor drives the flow, negative where the flow drives it.
+    pub fn bound(&self, q: &[f64], force: &[f64], driven: f64) -> f64 {
         let tensions = self.spans.iter().map(|(row, span)| span.scale(q) * force[*row].max(0.0));
-        self.capacity + self.share * tensions.sum::<f64>()
+        self.motor(driven) + self.share * tensions.sum::<f64>()
+    }
+
+    /// Capacity, or what the power of a motor is enough for.
+    fn motor(&self, driven: f64) -> f64 {
+        if self.is_short_of_power(driven) { self.power / driven } else { self.capacity }
+    }
+
+    fn is_short_of_power(&self, driven: f64) -> bool {
+        driven * self.capacity > self.power
+    }
+
+    /// How the bound answers to the speed at which a motor drives [N s/m].
+    pub fn slope(&self, driven: f64) -> f64 {
+        if self.is_short_of_power(driven) { -self.power / (driven * driven) } else { 0.0 }
     }
 
     /// How the bound answers to the force of a row.

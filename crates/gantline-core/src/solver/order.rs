@@ -2,11 +2,11 @@
 //!
 //! Nodes are joints (with their degrees of freedom) and rows. Rules:
 //! - a joint goes after the joints that hang on it, which keeps the mass matrix free of fill;
-//! - a row without compliance goes after at least one of its joints, that of a brake after the flow that it holds, or
-//!   its pivot would be zero;
+//! - a row without compliance goes after all of its joints, or after one that no other such row is coupled to: its
+//!   pivot is −G M⁻¹ Gᵀ over the joints that are gone, and two rows that share the only one of them would look as
+//!   if they repeated one another; that of a brake goes after the flow that it holds;
 //! - among those allowed the one with the fewest unknowns around it goes first; a row of which no joint has gone
-//!   counts double, since eliminating it divides by its compliance; so does that of an inextensible rope, whose pivot
-//!   then rests on that joint alone.
+//!   counts double, since eliminating it divides by its compliance; so does that of an inextensible rope.
 //!
 //! On an equalizer this gives: sheave slide, its sling, the next sheave, …, load, frame, equalizing rope:
 //! a constant cost per sheave.
@@ -59,8 +59,10 @@ struct Elimination<'a> {
     around: Vec<BTreeSet<usize>>,
     /// Unknowns of the nodes around.
     near: Vec<usize>,
-    /// Rows without compliance that each joint is coupled to: they are allowed once it is gone.
+    /// Rows without compliance that each joint is coupled to.
     rigid: Vec<Vec<usize>>,
+    /// Joints that each of those rows is coupled to and that are left.
+    waiting: Vec<usize>,
     /// Joints that hang on each joint and are left.
     hanging: Vec<usize>,
     gone: Vec<bool>,
@@ -77,6 +79,7 @@ impl<'a> Elimination<'a> {
             around: vec![BTreeSet::new(); nodes.len()],
             near: vec![0; nodes.len()],
             rigid: vec![Vec::new(); nodes.len()],
+            waiting: vec![0; nodes.len()],
             hanging: vec![0; nodes.len()],
             gone: vec![false; nodes.len()],
             met: vec![false; nodes.len()],
@@ -90,11 +93,15 @@ impl<'a> Elimination<'a> {
             match node.kind {
                 NodeKind::Joint { above: Some(above) } => graph.hanging[above] += 1,
                 NodeKind::Joint { above: None } | NodeKind::Row { compliant: true, .. } => {}
-                NodeKind::Row { holds: Some(joint), .. } => graph.rigid[joint].push(index),
+                NodeKind::Row { holds: Some(joint), .. } => {
+                    graph.rigid[joint].push(index);
+                    graph.waiting[index] = 1;
+                }
                 NodeKind::Row { holds: None, .. } => {
                     let is_joint = |near: &&usize| matches!(nodes[**near].kind, NodeKind::Joint { .. });
                     for &joint in graph.around[index].iter().filter(is_joint) {
                         graph.rigid[joint].push(index);
+                        graph.waiting[index] += 1;
                     }
                 }
             }
@@ -150,8 +157,10 @@ impl<'a> Elimination<'a> {
                 self.queue.insert(self.key(above));
             }
         }
-        for row in std::mem::take(&mut self.rigid[node]) {
-            if !self.gone[row] {
+        let rigid = std::mem::take(&mut self.rigid[node]);
+        for &row in &rigid {
+            self.waiting[row] -= 1;
+            if !self.gone[row] && (rigid.len() == 1 || self.waiting[row] == 0) {
                 self.queue.insert(self.key(row));
             }
         }

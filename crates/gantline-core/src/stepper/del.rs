@@ -46,6 +46,8 @@ use crate::tree::bias::NewtonEuler;
 const BIAS_ROUNDS: usize = 12;
 /// Change of a velocity-dependent force that ends the rounds, relative to the largest generalised force.
 const BIAS_TOLERANCE: f64 = 1e-12;
+/// Change, relative to the largest generalised force at the old velocity, after which rounds come to no end.
+const RUNAWAY: f64 = 1e30;
 
 /// The integrator with its work arrays.
 #[derive(Debug, Clone)]
@@ -165,6 +167,7 @@ impl Del {
         frame.mass.multiply(&self.increment, &mut self.momentum);
         self.kkt.stiffness.add_force(&self.middle, &state.v, -h * h, &mut self.momentum);
         // c, which holds −f of gravity, at the mean velocity by fixed point.
+        let mut scale = 0.0;
         for round in 0..BIAS_ROUNDS {
             for (middle, (old, new)) in self.middle.iter_mut().zip(state.v.iter().zip(&self.v)) {
                 *middle = 0.5 * (old + new);
@@ -177,6 +180,16 @@ impl Del {
             if round > 0 && change <= BIAS_TOLERANCE * largest(&self.c) {
                 break;
             }
+            if round == 0 {
+                scale = largest(&self.c);
+            }
+            // Where the step is far too long for how fast things turn, each round squares the error of the last, and c
+            // at the old velocity would drive them faster still: then it is weight alone.
+            let runs_away = round > 0 && change > RUNAWAY * scale;
+            if runs_away {
+                self.middle.fill(0.0);
+                self.bias.update(&system.tree, &frame.kinematics, &self.middle, None, None, &mut self.c);
+            }
             for (dof, force) in self.force.iter_mut().enumerate() {
                 *force = self.momentum[dof] - h * self.c[dof];
             }
@@ -186,11 +199,16 @@ impl Del {
                 .time(Stage::Events, || self.rows.solve(system, &mut self.kkt, &problem, &mut self.v));
             let outcome = solved.map_err(|pivot| self.singular(system, state.time, pivot))?;
             report.factorisations += outcome.factorisations;
-            report.converged = outcome.converged;
+            report.converged = outcome.converged && !runs_away;
+            if runs_away {
+                break;
+            }
         }
         if let Some(dof) = self.v.iter().position(|velocity| !velocity.is_finite()) {
             let element = system.tree.bodies[system.tree.owner[dof]].name.clone();
-            let cause = "a velocity is not finite: forces or masses are out of any scale".to_owned();
+            let cause = format!(
+                "a velocity is not finite: the step of {h} s is too long, or forces or masses are out of any scale"
+            );
             return Err(seats::explain(system, state, StepError { time: state.time, element, cause }));
         }
         report.complementarity_residual = self.rows.residual(system);

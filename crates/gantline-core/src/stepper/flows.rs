@@ -74,7 +74,7 @@ impl StepFlows<'_> {
         let h = self.h;
         frame.mass.multiply(&state.acceleration, work);
         self.stiffness.add_force(self.v, &state.v, h * h, work);
-        for drive in &system.drives {
+        for drive in system.drives.iter().filter(|drive| !drive.is_limited) {
             let damping = system.tree.damping[drive.dof] * self.v[drive.dof];
             work[drive.dof] += h * (self.c[drive.dof] + damping);
         }
@@ -83,7 +83,7 @@ impl StepFlows<'_> {
                 work[dof] += h * entry * self.rows.tension[row];
             }
         }
-        for drive in &system.drives {
+        for drive in system.drives.iter().filter(|drive| !drive.is_limited) {
             state.ledger.flows.drive_work += work[drive.dof] * self.v[drive.dof];
         }
     }
@@ -98,9 +98,19 @@ impl StepFlows<'_> {
             return;
         }
         let before = frame.value[row];
-        if self.rows.modes[row] == Mode::Slipping || self.rows.modes[row] == Mode::Slack && is_friction(law) {
-            let after = self.rows.tension[row] * compliance;
-            state.ledger.flows.friction += flow - spring_energy(law, after) + spring_energy(law, before);
+        if is_friction(law) && self.rows.modes[row] != Mode::Acting {
+            let after = self.deflection(law, row, before);
+            let spring = spring_energy(law, after) - spring_energy(law, before);
+            if self.rows.modes[row] == Mode::Slack {
+                state.ledger.flows.contact_damping -= spring;
+                return;
+            }
+            let stretched = after - before;
+            let damper = law.damping_time() / compliance * stretched * stretched / self.h;
+            let taken = self.rows.tension[row] * stretched;
+            state.ledger.flows.friction += flow - taken;
+            state.ledger.flows.contact_damping += damper;
+            state.ledger.flows.method += taken - damper - spring;
             return;
         }
         let after = before + self.h * rate;
@@ -164,13 +174,23 @@ impl StepFlows<'_> {
         state.time + share * self.h
     }
 
-    /// Moves forces, modes and the anchors of friction rows into the state. An anchor that slips follows so
-    /// that the deflection after the step carries the force; one that sticks stays.
+    /// Deflection of the spring of a tangential row after a step in which its anchor has moved, from `before` on:
+    /// spring and damper carry the force, ε T = s₊ + τ (s₊ − s)/h. Nothing where there is no contact.
+    fn deflection(&self, law: &Law, row: usize, before: f64) -> f64 {
+        if self.rows.modes[row] == Mode::Slack {
+            return 0.0;
+        }
+        let carried = self.rows.tension[row] * law.compliance();
+        before + self.h * (carried - before) / (self.h + law.damping_time())
+    }
+
+    /// Moves forces, modes and the anchors of friction rows into the state. An anchor that slips follows so that
+    /// spring and damper carry the force; one that sticks stays.
     pub fn remember(&self, system: &System, state: &mut State, frame: &Frame) {
         for (row, law) in system.rows.laws.iter().enumerate() {
             if is_friction(law) && self.rows.modes[row] != Mode::Acting {
                 let travel = self.h * system.rows.rate(&frame.gradient, row, self.v);
-                let deflection = self.rows.tension[row] * law.compliance();
+                let deflection = self.deflection(law, row, frame.value[row]);
                 state.memory[row] += frame.value[row] + travel - deflection;
             }
         }
@@ -193,7 +213,7 @@ pub fn supports(system: &System, tension: &[f64], out: &mut [f64]) {
 
 /// Puts driven joints exactly where their drives are, so rounding does not add up.
 pub fn set_driven(system: &System, state: &mut State) {
-    for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+    for (drive, timeline) in system.prescribed(&state.plan.timelines) {
         let position = system.tree.bodies[drive.body].first_position;
         state.q[position] = timeline.motion(state.time).position;
     }
@@ -203,7 +223,7 @@ pub fn set_driven(system: &System, state: &mut State) {
 pub fn stored(system: &System, state: &State, frame: &Frame) -> [f64; 3] {
     let kinetic = 0.5 * frame.mass.quadratic(&state.v);
     let gravity = gravity_energy(system, &frame.kinematics);
-    let elastic = elastic_energy(system, &frame.value, &state.modes, &state.tension);
+    let elastic = elastic_energy(system, &frame.value, &state.modes);
     [kinetic, gravity, elastic]
 }
 

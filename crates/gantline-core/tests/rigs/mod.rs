@@ -1,6 +1,8 @@
 //! Random rigs for property-based tests: trees of all joint types, ropes over them, contacts.
 #![allow(dead_code)] // Each test file uses its own share of these helpers.
 
+pub mod runs;
+
 use gantline_core::build::build;
 use gantline_core::spec::{
     AxisJointSpec, BodySpec, ContactSpec, DrumSpec, GuideSpec, JointSpec, MaterialSpec, PlacementSpec,
@@ -89,7 +91,15 @@ fn flow(name: &str, inertia: f64, velocity: f64) -> BodySpec {
         name: name.into(),
         parent: None,
         placement: PlacementSpec { position: [0.0; 3], orientation: [1.0, 0.0, 0.0, 0.0] },
-        joint: JointSpec::Flow { inertia, velocity, damping: 0.0, brake: 0.0, drive: None },
+        joint: JointSpec::Flow {
+            inertia,
+            velocity,
+            damping: 0.0,
+            brake: 0.0,
+            capacity: None,
+            power: None,
+            drive: None,
+        },
         mass: 0.0,
         centre_of_gravity: [0.0; 3],
         inertia: [0.0; 6],

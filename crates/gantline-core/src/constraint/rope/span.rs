@@ -77,6 +77,11 @@ impl Span {
         if self.feeds.is_empty() { 1.0 } else { (self.length / self.unstretched(q)).sqrt() }
     }
 
+    /// True where nearly nothing is left of it beside its arcs: 1 % and less.
+    pub fn is_used_up(&self, q: &[f64]) -> bool {
+        self.unstretched(q) - self.arcs <= 0.01 * self.length
+    }
+
     /// L̇ under the velocities `v` [m/s].
     #[inline]
     pub fn speed(&self, v: &[f64]) -> f64 {

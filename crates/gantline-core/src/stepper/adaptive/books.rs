@@ -5,9 +5,9 @@
 //! adds or takes; it is computed like any other flow.
 
 use super::Adaptive;
-use super::evaluation::Point;
+use super::evaluation::{Point, Schedule};
 use super::rodas::Increment;
-use crate::audit::{Flows, elastic_energy, row_energy, spring_energy};
+use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -18,13 +18,8 @@ pub(super) const WEIGHTS: [f64; 4] =
     [0.173_927_422_568_726_93, 0.326_072_577_431_273_07, 0.326_072_577_431_273_07, 0.173_927_422_568_726_93];
 
 /// Where the loss of a row is booked.
-fn loss_kind<'a>(system: &System, ledger: &'a mut Flows, row: usize, mode: Mode) -> &'a mut f64 {
-    match system.rows.laws[row] {
-        _ if row < system.rope_rows() => &mut ledger.rope_damping,
-        Law::Friction { .. } if mode == Mode::Slipping => &mut ledger.friction,
-        Law::Brake { .. } => &mut ledger.friction,
-        _ => &mut ledger.contact_damping,
-    }
+fn loss_kind<'a>(system: &System, ledger: &'a mut Flows, row: usize) -> &'a mut f64 {
+    if row < system.rope_rows() { &mut ledger.rope_damping } else { &mut ledger.contact_damping }
 }
 
 impl Adaptive {
@@ -33,17 +28,21 @@ impl Adaptive {
     pub(super) fn book_look(&mut self, system: &System, state: &State, theta: f64, duration: f64) {
         self.rodas.course.at(theta, &mut self.point);
         self.rodas.course.rate_at(theta, &mut self.rate);
-        let Increment { phi, v, rigid, .. } = &self.point;
+        let Increment { phi, v, rigid, anchor, .. } = &self.point;
+        let a = &self.rate.v;
+        let schedule = Schedule::after(state, theta * self.rodas.course.h);
         let point = Point {
+            schedule,
             base: &state.q,
             memory: &state.memory,
             seats: &state.seats,
             phi,
             v,
-            a: &self.rate.v,
+            a,
             rigid,
+            anchor,
         };
-        self.probe.forces(system, &point, &state.modes, &state.slip);
+        self.probe.forces(system, &point, &state.modes);
         self.book_point(system, state, duration);
     }
 
@@ -51,7 +50,7 @@ impl Adaptive {
     /// difference over the step (`sign` −1 at the start, +1 at the end).
     ///
     /// Of a rope or contact that acts, T ė = k e ė + k τ ė², and k e ė is the spring's but where e < 0. One that is
-    /// slack loses what its spring still held. One that slides loses T ṡ less what its spring gains.
+    /// slack loses what its spring still held.
     pub(super) fn book_springs(&mut self, system: &System, state: &State, sign: f64) {
         let here = &self.rodas.here;
         for (row, law) in system.rows.laws.iter().enumerate() {
@@ -59,18 +58,16 @@ impl Adaptive {
             let lost = match (law, mode) {
                 (Law::Unilateral { .. }, Mode::Acting) => spring_energy(law, -value),
                 (Law::Unilateral { .. }, _) => -spring_energy(law, value),
-                (Law::Friction { .. }, Mode::Slipping) => -row_energy(law, mode, value, here.tension[row]),
                 (Law::Friction { .. } | Law::Brake { .. }, _) => 0.0,
             };
-            *loss_kind(system, &mut self.flows, row, mode) += sign * lost;
+            *loss_kind(system, &mut self.flows, row) += sign * lost;
         }
     }
 
-    /// What springs hold [J]. A contact that starts to slide trades the damper's part of its force for a stretch of
-    /// its spring, at once: the difference is the method's.
+    /// What springs hold [J]. A contact that opens lets go what its tangential springs still hold, and its damper
+    /// takes it.
     pub(super) fn held(&self, system: &System, state: &State) -> f64 {
-        let here = &self.rodas.here;
-        elastic_energy(system, &here.frame.value, &state.modes, &here.tension)
+        elastic_energy(system, &self.rodas.here.frame.value, &state.modes)
     }
 
     fn book_point(&mut self, system: &System, state: &State, duration: f64) {
@@ -88,18 +85,25 @@ impl Adaptive {
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
             let (rate, tension) = (probe.rate[row], probe.tension[row]);
-            if compliance == 0.0 && state.modes[row] != Mode::Slipping {
-                // Its velocity along the rope is a defect of the method.
-                ledger.method += duration * tension * rate;
+            if compliance == 0.0 {
+                // A brake that slips; else a velocity along the rope is a defect of the method.
+                let slips = state.modes[row] == Mode::Slipping;
+                *(if slips { &mut ledger.friction } else { &mut ledger.method }) += duration * tension * rate;
+                ledger.drive_work -= duration * tension * probe.asked[row];
                 continue;
             }
-            let mode = state.modes[row];
-            let power = match mode {
-                Mode::Slack => continue,
-                Mode::Acting => law.damping_time() / compliance * rate * rate,
-                Mode::Slipping => tension * rate,
-            };
-            *loss_kind(system, ledger, row, mode) += duration * power;
+            if state.modes[row] == Mode::Acting {
+                *loss_kind(system, ledger, row) += duration * law.damping_time() / compliance * rate * rate;
+            }
+        }
+        // Where a contact slides, its anchor takes T α̇ and what is left of the motion stretches spring and damper.
+        for (anchor_rate, &row) in probe.anchor_rate.iter().zip(&system.friction) {
+            if state.modes[row] == Mode::Slipping {
+                let (law, stretch) = (&system.rows.laws[row], probe.rate[row] - anchor_rate);
+                ledger.friction += duration * probe.tension[row] * anchor_rate;
+                ledger.contact_damping +=
+                    duration * law.damping_time() / law.compliance() * stretch * stretch;
+            }
         }
         // The position's own defect, against gravity and springs: as if the bodies moved with it.
         for (defect, phi_rate) in self.rate.phi.iter_mut().zip(&probe.phi_rate) {
@@ -107,13 +111,18 @@ impl Adaptive {
         }
         probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
         probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
+        let anchors = self.rate.anchor.iter().zip(&probe.anchor_rate);
+        for ((course, anchor_rate), &row) in anchors.zip(&system.friction) {
+            self.rows[row] -= course - anchor_rate;
+        }
         let mut power = 0.0;
         for (row, law) in system.rows.laws.iter().enumerate() {
             let e = probe.frame.value[row];
             let stretch = match law {
                 Law::Unilateral { .. } => e.max(0.0),
-                Law::Friction { .. } if state.modes[row] == Mode::Acting => e,
-                Law::Friction { .. } | Law::Brake { .. } => 0.0,
+                Law::Friction { .. } if state.modes[row] == Mode::Slack => 0.0,
+                Law::Friction { .. } => e,
+                Law::Brake { .. } => 0.0,
             };
             if law.compliance() > 0.0 {
                 power += self.rows[row] * stretch / law.compliance();

@@ -13,6 +13,9 @@ use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::System;
 
+/// An error of the largest force that is rounding: no step is short enough to do better.
+const ROUNDING: f64 = 1e-9;
+
 /// Lengths and inertias that turn errors into metres and newtons.
 #[derive(Debug, Clone)]
 pub struct Weights {
@@ -46,38 +49,49 @@ impl Weights {
             position = position.max((error.phi[dof] * self.arm[dof]).abs() / tolerance.position);
         }
         self.stiffness.fill(0.0);
-        let (mut sum, mut count) = (0.0, 0.0);
+        let (mut sum, mut count, mut largest) = (0.0, 0.0, 0.0_f64);
         for (row, law) in system.rows.laws.iter().enumerate() {
             if state.modes[row] != Mode::Acting || law.compliance() == 0.0 {
                 continue;
             }
+            largest = largest.max(here.tension[row].abs());
             let mut stretch = 0.0;
             for (dof, entry) in system.rows.entries(&here.frame.gradient, row) {
                 stretch += entry * (error.phi[dof] + law.damping_time() * error.v[dof]);
                 self.stiffness[dof] += entry * entry / law.compliance();
             }
             if matches!(law, Law::Unilateral { .. }) {
-                sum += (stretch / law.compliance() / tolerance.tension).powi(2);
+                sum += (stretch / law.compliance()).powi(2);
                 count += 1.0;
             }
         }
         for (error, &row) in error.rigid.iter().zip(&system.rigid) {
             if state.modes[row] == Mode::Acting {
-                sum += (error / tolerance.tension).powi(2);
+                largest = largest.max(here.tension[row].abs());
+                sum += error * error;
                 count += 1.0;
             }
         }
-        let tension = if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 };
+        for (error_anchor, &row) in error.anchor.iter().zip(&system.friction) {
+            if state.modes[row] == Mode::Slipping {
+                // The spring is what carries when it sticks again.
+                let stretch = system.rows.rate(&here.frame.gradient, row, &error.phi) - error_anchor;
+                sum += (stretch / system.rows.laws[row].compliance()).powi(2);
+                count += 1.0;
+            }
+        }
+        let force = tolerance.tension.max(ROUNDING * largest);
+        let tension = if count > 0.0 { f64::sqrt(sum / count) / force } else { 0.0 };
         let (mut sum, mut count) = (0.0, 0.0);
         for dof in (0..error.v.len()).filter(free) {
             let impedance = (self.stiffness[dof] * system.tree.inertia_scale[dof]).sqrt() / self.arm[dof];
-            let swing = error.v[dof].abs() * impedance / tolerance.tension;
+            let swing = error.v[dof].abs() * impedance;
             sum += swing * swing;
             count += 1.0;
             // Nothing holds it: what it does to positions within a second counts.
             position = position.max(0.1 * error.v[dof].abs() * self.arm[dof] / tolerance.position);
         }
-        let velocity = if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 };
+        let velocity = if count > 0.0 { f64::sqrt(sum / count) / force } else { 0.0 };
         if position.is_nan() || tension.is_nan() || velocity.is_nan() {
             return f64::INFINITY;
         }

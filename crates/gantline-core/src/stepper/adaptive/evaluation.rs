@@ -2,30 +2,28 @@
 //!
 //! ```text
 //! φ̇ = v (rotation vectors: see [`rate_of_rotation`])      0 = τ(q, v, a) + D v + Gᵀ T
-//! T = (e + τ ė)/ε for rows that act, 0 for slack ones, μ N d for sliding ones
+//! T = T* = (e + τ ė)/ε for rows that act, 0 for slack ones, μ N T*/|T*| for sliding contacts
+//! α̇ = (ε/τ) (T* − T), the motion of their anchors, which e counts from
 //! G v̇ + Ġ v = 0 for inextensible ropes that act, whose T is an unknown of its own
 //! ```
 //!
 //! τ is inverse dynamics; q = q₀ ⊕ φ with q₀ the configuration at the start of the step.
 
-use std::ops::Range;
-
 use glam::DVec3;
 
 use crate::clock::Stage;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
+use crate::plan::drive::Timeline;
 use crate::rope::route::Attachment;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
+use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::System;
 use crate::tree::Body;
 use crate::tree::bias::NewtonEuler;
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Twist;
-
-/// Sliding slower than this, v₀ [m/s], keeps the direction in which it started.
-const SLOW: f64 = 1e-4;
 
 /// Everything at one point. Reused from point to point.
 #[derive(Debug, Clone)]
@@ -50,6 +48,10 @@ pub struct Evaluation {
     pub pull: Vec<f64>,
     /// Largest force of every brake [N].
     pub bound: Vec<f64>,
+    /// Velocity that the drive of a motor asks for, by the row of its brake [m/s]; 0 for other rows.
+    pub asked: Vec<f64>,
+    /// α̇ of the anchors of sliding contacts [m/s], by [`System::friction`].
+    pub anchor_rate: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
     lines: Vec<Line>,
     /// First degree of freedom of every joint's rotations in body axes.
@@ -73,6 +75,8 @@ impl Evaluation {
             imbalance: vec![0.0; size],
             pull: vec![0.0; system.rigid.len()],
             bound: vec![0.0; rows],
+            asked: vec![0.0; rows],
+            anchor_rate: vec![0.0; system.friction.len()],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
             rigid_scale: 1e6,
@@ -80,25 +84,25 @@ impl Evaluation {
     }
 
     /// Positions, velocities and forces of the rows at q₀ ⊕ φ, v; no accelerations, no gradients.
-    pub fn rows(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    pub fn rows(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.place(system, at);
         system.clock.time(Stage::Assembly, || {
             self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
             self.locate(system, at);
-            self.tensions(system, at, modes, slip);
+            self.tensions(system, at, modes);
         });
     }
 
     /// The same and the imbalance.
-    pub fn forces(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    pub fn forces(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.place(system, at);
-        system.clock.time(Stage::Assembly, || self.add_forces(system, at, modes, slip));
+        system.clock.time(Stage::Assembly, || self.add_forces(system, at, modes));
     }
 
-    fn add_forces(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    fn add_forces(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
         self.locate(system, at);
-        self.tensions(system, at, modes, slip);
+        self.tensions(system, at, modes);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let tension = &self.tension[rows.first[index]..rows.first[index + 1]];
@@ -116,18 +120,20 @@ impl Evaluation {
     }
 
     /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
-    pub fn all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    pub fn all(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.place(system, at);
-        system.clock.time(Stage::Assembly, || self.add_all(system, at, modes, slip));
+        system.clock.time(Stage::Assembly, || self.add_all(system, at, modes));
     }
 
-    fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
         self.frame.rows(system, &self.q, at.memory, at.seats);
+        self.move_anchors(system, at);
         for (row, rate) in self.rate.iter_mut().enumerate() {
             *rate = system.rows.rate(&self.frame.gradient, row, at.v);
         }
-        self.tensions(system, at, modes, slip);
+        self.follow(system, at);
+        self.tensions(system, at, modes);
         self.balance(system, at);
         for (row, &tension) in self.tension.iter().enumerate() {
             if tension != 0.0 {
@@ -158,6 +164,23 @@ impl Evaluation {
             let value = &mut self.frame.value[own.clone()];
             constraint.locate(&moving, value, &mut self.rate[own], lines);
         }
+        self.move_anchors(system, at);
+        self.follow(system, at);
+    }
+
+    /// Rates of motors against what their drives ask for.
+    fn follow(&mut self, system: &System, at: &Point) {
+        for &(row, drive) in &system.motors {
+            self.asked[row] = at.schedule.timelines[drive].motion(at.schedule.time).velocity;
+            self.rate[row] -= self.asked[row];
+        }
+    }
+
+    /// Anchors that have slid by α since the start of the step.
+    fn move_anchors(&mut self, system: &System, at: &Point) {
+        for (anchor, &row) in at.anchor.iter().zip(&system.friction) {
+            self.frame.value[row] -= anchor;
+        }
     }
 
     /// Rates of the rows under other velocities, after [`Evaluation::forces`].
@@ -170,7 +193,7 @@ impl Evaluation {
     }
 
     /// Forces of the rows from their values and rates.
-    fn tensions(&mut self, system: &System, at: &Point, modes: &[Mode], slip: &[f64]) {
+    fn tensions(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         let states = self.frame.value.iter().zip(&self.rate);
         for ((law, trial), (value, rate)) in system.rows.laws.iter().zip(&mut self.trial).zip(states) {
             let compliance = law.compliance();
@@ -181,22 +204,28 @@ impl Evaluation {
             self.trial[row] = if acts { *tension } else { self.frame.value[row] * self.rigid_scale };
         }
         let brakes = system.rows.first[system.first_brake];
-        self.bounded(system, 0..brakes, modes, slip);
-        for (row, constraint) in (brakes..).zip(&system.constraints[system.first_brake..]) {
-            if let AnyConstraint::Brake(brake) = constraint {
-                self.bound[row] = brake.bound(&self.q, &self.tension);
-            }
-        }
-        self.bounded(system, brakes..modes.len(), modes, slip);
-    }
-
-    /// Forces of some rows with their modes.
-    fn bounded(&mut self, system: &System, rows: Range<usize>, modes: &[Mode], slip: &[f64]) {
-        for row in rows {
+        for row in 0..brakes {
             self.tension[row] = match modes[row] {
                 Mode::Slack => 0.0,
                 Mode::Acting => self.trial[row],
-                Mode::Slipping => self.slip_force(&system.rows.laws, row, slip),
+                Mode::Slipping => self.trial[row] * self.slip_share(&system.rows.laws[row]),
+            };
+        }
+        for (row, constraint) in (brakes..).zip(&system.constraints[system.first_brake..]) {
+            if let AnyConstraint::Brake(brake) = constraint {
+                let slips = modes[row] == Mode::Slipping;
+                let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
+                self.bound[row] = brake.bound(&self.q, &self.tension, -direction * at.v[brake.dof]);
+                self.tension[row] = if slips { self.bound[row] * direction } else { self.trial[row] };
+            }
+        }
+        for (rate, &row) in self.anchor_rate.iter_mut().zip(&system.friction) {
+            *rate = match modes[row] {
+                Mode::Slipping => {
+                    let law = &system.rows.laws[row];
+                    law.compliance() / law.damping_time() * (self.trial[row] - self.tension[row])
+                }
+                _ => 0.0,
             };
         }
     }
@@ -217,6 +246,12 @@ impl Evaluation {
                 _ => pull_of(system, &self.frame, &self.dynamics, row),
             };
         }
+        for &(row, drive) in &system.motors {
+            if let Ok(index) = system.rigid.binary_search(&row) {
+                let Schedule { timelines, from, time } = at.schedule;
+                self.pull[index] -= timelines[drive].acceleration(from, time).0;
+            }
+        }
         self.phi_rate.copy_from_slice(at.v);
         for &first in &self.rotations {
             let range = first..first + 3;
@@ -226,41 +261,43 @@ impl Evaluation {
         }
     }
 
-    /// Force of friction at its bound, against the motion: of a contact along one tangent, or of a flow.
-    fn slip_force(&self, laws: &[Law], row: usize, slip: &[f64]) -> f64 {
-        match laws[row] {
-            Law::Friction { coefficient, normal, .. } => {
-                coefficient
-                    * self.trial[normal].max(0.0)
-                    * self.slip_direction(normal, slip)[row - normal - 1]
-            }
-            Law::Brake { .. } => self.bound[row] * slip[row],
-            Law::Unilateral { .. } => 0.0,
-        }
+    /// Part of what the spring and damper of a sliding contact would carry that its bound lets through, μN/|T*|.
+    pub fn slip_share(&self, law: &Law) -> f64 {
+        let Law::Friction { coefficient, normal, .. } = *law else { return 1.0 };
+        let size = self.trial[normal + 1].hypot(self.trial[normal + 2]);
+        if size > 0.0 { coefficient * self.trial[normal].max(0.0) / size } else { 0.0 }
     }
 
-    /// How the force of a sliding contact turns with its velocity: μN/|v + v₀ d₀| [N s/m].
-    pub fn turning(&self, coefficient: f64, normal: usize, slip: &[f64]) -> f64 {
-        let [x, y] = self.slip_velocity(normal, slip);
-        coefficient * self.trial[normal].max(0.0) / x.hypot(y)
+    /// Direction of the force of a sliding contact with the given normal row, T*/|T*|.
+    pub fn slip_direction(&self, normal: usize) -> [f64; 2] {
+        let [x, y] = [1, 2].map(|k| self.trial[normal + k]);
+        let size = x.hypot(y).max(f64::MIN_POSITIVE);
+        [x / size, y / size]
     }
+}
 
-    /// Direction of the motion of a sliding contact with the given normal row.
-    pub fn slip_direction(&self, normal: usize, slip: &[f64]) -> [f64; 2] {
-        let [x, y] = self.slip_velocity(normal, slip);
-        let speed = x.hypot(y);
-        [x / speed, y / speed]
-    }
+/// What drives ask for, and when: at `time` in a step that started at `from` [s].
+#[derive(Clone, Copy)]
+pub struct Schedule<'a> {
+    /// Of all drives.
+    pub timelines: &'a [Timeline],
+    /// Start of the step [s].
+    pub from: f64,
+    /// Now [s].
+    pub time: f64,
+}
 
-    /// v + v₀ d₀, d₀ the direction at the start of the step: without v₀ a contact that starts to slide would have
-    /// no direction, and one that hardly moves could turn infinitely fast.
-    fn slip_velocity(&self, normal: usize, slip: &[f64]) -> [f64; 2] {
-        [1, 2].map(|k| self.rate[normal + k] + SLOW * slip[normal + k])
+impl<'a> Schedule<'a> {
+    /// At `elapsed` [s] after `state`, where a step starts.
+    pub fn after(state: &'a State, elapsed: f64) -> Self {
+        Self { timelines: &state.plan.timelines, from: state.time, time: state.time + elapsed }
     }
 }
 
 /// Where to evaluate.
 pub struct Point<'a> {
+    /// When.
+    pub schedule: Schedule<'a>,
     /// q₀.
     pub base: &'a [f64],
     /// What rows remember.
@@ -275,6 +312,8 @@ pub struct Point<'a> {
     pub a: &'a [f64],
     /// Tensions of inextensible ropes [N], by [`System::rigid`].
     pub rigid: &'a [f64],
+    /// α, how far anchors have slid [m], by [`System::friction`].
+    pub anchor: &'a [f64],
 }
 
 /// G v̇ + Ġ v of an inextensible rope at the motion of `dynamics`: each straight part gives

@@ -84,6 +84,11 @@ impl Looks {
         }
     }
 
+    /// The force of a row at the start of the step [N], without bound.
+    pub fn start(&self, row: usize) -> f64 {
+        self.forces[0][row]
+    }
+
     /// The force of one row at the share `x` of the step [N], without bound.
     fn at(&self, row: usize, x: f64) -> f64 {
         self.terms.iter().zip(TIMES).rev().fold(0.0, |sum, (terms, time)| sum * (x - time) + terms[row])

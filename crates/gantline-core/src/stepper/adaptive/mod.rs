@@ -9,6 +9,7 @@
 mod books;
 mod error;
 pub mod evaluation;
+mod impact;
 mod looks;
 mod places;
 pub mod rodas;
@@ -31,7 +32,7 @@ use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Twist;
-use evaluation::{Evaluation, Point};
+use evaluation::{Evaluation, Point, Schedule};
 use looks::Looks;
 use rodas::{Increment, Rodas};
 
@@ -49,7 +50,7 @@ impl Tolerance {
     pub fn default_of(system: &System) -> Self {
         let mass: f64 = system.tree.bodies.iter().map(|body| body.mass).sum();
         let weight = mass * system.tree.gravity.length();
-        let share = weight / system.rope_count.max(1) as f64;
+        let share = weight / system.whole_ropes().max(1) as f64;
         let tension = if share > 0.0 { 1e-4 * share } else { 1.0 };
         Self { tension, position: 1e-4 }
     }
@@ -96,6 +97,8 @@ pub struct Adaptive {
     /// or came back.
     wraps: Vec<f64>,
     crossings: Vec<f64>,
+    /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
+    taut: Vec<bool>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
     /// Share of the last computed step that was made.
@@ -126,6 +129,7 @@ impl Adaptive {
             defect: vec![Twist::default(); system.tree.bodies.len()],
             wraps: vec![0.0; system.sheaves.len()],
             crossings: vec![0.0; system.sheaves.len()],
+            taut: Vec::with_capacity(system.rigid.len()),
             current: false,
             made: 1.0,
         }
@@ -218,12 +222,17 @@ impl Adaptive {
 
     /// Makes sure that the start of the step is evaluated and its accelerations are right.
     fn begin(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
-        let driven = system.drives.iter().zip(&state.plan.timelines);
-        for (drive, timeline) in driven {
+        for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let (a, _) = timeline.acceleration(state.time, state.time);
             state.restart |= state.acceleration[drive.dof] != a;
             state.acceleration[drive.dof] = a;
             state.v[drive.dof] = timeline.motion(state.time).velocity;
+        }
+        for &(_, drive) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Acting) {
+            let timeline = &state.plan.timelines[drive];
+            let (dof, wanted) = (system.drives[drive].dof, timeline.acceleration(state.time, state.time).0);
+            state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
+            state.v[dof] = timeline.motion(state.time).velocity;
         }
         if state.restart {
             self.restart(system, state, frame)?;
@@ -244,84 +253,23 @@ impl Adaptive {
         Ok(())
     }
 
-    /// Accelerations and tensions of inextensible ropes that belong to the modes: M a + Gᵀ T = −imbalance,
-    /// G a = −Ġ v.
-    fn restart(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
-        for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
-            if system.driven[dof].is_none() {
-                *acceleration = 0.0;
-            }
-        }
-        for &row in &system.rigid {
-            state.tension[row] = 0.0;
-        }
-        self.rodas.evaluate(system, state);
-        let Rodas { matrix, here, .. } = &mut self.rodas;
-        let gradient = &here.frame.gradient;
-        system.clock.time(Stage::Factorisation, || {
-            matrix.factorise_inertia(system, &frame.mass, gradient, &state.modes)
-        })?;
-        for (force, imbalance) in self.rate.phi.iter_mut().zip(&here.imbalance) {
-            *force = -imbalance;
-        }
-        self.rows.fill(0.0);
-        for (pull, &row) in here.pull.iter().zip(&system.rigid) {
-            if state.modes[row] == Mode::Acting {
-                self.rows[row] = -pull;
-            }
-        }
-        self.rate.a.fill(0.0);
-        system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
-        for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
-            if system.driven[dof].is_none() {
-                *acceleration = self.rate.a[dof];
-            }
-        }
-        for &row in &system.rigid {
-            if state.modes[row] == Mode::Acting {
-                state.tension[row] = matrix.row_solution(row);
-            }
-        }
-        state.restart = false;
-        self.current = false;
-        Ok(())
-    }
-
-    /// Puts inextensible ropes that act back to their length and their ends to equal speed, both with the least
-    /// kinetic energy of the correction. Where one has just gone taut, that is the impact (restitution 0).
-    fn project(&mut self, system: &System, state: &mut State, frame: &mut Frame) -> Result<(), ZeroPivot> {
-        for positions in [true, false] {
-            let modes = &state.modes;
-            let matrix = &mut self.rodas.matrix;
-            system.clock.time(Stage::Factorisation, || {
-                matrix.factorise_inertia(system, &frame.mass, &frame.gradient, modes)
-            })?;
-            self.rows.fill(0.0);
-            for &row in system.rigid.iter().filter(|&&row| modes[row] == Mode::Acting) {
-                let rate = system.rows.rate(&frame.gradient, row, &state.v);
-                self.rows[row] = if positions { -frame.value[row] } else { -rate };
-            }
-            self.rate.phi.fill(0.0);
-            self.rate.a.fill(0.0);
-            system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
-            if positions {
-                system.tree.advance(&mut state.q, &self.rate.a);
-                frame.update(system, state);
-            } else {
-                for (velocity, change) in state.v.iter_mut().zip(&self.rate.a) {
-                    *velocity += change;
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// Evaluates the course at one share of the step, rows only.
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
-        let Increment { phi, v, a, rigid } = &self.point;
-        let point = Point { base: &state.q, memory: &state.memory, seats: &state.seats, phi, v, a, rigid };
-        self.probe.rows(system, &point, &state.modes, &state.slip);
+        let Increment { phi, v, a, rigid, anchor } = &self.point;
+        let schedule = Schedule::after(state, theta * self.rodas.course.h);
+        let point = Point {
+            schedule,
+            base: &state.q,
+            memory: &state.memory,
+            seats: &state.seats,
+            phi,
+            v,
+            a,
+            rigid,
+            anchor,
+        };
+        self.probe.rows(system, &point, &state.modes);
     }
 
     /// Makes the step up to the share `made`: state, books, changes of modes.
@@ -342,6 +290,9 @@ impl Adaptive {
         for (tension, &row) in self.end.rigid.iter().zip(&system.rigid) {
             state.tension[row] = *tension;
         }
+        for (anchor, &row) in self.end.anchor.iter().zip(&system.friction) {
+            state.memory[row] += anchor;
+        }
         // The last look was at the end of the step: it is the start of the next.
         std::mem::swap(&mut self.next, &mut self.rodas.here);
         let here = &mut self.rodas.here;
@@ -351,29 +302,32 @@ impl Adaptive {
         self.current = true;
         self.book_springs(system, state, 1.0);
         state.ledger.flows += std::mem::take(&mut self.flows);
-        let held = self.held(system, state);
-        let taut = self.rigid_acting(system, state);
-        let switched = system.clock.time(Stage::Events, || {
-            self.follow_seats(system, state, log, (start, length))
-                | self.switch(system, state, log, start, length)
-        });
-        if switched {
+        self.note_taut(system, state);
+        if self.follow_seats(system, state, log, (start, length)) {
+            let held = self.held(system, state);
             state.restart = true;
             self.rodas.evaluate(system, state);
             state.ledger.flows.method += held - self.held(system, state);
         }
+        let held = self.held(system, state);
+        if system.clock.time(Stage::Events, || self.switch(system, state, log, start, length)) {
+            state.restart = true;
+            self.rodas.evaluate(system, state);
+            state.ledger.flows.contact_damping += held - self.held(system, state);
+        }
         self.hand_over(system, state);
         self.refresh(system, frame);
-        let rigid = self.rigid_acting(system, state);
-        if rigid > 0 {
+        let were_taut = system.inextensible.iter().zip(&self.taut);
+        let hit = were_taut.into_iter().any(|(&row, &taut)| !taut && state.modes[row] == Mode::Acting);
+        if system.inextensible.iter().any(|&row| state.modes[row] == Mode::Acting) {
             let before: f64 = flows::stored(system, state, frame).iter().sum();
-            self.project(system, state, frame)?;
+            self.project(system, state, frame, log, hit)?;
             self.rodas.evaluate(system, state);
             self.refresh(system, frame);
             self.hand_over(system, state);
             let lost = before - flows::stored(system, state, frame).iter().sum::<f64>();
             let flows = &mut state.ledger.flows;
-            *(if rigid > taut { &mut flows.impact } else { &mut flows.method }) += lost;
+            *(if hit { &mut flows.impact } else { &mut flows.method }) += lost;
         }
         flows::store(system, state, frame);
         Ok(())
@@ -394,18 +348,17 @@ impl Adaptive {
         frame.follow(system, &self.rodas.here.frame);
     }
 
-    /// How many inextensible ropes act.
-    fn rigid_acting(&self, system: &System, state: &State) -> usize {
-        let ropes = system.rigid.iter().filter(|&&row| row < system.rope_rows());
-        ropes.filter(|&&row| state.modes[row] == Mode::Acting).count()
-    }
-
     fn singular(&self, system: &System, state: &State, pivot: ZeroPivot) -> StepError {
         let element = self.rodas.matrix.layout.element(system, pivot.unknown).to_owned();
         seats::explain(system, state, super::singular(state.time, element))
     }
 
     fn too_short(&self, system: &System, state: &State) -> StepError {
+        let used_up = system.ropes().find(|rope| rope.spans.iter().any(|span| span.is_used_up(&state.q)));
+        if let Some(rope) = used_up {
+            let cause = "there is no rope left between two of the places that it passes".to_owned();
+            return StepError { time: state.time, element: rope.name.clone(), cause };
+        }
         let element = self.weights.worst(system, state, &self.rodas);
         let cause =
             format!("the step fell below {STEP_FLOOR} s: forces change faster than any step can follow");

@@ -20,20 +20,27 @@
 //! (G + κ γ_v + κ² γ_q P) x = −κγ + G (κρ + r) + κ γ_v r        k^T = y/κ
 //! ```
 //!
+//! The anchor α of a sliding contact is one too, α̇ = (u − εT)/τ, u = e + τ ė of its tangential rows:
+//!
+//! ```text
+//! r_α = α̇ + Σ cᵢⱼ k^αⱼ/h            k^α = (κτ r_α + κ δu − ε y)/(κ + τ), δu at rest of the anchor
+//! ```
+//!
 //! The acceleration is never solved for: the residual of inverse dynamics takes its place, so a mass matrix
 //! that changes with q costs nothing extra.
 
-use super::evaluation::{Evaluation, Point};
+use super::evaluation::{Evaluation, Point, Schedule};
 use super::tableau::{A, C, D, GAMMA, H, STAGES, TIMES};
-use super::tangent::TangentMatrix;
+use super::tangent::{TangentMatrix, brake_of, slip_weights};
 use crate::clock::Stage;
+use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 
-/// Increments of coordinates, velocities, accelerations, and tensions of inextensible ropes.
+/// Increments of coordinates, velocities, accelerations, tensions of inextensible ropes, and anchors.
 #[derive(Debug, Clone)]
 pub struct Increment {
     /// φ.
@@ -44,14 +51,16 @@ pub struct Increment {
     pub a: Vec<f64>,
     /// Of T, by [`System::rigid`].
     pub rigid: Vec<f64>,
+    /// α, by [`System::friction`].
+    pub anchor: Vec<f64>,
 }
 
 impl Increment {
     /// Zero, for `system`.
     pub fn zero(system: &System) -> Self {
         let size = system.tree.velocities;
-        let rigid = vec![0.0; system.rigid.len()];
-        Self { phi: vec![0.0; size], v: vec![0.0; size], a: vec![0.0; size], rigid }
+        let (rigid, anchor) = (vec![0.0; system.rigid.len()], vec![0.0; system.friction.len()]);
+        Self { phi: vec![0.0; size], v: vec![0.0; size], a: vec![0.0; size], rigid, anchor }
     }
 
     fn set(&mut self, weights: &[f64], terms: &[Self], base: &Self) {
@@ -59,12 +68,14 @@ impl Increment {
         self.v.copy_from_slice(&base.v);
         self.a.copy_from_slice(&base.a);
         self.rigid.copy_from_slice(&base.rigid);
+        self.anchor.copy_from_slice(&base.anchor);
         for (&weight, term) in weights.iter().zip(terms) {
             if weight != 0.0 {
                 add(&mut self.phi, weight, &term.phi);
                 add(&mut self.v, weight, &term.v);
                 add(&mut self.a, weight, &term.a);
                 add(&mut self.rigid, weight, &term.rigid);
+                add(&mut self.anchor, weight, &term.anchor);
             }
         }
     }
@@ -81,7 +92,7 @@ fn add(out: &mut [f64], weight: f64, values: &[f64]) {
 pub struct Course {
     /// Length [s].
     pub h: f64,
-    /// v and a at the start; φ is 0.
+    /// v and a at the start; φ and α are 0.
     start: Increment,
     /// Motion at the end: φ, v, a.
     pub end: Increment,
@@ -92,7 +103,7 @@ pub struct Course {
 }
 
 impl Course {
-    /// φ, v, a at the share `theta` of the step.
+    /// Motion at the share `theta` of the step.
     pub fn at(&self, theta: f64, out: &mut Increment) {
         let rest = 1.0 - theta;
         let [first, second, third] = [theta * rest, theta * theta * rest, theta * theta * theta * rest];
@@ -109,9 +120,12 @@ impl Course {
             let terms: [&[f64]; 3] = [&z1.rigid, &z2.rigid, &z3.rigid];
             out.rigid[k] = mix(k, self.start.rigid[k], &self.end.rigid, terms);
         }
+        for k in 0..out.anchor.len() {
+            out.anchor[k] = mix(k, 0.0, &self.end.anchor, [&z1.anchor, &z2.anchor, &z3.anchor]);
+        }
     }
 
-    /// Derivative over time of φ and v at the share `theta`, in `out.phi` and `out.v`.
+    /// Derivative over time of φ, v and α at the share `theta`, in `out.phi`, `out.v` and `out.anchor`.
     pub fn rate_at(&self, theta: f64, out: &mut Increment) {
         // d/dθ of (1−θ) y + θ y₊ + (θ − θ²) z₁ + (θ² − θ³) z₂ + (θ³ − θ⁴) z₃.
         let slopes = [1.0 - 2.0 * theta, theta * (2.0 - 3.0 * theta), theta * theta * (3.0 - 4.0 * theta)];
@@ -124,6 +138,10 @@ impl Course {
                 + slopes[2] * z3.v[k];
             out.phi[k] = phi / self.h;
             out.v[k] = v / self.h;
+        }
+        for k in 0..out.anchor.len() {
+            let terms = slopes[0] * z1.anchor[k] + slopes[1] * z2.anchor[k] + slopes[2] * z3.anchor[k];
+            out.anchor[k] = (self.end.anchor[k] + terms) / self.h;
         }
     }
 }
@@ -143,6 +161,8 @@ pub struct Rodas {
     none: Increment,
     r: Vec<f64>,
     rho: Vec<f64>,
+    /// r_α, by [`System::friction`].
+    slid: Vec<f64>,
     sum: Vec<f64>,
     force: Vec<f64>,
     rows: Vec<f64>,
@@ -170,6 +190,7 @@ impl Rodas {
             none: zero(),
             r: vec![0.0; size],
             rho: vec![0.0; size],
+            slid: vec![0.0; system.friction.len()],
             sum: vec![0.0; size],
             force: vec![0.0; size],
             rows: vec![0.0; system.rows.count()],
@@ -183,6 +204,7 @@ impl Rodas {
             *tension = state.tension[row];
         }
         let point = Point {
+            schedule: Schedule::after(state, 0.0),
             base: &state.q,
             memory: &state.memory,
             seats: &state.seats,
@@ -190,8 +212,9 @@ impl Rodas {
             v: &state.v,
             a: &state.acceleration,
             rigid: &self.point.rigid,
+            anchor: &self.none.anchor,
         };
-        self.here.all(system, &point, &state.modes, &state.slip);
+        self.here.all(system, &point, &state.modes);
     }
 
     /// Evaluates the tangents there.
@@ -216,17 +239,27 @@ impl Rodas {
         for (tension, &row) in self.course.start.rigid.iter_mut().zip(&system.rigid) {
             *tension = state.tension[row];
         }
-        let (modes, slip) = (&state.modes, &state.slip);
+        let modes = &state.modes;
         system
             .clock
             .time(Stage::Factorisation, || self.matrix.factorise(system, &self.here, state, kappa))?;
         for stage in 0..STAGES {
             self.point.set(A[stage], &self.k, &self.course.start);
             if stage > 0 {
-                let Increment { phi, v, a, rigid } = &self.point;
-                let point =
-                    Point { base: &state.q, memory: &state.memory, seats: &state.seats, phi, v, a, rigid };
-                self.stage.forces(system, &point, modes, slip);
+                let Increment { phi, v, a, rigid, anchor } = &self.point;
+                let schedule = Schedule::after(state, TIMES[stage] * h);
+                let point = Point {
+                    schedule,
+                    base: &state.q,
+                    memory: &state.memory,
+                    seats: &state.seats,
+                    phi,
+                    v,
+                    a,
+                    rigid,
+                    anchor,
+                };
+                self.stage.forces(system, &point, modes);
             }
             self.stage_sides(system, state, mass, stage, h);
             system.clock.time(Stage::Solution, || self.matrix.solve(&self.force, &self.rows, &mut self.x));
@@ -239,6 +272,7 @@ impl Rodas {
             for (tension, &row) in k.rigid.iter_mut().zip(&system.rigid) {
                 *tension = self.matrix.row_solution(row) / kappa;
             }
+            self.slide(system, state, stage, kappa);
         }
         self.finish(h);
         Ok(())
@@ -254,7 +288,7 @@ impl Rodas {
             add(&mut self.r, weight / h, &k.phi);
             add(&mut self.rho, weight / h, &k.v);
         }
-        for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+        for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let dof = drive.dof;
             let (now, _) = timeline.acceleration(state.time, state.time + TIMES[stage] * h);
             let (_, jerk) = timeline.acceleration(state.time, state.time);
@@ -275,17 +309,67 @@ impl Rodas {
                 Mode::Acting if tau > 0.0 => {
                     tau * system.rows.rate(&self.here.frame.gradient, row, &self.r) / (kappa + tau)
                 }
-                Mode::Slipping => {
-                    kappa * self.matrix.slip_rate(system, &self.here, &state.slip, row, &self.r)
-                }
                 _ => 0.0,
             };
+        }
+        for (index, &row) in system.friction.iter().enumerate() {
+            if state.modes[row] == Mode::Slipping {
+                let others = C[stage].iter().zip(&self.k);
+                let before: f64 = others.map(|(&weight, k)| weight / h * k.anchor[index]).sum();
+                self.slid[index] = at.anchor_rate[index] + before;
+            }
         }
         for (index, &row) in system.rigid.iter().enumerate() {
             if state.modes[row] == Mode::Acting {
                 let along = system.rows.rate(&self.here.frame.gradient, row, &self.sum);
                 let turning = self.matrix.pull_rate(system, index, &self.r);
                 self.rows[row] = along + kappa * (turning - at.pull[index]);
+            }
+        }
+        for &(row, drive) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Acting) {
+            let (_, jerk) = state.plan.timelines[drive].acceleration(state.time, state.time);
+            self.rows[row] += kappa * h * D[stage] * jerk;
+        }
+        for &(row, _) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Slipping) {
+            if let Some(brake) = brake_of(system, row) {
+                let driven = -state.memory[row] * state.v[brake.dof];
+                self.rows[row] = -kappa * brake.slope(driven) * self.r[brake.dof];
+            }
+        }
+        for index in 0..system.friction.len() {
+            self.slip_side(system, state, kappa, index);
+        }
+    }
+
+    /// Right side of a tangential row, by [`System::friction`], where it slides: what is known of its anchor's
+    /// motion and of its damper's turns the force.
+    fn slip_side(&mut self, system: &System, state: &State, kappa: f64, index: usize) {
+        let row = system.friction[index];
+        let law = &system.rows.laws[row];
+        let Law::Friction { normal, damping_time, .. } = *law else { return };
+        if state.modes[row] == Mode::Slipping {
+            let partner = 2 * normal + 3 - row;
+            let known = |row: usize, index: usize| {
+                let rate = system.rows.rate(&self.here.frame.gradient, row, &self.r);
+                damping_time * rate + kappa * self.slid[index]
+            };
+            let [own, other] = slip_weights(law, &self.here, kappa, row);
+            self.rows[row] = own * known(row, index) + other * known(partner, index + partner - row);
+        }
+    }
+
+    /// The stage's increment of the anchors of sliding contacts.
+    fn slide(&mut self, system: &System, state: &State, stage: usize, kappa: f64) {
+        for (index, &row) in system.friction.iter().enumerate() {
+            self.k[stage].anchor[index] = 0.0;
+            if state.modes[row] == Mode::Slipping {
+                let (tau, compliance) =
+                    (system.rows.laws[row].damping_time(), system.rows.laws[row].compliance());
+                let Increment { phi, v, .. } = &self.k[stage];
+                let stretch = self.matrix.stretch(system, &self.here, row, phi, v);
+                let force = self.matrix.row_solution(row);
+                self.k[stage].anchor[index] =
+                    (kappa * (tau * self.slid[index] + stretch) - compliance * force) / (kappa + tau);
             }
         }
     }
@@ -306,6 +390,10 @@ impl Rodas {
             *end = self.point.rigid[index] + last.rigid[index];
             error.rigid[index] = last.rigid[index];
         }
+        for (index, end) in end.anchor.iter_mut().enumerate() {
+            *end = self.point.anchor[index] + last.anchor[index];
+        }
+        error.anchor.copy_from_slice(&last.anchor);
         for (term, weights) in dense.iter_mut().zip(&H) {
             term.set(weights, &self.k, &self.none);
         }

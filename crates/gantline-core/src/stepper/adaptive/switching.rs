@@ -1,7 +1,7 @@
 //! Changes of the rows' modes: seen along the course of a step, made at its end.
 
 use super::books::WEIGHTS;
-use super::evaluation::{Evaluation, Point};
+use super::evaluation::{Evaluation, Point, Schedule};
 use super::rodas::Increment;
 use super::{Adaptive, LOOKS, SWITCHING};
 use crate::audit::Flows;
@@ -11,9 +11,8 @@ use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
 
-/// Speed of an anchor against the direction of sliding that counts as much as the switching tolerance of a force
-/// [m/s].
-const REVERSAL: f64 = 1e-6;
+/// A rope whose ends come closer by more than this [m/s] loosens; less is rounding.
+pub(super) const STANDSTILL: f64 = 1e-9;
 
 impl Adaptive {
     /// Looks at the course of the step that has been computed and decides how much of it is made: up to where a row
@@ -59,15 +58,26 @@ impl Adaptive {
     fn arrive(&mut self, system: &System, state: &State) {
         self.rodas.course.at(self.made, &mut self.end);
         let time = state.time + self.made * self.rodas.course.h;
-        for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+        for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let motion = timeline.motion(time);
             let position = state.q[system.tree.bodies[drive.body].first_position];
             self.end.phi[drive.dof] = motion.position - position;
             self.end.v[drive.dof] = motion.velocity;
         }
-        let Increment { phi, v, a, rigid } = &self.end;
-        let point = Point { base: &state.q, memory: &state.memory, seats: &state.seats, phi, v, a, rigid };
-        self.next.all(system, &point, &state.modes, &state.slip);
+        let Increment { phi, v, a, rigid, anchor } = &self.end;
+        let schedule = Schedule::after(state, self.made * self.rodas.course.h);
+        let point = Point {
+            schedule,
+            base: &state.q,
+            memory: &state.memory,
+            seats: &state.seats,
+            phi,
+            v,
+            a,
+            rigid,
+            anchor,
+        };
+        self.next.all(system, &point, &state.modes);
     }
 
     /// Share of the step at which a row reaches the switching tolerance before the look `index`.
@@ -130,23 +140,22 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
+            // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
+            (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
+                at.trial[row] - self.looks.start(row).max(0.0)
+            }
             (Law::Unilateral { .. }, Mode::Slack) => at.trial[row],
             (Law::Unilateral { .. }, _) => -at.trial[row],
             (Law::Friction { normal, .. }, _) if row != normal + 1 => 0.0,
             (Law::Friction { .. }, Mode::Slack) => 0.0,
-            (Law::Friction { coefficient, normal, .. }, Mode::Acting) => {
-                at.trial[row].hypot(at.trial[row + 1]) - coefficient * at.trial[normal].max(0.0)
-            }
-            (Law::Friction { coefficient, normal, .. }, Mode::Slipping) => {
-                // The anchor slides as long as the point moves faster than a growing bound stretches the spring.
-                let along = at.rate[row] * state.slip[row] + at.rate[row + 1] * state.slip[row + 1];
-                let anchor = along - coefficient * at.rate[normal];
-                -anchor / REVERSAL * SWITCHING * self.tolerance.tension
+            (Law::Friction { coefficient, normal, .. }, mode) => {
+                let beyond = at.trial[row].hypot(at.trial[row + 1]) - coefficient * at.trial[normal].max(0.0);
+                if mode == Mode::Slipping { -beyond } else { beyond }
             }
             (Law::Brake { .. }, Mode::Slack) => 0.0,
             (Law::Brake { .. }, Mode::Acting) => at.trial[row].abs() - at.bound[row],
             (Law::Brake { impedance, .. }, Mode::Slipping) => {
-                (-at.rate[row] * state.slip[row] * impedance).min(2.0 * at.bound[row])
+                (-at.rate[row] * state.memory[row] * impedance).min(2.0 * at.bound[row])
             }
         }
     }
@@ -170,7 +179,7 @@ impl Adaptive {
                     let row = system.rows.first[index];
                     if let Some((taut, crossing)) = self.turn_over(system, state, row) {
                         any = true;
-                        self.set_friction(state, row, state.modes[row]);
+                        self.set_friction(system, state, row, state.modes[row]);
                         self.log_group(system, state, log, contact.group, taut, start + length * crossing);
                     }
                     any |= self.switch_friction(system, state, log, index);
@@ -183,7 +192,7 @@ impl Adaptive {
     /// Lets a rope or normal row change side where it has crossed over: whether it acts now, and the share of the
     /// step at which it crossed.
     fn turn_over(&self, system: &System, state: &mut State, row: usize) -> Option<(bool, f64)> {
-        if self.distance(system, state, row, &self.rodas.here) <= 0.0 {
+        if self.distance(system, state, row, &self.rodas.here) <= 0.0 || self.loosens(system, state, row) {
             return None;
         }
         let taut = state.modes[row] == Mode::Slack;
@@ -230,11 +239,13 @@ impl Adaptive {
         if state.modes[row] == Mode::Slipping {
             state.modes[row] = Mode::Acting;
             // Inertia of a flow is its own: stopping it moves nothing else.
-            state.ledger.flows.friction += 0.5 * system.tree.armature[dof] * state.v[dof] * state.v[dof];
-            state.v[dof] = 0.0;
+            let asked = self.rodas.here.asked[row];
+            let change = state.v[dof] * state.v[dof] - asked * asked;
+            state.ledger.flows.friction += 0.5 * system.tree.armature[dof] * change;
+            state.v[dof] = asked;
         } else {
             state.modes[row] = Mode::Slipping;
-            state.slip[row] = self.rodas.here.trial[row].signum();
+            state.memory[row] = self.rodas.here.trial[row].signum();
         }
         true
     }
@@ -248,63 +259,54 @@ impl Adaptive {
             let (row, here) = (system.rows.first[index], &self.rodas.here);
             let slips = match state.modes[row] {
                 Mode::Slipping => {
-                    let resting = state.v[brake.dof] * state.slip[row] <= 0.0;
-                    !(resting && state.acceleration[brake.dof] * state.slip[row] < 0.0)
+                    let resting = here.rate[row] * state.memory[row] <= 0.0;
+                    !(resting && self.lag(system, state, row, brake.dof) * state.memory[row] < 0.0)
                 }
                 _ => here.trial[row].abs() > here.bound[row],
             };
             if slips != (state.modes[row] == Mode::Slipping) {
                 state.modes[row] = if slips { Mode::Slipping } else { Mode::Acting };
-                state.slip[row] = here.trial[row].signum();
+                state.memory[row] = here.trial[row].signum();
                 any = true;
             }
         }
         any
     }
 
+    /// True for a slack inextensible rope that is at its length and not about to be pulled: one that rounding, or
+    /// another rope that is let go in the same moment, has put there.
+    fn loosens(&self, system: &System, state: &State, row: usize) -> bool {
+        let rigid = system.rows.laws[row].compliance() == 0.0;
+        rigid && state.modes[row] == Mode::Slack && self.rodas.here.rate[row] < STANDSTILL
+    }
+
+    /// Acceleration of a flow against what the drive of its motor asks for [m/s²].
+    fn lag(&self, system: &System, state: &State, row: usize, dof: usize) -> f64 {
+        let motor = system.motors.iter().find(|(other, _)| *other == row);
+        let asked = |drive: usize| state.plan.timelines[drive].acceleration(state.time, state.time).0;
+        state.acceleration[dof] - motor.map_or(0.0, |&(_, drive)| asked(drive))
+    }
+
     /// Sticking and sliding of the contact `index`.
     fn switch_friction(&self, system: &System, state: &mut State, log: &mut EventLog, index: usize) -> bool {
         let first = system.rows.first[index] + 1;
-        let here = &self.rodas.here;
-        if state.modes[first] == Mode::Slipping {
-            let direction = here.slip_direction(first - 1, &state.slip);
-            let turned = self.distance(system, state, first, here) > 0.0;
-            if turned {
-                // The anchor is where spring and damper carry the present force.
-                for k in 0..2 {
-                    let row = first + k;
-                    let Law::Friction { coefficient, normal, compliance, damping_time } =
-                        system.rows.laws[row]
-                    else {
-                        continue;
-                    };
-                    let force = coefficient * here.trial[normal].max(0.0) * state.slip[row];
-                    let stretch = force * compliance - damping_time * here.rate[row];
-                    state.memory[row] += here.frame.value[row] - stretch;
-                }
-                self.set_modes(state, first, Mode::Acting);
-                log.push(state.time, EventKind::Stick, index);
-            } else {
-                state.slip[first..first + 2].copy_from_slice(&direction);
-            }
-            return turned;
+        if self.distance(system, state, first, &self.rodas.here) <= 0.0 {
+            return false;
         }
-        if self.distance(system, state, first, here) > 0.0 {
-            let size = here.trial[first].hypot(here.trial[first + 1]);
-            for k in 0..2 {
-                state.slip[first + k] = here.trial[first + k] / size;
-            }
-            self.set_modes(state, first, Mode::Slipping);
-            log.push(state.time, EventKind::Slip, index);
-            return true;
-        }
-        false
+        let sticks = state.modes[first] == Mode::Slipping;
+        self.set_modes(state, first, if sticks { Mode::Acting } else { Mode::Slipping });
+        log.push(state.time, if sticks { EventKind::Stick } else { EventKind::Slip }, index);
+        true
     }
 
     /// Friction follows its normal force: a contact that closes sticks where it touches.
-    fn set_friction(&self, state: &mut State, normal: usize, mode: Mode) {
+    fn set_friction(&mut self, system: &System, state: &mut State, normal: usize, mode: Mode) {
+        let here = &mut self.rodas.here;
         for row in [normal + 1, normal + 2] {
-            state.memory[row] += self.rodas.here.frame.value[row];
+            let law = &system.rows.laws[row];
+            state.memory[row] += std::mem::take(&mut here.frame.value[row]);
+            // The damper acts from the first moment.
+            here.trial[row] = law.damping_time() * here.rate[row] / law.compliance();
         }
         self.set_modes(state, normal + 1, mode);
     }

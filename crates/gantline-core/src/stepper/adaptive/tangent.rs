@@ -7,7 +7,7 @@
 //!
 //! κ = γh. The unknowns are the rate of the coordinates' increments and κ times those of the forces. P is 1 but
 //! for rotation vectors, P = (1 + κ[ω]/2)⁻¹ there, since φ̇ = ω + φ×ω/2 + …; Ġ = ∂ė/∂q. A sliding contact's
-//! rows say T = μ N d instead, an inextensible rope's G + κ γ_v + κ² γ_q P and 0, γ = G v̇ + Ġ v; a slack row is
+//! rows say T = μ N d instead, d = T*/|T*|, with the anchor's own motion eliminated; an inextensible rope's G + κ γ_v + κ² γ_q P and 0, γ = G v̇ + Ġ v; a slack row is
 //! an identity row.
 
 use glam::DVec3;
@@ -191,14 +191,11 @@ impl TangentMatrix {
         system.rows.rate(&self.pull_velocity, system.rigid[index], r)
     }
 
-    /// What the rates `r` do to the force of a sliding row through its direction, times κ.
-    pub fn slip_rate(&self, system: &System, here: &Evaluation, slip: &[f64], row: usize, r: &[f64]) -> f64 {
-        let law = &system.rows.laws[row];
-        let Law::Friction { normal, .. } = *law else { return 0.0 };
-        let [own, other] = slip_weights(law, here, slip, row);
-        let partner = 2 * normal + 3 - row;
-        let gradient = &here.frame.gradient;
-        own * system.rows.rate(gradient, row, r) + other * system.rows.rate(gradient, partner, r)
+    /// What the increments φ of coordinates and v of velocities add to e + τ ė of a row.
+    pub fn stretch(&self, system: &System, here: &Evaluation, row: usize, phi: &[f64], v: &[f64]) -> f64 {
+        let (gradient, tau) = (&here.frame.gradient, system.rows.laws[row].damping_time());
+        let turning = system.rows.rate(&self.turning, row, phi);
+        system.rows.rate(gradient, row, phi) + tau * (turning + system.rows.rate(gradient, row, v))
     }
 
     /// Solution of a row after [`TangentMatrix::solve`]: κ times the increment of its force.
@@ -290,18 +287,26 @@ impl TangentMatrix {
                 for place in in_row {
                     self.values[place] = 0.0;
                 }
-                let square = kappa * kappa * state.slip[row];
+                let square = kappa * kappa * state.memory[row];
                 if let Some(brake) = brake_of(system, row) {
+                    let driven = -state.memory[row] * state.v[brake.dof];
+                    let own = self.places.in_row[range.start + brake.own] as usize;
+                    // d(bound · direction)/dv, the direction's square being 1.
+                    self.values[own] -= kappa * brake.slope(driven);
                     brake.add_slopes(&state.q, &here.tension, |entry, slope| {
                         self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
                     });
                 }
             }
             Mode::Slipping => {
-                let [first, second] = slip_weights(law, here, &state.slip, row).map(|weight| kappa * weight);
+                let [first, second] = slip_weights(law, here, kappa, row);
                 let partner = partner_of(system, law, row);
-                for ((place, entry), other) in in_row.zip(own).zip(&gradient[partner]) {
-                    self.values[place] = first * entry + second * other;
+                let others = gradient[partner.clone()].iter().zip(&self.turned[partner]);
+                for (((place, entry), turned), (other, other_turned)) in
+                    in_row.zip(own).zip(turned).zip(others)
+                {
+                    self.values[place] = first * (kappa * turned + tau * entry)
+                        + second * (kappa * other_turned + tau * other);
                 }
             }
             Mode::Acting if compliance == 0.0 => {
@@ -324,9 +329,9 @@ impl TangentMatrix {
             for &(_, to, place) in friction[first..].iter().take_while(|&&(other, ..)| other == row) {
                 self.values[place as usize] = match *law {
                     Law::Friction { coefficient, normal, .. } => {
-                        coefficient * here.slip_direction(normal, &state.slip)[row - normal - 1]
+                        coefficient * here.slip_direction(normal)[row - normal - 1]
                     }
-                    _ => brake.map_or(0.0, |brake| brake.weight(&state.q, to) * state.slip[row]),
+                    _ => brake.map_or(0.0, |brake| brake.weight(&state.q, to) * state.memory[row]),
                 };
             }
         }
@@ -397,7 +402,7 @@ impl TangentMatrix {
 }
 
 /// The brake whose row it is.
-fn brake_of(system: &System, row: usize) -> Option<&Brake> {
+pub fn brake_of(system: &System, row: usize) -> Option<&Brake> {
     let index = row.checked_sub(system.rows.first[system.first_brake])?;
     match &system.constraints[system.first_brake + index] {
         AnyConstraint::Brake(brake) => Some(brake),
@@ -405,12 +410,15 @@ fn brake_of(system: &System, row: usize) -> Option<&Brake> {
     }
 }
 
-/// ∂T/∂v of a sliding row over its own and its partner's velocity: μN/|v| (1 − d dᵀ).
-fn slip_weights(law: &Law, here: &Evaluation, slip: &[f64], row: usize) -> [f64; 2] {
-    let Law::Friction { coefficient, normal, .. } = *law else { return [0.0; 2] };
-    let direction = here.slip_direction(normal, slip);
+/// How κT of a sliding row follows the deflection, with its damper's part, of its own spring and of its partner's
+/// [N s/m]: what is across the force turns it, (μN/|T*|)/ε (1 − d dᵀ), as far as the anchor does not come after.
+pub fn slip_weights(law: &Law, here: &Evaluation, kappa: f64, row: usize) -> [f64; 2] {
+    let Law::Friction { compliance, damping_time: tau, normal, .. } = *law else { return [0.0; 2] };
+    let direction = here.slip_direction(normal);
     let (own, other) = (direction[row - normal - 1], direction[normal + 2 - row]);
-    let turning = here.turning(coefficient, normal, slip);
+    // Below its bound it sticks; up to the switching tolerance the course of sliding is followed.
+    let share = here.slip_share(law).min(1.0);
+    let turning = kappa * tau * share / (compliance * (kappa + tau - kappa * share));
     [turning * (1.0 - own * own), -turning * own * other]
 }
 

@@ -1,0 +1,159 @@
+//! What happens at once: accelerations after a change of modes, impacts of inextensible ropes that go taut, and their
+//! return to their length after each step.
+
+use super::Adaptive;
+use super::rodas::Rodas;
+use super::switching::STANDSTILL;
+use crate::clock::Stage;
+use crate::event::{EventKind, EventLog};
+use crate::solver::complementarity::Mode;
+use crate::solver::symbolic::ZeroPivot;
+use crate::state::State;
+use crate::stepper::frame::Frame;
+use crate::system::System;
+
+/// A pushing impulse that is rounding, relative to the largest.
+const ROUNDING: f64 = 1e-9;
+
+impl Adaptive {
+    /// Accelerations and tensions of inextensible ropes that belong to the modes: M a + Gᵀ T = −imbalance,
+    /// G a = −Ġ v.
+    pub(super) fn restart(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &Frame,
+    ) -> Result<(), ZeroPivot> {
+        for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
+            if system.driven[dof].is_none() {
+                *acceleration = 0.0;
+            }
+        }
+        for &row in &system.rigid {
+            state.tension[row] = 0.0;
+        }
+        self.rodas.evaluate(system, state);
+        let Rodas { matrix, here, .. } = &mut self.rodas;
+        let gradient = &here.frame.gradient;
+        system.clock.time(Stage::Factorisation, || {
+            matrix.factorise_inertia(system, &frame.mass, gradient, &state.modes)
+        })?;
+        for (force, imbalance) in self.rate.phi.iter_mut().zip(&here.imbalance) {
+            *force = -imbalance;
+        }
+        self.rows.fill(0.0);
+        for (pull, &row) in here.pull.iter().zip(&system.rigid) {
+            if state.modes[row] == Mode::Acting {
+                self.rows[row] = -pull;
+            }
+        }
+        self.rate.a.fill(0.0);
+        system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
+        for (dof, acceleration) in state.acceleration.iter_mut().enumerate() {
+            if system.driven[dof].is_none() {
+                *acceleration = self.rate.a[dof];
+            }
+        }
+        for &row in &system.rigid {
+            if state.modes[row] == Mode::Acting {
+                state.tension[row] = matrix.row_solution(row);
+            }
+        }
+        state.restart = false;
+        self.current = false;
+        Ok(())
+    }
+
+    /// Puts inextensible ropes that act back to their length and their ends to equal speed, both with the least
+    /// kinetic energy of the correction. Where one has just gone taut (`hit`), that is the impact (restitution 0),
+    /// in which others at their length take part: 0 ≤ p ⟂ G v₊ ≤ 0. One after the other, two ropes that tighten
+    /// each other would hand an impact to and fro for ever.
+    pub(super) fn project(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &mut Frame,
+        log: &mut EventLog,
+        hit: bool,
+    ) -> Result<(), ZeroPivot> {
+        self.note_taut(system, state);
+        let mut settled = false;
+        while !settled {
+            self.correct(system, state, frame, |row| -frame.value[row])?;
+            settled = true;
+            for &row in system.inextensible.iter().filter(|_| hit) {
+                let moved = system.rows.rate(&frame.gradient, row, &self.rate.a);
+                if state.modes[row] == Mode::Slack && frame.value[row] + moved > 0.0 {
+                    state.modes[row] = Mode::Acting;
+                    settled = false;
+                }
+            }
+        }
+        system.tree.advance(&mut state.q, &self.rate.a);
+        frame.update(system, state);
+        // Exchanging one at a time ends (Murty 1974); the bound is against rounding.
+        for _ in 0..100 + 4 * system.inextensible.len() {
+            let rate = |row| -system.rows.rate(&frame.gradient, row, &state.v);
+            self.correct(system, state, frame, rate)?;
+            let Some(row) = self.wrong(system, state, frame).filter(|_| hit) else { break };
+            let taut = state.modes[row] == Mode::Slack;
+            state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
+        }
+        for (velocity, change) in state.v.iter_mut().zip(&self.rate.a) {
+            *velocity += change;
+        }
+        for (&row, &was) in system.inextensible.iter().zip(&self.taut) {
+            let taut = state.modes[row] == Mode::Acting;
+            if taut != was {
+                let rope = system.constraint_index(row);
+                log.push(state.time, if taut { EventKind::Taut } else { EventKind::Slack }, rope);
+            }
+        }
+        Ok(())
+    }
+
+    /// Notes which inextensible ropes act.
+    pub(super) fn note_taut(&mut self, system: &System, state: &State) {
+        self.taut.clear();
+        self.taut.extend(system.inextensible.iter().map(|&row| state.modes[row] == Mode::Acting));
+    }
+
+    /// The change of coordinates or velocities, in `self.rate.a`, of least kinetic energy that gives each inextensible
+    /// rope that acts the change `wanted` of length or speed; brakes that hold go on to hold.
+    fn correct(
+        &mut self,
+        system: &System,
+        state: &State,
+        frame: &Frame,
+        wanted: impl Fn(usize) -> f64,
+    ) -> Result<(), ZeroPivot> {
+        let matrix = &mut self.rodas.matrix;
+        system.clock.time(Stage::Factorisation, || {
+            matrix.factorise_inertia(system, &frame.mass, &frame.gradient, &state.modes)
+        })?;
+        self.rows.fill(0.0);
+        for &row in system.inextensible.iter().filter(|&&row| state.modes[row] == Mode::Acting) {
+            self.rows[row] = wanted(row);
+        }
+        self.rate.phi.fill(0.0);
+        self.rate.a.fill(0.0);
+        system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
+        Ok(())
+    }
+
+    /// An inextensible rope on the wrong side of an impact: it pushes, or its ends move apart at its full length.
+    fn wrong(&self, system: &System, state: &State, frame: &Frame) -> Option<usize> {
+        let acts = |row: usize| state.modes[row] == Mode::Acting;
+        let impulse = |row: usize| self.rodas.matrix.row_solution(row);
+        let acting = system.inextensible.iter().filter(|&&row| acts(row));
+        let largest = acting.fold(0.0, |most: f64, &row| most.max(impulse(row).abs()));
+        system.inextensible.iter().copied().rfind(|&row| {
+            if acts(row) {
+                return impulse(row) < -ROUNDING * largest;
+            }
+            let after = system.rows.rate(&frame.gradient, row, &state.v)
+                + system.rows.rate(&frame.gradient, row, &self.rate.a);
+            frame.value[row] > -self.tolerance.position && after > STANDSTILL
+        })
+    }
+}
