@@ -162,10 +162,12 @@ class Simulation:
         if remainder > bound:
             missed = f"remainder {remainder:.2g} of the largest energy, bound {bound:g}"
             warnings.append(f"the energy balance does not close: {missed}")
+        names, columns = self._core.names(), self._core.columns()
+        warnings += _off_sheaves(self.assembly.rig, columns, names)
         failure = {} if self._failure is None else {"failure": self._failure}
         return recording_of(
-            self._core.columns(),
-            self._core.names(),
+            columns,
+            names,
             self.assembly.rig,
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
@@ -213,6 +215,22 @@ def _refused(scenario: Scenario, message: str) -> ScenarioError:
             if element in (getattr(scenario.mechanics, kind) or {}):
                 return scenario.error(("mechanics", kind, element), sentence)
     return ScenarioError(str(scenario.source), [Problem(None, "", message)])
+
+
+def _off_sheaves(rig: Mapping[str, Any], columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:
+    """Warnings of ropes that left a sheave which they may not leave: once for each sheave, the first time."""
+    held = {sheave["name"] for sheave in rig.get("wrapped_sheaves", ()) if not sheave["may_lift_off"]}
+    first: dict[str, float] = {}
+    for time_off, kind, name in zip(
+        columns["event_time"], names["event_kind"], names["event_name"], strict=True
+    ):
+        if kind == "rope_off_sheave" and name in held:
+            first.setdefault(name, float(time_off))
+    return [
+        f"the rope leaves the sheave {name} at {when:.3f} s: it is followed as if it were held in the groove"
+        "; 'may_lift_off: true' lets it run straight past"
+        for name, when in first.items()
+    ]
 
 
 def _overridden(

@@ -92,9 +92,16 @@ def half_turn(
     }
 
 
-def sheave(body_name: str | None, at: Sequence[float], axis: Sequence[float], radius: float) -> Json:
+def sheave(
+    body_name: str | None, at: Sequence[float], axis: Sequence[float], radius: float, **rest: Any
+) -> Json:
     """A sheave with true tangents; the rope runs about its axis."""
-    return {"type": "sheave", "body": body_name, "at": list(at), "axis": list(axis), "radius": radius}
+    return {"type": "sheave", "body": body_name, "at": list(at), "axis": list(axis), "radius": radius, **rest}
+
+
+def eye(body_name: str | None, at: Xyz = (0, 0, 0)) -> Json:
+    """A point that the rope slides through."""
+    return {"type": "eye", "body": body_name, "at": list(at)}
 
 
 def rope(

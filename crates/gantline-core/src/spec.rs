@@ -224,6 +224,16 @@ pub enum GuideSpec {
         axis: [f64; 3],
         /// Radius of the rope's centre line [m].
         radius: f64,
+        /// True where the rope may leave it and run straight past; else leaving it is an event and no more.
+        #[serde(default)]
+        may_lift_off: bool,
+    },
+    /// An eye or a shackle: a point that the rope slides through without friction.
+    Eye {
+        /// Body that it belongs to; none is the world.
+        body: Option<String>,
+        /// Point [m] in the body frame.
+        at: [f64; 3],
     },
 }
 

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::Ledger;
 use crate::plan::PlanState;
+use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 
 /// State of a run at a moment.
@@ -30,6 +31,8 @@ pub struct State {
     /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m], for brakes the
     /// direction of slip.
     pub memory: Vec<f64>,
+    /// How ropes lie on sheaves with true tangents, by [`crate::system::System::sheaves`].
+    pub seats: Vec<Seat>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
     pub next_step: f64,
     /// True at the start and after a change that makes the accelerations jump.
@@ -59,6 +62,7 @@ impl State {
             trial,
             modes,
             memory,
+            seats,
             next_step,
             restart,
             engaged,
@@ -77,6 +81,7 @@ impl State {
         self.trial.copy_from_slice(trial);
         self.modes.copy_from_slice(modes);
         self.memory.copy_from_slice(memory);
+        self.seats.copy_from_slice(seats);
         self.plan.copy_from(plan);
     }
 }

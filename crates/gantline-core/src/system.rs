@@ -78,6 +78,17 @@ pub struct ContactGroup {
     pub contacts: Vec<usize>,
 }
 
+/// Where a sheave with true tangents is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SheavePlace {
+    /// Index of the rope.
+    pub rope: usize,
+    /// Index of the guide in its route.
+    pub guide: usize,
+    /// True where the rope may leave it.
+    pub may_lift_off: bool,
+}
+
 /// A system, built and checked.
 #[derive(Debug, Clone)]
 pub struct System {
@@ -89,6 +100,8 @@ pub struct System {
     pub rope_count: usize,
     /// Rows of the constraints.
     pub rows: Rows,
+    /// Sheaves with true tangents, in the order of ropes and routes.
+    pub sheaves: Vec<SheavePlace>,
     /// Rows of inextensible ropes.
     pub inextensible: Vec<usize>,
     /// Those and the rows of brakes: rows without compliance, whose force is an unknown of its own.
@@ -122,6 +135,12 @@ impl System {
             AnyConstraint::Rope(rope) => Some(rope),
             AnyConstraint::Contact(_) | AnyConstraint::Brake(_) => None,
         })
+    }
+
+    /// Name of a sheave with true tangents: its rope, and its number along the route.
+    pub fn sheave_name(&self, seat: usize) -> String {
+        let SheavePlace { rope, guide, .. } = self.sheaves[seat];
+        format!("{}/sheave_{guide}", self.constraints[rope].name())
     }
 
     /// Drives that prescribe the motion of their joints, with their timelines.

@@ -141,7 +141,7 @@ proptest! {
         let mut columns = [DVec3::ZERO; 6];
         let tension = 7.0;
         let rope = system.ropes().next().unwrap();
-        let factor = rope.geometric_stiffness(&frame.kinematics, tension, 0, &mut columns);
+        let factor = rope.geometric_stiffness((&frame.kinematics, &state.seats), tension, 0, &mut columns);
         let dofs = &system.constraints[0].curvature_groups()[0].1;
         let across: DVec3 = dofs.iter().zip(&columns).map(|(&dof, column)| *column * way[dof]).sum();
         let length = |scale: f64| moved(&system, &state, &way, scale).1.value[0];
@@ -181,7 +181,7 @@ proptest! {
                 let mut block = vec![0.0; dofs.len() * dofs.len()];
                 let mut columns = vec![DVec3::ZERO; dofs.len()];
                 let row = system.rows.first[index] + row;
-                let at = Placed { tree: &system.tree, kinematics: &frame.kinematics, q: &state.q };
+                let at = Placed { tree: &system.tree, kinematics: &frame.kinematics, q: &state.q, seats: &state.seats };
                 constraint.curvature(&at, frame.value[row], group, &mut columns, &mut block);
                 let range = system.rows.start[row]..system.rows.start[row + 1];
                 for (j, &dof) in dofs.iter().enumerate() {
@@ -267,34 +267,32 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
-    /// A rope over real sheaves in space: gradient against differences of its length, curvature against
-    /// differences of its gradient, on trees with every joint type.
+    /// A rope over real sheaves in space and through an eye: gradient against differences of its length, curvature
+    /// against differences of its gradient, on trees with every joint type; with `leaves` it runs straight past
+    /// the sheaves that it does not touch.
     #[test]
-    fn ropes_over_sheaves_have_exact_derivatives(seeds in seeds()) {
-        let Some((system, state, frame)) = rigs::sheave_rig(&seeds) else { return Ok(()) };
+    fn ropes_over_sheaves_have_exact_derivatives(seeds in seeds(), leaves in any::<bool>()) {
+        let Some((system, state, frame)) = rigs::sheave_rig(&seeds, leaves) else { return Ok(()) };
         let rope = system.ropes().next().unwrap();
-        let mut wraps = Vec::new();
-        let mut grazing = false;
-        let mut straights = Vec::new();
-        rope.route.length(&frame.kinematics, |_, straight| straights.push(*straight));
-        for (index, pair) in straights.windows(2).enumerate() {
-            wraps.push(rope.route.guides[index + 1].wrap(&frame.kinematics, &pair[0], &pair[1]));
-        }
-        for (straight, part) in straights.iter().zip(&rope.route.parts) {
+        // Grazing tangents and short parts turn too fast for differences.
+        let is_lifted = |guide: usize| rope.route.guides[guide].is_lifted(&state.seats);
+        let touched: Vec<usize> = (0..rope.route.guides.len()).filter(|&guide| !is_lifted(guide)).collect();
+        for pair in touched.windows(2) {
+            let part = rope.route.between(pair[0], pair[1]);
+            let straight = part.locate(&frame.kinematics);
+            prop_assume!(straight.length > 1.0);
             for (k, anchor) in [part.from, part.to].into_iter().enumerate() {
                 if let Some((axis, _)) = anchor.sheave {
                     let axis = frame.kinematics.turn(anchor.at.body, axis);
-                    grazing |= straight.direction.dot(axis.cross(straight.radial[k])) < 0.3 || straight.length < 1.0;
+                    prop_assume!(straight.direction.dot(axis.cross(straight.radial[k])) > 0.3);
                 }
             }
         }
-        // Near ±90° and 270° the branch of the wrap angle changes; grazing tangents turn infinitely fast.
-        prop_assume!(!grazing && wraps.iter().all(|wrap| (-1.5..4.6).contains(wrap)));
         let mut blocks = vec![vec![0.0; system.tree.velocities]; system.rows.dofs.len()];
         for (group, (_, dofs)) in rope.curvature_groups().into_iter().enumerate() {
             let mut block = vec![0.0; dofs.len() * dofs.len()];
             let mut columns = vec![DVec3::ZERO; dofs.len()];
-            let at = Placed { tree: &system.tree, kinematics: &frame.kinematics, q: &state.q };
+            let at = Placed { tree: &system.tree, kinematics: &frame.kinematics, q: &state.q, seats: &state.seats };
             rope.curvature(&at, frame.value[0], group, &mut columns, &mut block);
             for (j, dof) in dofs.iter().enumerate() {
                 let entry = system.rows.dofs[..system.rows.start[1]].iter().position(|d| d == dof).unwrap();

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use gantline_core::rope::tangency::{Circle, NoTangent, common_tangent, wrap_angle};
+use gantline_core::rope::seat::{FIRST_WRAP, fleet_angle, wrap_angle};
+use gantline_core::rope::tangency::{Circle, NoTangent, common_tangent};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 
@@ -34,7 +35,7 @@ fn half_a_turn_between_vertical_parts() {
     let arrives = common_tangent(&Circle::point(down), &sheave).unwrap();
     let leaves = common_tangent(&sheave, &Circle::point(up)).unwrap();
     assert!((arrives.length - 7.0).abs() < 1e-14 && (leaves.length - 9.0).abs() < 1e-14);
-    assert!((wrap_angle(sheave.axis, arrives.radial[1], leaves.radial[0]) - PI).abs() < 1e-14);
+    assert!((wrap_angle(sheave.axis, arrives.radial[1], leaves.radial[0], FIRST_WRAP) - PI).abs() < 1e-14);
 }
 
 #[test]
@@ -43,17 +44,73 @@ fn degenerate_cases_are_named() {
     let inside = Circle::point(DVec3::new(0.3, 0.0, 2.0));
     assert_eq!(common_tangent(&sheave, &inside), Err(NoTangent::InsideStart));
     assert_eq!(common_tangent(&inside, &sheave), Err(NoTangent::InsideEnd));
+    // On the rim itself a point leaves no direction to go.
+    let rim = Circle::point(DVec3::X);
+    assert_eq!(common_tangent(&sheave, &rim), Err(NoTangent::InsideStart));
     let on_axis = Circle::point(DVec3::new(0.0, 0.0, 3.0));
-    assert_eq!(common_tangent(&sheave, &on_axis), Err(NoTangent::InsideStart));
+    assert_eq!(common_tangent(&sheave, &on_axis), Err(NoTangent::AlongStart));
+    assert_eq!(common_tangent(&on_axis, &sheave), Err(NoTangent::AlongEnd));
     let point = Circle::point(DVec3::ONE);
     assert_eq!(common_tangent(&point, &point), Err(NoTangent::Coincident));
+    assert_eq!(common_tangent(&sheave, &circle(0.0, 0.0, 1.0, 0.5)), Err(NoTangent::Coincident));
+    let lost = Circle::point(DVec3::new(0.0, f64::NAN, 0.0));
+    assert_eq!(common_tangent(&sheave, &lost), Err(NoTangent::NotFinite));
+    assert_eq!(common_tangent(&Circle::point(DVec3::ZERO), &lost), Err(NoTangent::NotFinite));
 }
 
 #[test]
-fn wrap_goes_through_zero_smoothly() {
-    for degrees in [-80.0_f64, -1.0, 0.0, 1.0, 179.0, 181.0, 269.0] {
-        let turn = DQuat::from_axis_angle(DVec3::Z, degrees.to_radians());
-        assert!((wrap_angle(DVec3::Z, DVec3::X, turn * DVec3::X) - degrees.to_radians()).abs() < 1e-14);
+fn circles_that_touch_or_overlap() {
+    let (first, second) = (1.0_f64, 0.9);
+    let start = circle(0.0, 0.0, 1.0, first);
+    for distance in [0.5, 1.0, 1.5, first + second] {
+        // No rope passes between them.
+        let crossing = common_tangent(&start, &circle(distance, 0.0, -1.0, second));
+        assert_eq!(crossing, Err(NoTangent::Overlapping), "{distance}");
+        // An open belt lies around both all the same, though each may hold the other's centre.
+        let open = common_tangent(&start, &circle(distance, 0.0, 1.0, second)).unwrap();
+        let exact = (distance * distance - (first - second).powi(2)).sqrt();
+        assert!((open.length - exact).abs() < 1e-14);
+    }
+    // One within the other: no tangent of any kind.
+    let within = circle(0.05, 0.0, 1.0, second);
+    assert_eq!(common_tangent(&start, &within), Err(NoTangent::InsideStart));
+}
+
+#[test]
+fn degenerate_cases_say_what_is_in_the_way() {
+    let messages = [
+        (NoTangent::InsideStart, "where it starts holds the other end within its circle"),
+        (NoTangent::InsideEnd, "where it ends holds the other end within its circle"),
+        (NoTangent::AlongStart, "axis of the sheave where it starts points at the other end"),
+        (NoTangent::AlongEnd, "axis of the sheave where it ends points at the other end"),
+        (NoTangent::Overlapping, "touch or overlap"),
+        (NoTangent::Coincident, "ends coincide"),
+        (NoTangent::Grazing, "grazes a sheave"),
+        (NoTangent::NotFinite, "not a number"),
+    ];
+    for (case, words) in messages {
+        assert!(case.to_string().contains(words), "{case}");
+    }
+}
+
+#[test]
+fn wrap_goes_on_through_any_angle() {
+    let mut wrap = FIRST_WRAP;
+    // There and back over a turn and a half, in steps below half a turn.
+    for degrees in (-80..540).step_by(7).chain((-80..540).step_by(7).rev()) {
+        let angle = f64::from(degrees).to_radians();
+        let turn = DQuat::from_axis_angle(DVec3::Z, angle);
+        wrap = wrap_angle(DVec3::Z, DVec3::X, turn * DVec3::X, wrap);
+        assert!((wrap - angle).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn fleet_angle_has_the_side_of_the_axis() {
+    for degrees in [-90.0_f64, -4.0, 0.0, 1e-6, 89.0] {
+        let angle = degrees.to_radians();
+        let outwards = DVec3::new(angle.cos(), 0.0, angle.sin());
+        assert!((fleet_angle(DVec3::Z, outwards) - angle).abs() < 1e-15);
     }
 }
 
@@ -97,17 +154,13 @@ proptest! {
         let tangent = match common_tangent(&start, &end) {
             Ok(tangent) => tangent,
             // Only where the other end lies close to the axis, seen along it.
-            Err(NoTangent::InsideStart) => {
-                let flat = start.axis.cross(end.centre - start.centre).length();
+            Err(NoTangent::InsideStart | NoTangent::InsideEnd | NoTangent::Overlapping) => {
+                let way = end.centre - start.centre;
+                let flat = start.axis.cross(way).length().min(end.axis.cross(way).length());
                 prop_assert!(flat <= start.radius + end.radius);
                 return Ok(());
             }
-            Err(NoTangent::InsideEnd) => {
-                let flat = end.axis.cross(end.centre - start.centre).length();
-                prop_assert!(flat <= start.radius + end.radius);
-                return Ok(());
-            }
-            Err(NoTangent::Coincident) => return Err(TestCaseError::fail("they are 2.5 m apart")),
+            Err(other) => return Err(TestCaseError::fail(other.to_string())),
         };
         for (circle, radial) in [(&start, tangent.radial[0]), (&end, tangent.radial[1])] {
             prop_assert!(radial.dot(tangent.direction).abs() < 1e-12);

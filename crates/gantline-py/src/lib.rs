@@ -94,12 +94,14 @@ impl Simulation {
         let (bodies, kinds) = (names.body.len(), gantline_core::audit::KINDS.len());
         let events: Vec<f64> = self.inner.events().iter().map(|event| event.0).collect();
         let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
-        let all: [(&str, Vec<f64>, Vec<usize>); 18] = [
+        let all: [(&str, Vec<f64>, Vec<usize>); 20] = [
             ("time", samples.time.clone(), vec![count]),
             ("rope_tension", columns.rope_tension, vec![count, ropes]),
             ("segment_tension", columns.segment_tension, vec![count, segments]),
             ("segment_length", columns.segment_length, vec![count, segments]),
             ("rope_point", columns.rope_point, vec![count, points, 3]),
+            ("wrap_angle", columns.wrap_angle, vec![count, names.wrapped_sheave.len()]),
+            ("fleet_angle", columns.fleet_angle, vec![count, names.wrapped_sheave.len(), 2]),
             ("body_position", columns.body_position, vec![count, bodies, 3]),
             ("body_orientation", columns.body_orientation, vec![count, bodies, 4]),
             ("body_velocity", columns.body_velocity, vec![count, bodies, 3]),
@@ -136,6 +138,7 @@ impl Simulation {
         out.set_item("rope", names.rope)?;
         out.set_item("segment", names.segment)?;
         out.set_item("rope_point", names.rope_point)?;
+        out.set_item("wrapped_sheave", names.wrapped_sheave)?;
         out.set_item("body", names.body)?;
         out.set_item("joint", names.joint)?;
         out.set_item("contact", names.contact)?;

@@ -22,6 +22,9 @@ from gantline.scenario.rope_weight import rope_weight
 
 __all__ = ["rig", "scene"]
 
+#: Largest fleet angle where the lift file names none [rad]: 4 deg (1 : 15), by the notes on section 20 of
+#: DGUV Vorschrift 54; `docs/concepts/sheave.md` has more rules.
+FLEET_ANGLE = math.radians(4.0)
 #: Joints with translations of their own: a sheave on such a body is a moving sheave.
 _MOVING = ("slider", "point", "free")
 
@@ -42,7 +45,8 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "ropes": _ropes(scenario, rigging, parts),
         "sheaves": _sheaves_with_flow(parts),
         "drums": _drums(scenario),
-        "limits": _limits(scenario),
+        "wrapped_sheaves": (wrapped := _wrapped_sheaves(parts)),
+        **_limits(scenario, has_sheaves=bool(wrapped)),
         "plan": [_step(step) for step in scenario.plan],
     }
 
@@ -185,8 +189,25 @@ def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:
     return {"name": name, "working_load_limit": _force(scenario, shackle.working_load_limit)}
 
 
-def _limits(scenario: Scenario) -> Json:
-    return {} if scenario.limits is None else scenario.limits.model_dump(exclude_none=True)
+def _wrapped_sheaves(parts: Parts) -> list[Json]:
+    """Sheaves with true tangents, named as in recordings."""
+    return [
+        {
+            "name": f"{rope['name']}/sheave_{place}",
+            "rope": rope["name"],
+            "may_lift_off": guide["may_lift_off"],
+        }
+        for rope in parts.ropes
+        for place, guide in enumerate(rope["route"])
+        if guide["type"] == "sheave"
+    ]
+
+
+def _limits(scenario: Scenario, *, has_sheaves: bool) -> Json:
+    """Limits of the lift file, and those that hold as warnings where it is silent."""
+    given = {} if scenario.limits is None else scenario.limits.model_dump(exclude_none=True)
+    assumed = {"fleet_angle": FLEET_ANGLE} if has_sheaves and "fleet_angle" not in given else {}
+    return {"limits": {**given, **assumed}, "assumed_limits": list(assumed)}
 
 
 def _step(step: Any) -> Json:

@@ -238,9 +238,23 @@ def half_turn(
     return guide if passing is None else {**guide, "flow": passing[0], "ratio": passing[1]}
 
 
-def sheave(body: str | None, at: Sequence[float], axis: Sequence[float], radius: float) -> Json:
+def sheave(
+    body: str | None, at: Sequence[float], axis: Sequence[float], radius: float, *, may_lift_off: bool = False
+) -> Json:
     """A sheave with true tangents; `axis` in body axes, the rope runs about it."""
-    return {"type": "sheave", "body": body, "at": list(at), "axis": unit(axis), "radius": radius}
+    return {
+        "type": "sheave",
+        "body": body,
+        "at": list(at),
+        "axis": unit(axis),
+        "radius": radius,
+        "may_lift_off": may_lift_off,
+    }
+
+
+def eye(body: str | None, at: Sequence[float]) -> Json:
+    """An eye on a body (None: the world) that the rope slides through."""
+    return {"type": "eye", "body": body, "at": list(at)}
 
 
 def material(stiffness: float | None, damping_time: float) -> Json:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gantline.assembly.parts import Json, Parts, end, half_turn, material, sheave
+from gantline.assembly.parts import Json, Parts, end, eye, half_turn, material, sheave
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
 from gantline.assembly.route import route_length
 from gantline.assembly.sheave import add_sheave_flow
@@ -16,6 +16,7 @@ from gantline.scenario.mechanics import (
     Ball,
     Body,
     BodyInertia,
+    Eye,
     Fixed,
     HingeJoint,
     Joint,
@@ -201,7 +202,10 @@ def _route(
         if isinstance(guide, RopeEnd):
             route.append(end(body, guide.at, _paid_out(drums, guide)))
         elif isinstance(guide, Sheave):
-            route.append(sheave(body, guide.at, guide.axis, guide.diameter / 2))
+            lifts = guide.may_lift_off
+            route.append(sheave(body, guide.at, guide.axis, guide.diameter / 2, may_lift_off=lifts))
+        elif isinstance(guide, Eye):
+            route.append(eye(body, guide.at))
         else:
             losses = sheave_losses(guide, guide.radius, rope_mass)
             passing = add_sheave_flow(parts, f"{name}/sheave_{len(route)}", losses)

@@ -83,6 +83,12 @@ def _out_of_plane(recording: Recording, during: BoolArray) -> Iterator[Candidate
             yield from _extreme(recording, angle, carrying, f"{sling.to_load}.{sling.to_lug}")
 
 
+def _fleet_angle(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
+    for sheave in recording.rig.wrapped_sheaves:
+        carrying = during & series.is_carrying(recording.column("rope_tension", sheave.rope))
+        yield from _extreme(recording, series.fleet_angle(recording, sheave), carrying, sheave.name)
+
+
 def _sling_factor(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
     for sling in recording.rig.slings:
         if sling.minimum_breaking_force is not None:
@@ -200,6 +206,7 @@ LIMITS: dict[str, Limit] = {
     "lug_out_of_plane_angle": Limit(
         "largest angle between a carrying sling and the main plate of its lug", "deg", 1, _out_of_plane
     ),
+    "fleet_angle": Limit("largest angle of a carrying rope to the plane of a sheave", "deg", 2, _fleet_angle),
     "sling_factor_on_breaking_force": Limit(
         "minimum breaking force / peak tension of the same sling",
         "",

@@ -47,6 +47,9 @@ def _check_limit(recording: Recording, key: str, limit: object) -> Check:
     if found is None:
         return _without_value(key, kind, float(limit), recording)
     verdict = _verdict(kind, found.value, float(limit))
+    if key in recording.rig.assumed_limits and verdict is Verdict.FAILED:
+        remark = "a limit of its own under 'limits' would make this a failure"
+        return replace(_check(key, kind, found, float(limit), Verdict.WARNING), remark=remark)
     caution = kind.caution(recording) if kind.caution is not None else ""
     if caution and verdict is Verdict.OK:
         verdict = Verdict.WARNING

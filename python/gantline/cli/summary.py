@@ -41,6 +41,7 @@ def summary(recording: Recording, checks: list[Check], style: Callable[[Verdict]
         *(_equalizer(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
         _ropes(recording),
+        _wraps(recording),
         _losses(recording),
         _drums(recording),
         _hold_points(recording),
@@ -251,6 +252,20 @@ def _ropes(recording: Recording) -> list[str]:
     if all(row[-1] == ABSENT for row in rows):  # nothing to say in a column of dashes
         head, rows = head[:-1], [row[:-1] for row in rows]
     return table(head, rows, "l" + "r" * (len(head) - 1)) if rows else []
+
+
+def _wraps(recording: Recording) -> list[str]:
+    """Sheaves with true tangents: over which angle the rope lies on them, and how far it runs askew."""
+    rows = []
+    for sheave in recording.rig.wrapped_sheaves:
+        wrap = recording.column("wrap_angle", sheave.name)
+        carrying = series.is_carrying(recording.column("rope_tension", sheave.rope))
+        fleet = series.peak(recording, series.fleet_angle(recording, sheave), carrying)
+        angles = (show(float(wrap.min()), "deg", 1), show(float(wrap.max()), "deg", 1))
+        largest = (show(fleet[0], "deg", 2), show(fleet[1], "s", 2)) if fleet else (ABSENT, ABSENT)
+        rows.append((sheave.name, *angles, *largest))
+    head = ("Sheave", "least wrap", "largest wrap", "largest fleet angle", "at")
+    return table(head, rows, "lrrrr") if rows else []
 
 
 def _losses(recording: Recording) -> list[str]:

@@ -28,6 +28,18 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
     "segment_tension": ("segment_tension", ("time", "segment"), "N", "tension of a segment of rope"),
     "segment_length": ("segment_length", ("time", "segment"), "m", "length of a segment of rope, stretched"),
     "rope_point": ("rope_point", ("time", "rope_point", "xyz"), "m", "points on the drawn path of a rope"),
+    "wrap_angle": (
+        "wrap_angle",
+        ("time", "wrapped_sheave"),
+        "rad",
+        "angle over which a rope lies on a sheave; 0 where it runs straight past",
+    ),
+    "fleet_angle": (
+        "fleet_angle",
+        ("time", "wrapped_sheave", "sheave_side"),
+        "rad",
+        "angle of a rope to the plane of a sheave, positive to where its axis points",
+    ),
     "body_position": ("body_position", ("time", "body", "xyz"), "m", "centre of gravity of a body"),
     "body_orientation": (
         "body_orientation",
@@ -76,7 +88,7 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
     "rope_peak_time": ("rope_peak_time", ("rope",), "s", "time of the largest tension of a rope"),
     "event_time": ("event_time", ("event",), "s", "time of an event"),
 }
-_NAMED = ("rope", "segment", "body", "joint", "contact", "energy_kind")
+_NAMED = ("rope", "segment", "wrapped_sheave", "body", "joint", "contact", "energy_kind")
 # name in the recording, name among the names, dimension, description
 _TEXTS = (
     ("rope_of_point", "rope_point", "rope_point", "rope to which a drawn point belongs"),
@@ -107,6 +119,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         variables[name] = Variable((dim,), np.array(names[source], dtype=np.str_), "1", description)
     coordinates: dict[str, Sequence[str]] = {kind: names[kind] for kind in _NAMED if len(names[kind])}
     coordinates |= {"xyz": ("x", "y", "z"), "wxyz": ("w", "x", "y", "z")}
+    coordinates["sheave_side"] = ("arriving", "leaving")
     if of_nodes:
         variables |= of_nodes
         coordinates["rope_end"] = ("first", "last")

@@ -18,6 +18,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_tension_spread_when_clear` [1]: largest (max - min)/mean over one equalizer's slings while clear
 - `final_tension_spread` [1]: the same at the last sample
 - `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
+- `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
 - `lift_off_time` [s]: when the last contact force under the last load became zero
 - `static_hook_load`, `peak_hook_load` [N]: hook load, the largest over the hooks
 - `static_hoist_load`, `peak_hoist_load` [N]: hook load with hook block and hanging falls, the largest over
@@ -136,6 +137,11 @@ def _sheaves(recording: Recording) -> Iterator[_Metric]:
     ratios = [series.tension_ratio(recording, sheave) for sheave in lossy]
     yield "peak_sheave_tension_ratio", _largest(float(ratio.max()) for ratio in ratios)
     yield "final_sheave_tension_ratio", _largest(float(ratio[-1]) for ratio in ratios)
+    angles = []
+    for sheave in recording.rig.wrapped_sheaves:
+        carrying = series.is_carrying(recording.column("rope_tension", sheave.rope))
+        angles.append(float(series.fleet_angle(recording, sheave)[carrying].max(initial=0.0)))
+    yield "peak_fleet_angle", _largest(angles)
 
 
 def _loads(recording: Recording) -> Iterator[_Metric]:

@@ -203,6 +203,21 @@ class Sheave(_FromJson):
 
 
 @dataclass(frozen=True)
+class WrappedSheave(_FromJson):
+    """A sheave that its rope touches along true tangents.
+
+    Attributes:
+        name: `<rope>/sheave_<n>`, counted from 1 along the rope.
+        rope: Its rope.
+        may_lift_off: Whether the rope may leave it.
+    """
+
+    name: str
+    rope: str
+    may_lift_off: bool = False
+
+
+@dataclass(frozen=True)
 class Drum(_FromJson):
     """A drum of `mechanics`.
 
@@ -249,7 +264,9 @@ class Rig(_FromJson):
         ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
         drums: Drums.
+        wrapped_sheaves: Sheaves with true tangents.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
+        assumed_limits: Those of them that the lift file does not name: going past one is a warning.
         plan: Steps of the plan.
     """
 
@@ -265,7 +282,9 @@ class Rig(_FromJson):
     ropes: Sequence[Rope] = ()
     sheaves: Sequence[Sheave] = ()
     drums: Sequence[Drum] = ()
+    wrapped_sheaves: Sequence[WrappedSheave] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
+    assumed_limits: Sequence[str] = ()
     plan: Sequence[Step] = ()
 
     @classmethod
@@ -279,6 +298,9 @@ class Rig(_FromJson):
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
             "sheaves": tuple(Sheave.from_json(d) for d in document.get("sheaves") or ()),
             "drums": tuple(Drum.from_json(d) for d in document.get("drums") or ()),
+            "wrapped_sheaves": tuple(
+                WrappedSheave.from_json(d) for d in document.get("wrapped_sheaves") or ()
+            ),
             "plan": tuple(Step.from_json(d) for d in document.get("plan") or ()),
             "limits": document.get("limits") or {},
         }

@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer, Load, Sheave, Sling
+from gantline.results.rig import Equalizer, Load, Sheave, Sling, WrappedSheave
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -158,6 +158,12 @@ def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
     spread = tensions.max(axis=0) - tensions.min(axis=0)
     ratio: FloatArray = np.divide(spread, mean, out=np.zeros_like(mean), where=mean > 0.0)
     return ratio
+
+
+def fleet_angle(recording: Recording, sheave: WrappedSheave) -> FloatArray:
+    """Larger of the angles [rad] of a rope to the plane of a sheave on its two sides, shape (time,)."""
+    larger: FloatArray = np.abs(recording.column("fleet_angle", sheave.name)).max(axis=1)
+    return larger
 
 
 def tension_ratio(recording: Recording, sheave: Sheave) -> FloatArray:

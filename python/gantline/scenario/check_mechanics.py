@@ -199,7 +199,8 @@ def _check_flows(findings: Findings, path: Path, rope: MechanicsRope, drums: Map
 def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, known: Sequence[str]) -> None:
     is_end = isinstance(guide, RopeEnd)
     if is_end != is_last:
-        findings.add((*path, "type"), "a route begins and ends with 'type: end', with only sheaves between")
+        sentence = "a route begins and ends with 'type: end', with only sheaves and eyes between"
+        findings.add((*path, "type"), sentence)
     allowed = known if isinstance(guide, HalfTurn) else [*known, "world"]
     if guide.body not in allowed:
         findings.add((*path, "body"), f"'{guide.body}' is not a body; {nearest(guide.body, allowed)}")

@@ -15,6 +15,7 @@ from gantline.scenario.quantities import (
     AngularSpeed,
     AngularVelocity,
     Damping,
+    Flag,
     Inertia,
     Length,
     ListOf,
@@ -46,6 +47,7 @@ __all__ = [
     "BodyInertia",
     "BodyShape",
     "Contact",
+    "Eye",
     "Fixed",
     "Free",
     "Guide",
@@ -241,6 +243,9 @@ class Sheave(Element):
     at: Position = Field(ORIGIN, description="Its centre in the body's axes.")
     axis: Direction = Field(description="Its axis in the body's axes; the rope runs about it, right-handed.")
     diameter: PositiveLength = Field(description="Pitch diameter, to the centre line of the rope.")
+    may_lift_off: Flag = Field(
+        False, description="Whether the rope may leave it and run straight past; else that is a warning."
+    )
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:
@@ -251,7 +256,17 @@ class Sheave(Element):
                 raise refuse(f"{sentence}; those of a 'half_turn' can", key)
 
 
-Guide = Annotated[RopeEnd | HalfTurn | Sheave, Field(discriminator="type")]
+class Eye(Element):
+    """An eye or a shackle that the rope slides through without friction: a point."""
+
+    what: ClassVar[str] = "an eye"
+
+    type: Literal["eye"] = Field(description="Kind of guide.")
+    body: Name = Field(description="Body that it belongs to, or 'world'.")
+    at: Position = Field(ORIGIN, description="Place in the body's axes.")
+
+
+Guide = Annotated[RopeEnd | HalfTurn | Sheave | Eye, Field(discriminator="type")]
 
 
 class MechanicsRope(Element):
@@ -265,7 +280,7 @@ class MechanicsRope(Element):
     ] = Field(description="Unstretched length; 'as_routed': just taut at the start.")
     rope_weight: RopeWeightWord | None = Field(None, description=WEIGHT_SHOWN)
     rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
-    route: list[Guide] = Field(min_length=2, description="Ends and sheaves, in order.")
+    route: list[Guide] = Field(min_length=2, description="Ends, and sheaves and eyes between them, in order.")
 
 
 class Plane(Element):

@@ -303,6 +303,11 @@ class Limits(Element):
     lug_out_of_plane_angle: PositiveAngle | None = Field(
         None, description="Angle of slings to the lug's plate."
     )
+    fleet_angle: PositiveAngle | None = Field(
+        None,
+        description="Angle of a carrying rope to the plane of a sheave with true tangents; if not given, "
+        "more than 4 deg is a warning.",
+    )
     sling_factor_on_breaking_force: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
         None, description="Least factor of minimum breaking force over peak tension, of every sling."
     )

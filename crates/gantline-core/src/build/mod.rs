@@ -13,15 +13,17 @@ use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
+use crate::rope::route::Guide;
+use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::spec::SystemSpec;
 use crate::state::State;
 use crate::stepper::frame::Frame;
-use crate::system::{Rows, System};
+use crate::system::{Rows, SheavePlace, System};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use plan::{build_drives, build_step};
-use rows::build_constraints;
+use rows::{Built, build_constraints};
 use tree::{build_tree, start_of_joint};
 
 /// What is wrong with a document.
@@ -61,7 +63,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     }
     let mut start = Kinematics::new(&tree);
     start.update(&tree, &q);
-    let (constraints, groups) = build_constraints(spec, &tree, &start)?;
+    let Built { constraints, groups, seats } = build_constraints(spec, &tree, &start)?;
     let rows = Rows::new(&constraints);
     let rigid: Vec<usize> = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let is_brake_row = |row: &usize| matches!(rows.laws[*row], Law::Brake { .. });
@@ -86,12 +88,14 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
         .collect();
     let rope_count = spec.ropes.len();
+    let sheaves = places_of_sheaves(&constraints);
     let friction = (0..rows.count()).filter(|&row| matches!(rows.laws[row], Law::Friction { .. })).collect();
     let mut system = System {
         tree,
         constraints,
         rope_count,
         rows,
+        sheaves,
         inextensible,
         rigid,
         friction,
@@ -105,8 +109,20 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         plan,
         clock: Clock::default(),
     };
-    let state = first_state(spec, &mut system, q, v)?;
+    let state = first_state(spec, &mut system, (q, v), seats)?;
     Ok((system, state))
+}
+
+fn places_of_sheaves(constraints: &[AnyConstraint]) -> Vec<SheavePlace> {
+    let mut places = Vec::new();
+    for (rope, constraint) in constraints.iter().enumerate() {
+        let AnyConstraint::Rope(Rope { route, .. }) = constraint else { continue };
+        places.extend(route.guides.iter().enumerate().filter_map(|(guide, given)| match *given {
+            Guide::Sheave { may_lift_off, .. } => Some(SheavePlace { rope, guide, may_lift_off }),
+            _ => None,
+        }));
+    }
+    places
 }
 
 fn unique<'a>(kind: &str, names: impl Iterator<Item = &'a str>) -> Result<(), BuildError> {
@@ -151,8 +167,8 @@ fn unit(element: &str, what: &str, given: [f64; 3]) -> Result<DVec3, BuildError>
 fn first_state(
     spec: &SystemSpec,
     system: &mut System,
-    q: Vec<f64>,
-    v: Vec<f64>,
+    (q, v): (Vec<f64>, Vec<f64>),
+    seats: Vec<Seat>,
 ) -> Result<State, BuildError> {
     let rows = system.rows.count();
     let timelines = system.drives.iter().zip(&spec.drives).map(|(drive, given)| {
@@ -175,6 +191,7 @@ fn first_state(
         trial: vec![0.0; rows],
         modes: vec![Mode::Slack; rows],
         memory: vec![0.0; rows],
+        seats,
         next_step: 0.0,
         restart: true,
         engaged: false,

@@ -11,6 +11,7 @@ use crate::constraint::rope::span::{Feed, Span};
 use crate::contact::plane::Plane;
 use crate::rope::material::Material;
 use crate::rope::route::{Attachment, Guide, Route};
+use crate::rope::seat::Seat;
 use crate::spec::{ContactSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, SystemSpec};
 use crate::system::ContactGroup;
 use crate::tree::Tree;
@@ -30,14 +31,23 @@ fn body_index(element: &str, tree: &Tree, name: Option<&String>) -> Result<Optio
     }
 }
 
+/// Constraints, and what goes with them.
+pub(super) struct Built {
+    pub constraints: Vec<AnyConstraint>,
+    pub groups: Vec<ContactGroup>,
+    /// How ropes lie on sheaves with true tangents at the start, in the order of ropes and routes.
+    pub seats: Vec<Seat>,
+}
+
 pub(super) fn build_constraints(
     spec: &SystemSpec,
     tree: &Tree,
     start: &Kinematics,
-) -> Result<(Vec<AnyConstraint>, Vec<ContactGroup>), BuildError> {
+) -> Result<Built, BuildError> {
     let mut constraints = Vec::with_capacity(spec.ropes.len() + spec.contacts.len());
+    let mut seats = Vec::new();
     for given in &spec.ropes {
-        constraints.push(AnyConstraint::Rope(build_rope(given, tree, start)?));
+        constraints.push(AnyConstraint::Rope(build_rope(given, tree, start, &mut seats)?));
     }
     let brakes = build_brakes(spec, tree, &constraints)?;
     let mut groups: Vec<ContactGroup> = Vec::new();
@@ -50,7 +60,7 @@ pub(super) fn build_constraints(
         constraints.push(AnyConstraint::Contact(build_contact(given, group, tree)?));
     }
     constraints.extend(brakes);
-    Ok((constraints, groups))
+    Ok(Built { constraints, groups, seats })
 }
 
 /// Friction of all flows and joints that no drive prescribes: of pins, of the sheave that rope passes, and of brakes.
@@ -137,6 +147,7 @@ fn build_guide<'a>(
     name: &str,
     given: &'a GuideSpec,
     tree: &Tree,
+    seat: usize,
 ) -> Result<(Guide, Option<FeedSpec<'a>>), BuildError> {
     Ok(match given {
         GuideSpec::End { body, at, drum } => {
@@ -169,13 +180,19 @@ fn build_guide<'a>(
             };
             (guide, flow.as_ref().map(|flow| (flow, -1.0, 1.0)))
         }
-        GuideSpec::Sheave { body, at, axis, radius } => {
+        GuideSpec::Eye { body, at } => {
+            finite(name, "a point of its route", at)?;
+            let body = body_index(name, tree, body.as_ref())?;
+            (Guide::Eye(Attachment { body, at: DVec3::from_array(*at) }), None)
+        }
+        GuideSpec::Sheave { body, at, axis, radius, may_lift_off } => {
             finite(name, "a point of its route", at)?;
             positive(name, "the radius of a sheave", *radius)?;
             let body = body_index(name, tree, body.as_ref())?;
             let centre = Attachment { body, at: DVec3::from_array(*at) };
             let axis = unit(name, "the axis of a sheave", *axis)?;
-            (Guide::Sheave { centre, axis, radius: *radius }, None)
+            let (radius, may_lift_off) = (*radius, *may_lift_off);
+            (Guide::Sheave { centre, axis, radius, seat, may_lift_off }, None)
         }
     })
 }
@@ -186,7 +203,7 @@ fn build_spans(
     route: &Route,
     feeds: &[Option<FeedSpec>],
     share: f64,
-    (tree, start): (&Tree, &Kinematics),
+    (tree, start, seats): (&Tree, &Kinematics, &[Seat]),
 ) -> Result<Vec<Span>, BuildError> {
     let feed = |given: &FeedSpec, rate: f64| {
         let Some(body) = tree.bodies.iter().find(|body| &body.name == given.0) else {
@@ -219,18 +236,58 @@ fn build_spans(
             one.rate += other.rate;
             span.feeds.pop();
         }
-        span.length = share * (arcs + route.length_of(from..index, start, |_, _| {}));
+        span.length = share * (arcs + route.length_of(from..index, start, seats, |_, _| {}));
         spans.push(span);
         from = index;
     }
     Ok(spans)
 }
 
-fn build_rope(given: &RopeSpec, tree: &Tree, start: &Kinematics) -> Result<Rope, BuildError> {
+/// Whether every part that ends on a sheave or an eye has a direction at the start.
+fn check_parts(name: &str, route: &Route, start: &Kinematics) -> Result<(), BuildError> {
+    let is_eye = |guide: &Guide| matches!(guide, Guide::Eye(_));
+    for (index, (part, guides)) in route.parts.iter().zip(route.guides.windows(2)).enumerate() {
+        if part.is_plain() && !guides.iter().any(is_eye) {
+            continue;
+        }
+        if let Err(reason) = part.tangent(start, |_, circle| circle) {
+            return error(name, format!("its part {} at the start: {reason}", index + 1));
+        }
+    }
+    Ok(())
+}
+
+/// Lets the rope lie on its sheaves as it does at the start, and off those that it may leave and does not touch.
+fn take_seats(route: &Route, start: &Kinematics, seats: &mut [Seat]) {
+    // Passing one sheave straight changes the wrap of the next: each round settles one more at least.
+    for _ in 0..route.guides.len() {
+        let before = seats.to_vec();
+        route.wraps(start, &before, |seat, wrap| seats[seat].wrap = wrap);
+        for guide in &route.guides {
+            if let Guide::Sheave { seat, may_lift_off: true, .. } = *guide {
+                seats[seat].is_off |= seats[seat].wrap < 0.0;
+            }
+        }
+        if seats.iter().zip(&before).all(|(now, before)| now.is_off == before.is_off) {
+            return;
+        }
+    }
+}
+
+/// A rope; `seats` grows by those of its sheaves, as they lie at the start.
+fn build_rope(
+    given: &RopeSpec,
+    tree: &Tree,
+    start: &Kinematics,
+    seats: &mut Vec<Seat>,
+) -> Result<Rope, BuildError> {
     let name = &given.name;
     let (mut guides, mut feeds) = (Vec::new(), Vec::new());
     for guide in &given.route {
-        let (guide, feed) = build_guide(name, guide, tree)?;
+        let (guide, feed) = build_guide(name, guide, tree, seats.len())?;
+        if let Guide::Sheave { .. } = guide {
+            seats.push(Seat::default());
+        }
         guides.push(guide);
         feeds.push(feed);
     }
@@ -239,12 +296,13 @@ fn build_rope(given: &RopeSpec, tree: &Tree, start: &Kinematics) -> Result<Rope,
         return error(name, "its route must start and finish with an end");
     }
     let route = Route::new(guides);
-    for (index, part) in route.parts.iter().enumerate().filter(|(_, part)| !part.is_plain()) {
-        if let Err(reason) = part.tangent(start, |_, circle| circle) {
-            return error(name, format!("its part {} at the start: {reason}", index + 1));
-        }
+    check_parts(name, &route, start)?;
+    take_seats(&route, start, seats);
+    // Past a sheave that the rope has left the sheaves before and after it may be in each other's way.
+    if let Some((index, reason)) = route.refusal(start, seats) {
+        return error(name, format!("its part {} at the start: {reason}", index + 1));
     }
-    let routed = route.length(start, |_, _| {});
+    let routed = route.length(start, seats, |_, _| {});
     let length = given.length.unwrap_or(routed);
     positive(name, "its length", length)?;
     // Where a rope touches its sheaves only the core knows, so that the check of its length is here.
@@ -269,7 +327,7 @@ fn build_rope(given: &RopeSpec, tree: &Tree, start: &Kinematics) -> Result<Rope,
         }
     };
     let spans = if is_fed {
-        build_spans(name, &route, &feeds, length / routed, (tree, start))?
+        build_spans(name, &route, &feeds, length / routed, (tree, start, seats))?
     } else {
         vec![Span { parts: 0..route.parts.len(), arcs: route.arcs, length, feeds: Vec::new() }]
     };

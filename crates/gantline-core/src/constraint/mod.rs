@@ -9,6 +9,7 @@ pub mod rope;
 
 use glam::DVec3;
 
+use crate::rope::seat::Seat;
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::{Kinematics, Twist};
@@ -99,6 +100,8 @@ pub struct Placed<'a> {
     pub kinematics: &'a Kinematics,
     /// Its configuration.
     pub q: &'a [f64],
+    /// How ropes lie on their sheaves.
+    pub seats: &'a [Seat],
 }
 
 /// Where everything is and how it moves.
@@ -112,6 +115,8 @@ pub struct Moving<'a> {
     pub q: &'a [f64],
     /// Velocity coordinates.
     pub v: &'a [f64],
+    /// How ropes lie on their sheaves.
+    pub seats: &'a [Seat],
 }
 
 /// What a kind of constraint has to say.

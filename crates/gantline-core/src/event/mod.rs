@@ -17,6 +17,10 @@ pub enum EventKind {
     Stick,
     /// A contact starts to slide.
     Slip,
+    /// The wrap of a rope on a sheave has become zero.
+    RopeOffSheave,
+    /// A rope that was off a sheave touches it again.
+    RopeOnSheave,
     /// A step of the plan begins.
     StepBegin,
     /// A step of the plan ends.
@@ -33,13 +37,15 @@ impl EventKind {
             Self::SetDown => "set_down",
             Self::Stick => "stick",
             Self::Slip => "slip",
+            Self::RopeOffSheave => "rope_off_sheave",
+            Self::RopeOnSheave => "rope_on_sheave",
             Self::StepBegin => "step_begin",
             Self::StepEnd => "step_end",
         }
     }
 }
 
-/// One event. `subject` is the index of a constraint, a contact group or a step, as the kind says.
+/// One event. `subject` is the index of a constraint, a contact group, a sheave or a step, as the kind says.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// Time [s].

@@ -7,6 +7,7 @@ use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
 use crate::rope::route::Straight;
+use crate::rope::seat::Seat;
 use crate::system::System;
 use crate::tree::bias::{NewtonEuler, Wrench};
 use crate::tree::kinematics::Kinematics;
@@ -25,6 +26,11 @@ pub struct Columns {
     pub segment_length: Vec<f64>,
     /// (rope point, xyz) [m].
     pub rope_point: Vec<f64>,
+    /// (sheave) wrap angle of sheaves with true tangents [rad], 0 where the rope runs straight past.
+    pub wrap_angle: Vec<f64>,
+    /// (sheave, arriving and leaving) angle of the rope to the sheave's plane [rad], positive to where the axis
+    /// points.
+    pub fleet_angle: Vec<f64>,
     /// (body, xyz) centre of gravity [m].
     pub body_position: Vec<f64>,
     /// (body, wxyz) unit quaternion.
@@ -55,14 +61,15 @@ impl Columns {
             straights: Vec::new(),
         };
         let (positions, velocities) = (system.tree.positions, system.tree.velocities);
-        let rows = system.rows.count();
+        let (rows, sheaves) = (system.rows.count(), system.sheaves.len());
         for index in 0..samples.time.len() {
             let q = &samples.q[index * positions..][..positions];
             let v = &samples.v[index * velocities..][..velocities];
             let acceleration = &samples.acceleration[index * velocities..][..velocities];
             let tension = &samples.tension[index * rows..][..rows];
+            let seats = &samples.seats[index * sheaves..][..sheaves];
             sampled.kinematics.update(&system.tree, q);
-            sampled.add_rows(system, [q, tension], &mut columns);
+            sampled.add_rows(system, [q, tension], seats, &mut columns);
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
         }
         columns
@@ -77,6 +84,8 @@ impl Columns {
             segment_tension: room(segments),
             segment_length: room(segments),
             rope_point: room(3 * names.rope_point.len()),
+            wrap_angle: room(names.wrapped_sheave.len()),
+            fleet_angle: room(2 * names.wrapped_sheave.len()),
             body_position: room(3 * bodies),
             body_orientation: room(4 * bodies),
             body_velocity: room(3 * bodies),
@@ -122,14 +131,20 @@ struct Sampled {
 }
 
 impl Sampled {
-    fn add_rows(&mut self, system: &System, [q, tension]: [&[f64]; 2], columns: &mut Columns) {
+    fn add_rows(
+        &mut self,
+        system: &System,
+        [q, tension]: [&[f64]; 2],
+        seats: &[Seat],
+        columns: &mut Columns,
+    ) {
         self.applied.fill(Wrench::default());
         let mut violation = 0.0_f64;
         for (index, constraint) in system.constraints.iter().enumerate() {
             let row = system.rows.first[index];
             match constraint {
                 AnyConstraint::Rope(rope) => {
-                    let length = self.add_rope(rope, &tension[row..], q, columns);
+                    let length = self.add_rope(rope, [q, &tension[row..]], seats, columns);
                     if rope.material.is_inextensible() {
                         violation = violation.max(length - rope.length);
                     }
@@ -144,11 +159,17 @@ impl Sampled {
     }
 
     /// Adds a rope's columns and its forces on bodies; returns its length [m].
-    fn add_rope(&mut self, rope: &Rope, force: &[f64], q: &[f64], columns: &mut Columns) -> f64 {
+    fn add_rope(
+        &mut self,
+        rope: &Rope,
+        [q, force]: [&[f64]; 2],
+        seats: &[Seat],
+        columns: &mut Columns,
+    ) -> f64 {
         columns.rope_tension.push(mean_tension(rope, force, q));
         self.straights.clear();
         let straights = &mut self.straights;
-        let length = rope.route.length(&self.kinematics, |_, straight| straights.push(*straight));
+        let length = rope.route.length(&self.kinematics, seats, |_, straight| straights.push(*straight));
         for (index, part) in rope.route.parts.iter().enumerate() {
             let straight = self.straights[index];
             let span = rope.span_of[index];
@@ -162,9 +183,16 @@ impl Sampled {
         for (index, guide) in rope.route.guides.iter().enumerate() {
             let before = index.checked_sub(1).and_then(|part| self.straights.get(part));
             let parts = [before, self.straights.get(index)];
-            guide.draw(&self.kinematics, parts, ARC_SAMPLES, |point| {
+            guide.draw((&self.kinematics, seats), parts, ARC_SAMPLES, |point| {
                 columns.rope_point.extend_from_slice(point.as_ref());
             });
+            if let ([Some(before), Some(after)], true) = (parts, guide.is_sheave()) {
+                let is_lifted = guide.is_lifted(seats);
+                let wrap = guide.wrap(&self.kinematics, seats, before, after);
+                let fleet = guide.fleet(&self.kinematics, before, after);
+                columns.wrap_angle.push(if is_lifted { 0.0 } else { wrap });
+                columns.fleet_angle.extend(if is_lifted { [0.0; 2] } else { fleet });
+            }
         }
         length
     }

@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::audit::KINDS;
+use crate::rope::seat::Seat;
 use crate::state::State;
 use crate::system::System;
 
@@ -36,6 +37,8 @@ pub struct Samples {
     pub acceleration: Vec<f64>,
     /// (row) force [N].
     pub tension: Vec<f64>,
+    /// (sheave) how ropes lie on sheaves with true tangents.
+    pub seats: Vec<Seat>,
     /// (kind) [J].
     pub energy: Vec<f64>,
     /// Largest distance of a force from its law [N].
@@ -52,11 +55,12 @@ const MOST_ROOM: usize = 1 << 24;
 impl Samples {
     /// Room for `count` samples of `state`, so that a run need not move them as it goes.
     pub fn with_room(state: &State, count: f64) -> Self {
-        let State { q, v, tension, .. } = state;
-        let width = q.len() + 2 * v.len() + tension.len() + KINDS.len() + 2;
+        let State { q, v, tension, seats, .. } = state;
+        let width = q.len() + 2 * v.len() + tension.len() + 2 * seats.len() + KINDS.len() + 2;
         let count = (count as usize).saturating_add(1).min(MOST_ROOM / width);
         let room = |width: usize| Vec::with_capacity(count * width);
         Self {
+            seats: Vec::with_capacity(count * seats.len()),
             time: room(1),
             q: room(q.len()),
             v: room(v.len()),
@@ -68,12 +72,13 @@ impl Samples {
         }
     }
 
-    fn push(&mut self, time: f64, sample: &Sample, residual: f64) {
+    fn push(&mut self, time: f64, sample: &Sample, seats: &[Seat], residual: f64) {
         self.time.push(time);
         self.q.extend_from_slice(&sample.q);
         self.v.extend_from_slice(&sample.v);
         self.acceleration.extend_from_slice(&sample.acceleration);
         self.tension.extend_from_slice(&sample.tension);
+        self.seats.extend_from_slice(seats);
         self.complementarity_residual.push(residual);
     }
 
@@ -142,7 +147,7 @@ impl Recorder {
             }
             let share = ((time - from) / (to - from)).clamp(0.0, 1.0);
             motion(span, share, &mut self.sample);
-            samples.push(time, &self.sample, span.residual);
+            samples.push(time, &self.sample, &span.before.seats, span.residual);
             let [before, after] = energies;
             samples
                 .energy

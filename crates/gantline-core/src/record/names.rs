@@ -13,6 +13,8 @@ pub struct Names {
     pub segment: Vec<String>,
     /// Rope of every drawn point.
     pub rope_point: Vec<String>,
+    /// Sheaves with true tangents, `rope/sheave_number`.
+    pub wrapped_sheave: Vec<String>,
     /// Bodies.
     pub body: Vec<String>,
     /// Bodies with a hinge or slider.
@@ -29,6 +31,7 @@ impl Names {
             rope: Vec::new(),
             segment: Vec::new(),
             rope_point: Vec::new(),
+            wrapped_sheave: (0..system.sheaves.len()).map(|seat| system.sheave_name(seat)).collect(),
             body: bodies
                 .iter()
                 .filter(|body| body.joint.moves_body())

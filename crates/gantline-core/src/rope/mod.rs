@@ -2,4 +2,5 @@
 
 pub mod material;
 pub mod route;
+pub mod seat;
 pub mod tangency;

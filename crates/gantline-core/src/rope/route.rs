@@ -11,7 +11,8 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::tangency::{Circle, NoTangent, common_tangent, wrap_angle};
+use super::seat::{Seat, fleet_angle, wrap_angle};
+use super::tangency::{Circle, NoTangent, common_tangent};
 use crate::tree::kinematics::Kinematics;
 
 /// A point of a body, or of the world.
@@ -37,6 +38,8 @@ pub enum Guide {
         /// Unit vector in the body frame to the side of the arc.
         bulge: DVec3,
     },
+    /// An eye or shackle that the rope slides through: a sheave of radius zero, with a point for a circle.
+    Eye(Attachment),
     /// A sheave as it is: the rope touches its circle along true common tangents, with the wrap that results.
     Sheave {
         /// Its centre.
@@ -45,6 +48,10 @@ pub enum Guide {
         axis: DVec3,
         /// Radius of the rope's centre line [m].
         radius: f64,
+        /// Its number among the sheaves of the system, whose [`Seat`] it has.
+        seat: usize,
+        /// True where the rope runs straight past once it is off; else it is followed as if the arc were negative.
+        may_lift_off: bool,
     },
 }
 
@@ -72,8 +79,8 @@ impl Guide {
     /// Where the part before this guide ends.
     pub fn arrival(&self) -> Anchor {
         match *self {
-            Self::End(at) | Self::HalfTurn { enter: at, .. } => Anchor { at, sheave: None },
-            Self::Sheave { centre: at, axis, radius } => Anchor { at, sheave: Some((axis, radius)) },
+            Self::End(at) | Self::Eye(at) | Self::HalfTurn { enter: at, .. } => Anchor { at, sheave: None },
+            Self::Sheave { centre: at, axis, radius, .. } => Anchor { at, sheave: Some((axis, radius)) },
         }
     }
 
@@ -88,26 +95,45 @@ impl Guide {
     /// Length of rope on the guide [m] where it does not change: π D/2 for half a turn (paper eq. 19).
     pub fn fixed_arc(&self) -> f64 {
         match self {
-            Self::End(_) | Self::Sheave { .. } => 0.0,
+            Self::End(_) | Self::Eye(_) | Self::Sheave { .. } => 0.0,
             Self::HalfTurn { enter, leave, .. } => PI * (leave.at - enter.at).length() / 2.0,
         }
     }
 
-    /// Wrap angle [rad] of a sheave between two parts, negative where the rope has lifted off; π for half a turn.
-    pub fn wrap(&self, kinematics: &Kinematics, before: &Straight, after: &Straight) -> f64 {
+    /// True for a sheave with true tangents.
+    pub fn is_sheave(&self) -> bool {
+        matches!(self, Self::Sheave { .. })
+    }
+
+    /// True for a sheave that the rope has left and runs straight past.
+    pub fn is_lifted(&self, seats: &[Seat]) -> bool {
+        matches!(*self, Self::Sheave { may_lift_off: true, seat, .. } if seats[seat].is_off)
+    }
+
+    /// Wrap angle [rad] of a sheave between two parts, negative where the rope is off but followed as if it were
+    /// not; π for half a turn.
+    pub fn wrap(&self, kinematics: &Kinematics, seats: &[Seat], before: &Straight, after: &Straight) -> f64 {
         match self {
-            Self::End(_) => 0.0,
+            Self::End(_) | Self::Eye(_) => 0.0,
             Self::HalfTurn { .. } => PI,
-            Self::Sheave { centre, axis, .. } => {
-                wrap_angle(kinematics.turn(centre.body, *axis), before.radial[1], after.radial[0])
+            Self::Sheave { centre, axis, seat, .. } => {
+                let axis = kinematics.turn(centre.body, *axis);
+                wrap_angle(axis, before.radial[1], after.radial[0], seats[*seat].wrap)
             }
         }
+    }
+
+    /// Angles [rad] of the parts before and after a sheave to its plane, by [`fleet_angle`].
+    pub fn fleet(&self, kinematics: &Kinematics, before: &Straight, after: &Straight) -> [f64; 2] {
+        let Self::Sheave { centre, axis, .. } = self else { return [0.0; 2] };
+        let axis = kinematics.turn(centre.body, *axis);
+        [-before.direction, after.direction].map(|outwards| fleet_angle(axis, outwards))
     }
 
     /// World points along the guide between two parts, for drawing: `samples` + 1 points on an arc, one on an end.
     pub fn draw(
         &self,
-        kinematics: &Kinematics,
+        (kinematics, seats): (&Kinematics, &[Seat]),
         parts: [Option<&Straight>; 2],
         samples: usize,
         mut emit: impl FnMut(DVec3),
@@ -120,21 +146,26 @@ impl Guide {
                 let [along, across] = [along, across].map(|arm| kinematics.turn(enter.body, arm));
                 draw_arc(centre, [along, across], PI, samples, emit);
             }
-            (Self::Sheave { centre, axis, radius }, [Some(before), Some(after)]) => {
-                let wrap = self.wrap(kinematics, before, after);
+            (Self::Sheave { .. }, [Some(before), Some(_)]) if self.is_lifted(seats) => {
+                (0..=samples).for_each(|_| emit(before.to));
+            }
+            (Self::Sheave { centre, axis, radius, .. }, [Some(before), Some(after)]) => {
+                let wrap = self.wrap(kinematics, seats, before, after);
                 let middle = kinematics.point(centre.body, centre.at);
                 let axis = kinematics.turn(centre.body, *axis);
                 let radial = before.radial[1] * *radius;
                 draw_arc(middle, [radial, axis.cross(radial)], wrap, samples, emit);
             }
-            (Self::End(at) | Self::Sheave { centre: at, .. }, _) => emit(kinematics.point(at.body, at.at)),
+            (Self::End(at) | Self::Eye(at) | Self::Sheave { centre: at, .. }, _) => {
+                emit(kinematics.point(at.body, at.at))
+            }
         }
     }
 
     /// How many points [`Guide::draw`] emits.
     pub fn drawn_points(&self, samples: usize) -> usize {
         match self {
-            Self::End(_) => 1,
+            Self::End(_) | Self::Eye(_) => 1,
             Self::HalfTurn { .. } | Self::Sheave { .. } => samples + 1,
         }
     }
@@ -218,6 +249,8 @@ pub struct Route {
     pub arcs: f64,
     /// True where no part ends on a sheave with true tangents.
     pub is_plain: bool,
+    /// True where the rope may leave some sheave.
+    may_lift_off: bool,
 }
 
 /// Direction and length of a vector; the direction of none is zero.
@@ -234,12 +267,14 @@ impl Route {
         let parts: Vec<Part> = guides.windows(2).map(between).collect();
         let arcs = guides.iter().map(Guide::fixed_arc).sum();
         let is_plain = parts.iter().all(Part::is_plain);
-        Self { guides, parts, arcs, is_plain }
+        let may_lift_off =
+            guides.iter().any(|guide| matches!(guide, Guide::Sheave { may_lift_off: true, .. }));
+        Self { guides, parts, arcs, is_plain, may_lift_off }
     }
 
     /// Length along the route [m], parts and arcs, with the parts as they lie; `each` sees every part.
-    pub fn length(&self, kinematics: &Kinematics, each: impl FnMut(usize, &Straight)) -> f64 {
-        self.arcs + self.length_of(0..self.parts.len(), kinematics, each)
+    pub fn length(&self, kinematics: &Kinematics, seats: &[Seat], each: impl FnMut(usize, &Straight)) -> f64 {
+        self.arcs + self.length_of(0..self.parts.len(), kinematics, seats, each)
     }
 
     /// Length of some parts [m] and of the wraps between them, without half turns.
@@ -247,20 +282,107 @@ impl Route {
         &self,
         parts: Range<usize>,
         kinematics: &Kinematics,
+        seats: &[Seat],
         mut each: impl FnMut(usize, &Straight),
     ) -> f64 {
         let mut length = 0.0;
         let mut before: Option<Straight> = None;
-        for index in parts {
-            let straight = self.parts[index].locate(kinematics);
+        let mut index = parts.start;
+        while index < parts.end {
+            let next = self.next_seated(index, parts.end, seats);
+            let straight = self.between(index, next).locate(kinematics);
             if let (Some(before), Guide::Sheave { radius, .. }) = (&before, self.guides[index]) {
-                length += radius * self.guides[index].wrap(kinematics, before, &straight);
+                length += radius * self.guides[index].wrap(kinematics, seats, before, &straight);
             }
             length += straight.length;
-            each(index, &straight);
+            if next == index + 1 {
+                each(index, &straight);
+            } else {
+                self.past(index..next, kinematics, &straight, &mut each);
+            }
             before = Some(straight);
+            index = next;
         }
         length
+    }
+
+    /// The first guide after `index`, but not after `last`, that the rope touches.
+    fn next_seated(&self, index: usize, last: usize, seats: &[Seat]) -> usize {
+        if !self.may_lift_off {
+            return index + 1;
+        }
+        (index + 1..last).find(|&next| !self.guides[next].is_lifted(seats)).unwrap_or(last)
+    }
+
+    /// The straight part between two guides, those between them passed by.
+    pub fn between(&self, from: usize, to: usize) -> Part {
+        if to == from + 1 {
+            return self.parts[from];
+        }
+        Part { from: self.guides[from].departure(), to: self.guides[to].arrival() }
+    }
+
+    /// Shows `each` a straight part that runs past sheaves as the parts that it takes the place of: they meet where
+    /// it is closest to each centre, as if it were held there by the sheave's body. What both parts do to that body
+    /// cancels, and each is in balance by itself, so that whoever treats parts one by one need not know.
+    fn past(
+        &self,
+        parts: Range<usize>,
+        kinematics: &Kinematics,
+        whole: &Straight,
+        each: &mut impl FnMut(usize, &Straight),
+    ) {
+        let mut piece = Straight { radial: [whole.radial[0], DVec3::ZERO], ..*whole };
+        for index in parts.clone() {
+            let is_last = index + 1 == parts.end;
+            if is_last {
+                (piece.to, piece.couple[1], piece.radial[1]) = (whole.to, whole.couple[1], whole.radial[1]);
+            } else {
+                let at = self.guides[index + 1].arrival().at;
+                let along = (kinematics.point(at.body, at.at) - piece.from).dot(whole.direction);
+                let rest = (whole.to - piece.from).dot(whole.direction);
+                piece.to = piece.from + whole.direction * along.clamp(0.0, rest.max(0.0));
+                piece.couple[1] = -piece.couple[0] - (piece.to - piece.from).cross(whole.pull);
+            }
+            piece.length = (piece.to - piece.from).length();
+            each(index, &piece);
+            (piece.from, piece.couple[0], piece.radial[0]) = (piece.to, -piece.couple[1], DVec3::ZERO);
+        }
+    }
+
+    /// Wrap angles of the sheaves as the parts lie, or would lie if a sheave that has been left were touched; `each`
+    /// sees every seat with its wrap. A sheave that a tangent cannot reach keeps its wrap.
+    pub fn wraps(&self, kinematics: &Kinematics, seats: &[Seat], mut each: impl FnMut(usize, f64)) {
+        let last = self.guides.len() - 1;
+        let mut touched = 0;
+        for (index, guide) in self.guides.iter().enumerate() {
+            let Guide::Sheave { seat, .. } = *guide else {
+                touched = index;
+                continue;
+            };
+            let next = self.next_seated(index, last, seats);
+            let tangent = |from, to| self.between(from, to).tangent(kinematics, |_, circle| circle);
+            if let (Ok(before), Ok(after)) = (tangent(touched, index), tangent(index, next)) {
+                each(seat, guide.wrap(kinematics, seats, &before, &after));
+            }
+            if !guide.is_lifted(seats) {
+                touched = index;
+            }
+        }
+    }
+
+    /// The first part without a tangent as the rope lies, and why.
+    pub fn refusal(&self, kinematics: &Kinematics, seats: &[Seat]) -> Option<(usize, NoTangent)> {
+        let mut index = 0;
+        while index < self.parts.len() {
+            let next = self.next_seated(index, self.parts.len(), seats);
+            let part = self.between(index, next);
+            if let (false, Err(reason)) = (part.is_plain(), part.tangent(kinematics, |_, circle| circle)) {
+                return Some((index, reason));
+            }
+            index = next;
+        }
+        None
     }
 }
 

@@ -71,9 +71,24 @@ pub enum NoTangent {
     /// The same for the end's circle.
     #[error("the sheave where it ends holds the other end within its circle, seen along the axis")]
     InsideEnd,
+    /// The axis of the start's sheave runs through the other end.
+    #[error("the axis of the sheave where it starts points at the other end; a rope runs across the axis")]
+    AlongStart,
+    /// The axis of the end's sheave runs through the other end.
+    #[error("the axis of the sheave where it ends points at the other end; a rope runs across the axis")]
+    AlongEnd,
+    /// The circles touch or overlap, seen along the axis, and the rope would have to cross between them.
+    #[error("its two sheaves touch or overlap, seen along the axis, and it would have to pass between them")]
+    Overlapping,
     /// Start and end coincide.
     #[error("its ends coincide")]
     Coincident,
+    /// The conditions of tangency are not met to rounding: the circles are all but in each other's way.
+    #[error("it only grazes a sheave: there is no tangent that rounding would leave")]
+    Grazing,
+    /// A position is not a number.
+    #[error("the position of an end is not a number")]
+    NotFinite,
 }
 
 /// Rounds of going back and forth before Newton's method.
@@ -82,6 +97,12 @@ const ROUNDS: usize = 6;
 const STEPS: usize = 20;
 /// Tangency residual u·d that is good enough: a few roundings.
 const TOLERANCE: f64 = 1e-15;
+/// Residual u·D of a tangent that is returned, over the size of the part and its circles.
+const CLOSE: f64 = 1e-12;
+/// Cosine of the angle between axes that are about parallel.
+const PARALLEL: f64 = 0.9;
+/// Share of the distance of coordinates from the origin that counts as size: their rounding over [`CLOSE`].
+const FAR: f64 = 1e-3;
 
 impl Circle {
     /// A point [m].
@@ -118,8 +139,33 @@ impl Circle {
 /// # Errors
 /// [`NoTangent`] names what is in the way.
 pub fn common_tangent(start: &Circle, end: &Circle) -> Result<Tangent, NoTangent> {
+    let found = match tangent_from(start, end, end.centre) {
+        Ok(tangent) => return Ok(tangent),
+        Err(found) => found,
+    };
+    // The start's circle may hold the end's centre, seen along its axis, and not where the rope touches the end.
+    if let Some(radial) = end.touch(start.centre, -1.0)
+        && let Ok(tangent) = tangent_from(start, end, end.at(radial))
+    {
+        return Ok(tangent);
+    }
+    if start.radius > 0.0 && end.radius > 0.0 && start.axis.dot(end.axis).abs() > PARALLEL {
+        // Circles that overlap may hold each other's centres and still have a tangent on the outside. Only where
+        // axes are about parallel is it the only one.
+        let across = end.axis.any_orthonormal_vector();
+        let along = end.axis.cross(across);
+        let guesses = [across, along, -across, -along].map(|radial| end.at(radial));
+        if let Some(tangent) = guesses.into_iter().find_map(|guess| tangent_from(start, end, guess).ok()) {
+            return Ok(tangent);
+        }
+    }
+    Err(refusal(start, end, found))
+}
+
+/// The tangent that is found from a guess of where the part ends.
+fn tangent_from(start: &Circle, end: &Circle, guess: DVec3) -> Result<Tangent, NoTangent> {
     let mut radial = [DVec3::ZERO; 2];
-    let mut to = end.centre;
+    let mut to = guess;
     for _ in 0..ROUNDS {
         radial[0] = start.touch(to, 1.0).ok_or(NoTangent::InsideStart)?;
         let from = start.at(radial[0]);
@@ -130,6 +176,36 @@ pub fn common_tangent(start: &Circle, end: &Circle) -> Result<Tangent, NoTangent
         polish(start, end, &mut radial);
     }
     finish(start, end, radial)
+}
+
+/// Says what is in the way where `found` was what the search ended with.
+fn refusal(start: &Circle, end: &Circle, found: NoTangent) -> NoTangent {
+    let way = end.centre - start.centre;
+    let size = start.centre.length() + end.centre.length();
+    if !(way.is_finite() && start.axis.is_finite() && end.axis.is_finite()) {
+        return NoTangent::NotFinite;
+    }
+    if way.length() <= f64::EPSILON * size {
+        return NoTangent::Coincident;
+    }
+    let (circle, other, along) = match found {
+        NoTangent::InsideStart => (start, end, NoTangent::AlongStart),
+        NoTangent::InsideEnd => (end, start, NoTangent::AlongEnd),
+        // Circles that touch leave no length between them, or hardly any.
+        NoTangent::Coincident | NoTangent::Grazing if start.radius > 0.0 => (start, end, found),
+        _ => return found,
+    };
+    let flat = (way - circle.axis * circle.axis.dot(way)).length();
+    if flat <= CLOSE * way.length() {
+        along
+    } else if other.radius > 0.0
+        && flat <= (circle.radius + other.radius) * (1.0 + CLOSE)
+        && flat > (circle.radius - other.radius).abs()
+    {
+        NoTangent::Overlapping
+    } else {
+        found
+    }
 }
 
 /// Newton's method on the two tangency conditions, over rotations of the radial vectors about their axes.
@@ -169,10 +245,20 @@ fn finish(start: &Circle, end: &Circle, radial: [DVec3; 2]) -> Result<Tangent, N
     let (from, to) = (start.at(radial[0]), end.at(radial[1]));
     let span = to - from;
     let length = span.length();
+    if !length.is_finite() {
+        return Err(NoTangent::NotFinite);
+    }
     if length <= f64::EPSILON * (from.length() + to.length()) {
         return Err(NoTangent::Coincident);
     }
     let direction = span / length;
+    let size = length + start.radius + end.radius + FAR * (start.centre.length() + end.centre.length());
+    for (circle, radial) in [(start, radial[0]), (end, radial[1])] {
+        let leans = radial.dot(span).abs() > CLOSE * size;
+        if circle.radius > 0.0 && (leans || direction.dot(circle.axis.cross(radial)) <= 0.0) {
+            return Err(NoTangent::Grazing);
+        }
+    }
     let mut pull = direction;
     let mut couple = [DVec3::ZERO; 2];
     let mut matrix = turning(start, end, &radial, span);
@@ -194,12 +280,4 @@ fn finish(start: &Circle, end: &Circle, radial: [DVec3; 2]) -> Result<Tangent, N
         couple[k] = -radial[k].cross(span) * weights[k];
     }
     Ok(Tangent { from, to, radial, length, direction, pull, couple })
-}
-
-/// Angle on a sheave from where the rope arrives to where it leaves [rad], in (−π/2, 3π/2]: below zero the rope has
-/// lifted off.
-pub fn wrap_angle(axis: DVec3, arrival: DVec3, departure: DVec3) -> f64 {
-    use std::f64::consts::{FRAC_PI_2, TAU};
-    let angle = axis.dot(arrival.cross(departure)).atan2(arrival.dot(departure));
-    if angle <= -FRAC_PI_2 { angle + TAU } else { angle }
 }

@@ -54,13 +54,14 @@ impl Stiffness {
         self.explicit = if used { EXPLICIT } else { 0.0 };
         let mut group = 0;
         for (index, rope) in system.ropes().enumerate() {
-            for part in 0..rope.route.parts.len() {
+            for part in 0..rope.groups() {
                 let span = rope.span_of[part];
                 let tension =
                     state.tension[system.rows.first[index] + span] * rope.spans[span].scale(&state.q);
                 let range = self.start[group]..self.start[group + 1];
                 let columns = &mut self.columns[range.clone()];
-                let factor = rope.geometric_stiffness(&frame.kinematics, tension, part, columns);
+                let factor =
+                    rope.geometric_stiffness((&frame.kinematics, &state.seats), tension, part, columns);
                 self.factor[group] = factor;
                 let mobility: f64 = self.dofs[range.clone()]
                     .iter()

@@ -31,7 +31,7 @@
 
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
-use super::{StepError, StepReport};
+use super::{StepError, StepReport, seats};
 use crate::clock::Stage;
 use crate::event::EventLog;
 use crate::record::Sample;
@@ -67,6 +67,7 @@ pub struct Del {
     v: Vec<f64>,
     increment: Vec<f64>,
     support: Vec<f64>,
+    wraps: Vec<f64>,
 }
 
 impl Del {
@@ -87,6 +88,7 @@ impl Del {
             v: zeros.clone(),
             increment: zeros,
             support: vec![0.0; system.groups.len()],
+            wraps: vec![0.0; system.sheaves.len()],
         }
     }
 
@@ -207,7 +209,7 @@ impl Del {
             let cause = format!(
                 "a velocity is not finite: the step of {h} s is too long, or forces or masses are out of any scale"
             );
-            return Err(StepError { time: state.time, element, cause });
+            return Err(seats::explain(system, state, StepError { time: state.time, element, cause }));
         }
         report.complementarity_residual = self.rows.residual(system);
 
@@ -224,8 +226,31 @@ impl Del {
         state.time = end;
         flows::set_driven(system, state);
         frame.update(system, state);
+        if !system.sheaves.is_empty() {
+            if let Some(row) = frame.value.iter().position(|value| !value.is_finite()) {
+                let element = system.constraint_of_row(row).name().to_owned();
+                let error =
+                    StepError { time: state.time, element, cause: "it has no length here".to_owned() };
+                return Err(seats::explain(system, state, error));
+            }
+            self.follow_seats(system, state, frame, log);
+        }
         flows::store(system, state, frame);
         Ok(report)
+    }
+
+    /// Follows wraps; where a rope leaves a sheave or comes back, its time by running the wrap linearly, and what its
+    /// change of length does at once to the method's loss.
+    fn follow_seats(&mut self, system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog) {
+        let (end, h) = (state.time, self.h);
+        seats::wraps(system, &frame.kinematics, &state.seats, &mut self.wraps);
+        let linearly = |_, before: f64, after: f64| end - h * (after / (after - before)).clamp(0.0, 1.0);
+        if seats::follow(system, state, &self.wraps, log, linearly) {
+            let held = |state: &State, frame: &Frame| flows::stored(system, state, frame)[2];
+            let before = held(state, frame);
+            frame.update(system, state);
+            state.ledger.flows.method += before - held(state, frame);
+        }
     }
 
     fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {

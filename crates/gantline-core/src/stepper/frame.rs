@@ -2,6 +2,7 @@
 
 use crate::clock::Stage;
 use crate::constraint::Placed;
+use crate::rope::seat::Seat;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
@@ -33,7 +34,7 @@ impl Frame {
 
     /// Evaluates everything at the configuration of `state`.
     pub fn update(&mut self, system: &System, state: &State) {
-        self.update_rows(system, &state.q, &state.memory);
+        self.update_rows(system, state);
         system.clock.time(Stage::Assembly, || self.mass.update(&system.tree, &self.kinematics));
     }
 
@@ -45,17 +46,18 @@ impl Frame {
         system.clock.time(Stage::Assembly, || self.mass.update(&system.tree, &self.kinematics));
     }
 
-    /// Evaluates poses and rows, not the mass matrix, at the configuration `q`.
-    pub fn update_rows(&mut self, system: &System, q: &[f64], memory: &[f64]) {
+    /// Evaluates poses and rows, not the mass matrix.
+    fn update_rows(&mut self, system: &System, state: &State) {
+        let State { q, memory, seats, .. } = state;
         system.clock.time(Stage::Kinematics, || self.kinematics.update(&system.tree, q));
-        system.clock.time(Stage::Assembly, || self.rows(system, q, memory));
+        system.clock.time(Stage::Assembly, || self.rows(system, q, memory, seats));
     }
 
     /// Evaluates rows at the poses, which belong to the configuration `q`.
-    pub fn rows(&mut self, system: &System, q: &[f64], memory: &[f64]) {
+    pub fn rows(&mut self, system: &System, q: &[f64], memory: &[f64], seats: &[Seat]) {
         self.value.copy_from_slice(memory);
         let rows = &system.rows;
-        let at = Placed { tree: &system.tree, kinematics: &self.kinematics, q };
+        let at = Placed { tree: &system.tree, kinematics: &self.kinematics, q, seats };
         for (constraint, first) in system.constraints.iter().zip(rows.first.windows(2)) {
             let entries = rows.start[first[0]]..rows.start[first[1]];
             constraint.evaluate(&at, &mut self.value[first[0]..first[1]], &mut self.gradient[entries]);

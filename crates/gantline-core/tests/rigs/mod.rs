@@ -275,8 +275,9 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
     spec
 }
 
-/// A rope over two real sheaves on random bodies, between two ends; none where some part has no tangent.
-pub fn sheave_rig(seeds: &[f64]) -> Option<(System, State, Frame)> {
+/// A rope over two real sheaves on random bodies and through an eye, from an end to a drum; none where some part has no
+/// tangent. Where it may lift off it lies on none of the sheaves that it does not touch.
+pub fn sheave_rig(seeds: &[f64], may_lift_off: bool) -> Option<(System, State, Frame)> {
     let mut spec = rig(seeds);
     let mut draw = Draw::new(&seeds[200..]);
     let sheave = |draw: &mut Draw, shift: f64| GuideSpec::Sheave {
@@ -287,16 +288,28 @@ pub fn sheave_rig(seeds: &[f64]) -> Option<(System, State, Frame)> {
         },
         axis: draw.direction(),
         radius: 0.3 + 0.2 * draw.number(),
+        may_lift_off,
     };
     let route = vec![
         GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None },
         sheave(&mut draw, 8.0),
         sheave(&mut draw, -8.0),
-        GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None },
+        GuideSpec::Eye { body: body(&mut draw), at: draw.scaled(3.0) },
+        GuideSpec::End {
+            body: body(&mut draw),
+            at: draw.scaled(3.0),
+            drum: Some(DrumSpec { flow: "drum".into(), rate: 0.4 }),
+        },
     ];
     let material = MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 };
     spec.ropes = vec![RopeSpec { name: "r".into(), length: None, material, route }];
-    let (system, state) = build(&spec).ok()?;
+    // No rope passes this flow of the rig now, which would be refused.
+    spec.bodies.retain(|body| body.name != "sheave");
+    let built = build(&spec);
+    if let Err(refused) = &built {
+        assert!(refused.problem.contains("at the start"), "{refused}");
+    }
+    let (system, state) = built.ok()?;
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     Some((system, state, frame))

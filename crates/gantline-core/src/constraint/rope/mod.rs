@@ -5,6 +5,7 @@
 //! |B − A| and is left out of the pattern: so the sheaves of an equalizer do not couple to what carries
 //! the whole of it.
 
+mod chords;
 mod levers;
 mod sheaves;
 pub mod span;
@@ -14,9 +15,11 @@ use glam::DVec3;
 use super::{Constraint, Law, Line, Moving, Placed};
 use crate::rope::material::Material;
 use crate::rope::route::{Attachment, Part, Route, Straight, unit};
+use crate::rope::seat::Seat;
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::{Kinematics, Twist};
+use chords::{Chord, chords_of};
 use levers::{Ends, Lever, PartLevers, add_levers, bend, pull, pulls, transversal, without};
 use span::{Span, Stretch};
 
@@ -33,8 +36,10 @@ pub struct Rope {
     pub material: Material,
     /// Stretches of one tension, from end to end.
     pub spans: Vec<Span>,
-    /// Number of the span of every straight part.
+    /// Number of the span of every group: of the straight parts, then of the chords.
     pub span_of: Vec<usize>,
+    /// Straight parts that may take the place of several.
+    chords: Vec<Chord>,
     /// Degrees of freedom of every row.
     dofs: Vec<Vec<usize>>,
     levers: Vec<Lever>,
@@ -54,12 +59,14 @@ fn held((kinematics, twists): (&Kinematics, &[Twist]), attachment: &Attachment) 
 impl Rope {
     /// A rope in `tree`; the entries of the spans' feeds are set here.
     pub fn new(name: String, route: Route, mut spans: Vec<Span>, material: Material, tree: &Tree) -> Self {
+        let chords = chords_of(&route);
         let ends_of = |part: &Part| -> Ends {
             let (from, to) = (tree.support_of(part.from.at.body), tree.support_of(part.to.at.body));
             (without(from, to), without(to, from))
         };
         let (mut levers, mut parts) = (Vec::new(), Vec::with_capacity(route.parts.len()));
         let (mut rows, mut span_of, mut base) = (Vec::new(), Vec::new(), 0);
+        let mut bases = Vec::new();
         for (index, span) in spans.iter_mut().enumerate() {
             let ends: Vec<Ends> = route.parts[span.parts.clone()].iter().map(ends_of).collect();
             let moved = ends.iter().flat_map(|(from, to)| from.iter().chain(to)).copied();
@@ -70,12 +77,21 @@ impl Rope {
             for feed in &mut span.feeds {
                 feed.entry = base + dofs.partition_point(|&dof| dof < feed.dof);
             }
+            bases.push(base);
             base += dofs.len();
             rows.push(dofs);
             span_of.resize(span.parts.end, index);
         }
+        for chord in &chords {
+            // What moves one end of a chord and not the other moves one end of some part of it: the row has it.
+            let span = span_of[chord.guides.start];
+            let ends = [ends_of(&chord.part)];
+            let row: &[usize] = &rows[span];
+            add_levers(&ends, (row, bases[span]), tree, (&mut levers, &mut parts));
+            span_of.push(span);
+        }
         let length = spans.iter().map(|span| span.length).sum();
-        Self { name, route, length, material, spans, span_of, dofs: rows, levers, parts }
+        Self { name, route, length, material, spans, span_of, chords, dofs: rows, levers, parts }
     }
 
     /// Levers of the start and of the end of a straight part.
@@ -94,7 +110,8 @@ impl Rope {
         if !self.route.is_plain {
             let origin =
                 |body: Option<usize>| body.map_or(DVec3::ZERO, |body| at.kinematics.pose[body].position);
-            length += self.route.length_of(span.parts.clone(), at.kinematics, |part, straight| {
+            let parts = span.parts.clone();
+            length += self.route.length_of(parts, at.kinematics, at.seats, |part, straight| {
                 let Part { from, to } = &self.route.parts[part];
                 let (from, to) = (straight.from - origin(from.at.body), straight.to - origin(to.at.body));
                 let (direction, couple) = (straight.pull, straight.couple);
@@ -131,16 +148,19 @@ impl Rope {
 
     /// The part of the geometric stiffness of one straight part that is positive semidefinite by construction:
     /// fills `columns` with the transversal relative velocity c per degree of freedom of the group and returns
-    /// the factor f of K = f Σ cᵢ·cⱼ, f = T/ℓ [N/m].
+    /// the factor f of K = f Σ cᵢ·cⱼ, f = T/ℓ [N/m]; both zero for a part that is not there now.
     pub fn geometric_stiffness(
         &self,
-        kinematics: &Kinematics,
+        (kinematics, seats): (&Kinematics, &[Seat]),
         tension: f64,
         group: usize,
         columns: &mut [DVec3],
     ) -> f64 {
-        let straight = self.route.parts[group].locate(kinematics);
         columns.fill(DVec3::ZERO);
+        if !self.is_there(group, seats) {
+            return 0.0;
+        }
+        let straight = self.part(group).locate(kinematics);
         self.transversals(kinematics, &straight, group, columns);
         if straight.length > 0.0 { tension / straight.length } else { 0.0 }
     }
@@ -230,7 +250,8 @@ impl Constraint for Rope {
     fn evaluate(&self, at: &Placed, value: &mut [f64], gradient: &mut [f64]) {
         let mut first = 0;
         for (row, (span, dofs)) in self.spans.iter().zip(&self.dofs).enumerate() {
-            let length = self.route.length_of(span.parts.clone(), at.kinematics, |part, straight| {
+            let parts = span.parts.clone();
+            let length = self.route.length_of(parts, at.kinematics, at.seats, |part, straight| {
                 let (from, to) = self.ends(self.parts[part]);
                 let [start, end] = straight.couple;
                 pull(at.kinematics, from, (straight.from, -straight.pull, start), gradient);
@@ -265,7 +286,10 @@ impl Constraint for Rope {
         let (from, to) = self.ends(self.parts[group]);
         let moved = from.len() + to.len();
         let size = moved + span.feeds.len();
-        if self.route.parts[group].is_plain() {
+        let is_there = self.is_there(group, at.seats);
+        if !is_there {
+            block.fill(0.0);
+        } else if self.part(group).is_plain() {
             self.curvature_between_points(at.kinematics, group, columns, (&mut *block, size));
         } else {
             self.curvature_on_sheaves(at, group, (&mut *block, size));
@@ -280,9 +304,10 @@ impl Constraint for Rope {
             }
         }
         // ∂²g/∂ℓ∂L = −w/2L and, once per span, ∂²g/∂L² = w/L (1 + ¾ ε).
-        let straight = self.route.parts[group].locate(at.kinematics);
+        let straight = self.part(group).locate(at.kinematics);
         let mut j = 0;
         let mut across = |entry: f64| {
+            let entry = if is_there { entry } else { 0.0 };
             for (k, feed) in span.feeds.iter().enumerate() {
                 let value = -0.5 * scale / unstretched * entry * feed.rate;
                 block[j * size + moved + k] = value;
@@ -311,7 +336,7 @@ impl Rope {
         columns: &mut [DVec3],
         (block, size): (&mut [f64], usize),
     ) {
-        let straight = self.route.parts[group].locate(kinematics);
+        let straight = self.part(group).locate(kinematics);
         let (from, to) = self.ends(self.parts[group]);
         let (split, moved) = (from.len(), from.len() + to.len());
         let columns = &mut columns[..moved];

@@ -56,7 +56,7 @@ impl Rope {
     /// exact gradient over displaced circles and columns, right to about 1e-9.
     pub(super) fn curvature_on_sheaves(&self, at: &Placed, group: usize, (block, size): (&mut [f64], usize)) {
         let Placed { tree, kinematics, .. } = *at;
-        let part = &self.route.parts[group];
+        let part = self.part(group);
         let (from, to) = self.ends(self.parts[group]);
         let ends = [from, to];
         let moved = (0..2).flat_map(|end| ends[end].iter().map(move |lever| (end, lever.dof as usize)));

@@ -31,7 +31,17 @@ impl Adaptive {
         let Increment { phi, v, rigid, anchor, .. } = &self.point;
         let a = &self.rate.v;
         let schedule = Schedule::after(state, theta * self.rodas.course.h);
-        let point = Point { schedule, base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        let point = Point {
+            schedule,
+            base: &state.q,
+            memory: &state.memory,
+            seats: &state.seats,
+            phi,
+            v,
+            a,
+            rigid,
+            anchor,
+        };
         self.probe.forces(system, &point, &state.modes);
         self.book_point(system, state, duration);
     }

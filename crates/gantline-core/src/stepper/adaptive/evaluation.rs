@@ -15,6 +15,7 @@ use crate::clock::Stage;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
 use crate::plan::drive::Timeline;
 use crate::rope::route::Attachment;
+use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::frame::Frame;
@@ -126,7 +127,7 @@ impl Evaluation {
 
     fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.frame.rows(system, &self.q, at.memory);
+        self.frame.rows(system, &self.q, at.memory, at.seats);
         self.move_anchors(system, at);
         for (row, rate) in self.rate.iter_mut().enumerate() {
             *rate = system.rows.rate(&self.frame.gradient, row, at.v);
@@ -159,7 +160,7 @@ impl Evaluation {
             let own = rows.first[index]..rows.first[index + 1];
             let lines = &mut self.lines[rows.lines[index]..rows.lines[index + 1]];
             let (kinematics, twists) = (&self.frame.kinematics, self.dynamics.twists.as_slice());
-            let moving = Moving { kinematics, twists, q: &self.q, v: at.v };
+            let moving = Moving { kinematics, twists, q: &self.q, v: at.v, seats: at.seats };
             let value = &mut self.frame.value[own.clone()];
             constraint.locate(&moving, value, &mut self.rate[own], lines);
         }
@@ -301,6 +302,8 @@ pub struct Point<'a> {
     pub base: &'a [f64],
     /// What rows remember.
     pub memory: &'a [f64],
+    /// How ropes lie on their sheaves.
+    pub seats: &'a [Seat],
     /// φ.
     pub phi: &'a [f64],
     /// v.

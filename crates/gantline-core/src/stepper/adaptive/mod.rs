@@ -13,6 +13,7 @@ mod impact;
 mod looks;
 mod places;
 pub mod rodas;
+mod seating;
 mod spins;
 mod switching;
 mod tableau;
@@ -20,7 +21,7 @@ pub mod tangent;
 
 use super::flows;
 use super::frame::Frame;
-use super::{StepError, StepReport};
+use super::{StepError, StepReport, seats};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -92,6 +93,10 @@ pub struct Adaptive {
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
+    /// Wrap angles of all sheaves at the end of the part that is made, and the share of it at which a rope left one
+    /// or came back.
+    wraps: Vec<f64>,
+    crossings: Vec<f64>,
     /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
     taut: Vec<bool>,
     /// True while `rodas.here` belongs to the state.
@@ -122,6 +127,8 @@ impl Adaptive {
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
+            wraps: vec![0.0; system.sheaves.len()],
+            crossings: vec![0.0; system.sheaves.len()],
             taut: Vec::with_capacity(system.rigid.len()),
             current: false,
             made: 1.0,
@@ -170,22 +177,23 @@ impl Adaptive {
         flows::supports(system, &state.tension, &mut self.support);
         let soon = state.time + 1e-12 * (1.0 + state.time);
         state.plan.advance(&system.plan, state.time, soon, &self.support, log);
-        self.begin(system, state, frame).map_err(|pivot| self.singular(system, state.time, pivot))?;
+        self.begin(system, state, frame).map_err(|pivot| self.singular(system, state, pivot))?;
         let stop = state.plan.next_time(&system.plan, soon).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };
         if state.engaged {
             h = h.min(2.0 * state.engaged_step);
         }
+        h = h.min(self.winding_limit(system, state));
         let (mut rejected, mut last) = (0, f64::INFINITY);
         let (error, reach) = loop {
             let reach = stop - state.time;
             // Never leave a sliver before a stop.
             h = if h >= reach { reach } else { h.min(0.5 * reach) };
             let solved = self.rodas.attempt(system, state, &frame.mass, h);
-            solved.map_err(|pivot| self.singular(system, state.time, pivot))?;
+            solved.map_err(|pivot| self.singular(system, state, pivot))?;
             report.factorisations += 1;
             let error = self.weights.norm(system, state, &self.rodas, &self.tolerance);
-            if error <= 1.0 {
+            if error <= 1.0 && self.has_tangents(system, state) {
                 break (error, reach);
             }
             rejected += 1;
@@ -208,7 +216,7 @@ impl Adaptive {
         let whole = self.made == 1.0 && h == reach;
         state.next_step = h * stretch;
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
-            .map_err(|pivot| self.singular(system, state.time, pivot))?;
+            .map_err(|pivot| self.singular(system, state, pivot))?;
         Ok(report)
     }
 
@@ -250,7 +258,17 @@ impl Adaptive {
         self.rodas.course.at(theta, &mut self.point);
         let Increment { phi, v, a, rigid, anchor } = &self.point;
         let schedule = Schedule::after(state, theta * self.rodas.course.h);
-        let point = Point { schedule, base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        let point = Point {
+            schedule,
+            base: &state.q,
+            memory: &state.memory,
+            seats: &state.seats,
+            phi,
+            v,
+            a,
+            rigid,
+            anchor,
+        };
         self.probe.rows(system, &point, &state.modes);
     }
 
@@ -284,9 +302,15 @@ impl Adaptive {
         self.current = true;
         self.book_springs(system, state, 1.0);
         state.ledger.flows += std::mem::take(&mut self.flows);
-        let held = self.held(system, state);
         self.note_taut(system, state);
         self.rate.v.copy_from_slice(&state.v);
+        if self.follow_seats(system, state, log, (start, length)) {
+            let held = self.held(system, state);
+            state.restart = true;
+            self.rodas.evaluate(system, state);
+            state.ledger.flows.method += held - self.held(system, state);
+        }
+        let held = self.held(system, state);
         if system.clock.time(Stage::Events, || self.switch(system, state, log, start, length)) {
             state.restart = true;
             self.rodas.evaluate(system, state);
@@ -330,9 +354,9 @@ impl Adaptive {
         frame.follow(system, &self.rodas.here.frame);
     }
 
-    fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {
+    fn singular(&self, system: &System, state: &State, pivot: ZeroPivot) -> StepError {
         let element = self.rodas.matrix.layout.element(system, pivot.unknown).to_owned();
-        super::singular(time, element)
+        seats::explain(system, state, super::singular(state.time, element))
     }
 
     fn too_short(&self, system: &System, state: &State) -> StepError {
@@ -344,6 +368,6 @@ impl Adaptive {
         let element = self.weights.worst(system, state, &self.rodas);
         let cause =
             format!("the step fell below {STEP_FLOOR} s: forces change faster than any step can follow");
-        StepError { time: state.time, element, cause }
+        seats::explain(system, state, StepError { time: state.time, element, cause })
     }
 }

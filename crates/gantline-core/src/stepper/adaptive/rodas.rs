@@ -207,6 +207,7 @@ impl Rodas {
             schedule: Schedule::after(state, 0.0),
             base: &state.q,
             memory: &state.memory,
+            seats: &state.seats,
             phi: &self.none.phi,
             v: &state.v,
             a: &state.acceleration,
@@ -247,8 +248,17 @@ impl Rodas {
             if stage > 0 {
                 let Increment { phi, v, a, rigid, anchor } = &self.point;
                 let schedule = Schedule::after(state, TIMES[stage] * h);
-                let point =
-                    Point { schedule, base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+                let point = Point {
+                    schedule,
+                    base: &state.q,
+                    memory: &state.memory,
+                    seats: &state.seats,
+                    phi,
+                    v,
+                    a,
+                    rigid,
+                    anchor,
+                };
                 self.stage.forces(system, &point, modes);
             }
             self.stage_sides(system, state, mass, stage, h);

@@ -24,10 +24,12 @@ impl Adaptive {
         let crossed = self.survey(system, state, allowed);
         let made = crossed.map_or(1.0, |look| self.cut(system, state, look, allowed));
         let made = self.condition(system, state, made);
+        let made = self.seated_up_to(system, state, made);
         if made < 1.0 {
             self.made = made;
             self.survey(system, state, f64::INFINITY);
         }
+        self.look_at_seats(system, state);
         self.looks.fit();
     }
 
@@ -64,7 +66,17 @@ impl Adaptive {
         }
         let Increment { phi, v, a, rigid, anchor } = &self.end;
         let schedule = Schedule::after(state, self.made * self.rodas.course.h);
-        let point = Point { schedule, base: &state.q, memory: &state.memory, phi, v, a, rigid, anchor };
+        let point = Point {
+            schedule,
+            base: &state.q,
+            memory: &state.memory,
+            seats: &state.seats,
+            phi,
+            v,
+            a,
+            rigid,
+            anchor,
+        };
         self.next.all(system, &point, &state.modes);
     }
 

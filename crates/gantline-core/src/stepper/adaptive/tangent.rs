@@ -101,7 +101,9 @@ impl TangentMatrix {
             self.pull_velocity[system.rows.start[row]..system.rows.start[row + 1]].fill(0.0);
         }
         for block in 0..self.places.blocks.len() {
-            if state.modes[self.places.blocks[block].group.row] != Mode::Slack {
+            let Group { row, dofs, .. } = &self.places.blocks[block].group;
+            // A part between two points of the world has nothing that moves it.
+            if state.modes[*row] != Mode::Slack && !dofs.is_empty() {
                 self.place_block(system, here, state, block);
             }
         }
@@ -139,7 +141,8 @@ impl TangentMatrix {
             &self.places.blocks[block];
         let (size, tension, law) = (dofs.len(), here.tension[*row], &system.rows.laws[*row]);
         let curvature = &mut self.curvature[..size * size];
-        let at = Placed { tree: &system.tree, kinematics: &here.frame.kinematics, q: &state.q };
+        let kinematics = &here.frame.kinematics;
+        let at = Placed { tree: &system.tree, kinematics, q: &state.q, seats: &state.seats };
         let value = here.frame.value[*row];
         system.constraints[*constraint].curvature(&at, value, *number, &mut self.columns, curvature);
         for (place, value) in places.iter().zip(&*curvature) {

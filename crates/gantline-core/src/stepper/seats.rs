@@ -1,0 +1,66 @@
+//! How ropes lie on their sheaves from step to step: wraps by continuity, ropes that leave a sheave or come back.
+
+use super::StepError;
+use crate::event::{EventKind, EventLog};
+use crate::rope::seat::Seat;
+use crate::state::State;
+use crate::system::System;
+use crate::tree::kinematics::Kinematics;
+
+/// How far ahead a failed step looks for what stopped it [s].
+const AHEAD: [f64; 3] = [1e-9, 1e-6, 1e-3];
+
+/// Wrap angles of all sheaves at the poses, each closest to what its seat remembers.
+pub fn wraps(system: &System, kinematics: &Kinematics, seats: &[Seat], out: &mut [f64]) {
+    for (wrap, seat) in out.iter_mut().zip(seats) {
+        *wrap = seat.wrap;
+    }
+    for rope in system.ropes().filter(|rope| !rope.route.is_plain) {
+        rope.route.wraps(kinematics, seats, |seat, wrap| out[seat] = wrap);
+    }
+}
+
+/// True where the rope has crossed over between on and off with this wrap.
+pub fn has_crossed(seat: &Seat, wrap: f64) -> bool {
+    seat.is_off != (wrap < 0.0)
+}
+
+/// Lets the seats follow to `wraps` at the end of a step; `time` says when a seat crossed over, from its number and
+/// its wraps before and after. True where a rope has changed its way by that.
+pub fn follow(
+    system: &System,
+    state: &mut State,
+    wraps: &[f64],
+    log: &mut EventLog,
+    mut time: impl FnMut(usize, f64, f64) -> f64,
+) -> bool {
+    let mut any = false;
+    for (index, (seat, &wrap)) in state.seats.iter_mut().zip(wraps).enumerate() {
+        if has_crossed(seat, wrap) {
+            seat.is_off = !seat.is_off;
+            let kind = if seat.is_off { EventKind::RopeOffSheave } else { EventKind::RopeOnSheave };
+            log.push(time(index, seat.wrap, wrap), kind, index);
+            any |= system.sheaves[index].may_lift_off;
+        }
+        seat.wrap = wrap;
+    }
+    any
+}
+
+/// The rope that has no tangent to a sheave where the motion leads, in place of `error` where there is one.
+pub fn explain(system: &System, state: &State, error: StepError) -> StepError {
+    let mut kinematics = Kinematics::new(&system.tree);
+    for ahead in AHEAD {
+        let mut q = state.q.clone();
+        let increment: Vec<f64> = state.v.iter().map(|v| ahead * v).collect();
+        system.tree.advance(&mut q, &increment);
+        kinematics.update(&system.tree, &q);
+        for rope in system.ropes() {
+            if let Some((part, reason)) = rope.route.refusal(&kinematics, &state.seats) {
+                let cause = format!("its part {}: {reason}", part + 1);
+                return StepError { time: state.time, element: rope.name.clone(), cause };
+            }
+        }
+    }
+    error
+}
