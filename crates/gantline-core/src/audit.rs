@@ -15,7 +15,7 @@ use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 
 /// Names of the energy kinds, in the order of [`Ledger::values`].
-pub const KINDS: [&str; 11] = [
+pub const KINDS: [&str; 12] = [
     "kinetic",
     "gravity",
     "elastic",
@@ -25,6 +25,7 @@ pub const KINDS: [&str; 11] = [
     "contact_damping",
     "friction",
     "impact",
+    "parting",
     "method",
     "remainder",
 ];
@@ -44,6 +45,8 @@ pub struct Flows {
     pub friction: f64,
     /// Lost where inextensible ropes went taut.
     pub impact: f64,
+    /// Lost with ropes that parted: what they held.
+    pub parting: f64,
     /// Lost by the method itself.
     pub method: f64,
 }
@@ -56,6 +59,7 @@ impl std::ops::AddAssign for Flows {
         self.contact_damping += other.contact_damping;
         self.friction += other.friction;
         self.impact += other.impact;
+        self.parting += other.parting;
         self.method += other.method;
     }
 }
@@ -106,6 +110,7 @@ impl Ledger {
             + self.flows.contact_damping
             + self.flows.friction
             + self.flows.impact
+            + self.flows.parting
             + self.flows.method;
         stored - self.flows.drive_work + lost
     }
@@ -127,6 +132,7 @@ impl Ledger {
             self.flows.contact_damping,
             self.flows.friction,
             self.flows.impact,
+            self.flows.parting,
             self.flows.method,
             self.remainder(),
         ]
@@ -147,10 +153,10 @@ pub fn spring_energy(law: &Law, e: f64) -> f64 {
 }
 
 /// Energy in the spring of a row [J]. A friction row that slides is stretched by its force, one without normal
-/// force not at all.
+/// force not at all; a rope that has parted holds nothing.
 pub fn row_energy(law: &Law, mode: Mode, value: f64, tension: f64) -> f64 {
     match (law, mode) {
-        (Law::Friction { .. }, Mode::Slack) => 0.0,
+        (Law::Friction { .. }, Mode::Slack) | (_, Mode::Parted) => 0.0,
         (Law::Friction { compliance, .. }, Mode::Slipping) => spring_energy(law, tension * compliance),
         _ => spring_energy(law, value),
     }

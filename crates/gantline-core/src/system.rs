@@ -3,7 +3,7 @@
 use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
-use crate::plan::Step;
+use crate::plan::{Cut, Step};
 use crate::tree::Tree;
 
 /// Rows of all constraints, one after another, with a static sparsity pattern.
@@ -79,15 +79,19 @@ pub struct ContactGroup {
 pub struct System {
     /// Bodies and joints.
     pub tree: Tree,
-    /// Ropes first, contacts after them, then brakes.
+    /// Ropes first, contacts after them, then stops, then brakes.
     pub constraints: Vec<AnyConstraint>,
     /// How many of the constraints are ropes.
     pub rope_count: usize,
     /// Rows of the constraints.
     pub rows: Rows,
+    /// Ropes that break, and the tension at which they do [N].
+    pub fragile: Vec<(usize, f64)>,
+    /// Ropes that are cut.
+    pub cuts: Vec<Cut>,
     /// Rows of inextensible ropes.
     pub rigid: Vec<usize>,
-    /// Constraints with flows.
+    /// Constraints that act on degrees of freedom by themselves: with flows, and stops.
     pub fed: Vec<usize>,
     /// First constraint that is a brake; brakes come last, and each has one row.
     pub first_brake: usize,
@@ -110,7 +114,7 @@ impl System {
     pub fn ropes(&self) -> impl Iterator<Item = &Rope> {
         self.constraints.iter().filter_map(|constraint| match constraint {
             AnyConstraint::Rope(rope) => Some(rope),
-            AnyConstraint::Contact(_) | AnyConstraint::Brake(_) => None,
+            AnyConstraint::Contact(_) | AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => None,
         })
     }
 

@@ -20,7 +20,7 @@ use crate::stepper::frame::Frame;
 use crate::system::{Rows, System};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
-use plan::{build_drives, build_step};
+use plan::{build_cuts, build_drives, build_fragile, build_step};
 use rows::build_constraints;
 use tree::{build_tree, start_of_joint};
 
@@ -65,13 +65,14 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let rows = Rows::new(&constraints);
     let rigid = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
+    let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
-    let has_flow = |constraint: &AnyConstraint| match constraint {
+    let feeds = |constraint: &AnyConstraint| match constraint {
         AnyConstraint::Rope(rope) => is_fed(rope),
-        AnyConstraint::Brake(_) => true,
+        AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => true,
         AnyConstraint::Contact(_) => false,
     };
-    let fed = (0..constraints.len()).filter(|&index| has_flow(&constraints[index])).collect();
+    let fed = (0..constraints.len()).filter(|&index| feeds(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
     let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
     let flows = (0..tree.velocities)
@@ -83,6 +84,8 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         constraints,
         rope_count,
         rows,
+        fragile,
+        cuts,
         rigid,
         fed,
         first_brake,

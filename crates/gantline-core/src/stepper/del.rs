@@ -31,6 +31,7 @@
 
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
+use super::parting;
 use super::{StepError, StepReport};
 use crate::clock::Stage;
 use crate::event::EventLog;
@@ -135,6 +136,8 @@ impl Del {
         let end = (state.steps + 1) as f64 * h;
         flows::supports(system, &state.tension, &mut self.support);
         state.plan.advance(&system.plan, state.time, end, &self.support, log);
+        parting::cut(system, state, frame, end, log);
+        parting::break_ropes(system, state, frame, log);
 
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
         system.clock.time(Stage::Assembly, || {

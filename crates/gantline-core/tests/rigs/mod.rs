@@ -68,6 +68,7 @@ fn joint(draw: &mut Draw, kind: usize) -> JointSpec {
         velocity: draw.number(),
         damping: 0.0,
         drive: None,
+        stops: None,
     };
     match kind {
         0 => JointSpec::Fixed {},
@@ -165,6 +166,8 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
         length: Some(1.0),
         material: MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 },
         route,
+        breaking_force: None,
+        cut_at: None,
     }
 }
 
@@ -259,6 +262,8 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
             length: Some(length),
             material,
             route: route.to_vec(),
+            breaking_force: None,
+            cut_at: None,
         });
     }
     spec
@@ -284,7 +289,14 @@ pub fn sheave_rig(seeds: &[f64]) -> Option<(System, State, Frame)> {
         GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None },
     ];
     let material = MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 };
-    spec.ropes = vec![RopeSpec { name: "r".into(), length: None, material, route }];
+    spec.ropes = vec![RopeSpec {
+        name: "r".into(),
+        length: None,
+        material,
+        route,
+        breaking_force: None,
+        cut_at: None,
+    }];
     let (system, state) = build(&spec).ok()?;
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);

@@ -49,6 +49,7 @@ impl Adaptive {
         for (row, law) in system.rows.laws.iter().enumerate() {
             let (mode, value) = (state.modes[row], here.frame.value[row]);
             let lost = match (law, mode) {
+                (_, Mode::Parted) => 0.0,
                 (Law::Unilateral { .. }, Mode::Acting) => spring_energy(law, -value),
                 (Law::Unilateral { .. }, _) => -spring_energy(law, value),
                 (Law::Friction { .. }, Mode::Slipping) => -row_energy(law, mode, value, here.tension[row]),
@@ -80,6 +81,9 @@ impl Adaptive {
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
             let (rate, tension) = (probe.rate[row], probe.tension[row]);
+            if state.modes[row] == Mode::Parted {
+                continue;
+            }
             if compliance == 0.0 && state.modes[row] != Mode::Slipping {
                 // Its velocity along the rope is a defect of the method.
                 ledger.method += duration * tension * rate;
@@ -87,7 +91,7 @@ impl Adaptive {
             }
             let mode = state.modes[row];
             let power = match mode {
-                Mode::Slack => continue,
+                Mode::Slack | Mode::Parted => continue,
                 Mode::Acting => law.damping_time() / compliance * rate * rate,
                 Mode::Slipping => tension * rate,
             };
@@ -101,6 +105,9 @@ impl Adaptive {
         probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
         let mut power = 0.0;
         for (row, law) in system.rows.laws.iter().enumerate() {
+            if state.modes[row] == Mode::Parted {
+                continue;
+            }
             let e = probe.frame.value[row];
             let stretch = match law {
                 Law::Unilateral { .. } => e.max(0.0),

@@ -194,6 +194,10 @@ impl Evaluation {
         for row in rows {
             self.tension[row] = match modes[row] {
                 Mode::Slack => 0.0,
+                Mode::Parted => {
+                    self.trial[row] = 0.0;
+                    0.0
+                }
                 Mode::Acting => self.trial[row],
                 Mode::Slipping => self.slip_force(&system.rows.laws, row, slip),
             };

@@ -30,6 +30,11 @@ impl Adaptive {
             self.survey(system, state, f64::INFINITY);
         }
         self.looks.fit();
+        if let Some(share) = self.first_break(system, state) {
+            self.made = share;
+            self.survey(system, state, f64::INFINITY);
+            self.looks.fit();
+        }
     }
 
     /// Looks along the part of the step that is made: what flows, and how far rows are from their laws; ends at the
@@ -128,6 +133,7 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
+            (_, Mode::Parted) => 0.0,
             (Law::Unilateral { .. }, Mode::Slack) => at.trial[row],
             (Law::Unilateral { .. }, _) => -at.trial[row],
             (Law::Friction { normal, .. }, _) if row != normal + 1 => 0.0,
@@ -164,6 +170,13 @@ impl Adaptive {
             match constraint {
                 AnyConstraint::Rope(_) => any |= self.switch_rope(system, state, log, index, (start, length)),
                 AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake.dof),
+                AnyConstraint::Stop(_) => {
+                    if let Some((hit, crossing)) = self.turn_over(system, state, system.rows.first[index]) {
+                        any = true;
+                        let kind = if hit { EventKind::StopHit } else { EventKind::StopLeft };
+                        log.push(start + length * crossing, kind, index);
+                    }
+                }
                 AnyConstraint::Contact(contact) => {
                     let row = system.rows.first[index];
                     if let Some((taut, crossing)) = self.turn_over(system, state, row) {
