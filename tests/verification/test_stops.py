@@ -63,7 +63,7 @@ def test_impact_on_a_damped_stop(share: float) -> None:
 
 
 def test_impact_with_fixed_steps() -> None:
-    """The same without damping by `del`: duration π √(m/k) to a step, and the method's own loss is in the books.
+    """The same without damping by `del`: duration π √(m/k) to a step, the method's own loss in the books.
 
     The scheme damps the oscillation by exp(−ω² h t/2), so the rebound is v exp(−π ω h/2) to first order.
     """

@@ -17,6 +17,7 @@ from gantline.scenario.mechanics import (
     Fixed,
     Guide,
     HingeJoint,
+    HingeStops,
     Joint,
     Mechanics,
     MechanicsRope,
@@ -25,6 +26,7 @@ from gantline.scenario.mechanics import (
     Rotation,
     Sheave,
     Slider,
+    SliderStops,
 )
 from gantline.scenario.rope_weight import rope_weight
 
@@ -143,6 +145,7 @@ def _joint(parts: Parts, name: str, joint: Joint) -> Json:
             "velocity": joint.velocity,
             "damping": joint.damping,
             "drive": drive,
+            "stops": _stops(joint.stops),
         }
     if isinstance(joint, Ball):
         turning = list(joint.angular_velocity)
@@ -155,6 +158,18 @@ def _joint(parts: Parts, name: str, joint: Joint) -> Json:
         "orientation": _quaternion(joint.orientation),
         "velocity": list(joint.velocity),
         "angular_velocity": list(joint.angular_velocity),
+    }
+
+
+def _stops(stops: HingeStops | SliderStops | None) -> Json | None:
+    if stops is None:
+        return None
+    damping_time = stops.damping / stops.stiffness
+    return {
+        "lower": stops.lower,
+        "upper": stops.upper,
+        "stiffness": stops.stiffness,
+        "damping_time": damping_time,
     }
 
 

@@ -66,7 +66,7 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         for place, along in enumerate(sheaves.along, start=1):
             parts.add_body(
                 f"{equalizer.name}.{place}",
-                _slider((0.0, 0.0, -1.0), None),  # travel down is positive
+                _slider((0.0, 0.0, -1.0), None, _travel_stops(equalizer)),  # travel down is positive
                 parent=equalizer.name,
                 position=(along, 0.0, -sheaves.below_hook),
                 mass=sheaves.mass + carried.get(place, 0.0),
@@ -78,7 +78,20 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         lump_rope(parts, f"{equalizer.name}.equalizing", equalizer.weight, length, route)
 
 
-def _slider(axis: Sequence[float], drive: str | None) -> Json:
+def _travel_stops(equalizer: EqualizerRigging) -> Json | None:
+    travel = equalizer.travel
+    if not travel.stops:
+        return None
+    stiffness, damping_time = travel.stop_stiffness, travel.stop_damping_time
+    return {
+        "lower": -travel.up,
+        "upper": travel.down,
+        "stiffness": stiffness,
+        "damping_time": damping_time,
+    }
+
+
+def _slider(axis: Sequence[float], drive: str | None, stops: Json | None = None) -> Json:
     return {
         "type": "slider",
         "axis": list(axis),
@@ -86,6 +99,7 @@ def _slider(axis: Sequence[float], drive: str | None) -> Json:
         "velocity": 0.0,
         "damping": 0.0,
         "drive": drive,
+        "stops": stops,
     }
 
 

@@ -10,6 +10,7 @@ from gantline.scenario.errors import ScenarioError
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.model import Scenario
+from gantline.scenario.parting import check_partings
 from gantline.scenario.rigging import resolve
 
 __all__ = ["check"]
@@ -41,6 +42,7 @@ def check(scenario: Scenario) -> None:
     if scenario.mechanics is not None:
         check_mechanics(findings, scenario.mechanics)
     check_plan(findings)
+    check_partings(findings)
     _check_simulation(findings)
     findings.raise_any()
 

@@ -21,8 +21,10 @@ from gantline.scenario.quantities import (
     PositiveLength,
     PositiveMass,
     PositiveSpeed,
+    PositiveStiffness,
     Ratio,
     RotationalDamping,
+    Time,
     Torque,
     found,
     refuse,
@@ -166,6 +168,11 @@ class Travel(Element):
     up: NotNegativeLength = Field(description="Travel up from the start.")
     down: NotNegativeLength = Field(description="Travel down from the start.")
     locked: Flag = Field(False, description="true: locking pins are in; cannot be simulated yet.")
+    stops: Flag = Field(
+        False, description="true: stops end the travel; false: sheaves may go past it, which is only checked."
+    )
+    stop_stiffness: PositiveStiffness = Field(100e6, description="Stiffness of the stops at both ends.")
+    stop_damping_time: Time = Field(2e-3, description="Damping over stiffness of the stops.")
 
 
 class EqualizerParts(Element):

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from gantline.scenario.base import Element, Named
+from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Angle,
     AngularSpeed,
@@ -20,6 +21,7 @@ from gantline.scenario.quantities import (
     Number,
     Position,
     PositiveLength,
+    PositiveRotationalStiffness,
     PositiveStiffness,
     PositiveTime,
     Quantity,
@@ -45,6 +47,7 @@ __all__ = [
     "Guide",
     "HalfTurn",
     "HingeJoint",
+    "HingeStops",
     "Joint",
     "Mechanics",
     "MechanicsRope",
@@ -54,6 +57,7 @@ __all__ = [
     "Rotation",
     "Sheave",
     "Slider",
+    "SliderStops",
     "SpeedRamp",
     "TurnRamp",
 ]
@@ -106,6 +110,28 @@ class TurnRamp(Element):
     shape: Literal["linear", "smooth"] = Field("smooth", description="How the speed changes.")
 
 
+class SliderStops(Element):
+    """Where a slider ends."""
+
+    what: ClassVar[str] = "the stops of a slider"
+
+    lower: Length | None = Field(None, description="Least travel; none if not given.")
+    upper: Length | None = Field(None, description="Largest travel; none if not given.")
+    stiffness: PositiveStiffness = Field(description="Stiffness of each stop.")
+    damping: Damping = Field(0.0, description="Damping of each stop.")
+
+
+class HingeStops(Element):
+    """Where a hinge ends."""
+
+    what: ClassVar[str] = "the stops of a hinge"
+
+    lower: Angle | None = Field(None, description="Least angle; none if not given.")
+    upper: Angle | None = Field(None, description="Largest angle; none if not given.")
+    stiffness: PositiveRotationalStiffness = Field(description="Stiffness of each stop.")
+    damping: RotationalDamping = Field(0.0, description="Damping of each stop.")
+
+
 class Fixed(Element):
     """No motion against the parent."""
 
@@ -124,6 +150,7 @@ class HingeJoint(Element):
     position: Angle = Field(0.0, description="Angle at the start.")
     velocity: AngularSpeed = Field(0.0, description="Angular speed at the start.")
     damping: RotationalDamping = Field(0.0, description="Damping of the turning.")
+    stops: HingeStops | None = Field(None, description="Where it ends; nowhere if not given.")
     motion: list[TurnRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
 
 
@@ -137,6 +164,7 @@ class Slider(Element):
     position: Length = Field(0.0, description="Travel at the start.")
     velocity: Speed = Field(0.0, description="Speed at the start.")
     damping: Damping = Field(0.0, description="Damping of the sliding.")
+    stops: SliderStops | None = Field(None, description="Where it ends; nowhere if not given.")
     motion: list[SpeedRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
 
 
@@ -250,6 +278,8 @@ class MechanicsRope(Element):
     ] = Field(description="Unstretched length; 'as_routed': just taut at the start.")
     rope_weight: RopeWeightWord | None = Field(None, description=WEIGHT_SHOWN)
     rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
+    breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
+    cut_at: Time | None = Field(None, description=CUT_SHOWN)
     route: list[Guide] = Field(min_length=2, description="Ends and sheaves, in order.")
 
 
