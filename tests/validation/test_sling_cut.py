@@ -34,16 +34,17 @@ def stepped() -> gantline.Recording:
 
 
 def test_it_runs_through_and_its_books_close(lift: gantline.Recording) -> None:
+    """140 s to the end; energy remainder below 1e-6; `parting` is T² L/2EA of sling 1 when it was cut."""
     assert lift.attributes["status"] == "done"
     assert lift.metrics()["energy_remainder"] < 1e-6
     held = lift.column("energy", "parting")
     assert np.all(held[lift.time <= CUT] == 0.0)
-    # What sling 1 held when it was cut: T² L/(2 EA).
     [parting] = partings(lift)
     assert held[-1] == pytest.approx(parting.tension**2 * 23.0 / (2 * 200e6), rel=1e-3)
 
 
 def test_what_parted_is_told(lift: gantline.Recording) -> None:
+    """Name, kind, time and tension of what parted; no force and no place afterwards; a check that failed."""
     [parting] = partings(lift)
     assert (parting.rope, parting.kind, parting.time) == ("sling.S1", "cut", CUT)
     after = lift.time > CUT
