@@ -189,6 +189,17 @@ def test_one_rope_after_another() -> None:
     assert run.energy_remainder < 1e-8
 
 
+def test_a_rope_that_is_weaker_than_the_tolerance() -> None:
+    """It goes taut and breaks within the switching tolerance, five times 100 N: the mass falls on freely."""
+    route = [end(None, (0, 0, LENGTH)), end("mass")]
+    weak = {**rope("rope", LENGTH, route, EA), "breaking_force": 200.0}
+    system = document([body("mass", slider(), MASS, position=(0, 0, 0.5))], ropes=[weak])
+    run = adaptive(system, 1.0, tension_tolerance=100.0)
+    assert the_event(run, "broken") == pytest.approx(math.sqrt(2 * 0.5 / G), abs=2e-3)
+    assert run.joint("mass")[-1] == pytest.approx(-0.5 * G, abs=1e-2)
+    assert run.counters["steps"] < 100
+
+
 def test_every_span_of_a_rope_parts() -> None:
     """A rope over a sheave with losses is cut: both sides fall freely, and both sides' energy is booked."""
     spans = [("left", 40.0), ("right", 60.0)]

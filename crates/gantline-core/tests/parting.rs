@@ -68,7 +68,7 @@ fn check_parted(system: &System, state: &State, log: &EventLog) -> Result<(), Te
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        cases: 100,
+        cases: 40,
         max_shrink_iters: 10,
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(2016),

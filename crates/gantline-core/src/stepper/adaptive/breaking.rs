@@ -14,7 +14,9 @@ impl Adaptive {
         let mut first = None;
         for &(index, force) in &system.fragile {
             let Some(rope) = system.ropes().nth(index) else { continue };
-            for (row, span) in (system.rows.first[index]..).zip(&rope.spans) {
+            let spans = (system.rows.first[index]..).zip(&rope.spans);
+            // One that goes taut does so at the end of the step at the earliest, and breaks after that.
+            for (row, span) in spans.filter(|&(row, _)| state.modes[row].carries()) {
                 let Some((low, high)) = self.looks.reaches(row, force / span.scale(&self.next.q)) else {
                     continue;
                 };
