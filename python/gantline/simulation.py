@@ -17,6 +17,7 @@ from gantline import _core
 from gantline.assembly import assemble, integrator_settings
 from gantline.results.derive import recording_of
 from gantline.results.metrics import energy_bound
+from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.errors import Problem
@@ -164,6 +165,10 @@ class Simulation:
             warnings.append(f"the energy balance does not close: {missed}")
         names, columns = self._core.names(), self._core.columns()
         warnings += _off_sheaves(self.assembly.rig, columns, names)
+        for met in stops_met(
+            zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+        ):
+            warnings.append(f"{met.joint} met its stop at {met.time:.2f} s, {met.times} times in all")
         failure = {} if self._failure is None else {"failure": self._failure}
         return recording_of(
             columns,

@@ -34,6 +34,7 @@ ENERGIES = [
     "contact_damping",
     "friction",
     "impact",
+    "parting",
     "method",
     "remainder",
 ]

@@ -162,6 +162,30 @@ def test_a_piece_that_is_slack_at_the_start_counts() -> None:
     assert list(zip(names["event_kind"], names["event_name"], strict=True)) == [("taut", "a")]
 
 
+def test_a_piece_that_parts_is_the_rope_that_parts() -> None:
+    kinds, subjects = ["cut", "broken", "slack"], ["a/0", "a/2", "a/1"]
+    columns, names, _ = joined(*fake(kinds, subjects, [1.0, 2.0, 3.0]), RIG)
+    assert list(zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)) == [
+        (1.0, "cut", "a"),
+        (2.0, "broken", "a"),
+        (3.0, "slack", "a"),
+    ]
+
+
+def test_a_sling_with_nodes_is_cut() -> None:
+    """Its pieces fall from the lug or lie about; what is recorded is finite and the run goes to its end."""
+    text = BASE.replace("mass: none", "mass: 16 kg/m").replace("integrator: del, step: 1 ms, ", "")
+    text = text.replace(
+        "S1: {from: e1.1,", "S1: {cut_at: 4 s, rope_weight: distributed, rope_nodes: 4, from: e1.1,"
+    )
+    recording = gantline.simulate(parse_scenario(text), duration=6.0)
+    assert recording.attributes["status"] == "done"
+    assert recording.events("cut") == [(4.0, "cut", "sling.S1")]
+    assert all(np.isfinite(recording[name].values).all() for name in ("rope_point", "rope_tension"))
+    assert np.isfinite(recording["rope_end_tension"].values).all()
+    assert recording.metrics()["energy_remainder"] < 1e-5
+
+
 def test_what_has_no_nodes_is_left_alone() -> None:
     columns, names = fake([], [], [])
     rig = Rig.from_json({"ropes": [{"name": "b"}]})

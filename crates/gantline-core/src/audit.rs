@@ -15,7 +15,7 @@ use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 
 /// Names of the energy kinds, in the order of [`Ledger::values`].
-pub const KINDS: [&str; 11] = [
+pub const KINDS: [&str; 12] = [
     "kinetic",
     "gravity",
     "elastic",
@@ -25,6 +25,7 @@ pub const KINDS: [&str; 11] = [
     "contact_damping",
     "friction",
     "impact",
+    "parting",
     "method",
     "remainder",
 ];
@@ -44,6 +45,8 @@ pub struct Flows {
     pub friction: f64,
     /// Lost where inextensible ropes went taut.
     pub impact: f64,
+    /// Lost with ropes that parted: what they held.
+    pub parting: f64,
     /// Lost by the method itself.
     pub method: f64,
 }
@@ -56,6 +59,7 @@ impl std::ops::AddAssign for Flows {
         self.contact_damping += other.contact_damping;
         self.friction += other.friction;
         self.impact += other.impact;
+        self.parting += other.parting;
         self.method += other.method;
     }
 }
@@ -106,6 +110,7 @@ impl Ledger {
             + self.flows.contact_damping
             + self.flows.friction
             + self.flows.impact
+            + self.flows.parting
             + self.flows.method;
         stored - self.flows.drive_work + lost
     }
@@ -127,6 +132,7 @@ impl Ledger {
             self.flows.contact_damping,
             self.flows.friction,
             self.flows.impact,
+            self.flows.parting,
             self.flows.method,
             self.remainder(),
         ]
@@ -146,10 +152,12 @@ pub fn spring_energy(law: &Law, e: f64) -> f64 {
     if compliance > 0.0 { 0.5 * stretch * stretch / compliance } else { 0.0 }
 }
 
-/// Σ spring energies of all rows at the values `value` [J]; tangential springs of open contacts hold nothing.
+/// Σ spring energies of all rows at the values `value` [J]; tangential springs of open contacts and ropes that have
+/// parted hold nothing.
 pub fn elastic_energy(system: &System, value: &[f64], modes: &[Mode]) -> f64 {
     let laws = system.rows.laws.iter().zip(modes).zip(value);
-    let held =
-        laws.filter(|((law, mode), _)| !(matches!(law, Law::Friction { .. }) && **mode == Mode::Slack));
+    let held = laws.filter(|((law, mode), _)| {
+        **mode != Mode::Parted && !(matches!(law, Law::Friction { .. }) && **mode == Mode::Slack)
+    });
     held.map(|((law, _), value)| spring_energy(law, *value)).sum()
 }

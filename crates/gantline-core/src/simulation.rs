@@ -214,7 +214,7 @@ impl Simulation {
     /// Everything that follows from the samples so far.
     pub fn columns(&self) -> Columns {
         self.system.clock.resume();
-        self.system.clock.time(Stage::Recording, || Columns::of(&self.system, &self.samples))
+        self.system.clock.time(Stage::Recording, || Columns::of(&self.system, &self.samples, &self.events))
     }
 
     /// Measures from now on where the time goes. Costs a few per cent.
@@ -242,9 +242,14 @@ impl Simulation {
 
     fn subject(&self, event: &Event) -> String {
         match event.kind {
-            EventKind::Taut | EventKind::Slack | EventKind::Stick | EventKind::Slip => {
-                self.system.constraints[event.subject].name().to_owned()
-            }
+            EventKind::Taut
+            | EventKind::Slack
+            | EventKind::Cut
+            | EventKind::Broken
+            | EventKind::Stick
+            | EventKind::Slip
+            | EventKind::StopHit
+            | EventKind::StopLeft => self.system.constraints[event.subject].name().to_owned(),
             EventKind::LiftOff | EventKind::SetDown => self.system.groups[event.subject].name.clone(),
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => self.system.sheave_name(event.subject),
             EventKind::StepBegin | EventKind::StepEnd => self.system.plan[event.subject].name.clone(),

@@ -150,6 +150,26 @@ pub struct AxisJointSpec {
     /// Name of the drive that prescribes this joint's motion.
     #[serde(default)]
     pub drive: Option<String>,
+    /// Where its motion ends; without them nowhere.
+    #[serde(default)]
+    pub stops: Option<StopsSpec>,
+}
+
+/// Stops of a hinge or slider.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StopsSpec {
+    /// Lowest position [rad or m].
+    #[serde(default)]
+    pub lower: Option<f64>,
+    /// Highest position [rad or m].
+    #[serde(default)]
+    pub upper: Option<f64>,
+    /// Stiffness of each stop [N m/rad or N/m].
+    pub stiffness: f64,
+    /// Damping over stiffness [s].
+    #[serde(default)]
+    pub damping_time: f64,
 }
 
 /// A rope: route, unstretched length, material.
@@ -164,6 +184,12 @@ pub struct RopeSpec {
     pub material: MaterialSpec,
     /// Guides in order, from end to end.
     pub route: Vec<GuideSpec>,
+    /// Tension [N] at which it breaks; none never does.
+    #[serde(default)]
+    pub breaking_force: Option<f64>,
+    /// Time [s] at which it is cut.
+    #[serde(default)]
+    pub cut_at: Option<f64>,
 }
 
 /// Rope material.
@@ -322,6 +348,9 @@ pub struct StepSpec {
     pub start_at: Option<f64>,
     /// What ends the step.
     pub until: UntilSpec,
+    /// Names of ropes that are cut as it begins.
+    #[serde(default)]
+    pub cuts: Vec<String>,
 }
 
 /// One drive in a step.

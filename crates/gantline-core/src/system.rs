@@ -3,8 +3,8 @@
 use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
-use crate::plan::Step;
 use crate::plan::drive::Timeline;
+use crate::plan::{Cut, Step};
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
 
@@ -94,7 +94,7 @@ pub struct SheavePlace {
 pub struct System {
     /// Bodies and joints.
     pub tree: Tree,
-    /// Ropes first, contacts after them, then brakes.
+    /// Ropes first, contacts after them, then stops, then brakes.
     pub constraints: Vec<AnyConstraint>,
     /// How many of the constraints are ropes.
     pub rope_count: usize,
@@ -102,13 +102,17 @@ pub struct System {
     pub rows: Rows,
     /// Sheaves with true tangents, in the order of ropes and routes.
     pub sheaves: Vec<SheavePlace>,
+    /// Ropes that break, and the tension at which they do [N].
+    pub fragile: Vec<(usize, f64)>,
+    /// Ropes that are cut.
+    pub cuts: Vec<Cut>,
     /// Rows of inextensible ropes.
     pub inextensible: Vec<usize>,
     /// Those and the rows of brakes: rows without compliance, whose force is an unknown of its own.
     pub rigid: Vec<usize>,
     /// Tangential rows of contacts.
     pub friction: Vec<usize>,
-    /// Constraints with flows.
+    /// Constraints that act on degrees of freedom by themselves: with flows, stops and brakes.
     pub fed: Vec<usize>,
     /// First constraint that is a brake; brakes come last, and each has one row.
     pub first_brake: usize,
@@ -133,7 +137,7 @@ impl System {
     pub fn ropes(&self) -> impl Iterator<Item = &Rope> {
         self.constraints.iter().filter_map(|constraint| match constraint {
             AnyConstraint::Rope(rope) => Some(rope),
-            AnyConstraint::Contact(_) | AnyConstraint::Brake(_) => None,
+            AnyConstraint::Contact(_) | AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => None,
         })
     }
 

@@ -115,7 +115,14 @@ fn random_route(random: &mut Random) -> SystemSpec {
         place += random.direction() * step;
     }
     let material = MaterialSpec::Elastic { axial_stiffness: 1e6, damping_time: 0.0 };
-    spec.ropes.push(RopeSpec { name: "r".into(), length: None, material, route });
+    spec.ropes.push(RopeSpec {
+        name: "r".into(),
+        length: None,
+        material,
+        route,
+        breaking_force: None,
+        cut_at: None,
+    });
     spec
 }
 

@@ -9,6 +9,7 @@ from typing import Any
 from gantline.assembly.describe import rig, scene
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.operations import operations
+from gantline.assembly.parting import add_partings
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
@@ -67,6 +68,7 @@ def assemble(scenario: Scenario) -> Assembly:
     add_mechanics(parts, scenario)
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
     parts.plan.extend(operations(scenario, mass * scenario.simulation.gravity))
+    add_partings(parts, scenario)
     return Assembly(
         document=parts.document(scenario.simulation.gravity),
         settings=_settings(scenario),

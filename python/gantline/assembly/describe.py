@@ -16,6 +16,7 @@ from gantline.assembly.spatial import Array
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.gear import Shackle
 from gantline.scenario.load import PLATE_NORMALS
+from gantline.scenario.parting import partings
 from gantline.scenario.plan import Bound, HoldStep
 from gantline.scenario.rigging import SlingRigging
 from gantline.scenario.rope_weight import rope_weight
@@ -112,6 +113,7 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
         "moving_sheaves": [f"{name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))],
         "travel_up": equalizer.travel.up,
         "travel_down": equalizer.travel.down,
+        "stops": equalizer.travel.stops,
         "rated_capacity": _force(scenario, equalizer.rated_capacity),
         "heading_joint": name,
     }
@@ -141,6 +143,7 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     """Every rope of the lift with what is known of it."""
     kinds = {f"{name}.equalizing": (one.rope, one.weight) for name, one in rigging.equalizers.items()}
     kinds |= {f"sling.{name}": (sling.rope, sling.weight) for name, sling in rigging.slings.items()}
+    parting = partings(scenario)
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, rope in (plain or {}).items():
         kind = (scenario.ropes or {})[rope.rope]
@@ -152,6 +155,7 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "diameter": kind.diameter,
             "mass_per_length": weight.mass_per_length,
             "minimum_breaking_force": kind.breaking_force,
+            "breaks_at": parting[name].breaks_at,
             "weight": weight.way,
             "mass": mass,
             "mass_on_world": on_world,

@@ -19,6 +19,7 @@ from gantline.scenario.mechanics import (
     Eye,
     Fixed,
     HingeJoint,
+    HingeStops,
     Joint,
     Mechanics,
     MechanicsRope,
@@ -27,6 +28,7 @@ from gantline.scenario.mechanics import (
     Rotation,
     Sheave,
     Slider,
+    SliderStops,
 )
 from gantline.scenario.rope_weight import rope_weight
 from gantline.scenario.sheave import sheave_losses
@@ -173,6 +175,7 @@ def _joint(parts: Parts, name: str, joint: Joint) -> Json:
             "damping": joint.damping,
             "friction": joint.friction,
             "drive": drive,
+            "stops": _stops(joint.stops),
         }
     if isinstance(joint, Ball):
         turning = list(joint.angular_velocity)
@@ -185,6 +188,18 @@ def _joint(parts: Parts, name: str, joint: Joint) -> Json:
         "orientation": _quaternion(joint.orientation),
         "velocity": list(joint.velocity),
         "angular_velocity": list(joint.angular_velocity),
+    }
+
+
+def _stops(stops: HingeStops | SliderStops | None) -> Json | None:
+    if stops is None:
+        return None
+    damping_time = stops.damping / stops.stiffness
+    return {
+        "lower": stops.lower,
+        "upper": stops.upper,
+        "stiffness": stops.stiffness,
+        "damping_time": damping_time,
     }
 
 

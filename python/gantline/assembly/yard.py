@@ -70,7 +70,7 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         for place, along in enumerate(sheaves.along, start=1):
             parts.add_body(
                 f"{equalizer.name}.{place}",
-                _slider((0.0, 0.0, -1.0), None, held_by),  # travel down is positive
+                _slider((0.0, 0.0, -1.0), None, held_by, _travel_stops(equalizer)),  # travel down is positive
                 parent=equalizer.name,
                 position=(along, 0.0, -sheaves.below_hook),
                 mass=sheaves.mass + carried.get(place, 0.0),
@@ -82,7 +82,22 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         lump_rope(parts, f"{equalizer.name}.equalizing", equalizer.weight, length, route)
 
 
-def _slider(axis: Sequence[float], drive: str | None, friction: float = 0.0) -> Json:
+def _travel_stops(equalizer: EqualizerRigging) -> Json | None:
+    travel = equalizer.travel
+    if not travel.stops:
+        return None
+    stiffness, damping_time = travel.stop_stiffness, travel.stop_damping_time
+    return {
+        "lower": -travel.up,
+        "upper": travel.down,
+        "stiffness": stiffness,
+        "damping_time": damping_time,
+    }
+
+
+def _slider(
+    axis: Sequence[float], drive: str | None, friction: float = 0.0, stops: Json | None = None
+) -> Json:
     return {
         "type": "slider",
         "axis": list(axis),
@@ -91,6 +106,7 @@ def _slider(axis: Sequence[float], drive: str | None, friction: float = 0.0) -> 
         "damping": 0.0,
         "friction": friction,
         "drive": drive,
+        "stops": stops,
     }
 
 

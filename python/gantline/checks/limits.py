@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -149,7 +150,11 @@ def _travel_used(recording: Recording, during: BoolArray) -> Iterator[Candidate]
 
 
 def _travel_past_stroke(recording: Recording) -> str:
-    """Where a sheave went past its stroke at any time, clear or not; empty if none did."""
+    """Where a sheave came to the end of its stroke at any time, clear or not; empty if none did."""
+    sheaves = {sheave for equalizer in recording.rig.equalizers for sheave in equalizer.moving_sheaves}
+    met = [one for one in stops_met(recording.events()) if one.joint in sheaves]
+    if met:
+        return ", ".join(f"{one.joint} met its stop at {one.time:.2f} s" for one in met)
     furthest = max(_travel(recording, everywhere(recording)), key=lambda found: found.value, default=None)
     if furthest is None or furthest.value <= 1.0:
         return ""

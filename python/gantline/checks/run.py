@@ -9,9 +9,11 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS, Candidate, Limit, everywhere, governing
+from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
+from gantline.units import format_quantity
 
 
 def check_recording(recording: Recording) -> list[Check]:
@@ -21,19 +23,32 @@ def check_recording(recording: Recording) -> list[Check]:
         recording: Any recording.
 
     Returns:
-        One check for each limit of the rig, in the order of the lift file, then one for each requirement of
-        a step.
+        One check for each limit of the rig, in the order of the lift file, one for each requirement of a
+        step, and one that failed for each rope that parted.
     """
     limits = {
         key: limit for key, limit in recording.rig.limits.items() if key != "rule" and limit is not None
     }
     whole = [_check_limit(recording, key, limit) for key, limit in limits.items()]
-    return whole + [check for step in recording.rig.plan for check in _check_step(recording, step)]
+    steps = [check for step in recording.rig.plan for check in _check_step(recording, step)]
+    return whole + steps + [_parted(parting) for parting in partings(recording)]
 
 
 def has_failed(checks: list[Check]) -> bool:
     """Whether any check failed."""
     return any(check.verdict is Verdict.FAILED for check in checks)
+
+
+def _parted(parting: Parting) -> Check:
+    carried = format_quantity(parting.tension, "kN", 1)
+    return Check(
+        "rope_parted",
+        Verdict.FAILED,
+        "a rope was cut or broke",
+        where=parting.rope,
+        time=parting.time,
+        remark=f"{parting.kind}, it carried {carried}",
+    )
 
 
 def _check_limit(recording: Recording, key: str, limit: object) -> Check:

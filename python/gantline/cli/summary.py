@@ -10,6 +10,7 @@ from gantline.checks import Check, Verdict
 from gantline.cli.table import ABSENT, pairs, table
 from gantline.results import series
 from gantline.results.metrics import energy_bound, metrics_of
+from gantline.results.parting import partings, stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Equalizer, Rig
 from gantline.units import format_quantity
@@ -37,6 +38,7 @@ def summary(recording: Recording, checks: list[Check], style: Callable[[Verdict]
         heading(rig),
         _loads(recording, metrics),
         _slings(recording),
+        _parted(recording),
         _used(recording),
         *(_equalizer(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
@@ -122,6 +124,21 @@ def _slings(recording: Recording) -> list[str]:
     return table(head, rows, "lrrrrrr") if rows else []
 
 
+def _parted(recording: Recording) -> list[str]:
+    """Ropes that were cut or broke."""
+    rows = [
+        (
+            one.rope,
+            one.kind,
+            show(one.time, "s", 3),
+            show(one.tension, "kN", 1),
+            show(_share(one.tension, recording.rig.minimum_breaking_force(one.rope)), "%", 1),
+        )
+        for one in partings(recording)
+    ]
+    return table(("Parted", "", "at", "tension", "of minimum breaking force"), rows, "llrrr") if rows else []
+
+
 def _used(recording: Recording) -> list[str]:
     """What each sling uses of its rope, shackles and lug."""
     window = series.quiet_window(recording)
@@ -182,12 +199,18 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
         rows.append(
             ("tension spread", f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end")
         )
+    met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
+    rows += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{_again(one.times)}") for one in met]
     rows += [
         (f"travel used {way}", _travel(recording, equalizer, sign, stroke))
         for way, sign, stroke in (("up", -1.0, equalizer.travel_up), ("down", 1.0, equalizer.travel_down))
         if stroke and equalizer.moving_sheaves
     ]
     return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
+
+
+def _again(times: int) -> str:
+    return f", {times} times in all" if times > 1 else ""
 
 
 def _of_breaking_force(recording: Recording, rope: str) -> str:

@@ -11,6 +11,9 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `utilisation_of_minimum_breaking_force.<rope>` [1]: largest tension of that rope over all steps/its minimum
   breaking force, where that is known
 - `peak_utilisation_of_minimum_breaking_force` [1]: the largest of them
+- `parted_ropes` [1]: how many ropes were cut or broke; absent where none did, as the next two
+- `parting_time.<rope>` [s]: when that rope parted
+- `parting_tension.<rope>` [N]: what it carried then
 - `static_sling_tension.<sling rope>` [N]: its static tension
 - `least_sling_tension_when_clear` [N]: smallest tension of any sling while the loads are clear
 - `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling
@@ -47,6 +50,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
+from gantline.results.parting import partings
 from gantline.results.recording import Recording
 
 #: Energy remainder up to which the balance counts as closed, by integrator. A fixed step of first order
@@ -72,7 +76,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
     """
     if not len(recording.time):
         return {}
-    parts = (_ropes, _slings, _spread, _sheaves, _loads, _hooks, _travel, _audit)
+    parts = (_ropes, _parted, _slings, _spread, _sheaves, _loads, _hooks, _travel, _audit)
     return {name: value for part in parts for name, value in part(recording) if value is not None}
 
 
@@ -92,6 +96,15 @@ def _ropes(recording: Recording) -> Iterator[_Metric]:
     for rope, share in known.items():
         yield f"utilisation_of_minimum_breaking_force.{rope}", share
     yield "peak_utilisation_of_minimum_breaking_force", _largest(known.values())
+
+
+def _parted(recording: Recording) -> Iterator[_Metric]:
+    parted = partings(recording)
+    if parted:
+        yield "parted_ropes", float(len(parted))
+    for one in parted:
+        yield f"parting_time.{one.rope}", one.time
+        yield f"parting_tension.{one.rope}", one.tension
 
 
 def _slings(recording: Recording) -> Iterator[_Metric]:

@@ -105,6 +105,7 @@ class Equalizer(_FromJson):
         moving_sheaves: Bodies (and joints) of the moving sheaves.
         travel_up: Stroke above the start position [m]; None if not limited.
         travel_down: Stroke below the start position [m]; None if not limited.
+        stops: Whether stops at both ends of the stroke are simulated.
         rated_capacity: Below the moving sheaves [N]; None if not said.
         heading_joint: Joint about which the frame turns under its hook.
     """
@@ -117,6 +118,7 @@ class Equalizer(_FromJson):
     moving_sheaves: Sequence[str] = ()
     travel_up: float | None = None
     travel_down: float | None = None
+    stops: bool = False
     rated_capacity: float | None = None
     heading_joint: str | None = None
 
@@ -161,6 +163,7 @@ class Rope(_FromJson):
         diameter: Nominal diameter [m]; None if not said.
         mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
         minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
+        breaks_at: Tension at which it breaks in the simulation [N]; None if it never does.
         weight: How its weight acts: `none`, `lumped` or `distributed`.
         mass: Mass that counts in the lift [kg].
         mass_on_world: What of it the world bears, so that it is on no body [kg].
@@ -173,6 +176,7 @@ class Rope(_FromJson):
     diameter: float | None = None
     mass_per_length: float = 0.0
     minimum_breaking_force: float | None = None
+    breaks_at: float | None = None
     weight: str = "none"
     mass: float = 0.0
     mass_on_world: float = 0.0

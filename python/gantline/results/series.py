@@ -124,10 +124,14 @@ def rope_ends(recording: Recording, rope: str) -> tuple[FloatArray, FloatArray]:
 
 
 def sling_direction(recording: Recording, sling: Sling) -> FloatArray:
-    """Unit vectors along a sling from its lower to its upper end, world axes, shape (time, 3)."""
+    """Unit vectors along a sling from its lower to its upper end, world axes, shape (time, 3).
+
+    Zero once it has parted.
+    """
     upper, lower = rope_ends(recording, sling.rope)
     along = upper - lower
-    unit: FloatArray = along / np.linalg.norm(along, axis=1, keepdims=True)
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    unit: FloatArray = np.divide(along, length, out=np.zeros_like(along), where=length > 0.0)
     return unit
 
 

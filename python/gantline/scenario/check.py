@@ -11,6 +11,7 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
 from gantline.scenario.model import Scenario
+from gantline.scenario.parting import check_partings
 from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
 from gantline.scenario.sheave import taken_together
 
@@ -43,6 +44,7 @@ def check(scenario: Scenario) -> None:
     if scenario.mechanics is not None:
         check_mechanics(findings, scenario.mechanics)
     check_plan(findings)
+    check_partings(findings)
     _check_simulation(findings)
     findings.raise_any()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 from gantline.scenario.drum import Drum
@@ -105,11 +106,28 @@ def _check_joint(findings: Findings, path: Path, joint: Joint) -> None:
     if not isinstance(joint, (HingeJoint, Slider)):
         return
     _check_direction(findings, (*path, "axis"), joint.axis)
+    if joint.stops is not None:
+        _check_stops(findings, path, joint)
     if joint.motion is not None:
         if joint.velocity != 0:
             sentence = "a joint with a given motion starts at rest; leave 'velocity' out"
             findings.add((*path, "velocity"), sentence)
         _check_motion(findings, (*path, "motion"), joint.motion)
+
+
+def _check_stops(findings: Findings, path: Path, joint: HingeJoint | Slider) -> None:
+    stops = joint.stops
+    assert stops is not None
+    lower = -math.inf if stops.lower is None else stops.lower
+    upper = math.inf if stops.upper is None else stops.upper
+    if stops.lower is None and stops.upper is None:
+        findings.add((*path, "stops"), "says neither 'lower' nor 'upper'; a stop is at one of them at least")
+    elif not lower < upper:
+        findings.add((*path, "stops"), "has 'lower' not below 'upper'; between them the joint moves")
+    elif not lower <= joint.position <= upper:
+        findings.add((*path, "position"), "is beyond a stop; a joint starts between its stops")
+    if joint.motion is not None:
+        findings.add((*path, "stops"), "a joint with a given motion has no stops; leave one of both out")
 
 
 def _check_motion(findings: Findings, path: Path, motion: Sequence[SpeedRamp | TurnRamp]) -> None:

@@ -21,7 +21,9 @@ from gantline.scenario.quantities import (
     PositiveLength,
     PositiveMass,
     PositiveSpeed,
+    PositiveStiffness,
     RotationalDamping,
+    Time,
     Torque,
     found,
     refuse,
@@ -162,6 +164,11 @@ class Travel(Element):
     up: NotNegativeLength = Field(description="Travel up from the start.")
     down: NotNegativeLength = Field(description="Travel down from the start.")
     locked: Flag = Field(False, description="true: locking pins hold all moving sheaves where they start.")
+    stops: Flag = Field(
+        False, description="true: stops end the travel; false: sheaves may go past it, which is only checked."
+    )
+    stop_stiffness: PositiveStiffness = Field(100e6, description="Stiffness of the stops at both ends.")
+    stop_damping_time: Time = Field(2e-3, description="Damping over stiffness of the stops.")
 
 
 class EqualizerParts(Element):

@@ -11,6 +11,7 @@ from pydantic.json_schema import JsonSchemaValue
 
 from gantline.rope_data import GRADES, RopeClass, rope_class, rope_classes
 from gantline.scenario.base import Element
+from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Flag,
     Mass,
@@ -108,6 +109,7 @@ class RopeMaterial(Element):
     minimum_breaking_force: PositiveForce | None = Field(
         None, description="Minimum breaking force, such as that of a certificate; before that of the grade."
     )
+    breaks_at: BreaksAt = Field("never", description=f"{BREAKS_SHOWN} For all ropes of this kind.")
 
     @model_validator(mode="after")
     def _one_way_to_say_it(self) -> RopeMaterial:
@@ -126,6 +128,9 @@ class RopeMaterial(Element):
             self._refuse_without_construction()
         else:
             self._refuse_incomplete_construction(self.construction)
+        if self.breaks_at == "minimum_breaking_force" and self.breaking_force is None:
+            sentence = "the minimum breaking force of this rope is not known"
+            raise refuse(f"{sentence}; give it, or a force here, such as '600 kN'", "breaks_at")
         if self.inextensible and self.damping_time > 0:
             raise refuse("an inextensible rope has no damping; leave 'damping_time' out", "damping_time")
         return self
@@ -217,6 +222,7 @@ class SlingDefaults(Element):
     rope: Name | None = Field(None, description="Kind of rope, a name of 'ropes'.")
     rope_weight: RopeWeightWord | None = Field(None, description=WEIGHT_SHOWN)
     rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
+    breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
     shackles: SlingShackles | None = Field(None, description="Shackles at both ends.")
     tolerance: Ratio | None = Field(None, description="Tolerance of the length, plus and minus.")
 
@@ -230,4 +236,5 @@ class Sling(SlingDefaults):
         alias="from", description="Where its upper end is: a moving sheave like 'e1.3', or a hook."
     )
     to: Name = Field(description="The lug it holds, like 'block.L3'.")
+    cut_at: Time | None = Field(None, description=CUT_SHOWN)
     remark: Text | None = Field(None, description="A remark for people.")

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from gantline.scenario.base import Element, Named
 from gantline.scenario.drum import Drum
 from gantline.scenario.motion import SpeedRamp, TurnRamp
+from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Angle,
     AngularSpeed,
@@ -25,6 +26,7 @@ from gantline.scenario.quantities import (
     Number,
     Position,
     PositiveLength,
+    PositiveRotationalStiffness,
     PositiveStiffness,
     Quantity,
     Ratio,
@@ -32,6 +34,7 @@ from gantline.scenario.quantities import (
     Sizes,
     Speed,
     Text,
+    Time,
     Torque,
     Velocity,
     WordOr,
@@ -53,6 +56,7 @@ __all__ = [
     "Guide",
     "HalfTurn",
     "HingeJoint",
+    "HingeStops",
     "Joint",
     "Mechanics",
     "MechanicsRope",
@@ -62,6 +66,7 @@ __all__ = [
     "Rotation",
     "Sheave",
     "Slider",
+    "SliderStops",
 ]
 
 Direction = Annotated[tuple[float, float, float], ListOf(Number(least=-1e6, most=1e6), 3)]
@@ -90,6 +95,28 @@ class BodyInertia(Element):
     yz: Inertia = Field(0.0, description="Off-diagonal term yz.")
 
 
+class SliderStops(Element):
+    """Where a slider ends."""
+
+    what: ClassVar[str] = "the stops of a slider"
+
+    lower: Length | None = Field(None, description="Least travel; none if not given.")
+    upper: Length | None = Field(None, description="Largest travel; none if not given.")
+    stiffness: PositiveStiffness = Field(description="Stiffness of each stop.")
+    damping: Damping = Field(0.0, description="Damping of each stop.")
+
+
+class HingeStops(Element):
+    """Where a hinge ends."""
+
+    what: ClassVar[str] = "the stops of a hinge"
+
+    lower: Angle | None = Field(None, description="Least angle; none if not given.")
+    upper: Angle | None = Field(None, description="Largest angle; none if not given.")
+    stiffness: PositiveRotationalStiffness = Field(description="Stiffness of each stop.")
+    damping: RotationalDamping = Field(0.0, description="Damping of each stop.")
+
+
 class Fixed(Element):
     """No motion against the parent."""
 
@@ -109,6 +136,7 @@ class HingeJoint(Element):
     velocity: AngularSpeed = Field(0.0, description="Angular speed at the start.")
     damping: RotationalDamping = Field(0.0, description="Damping of the turning.")
     friction: Torque = Field(0.0, description="Dry friction that holds it, without a motion.")
+    stops: HingeStops | None = Field(None, description="Where it ends; nowhere if not given.")
     motion: list[TurnRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
 
 
@@ -123,6 +151,7 @@ class Slider(Element):
     velocity: Speed = Field(0.0, description="Speed at the start.")
     damping: Damping = Field(0.0, description="Damping of the sliding.")
     friction: NotNegativeForce = Field(0.0, description="Dry friction that holds it, without a motion.")
+    stops: SliderStops | None = Field(None, description="Where it ends; nowhere if not given.")
     motion: list[SpeedRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
 
 
@@ -280,6 +309,8 @@ class MechanicsRope(Element):
     ] = Field(description="Unstretched length; 'as_routed': just taut at the start.")
     rope_weight: RopeWeightWord | None = Field(None, description=WEIGHT_SHOWN)
     rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
+    breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
+    cut_at: Time | None = Field(None, description=CUT_SHOWN)
     route: list[Guide] = Field(min_length=2, description="Ends, and sheaves and eyes between them, in order.")
 
 

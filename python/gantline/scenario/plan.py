@@ -162,6 +162,7 @@ class _AnyStep(Element):
         (), description="Measures to report at its end."
     )
     require: Require | None = Field(None, description="What has to hold at its end.")
+    cut: Names = Field((), description="Rope or ropes that are cut as it begins, like 'sling.S1'.")
 
 
 class MovingStep(_AnyStep):

@@ -33,6 +33,7 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
     "stiffness": (1e13, "1e7 MN/m"),
     "damping": (1e13, "1e7 MN s/m"),
     "torque": (1e12, "1e6 MN m"),
+    "rotational_stiffness": (1e15, "1e9 MN m/rad"),
     "rotational_damping": (1e12, "1e6 MN m s"),
     "inertia": (1e15, "1e12 t m^2"),
     "mass_per_length": (1e5, "100 t/m"),
@@ -326,6 +327,7 @@ Acceleration = Annotated[float, Quantity("acceleration", "not_negative")]
 PositiveStress = Annotated[float, Quantity("stress", "positive")]
 PositiveStiffness = Annotated[float, Quantity("stiffness", "positive")]
 Damping = Annotated[float, Quantity("damping", "not_negative")]
+PositiveRotationalStiffness = Annotated[float, Quantity("rotational_stiffness", "positive")]
 RotationalDamping = Annotated[float, Quantity("rotational_damping", "not_negative")]
 Torque = Annotated[float, Quantity("torque", "not_negative")]
 PositiveInertia = Annotated[float, Quantity("inertia", "positive")]

@@ -22,7 +22,7 @@ use crate::stepper::frame::Frame;
 use crate::system::{Rows, SheavePlace, System};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
-use plan::{build_drives, build_step};
+use plan::{build_cuts, build_drives, build_fragile, build_step};
 use rows::{Built, build_constraints};
 use tree::{build_tree, start_of_joint};
 
@@ -69,13 +69,14 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let is_brake_row = |row: &usize| matches!(rows.laws[*row], Law::Brake { .. });
     let inextensible = rigid.iter().copied().filter(|row| !is_brake_row(row)).collect();
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
+    let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
-    let has_flow = |constraint: &AnyConstraint| match constraint {
+    let feeds = |constraint: &AnyConstraint| match constraint {
         AnyConstraint::Rope(rope) => is_fed(rope),
-        AnyConstraint::Brake(_) => true,
+        AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => true,
         AnyConstraint::Contact(_) => false,
     };
-    let fed = (0..constraints.len()).filter(|&index| has_flow(&constraints[index])).collect();
+    let fed = (0..constraints.len()).filter(|&index| feeds(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
     let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
     let motors =
@@ -97,6 +98,8 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         rows,
         sheaves,
         inextensible,
+        fragile,
+        cuts,
         rigid,
         friction,
         fed,

@@ -1,7 +1,7 @@
 //! Drives and the steps of the plan.
 
 use super::{BuildError, at_least_zero, error, finite, positive};
-use crate::plan::{Move, Step, Until};
+use crate::plan::{Cut, Due, Move, Step, Until};
 use crate::spec::{BodySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
 use crate::system::{ContactGroup, DriveJoint};
 use crate::tree::Tree;
@@ -80,4 +80,36 @@ pub(super) fn build_step(
         UntilSpec::EndOfRun {} => Until::EndOfRun,
     };
     Ok(Step { name: name.clone(), moves, start_at: given.start_at, until })
+}
+
+/// Ropes that break, with the tension at which they do [N].
+pub(super) fn build_fragile(spec: &SystemSpec) -> Result<Vec<(usize, f64)>, BuildError> {
+    let mut fragile = Vec::new();
+    for (rope, given) in spec.ropes.iter().enumerate() {
+        if let Some(force) = given.breaking_force {
+            positive(&given.name, "its breaking force", force)?;
+            fragile.push((rope, force));
+        }
+    }
+    Ok(fragile)
+}
+
+/// Ropes that are cut, at times and as steps of the plan begin.
+pub(super) fn build_cuts(spec: &SystemSpec) -> Result<Vec<Cut>, BuildError> {
+    let mut cuts = Vec::new();
+    for (rope, given) in spec.ropes.iter().enumerate() {
+        if let Some(time) = given.cut_at {
+            at_least_zero(&given.name, "the time at which it is cut", time)?;
+            cuts.push(Cut { rope, due: Due::At(time) });
+        }
+    }
+    for (index, step) in spec.plan.iter().enumerate() {
+        for name in &step.cuts {
+            let Some(rope) = spec.ropes.iter().position(|rope| &rope.name == name) else {
+                return error(&step.name, format!("there is no rope `{name}`"));
+            };
+            cuts.push(Cut { rope, due: Due::Step(index) });
+        }
+    }
+    Ok(cuts)
 }

@@ -1,4 +1,4 @@
-//! Ropes and contacts.
+//! Ropes, contacts, stops and brakes.
 
 use glam::DVec3;
 
@@ -8,11 +8,14 @@ use crate::constraint::brake::{Brake, share_of_ratio};
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
 use crate::constraint::rope::span::{Feed, Span};
+use crate::constraint::stop::Stop;
 use crate::contact::plane::Plane;
 use crate::rope::material::Material;
 use crate::rope::route::{Attachment, Guide, Route};
 use crate::rope::seat::Seat;
-use crate::spec::{ContactSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, SystemSpec};
+use crate::spec::{
+    BodySpec, ContactSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, StopsSpec, SystemSpec,
+};
 use crate::system::ContactGroup;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
@@ -58,6 +61,9 @@ pub(super) fn build_constraints(
         });
         groups[group].contacts.push(constraints.len());
         constraints.push(AnyConstraint::Contact(build_contact(given, group, tree)?));
+    }
+    for (index, given) in spec.bodies.iter().enumerate() {
+        constraints.extend(build_stops(given, index, tree)?.into_iter().map(AnyConstraint::Stop));
     }
     constraints.extend(brakes);
     Ok(Built { constraints, groups, seats })
@@ -332,6 +338,39 @@ fn build_rope(
         vec![Span { parts: 0..route.parts.len(), arcs: route.arcs, length, feeds: Vec::new() }]
     };
     Ok(Rope::new(name.clone(), route, spans, material, tree))
+}
+
+/// The stops of a body's joint.
+fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>, BuildError> {
+    let (JointSpec::Hinge(joint) | JointSpec::Slider(joint)) = &given.joint else { return Ok(Vec::new()) };
+    let Some(StopsSpec { lower, upper, stiffness, damping_time }) = &joint.stops else {
+        return Ok(Vec::new());
+    };
+    let name = &given.name;
+    if joint.drive.is_some() {
+        return error(name, "its joint has a drive and stops; what is driven has no stops");
+    }
+    positive(name, "the stiffness of its stops", *stiffness)?;
+    at_least_zero(name, "the damping time of its stops", *damping_time)?;
+    let body = &tree.bodies[index];
+    let mut stops = Vec::new();
+    for (end, side) in [(lower, -1.0), (upper, 1.0)] {
+        let Some(end) = *end else { continue };
+        finite(name, "a stop", &[end])?;
+        if side * (joint.position - end) > 0.0 {
+            return error(name, format!("its joint starts at {}, beyond its stop at {end}", joint.position));
+        }
+        stops.push(Stop {
+            name: name.clone(),
+            dof: body.first_velocity,
+            position: body.first_position,
+            end,
+            side,
+            compliance: 1.0 / stiffness,
+            damping_time: *damping_time,
+        });
+    }
+    Ok(stops)
 }
 
 fn build_contact(given: &ContactSpec, group: usize, tree: &Tree) -> Result<Contact, BuildError> {

@@ -6,6 +6,7 @@
 pub mod brake;
 pub mod contact;
 pub mod rope;
+pub mod stop;
 
 use glam::DVec3;
 
@@ -16,6 +17,7 @@ use crate::tree::kinematics::{Kinematics, Twist};
 use brake::Brake;
 use contact::Contact;
 use rope::Rope;
+use stop::Stop;
 
 /// How a row answers its value e = g.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -144,7 +146,8 @@ pub trait Constraint {
     /// Takes the forces T of the rows from what the joints of the bodies have to transmit (about their origins).
     fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]);
 
-    /// Adds to `force` what the forces T of the rows do to degrees of freedom that no body has: Σ T ∂g/∂s.
+    /// Adds to `force` what the forces T of the rows do to degrees of freedom by themselves, not through bodies:
+    /// Σ T ∂g/∂s.
     fn feed(&self, _tension: &[f64], _lines: &[Line], _force: &mut [f64]) {}
 
     /// Values g and gradients ∂g/∂q of all rows, in the order of [`Constraint::row_dofs`]. `value` comes in
@@ -168,6 +171,8 @@ pub enum AnyConstraint {
     Rope(Rope),
     /// A point that may touch a plane.
     Contact(Contact),
+    /// An end of the stroke of a joint.
+    Stop(Stop),
     /// Friction on a flow.
     Brake(Brake),
 }
@@ -179,6 +184,7 @@ impl std::ops::Deref for AnyConstraint {
         match self {
             Self::Rope(rope) => rope,
             Self::Contact(contact) => contact,
+            Self::Stop(stop) => stop,
             Self::Brake(brake) => brake,
         }
     }

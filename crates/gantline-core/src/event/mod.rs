@@ -9,6 +9,10 @@ pub enum EventKind {
     Taut,
     /// A rope stops carrying.
     Slack,
+    /// A rope has been cut.
+    Cut,
+    /// A rope has reached its breaking force.
+    Broken,
     /// The last contact force of a load has become zero.
     LiftOff,
     /// A load that hung free touches again.
@@ -21,6 +25,10 @@ pub enum EventKind {
     RopeOffSheave,
     /// A rope that was off a sheave touches it again.
     RopeOnSheave,
+    /// A joint meets a stop.
+    StopHit,
+    /// A joint leaves a stop.
+    StopLeft,
     /// A step of the plan begins.
     StepBegin,
     /// A step of the plan ends.
@@ -33,12 +41,16 @@ impl EventKind {
         match self {
             Self::Taut => "taut",
             Self::Slack => "slack",
+            Self::Cut => "cut",
+            Self::Broken => "broken",
             Self::LiftOff => "lift_off",
             Self::SetDown => "set_down",
             Self::Stick => "stick",
             Self::Slip => "slip",
             Self::RopeOffSheave => "rope_off_sheave",
             Self::RopeOnSheave => "rope_on_sheave",
+            Self::StopHit => "stop_hit",
+            Self::StopLeft => "stop_left",
             Self::StepBegin => "step_begin",
             Self::StepEnd => "step_end",
         }

@@ -1,6 +1,8 @@
 //! Operations as data: drives that follow ramps, steps that start and end on times and conditions.
 
+pub mod cut;
 pub mod drive;
 pub mod operation;
 
+pub use cut::{Cut, Due};
 pub use operation::{Move, PlanState, Step, Until};

@@ -148,6 +148,14 @@ impl PlanState {
             && plan.get(self.step).is_some_and(|step| holds(&step.until, support))
     }
 
+    /// How many steps have begun.
+    pub fn begun(&self) -> usize {
+        match self.phase {
+            Phase::Waiting(_) => self.step,
+            _ => self.step + 1,
+        }
+    }
+
     /// Name of the step that has begun and not ended, if any.
     pub fn current<'a>(&self, plan: &'a [Step]) -> Option<&'a str> {
         match self.phase {

@@ -6,6 +6,7 @@ use super::Samples;
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
+use crate::event::{EventKind, EventLog};
 use crate::rope::route::Straight;
 use crate::rope::seat::Seat;
 use crate::system::System;
@@ -50,8 +51,10 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// The columns of `samples`.
-    pub fn of(system: &System, samples: &Samples) -> Self {
+    /// The columns of `samples` of a run whose events are `log`.
+    pub fn of(system: &System, samples: &Samples, log: &EventLog) -> Self {
+        let parted =
+            log.events.iter().filter(|event| matches!(event.kind, EventKind::Cut | EventKind::Broken));
         let mut columns = Self::with_room(system, samples.time.len());
         let mut sampled = Sampled {
             kinematics: Kinematics::new(&system.tree),
@@ -59,7 +62,11 @@ impl Columns {
             applied: vec![Wrench::default(); system.tree.bodies.len()],
             unused: vec![0.0; system.tree.velocities],
             straights: Vec::new(),
+            whole_until: vec![f64::INFINITY; system.rope_count],
         };
+        for event in parted {
+            sampled.whole_until[event.subject] = event.time;
+        }
         let (positions, velocities) = (system.tree.positions, system.tree.velocities);
         let (rows, sheaves) = (system.rows.count(), system.sheaves.len());
         for index in 0..samples.time.len() {
@@ -69,7 +76,7 @@ impl Columns {
             let tension = &samples.tension[index * rows..][..rows];
             let seats = &samples.seats[index * sheaves..][..sheaves];
             sampled.kinematics.update(&system.tree, q);
-            sampled.add_rows(system, [q, tension], seats, &mut columns);
+            sampled.add_rows(system, samples.time[index], [q, tension], seats, &mut columns);
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
         }
         columns
@@ -128,12 +135,15 @@ struct Sampled {
     applied: Vec<Wrench>,
     unused: Vec<f64>,
     straights: Vec<Straight>,
+    /// When every rope parted [s].
+    whole_until: Vec<f64>,
 }
 
 impl Sampled {
     fn add_rows(
         &mut self,
         system: &System,
+        time: f64,
         [q, tension]: [&[f64]; 2],
         seats: &[Seat],
         columns: &mut Columns,
@@ -143,13 +153,16 @@ impl Sampled {
         for (index, constraint) in system.constraints.iter().enumerate() {
             let row = system.rows.first[index];
             match constraint {
+                AnyConstraint::Rope(rope) if time > self.whole_until[index] => {
+                    self.add_parted_rope(rope, columns);
+                }
                 AnyConstraint::Rope(rope) => {
                     let length = self.add_rope(rope, [q, &tension[row..]], seats, columns);
                     if rope.material.is_inextensible() {
                         violation = violation.max(length - rope.length);
                     }
                 }
-                AnyConstraint::Brake(_) => {}
+                AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => {}
                 AnyConstraint::Contact(contact) => {
                     self.add_contact(contact, [0, 1, 2].map(|k| tension[row + k]), columns)
                 }
@@ -195,6 +208,26 @@ impl Sampled {
             }
         }
         length
+    }
+
+    /// Adds the columns of a rope that is no more: without force and length, all of it where it began.
+    fn add_parted_rope(&mut self, rope: &Rope, columns: &mut Columns) {
+        columns.rope_tension.push(0.0);
+        for _ in &rope.route.parts {
+            columns.segment_tension.push(0.0);
+            columns.segment_length.push(0.0);
+        }
+        let start = rope.route.parts[0].from.at;
+        let place = self.kinematics.point(start.body, start.at);
+        for guide in &rope.route.guides {
+            for _ in 0..guide.drawn_points(ARC_SAMPLES) {
+                columns.rope_point.extend_from_slice(place.as_ref());
+            }
+            if guide.is_sheave() {
+                columns.wrap_angle.push(0.0);
+                columns.fleet_angle.extend([0.0; 2]);
+            }
+        }
     }
 
     fn add_contact(&mut self, contact: &Contact, [normal, first, second]: [f64; 3], columns: &mut Columns) {

@@ -49,7 +49,7 @@ impl Names {
                     names.rope_point.extend(std::iter::repeat_n(rope.name.clone(), points));
                     names.rope.push(rope.name.clone());
                 }
-                AnyConstraint::Brake(_) => {}
+                AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => {}
                 AnyConstraint::Contact(contact) => names.contact.push(contact.name.clone()),
             }
         }

@@ -22,6 +22,15 @@ pub enum Mode {
     Acting,
     /// Friction at its bound.
     Slipping,
+    /// No force for good: of a rope that has parted.
+    Parted,
+}
+
+impl Mode {
+    /// True where there may be a force.
+    pub fn carries(self) -> bool {
+        matches!(self, Self::Acting | Self::Slipping)
+    }
 }
 
 /// Block changes without progress before one row at a time is changed.
@@ -158,7 +167,7 @@ impl Complementarity {
         self.force.copy_from_slice(problem.force);
         for (row, law) in system.rows.laws.iter().enumerate() {
             match self.modes[row] {
-                Mode::Slack => self.row_right[row] = 0.0,
+                Mode::Slack | Mode::Parted => self.row_right[row] = 0.0,
                 Mode::Slipping => {
                     self.row_right[row] = 0.0;
                     for (dof, entry) in system.rows.entries(problem.gradient, row) {
@@ -182,6 +191,10 @@ impl Complementarity {
         for (row, law) in system.rows.laws.iter().enumerate() {
             self.tension[row] = match self.modes[row] {
                 Mode::Slack => 0.0,
+                Mode::Parted => {
+                    (self.tension[row], self.trial[row]) = (0.0, 0.0);
+                    continue;
+                }
                 Mode::Acting => self.impulse[row] / problem.h,
                 Mode::Slipping => self.slip[row],
             };
@@ -206,7 +219,7 @@ impl Complementarity {
     fn find_wrong(&mut self, system: &System, problem: &Problem, v: &[f64]) {
         self.wrong.clear();
         for (row, law) in system.rows.laws.iter().enumerate() {
-            if !matches!(law, Law::Unilateral { .. }) {
+            if !matches!(law, Law::Unilateral { .. }) || self.modes[row] == Mode::Parted {
                 continue;
             }
             let reach = problem.h + law.damping_time();
@@ -224,7 +237,7 @@ impl Complementarity {
             };
             let wrong = match self.modes[row] {
                 Mode::Slack => self.trial[row] > noise,
-                Mode::Acting | Mode::Slipping => self.trial[row] < -noise,
+                Mode::Acting | Mode::Slipping | Mode::Parted => self.trial[row] < -noise,
             };
             if wrong {
                 self.wrong.push(row);

@@ -60,6 +60,13 @@ impl Stiffness {
                     state.tension[system.rows.first[index] + span] * rope.spans[span].scale(&state.q);
                 let range = self.start[group]..self.start[group + 1];
                 let columns = &mut self.columns[range.clone()];
+                if tension == 0.0 {
+                    // Where a rope has parted, its route need not be a place for rope any more.
+                    columns.fill(DVec3::ZERO);
+                    (self.factor[group], self.implicit[group]) = (0.0, self.explicit);
+                    group += 1;
+                    continue;
+                }
                 let factor =
                     rope.geometric_stiffness((&frame.kinematics, &state.seats), tension, part, columns);
                 self.factor[group] = factor;

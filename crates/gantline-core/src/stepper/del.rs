@@ -31,10 +31,11 @@
 
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
-use super::{StepError, StepReport, seats};
+use super::{StepError, StepReport, parting, seats};
 use crate::clock::Stage;
 use crate::event::EventLog;
 use crate::record::Sample;
+use crate::solver::complementarity::Mode;
 use crate::solver::complementarity::{Complementarity, Problem};
 use crate::solver::kkt::Kkt;
 use crate::solver::symbolic::ZeroPivot;
@@ -139,6 +140,8 @@ impl Del {
         let end = (state.steps + 1) as f64 * h;
         flows::supports(system, &state.tension, &mut self.support);
         state.plan.advance(&system.plan, state.time, end, &self.support, log);
+        parting::cut(system, state, frame, end, log);
+        parting::break_ropes(system, state, frame, log);
 
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
         system.clock.time(Stage::Assembly, || {
@@ -227,7 +230,8 @@ impl Del {
         flows::set_driven(system, state);
         frame.update(system, state);
         if !system.sheaves.is_empty() {
-            if let Some(row) = frame.value.iter().position(|value| !value.is_finite()) {
+            let mut values = frame.value.iter().zip(&state.modes);
+            if let Some(row) = values.position(|(value, mode)| !value.is_finite() && *mode != Mode::Parted) {
                 let element = system.constraint_of_row(row).name().to_owned();
                 let error =
                     StepError { time: state.time, element, cause: "it has no length here".to_owned() };
@@ -243,7 +247,7 @@ impl Del {
     /// change of length does at once to the method's loss.
     fn follow_seats(&mut self, system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog) {
         let (end, h) = (state.time, self.h);
-        seats::wraps(system, &frame.kinematics, &state.seats, &mut self.wraps);
+        seats::wraps(system, &frame.kinematics, state, &mut self.wraps);
         let linearly = |_, before: f64, after: f64| end - h * (after / (after - before)).clamp(0.0, 1.0);
         if seats::follow(system, state, &self.wraps, log, linearly) {
             let held = |state: &State, frame: &Frame| flows::stored(system, state, frame)[2];

@@ -1,7 +1,7 @@
 //! The books of a step of `del`: energy that flowed, events, what contacts remember.
 
 use crate::audit::{elastic_energy, gravity_energy, spring_energy};
-use crate::constraint::Law;
+use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
 use crate::solver::complementarity::{Complementarity, Mode};
 use crate::solver::stiffness::Stiffness;
@@ -93,6 +93,9 @@ impl StepFlows<'_> {
         let rate = system.rows.rate(&frame.gradient, row, self.v);
         let flow = self.h * self.rows.tension[row] * rate;
         let compliance = law.compliance();
+        if self.rows.modes[row] == Mode::Parted {
+            return;
+        }
         if compliance == 0.0 {
             state.ledger.flows.method += flow;
             return;
@@ -157,13 +160,23 @@ impl StepFlows<'_> {
                 log.push(time, EventKind::SetDown, index);
             }
         }
-        for (index, first) in system.rows.first[system.rope_count..].windows(2).enumerate() {
-            let row = first[0] + 1;
-            let (old, new) = (state.modes[row], self.rows.modes[row]);
-            if old == Mode::Acting && new == Mode::Slipping {
-                log.push(state.time, EventKind::Slip, system.rope_count + index);
-            } else if old == Mode::Slipping && new == Mode::Acting {
-                log.push(state.time, EventKind::Stick, system.rope_count + index);
+        for (index, constraint) in system.constraints.iter().enumerate().skip(system.rope_count) {
+            let first = system.rows.first[index];
+            let modes = |row: usize| (state.modes[row], self.rows.modes[row]);
+            if matches!(constraint, AnyConstraint::Stop(_)) {
+                let kind = match modes(first) {
+                    (Mode::Slack, Mode::Acting) => EventKind::StopHit,
+                    (Mode::Acting, Mode::Slack) => EventKind::StopLeft,
+                    _ => continue,
+                };
+                log.push(self.crossing(state, first), kind, index);
+            } else {
+                let kind = match modes(first + 1) {
+                    (Mode::Acting, Mode::Slipping) => EventKind::Slip,
+                    (Mode::Slipping, Mode::Acting) => EventKind::Stick,
+                    _ => continue,
+                };
+                log.push(state.time, kind, index);
             }
         }
     }

@@ -4,6 +4,7 @@ pub mod adaptive;
 pub mod del;
 mod flows;
 pub mod frame;
+mod parting;
 pub mod seats;
 
 use thiserror::Error;

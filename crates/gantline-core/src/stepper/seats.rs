@@ -1,8 +1,10 @@
 //! How ropes lie on their sheaves from step to step: wraps by continuity, ropes that leave a sheave or come back.
 
 use super::StepError;
+use crate::constraint::rope::Rope;
 use crate::event::{EventKind, EventLog};
 use crate::rope::seat::Seat;
+use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
@@ -10,14 +12,21 @@ use crate::tree::kinematics::Kinematics;
 /// How far ahead a failed step looks for what stopped it [s].
 const AHEAD: [f64; 3] = [1e-9, 1e-6, 1e-3];
 
-/// Wrap angles of all sheaves at the poses, each closest to what its seat remembers.
-pub fn wraps(system: &System, kinematics: &Kinematics, seats: &[Seat], out: &mut [f64]) {
-    for (wrap, seat) in out.iter_mut().zip(seats) {
+/// Wrap angles of all sheaves at the poses, each closest to what its seat in `state` remembers; what a rope that has
+/// parted left stays.
+pub fn wraps(system: &System, kinematics: &Kinematics, state: &State, out: &mut [f64]) {
+    for (wrap, seat) in out.iter_mut().zip(&state.seats) {
         *wrap = seat.wrap;
     }
-    for rope in system.ropes().filter(|rope| !rope.route.is_plain) {
-        rope.route.wraps(kinematics, seats, |seat, wrap| out[seat] = wrap);
+    for rope in whole_ropes(system, state).filter(|rope| !rope.route.is_plain) {
+        rope.route.wraps(kinematics, &state.seats, |seat, wrap| out[seat] = wrap);
     }
+}
+
+/// Ropes that have not parted.
+fn whole_ropes<'a>(system: &'a System, state: &'a State) -> impl Iterator<Item = &'a Rope> {
+    let ropes = system.ropes().zip(&system.rows.first);
+    ropes.filter(|&(_, &row)| state.modes[row] != Mode::Parted).map(|(rope, _)| rope)
 }
 
 /// True where the rope has crossed over between on and off with this wrap.
@@ -55,7 +64,7 @@ pub fn explain(system: &System, state: &State, error: StepError) -> StepError {
         let increment: Vec<f64> = state.v.iter().map(|v| ahead * v).collect();
         system.tree.advance(&mut q, &increment);
         kinematics.update(&system.tree, &q);
-        for rope in system.ropes() {
+        for rope in whole_ropes(system, state) {
             if let Some((part, reason)) = rope.route.refusal(&kinematics, &state.seats) {
                 let cause = format!("its part {}: {reason}", part + 1);
                 return StepError { time: state.time, element: rope.name.clone(), cause };

@@ -71,6 +71,7 @@ fn joint(draw: &mut Draw, kind: usize) -> JointSpec {
         damping: 0.0,
         friction: 0.0,
         drive: None,
+        stops: None,
     };
     match kind {
         0 => JointSpec::Fixed {},
@@ -176,6 +177,8 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
         length: Some(1.0),
         material: MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 },
         route,
+        breaking_force: None,
+        cut_at: None,
     }
 }
 
@@ -270,6 +273,8 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
             length: Some(length),
             material,
             route: route.to_vec(),
+            breaking_force: None,
+            cut_at: None,
         });
     }
     spec
@@ -302,7 +307,14 @@ pub fn sheave_rig(seeds: &[f64], may_lift_off: bool) -> Option<(System, State, F
         },
     ];
     let material = MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 };
-    spec.ropes = vec![RopeSpec { name: "r".into(), length: None, material, route }];
+    spec.ropes = vec![RopeSpec {
+        name: "r".into(),
+        length: None,
+        material,
+        route,
+        breaking_force: None,
+        cut_at: None,
+    }];
     // No rope passes this flow of the rig now, which would be refused.
     spec.bodies.retain(|body| body.name != "sheave");
     let built = build(&spec);

@@ -56,6 +56,7 @@ impl Adaptive {
         for (row, law) in system.rows.laws.iter().enumerate() {
             let (mode, value) = (state.modes[row], here.frame.value[row]);
             let lost = match (law, mode) {
+                (_, Mode::Parted) => 0.0,
                 (Law::Unilateral { .. }, Mode::Acting) => spring_energy(law, -value),
                 (Law::Unilateral { .. }, _) => -spring_energy(law, value),
                 (Law::Friction { .. } | Law::Brake { .. }, _) => 0.0,
@@ -85,6 +86,9 @@ impl Adaptive {
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
             let (rate, tension) = (probe.rate[row], probe.tension[row]);
+            if state.modes[row] == Mode::Parted {
+                continue;
+            }
             if compliance == 0.0 {
                 // A brake that slips; else a velocity along the rope is a defect of the method.
                 let slips = state.modes[row] == Mode::Slipping;
@@ -117,6 +121,9 @@ impl Adaptive {
         }
         let mut power = 0.0;
         for (row, law) in system.rows.laws.iter().enumerate() {
+            if state.modes[row] == Mode::Parted {
+                continue;
+            }
             let e = probe.frame.value[row];
             let stretch = match law {
                 Law::Unilateral { .. } => e.max(0.0),

@@ -207,6 +207,10 @@ impl Evaluation {
         for row in 0..brakes {
             self.tension[row] = match modes[row] {
                 Mode::Slack => 0.0,
+                Mode::Parted => {
+                    self.trial[row] = 0.0;
+                    0.0
+                }
                 Mode::Acting => self.trial[row],
                 Mode::Slipping => self.trial[row] * self.slip_share(&system.rows.laws[row]),
             };

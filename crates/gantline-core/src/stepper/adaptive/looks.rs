@@ -105,6 +105,16 @@ impl Looks {
         high
     }
 
+    /// Two shares of the step between which the force of a row reaches `force` [N] for the first time, if it does.
+    pub fn reaches(&self, row: usize, force: f64) -> Option<(f64, f64)> {
+        if let Some(k) = (1..POINTS).find(|&k| self.forces[k][row] >= force) {
+            return Some((TIMES[k - 1], TIMES[k]));
+        }
+        let (_, share) = self.peak(row, force)?;
+        let before = (1..POINTS).rfind(|&k| TIMES[k] < share).map_or(0.0, |k| TIMES[k]);
+        Some((before, share))
+    }
+
     /// The largest force of a row [N] and the share of the step at which it was, where it is more than `least`.
     pub fn peak(&self, row: usize, least: f64) -> Option<(f64, f64)> {
         let highest = (0..POINTS).max_by(|&a, &b| self.forces[a][row].total_cmp(&self.forces[b][row]))?;
@@ -120,7 +130,10 @@ impl Looks {
             if self.at(row, a) < self.at(row, b) { low = a } else { high = b }
         }
         let share = 0.5 * (low + high);
-        let value = self.at(row, share);
+        let inside = (self.at(row, share), share);
+        // The search comes near the ends of the step and never there.
+        let point = (self.forces[highest][row], TIMES[highest]);
+        let (value, share) = if point.0 > inside.0 { point } else { inside };
         (value > least).then_some((value, share))
     }
 }

@@ -7,6 +7,7 @@
 //! within a millisecond cost one restart and not a hundred.
 
 mod books;
+mod breaking;
 mod error;
 pub mod evaluation;
 mod impact;
@@ -21,7 +22,7 @@ pub mod tangent;
 
 use super::flows;
 use super::frame::Frame;
-use super::{StepError, StepReport, seats};
+use super::{StepError, StepReport, parting, seats};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -177,8 +178,9 @@ impl Adaptive {
         flows::supports(system, &state.tension, &mut self.support);
         let soon = state.time + 1e-12 * (1.0 + state.time);
         state.plan.advance(&system.plan, state.time, soon, &self.support, log);
-        self.begin(system, state, frame).map_err(|pivot| self.singular(system, state, pivot))?;
-        let stop = state.plan.next_time(&system.plan, soon).min(until);
+        state.restart |= parting::cut(system, state, frame, soon, log);
+        self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;
+        let stop = state.plan.next_time(&system.plan, soon).min(parting::next_cut(system, soon)).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };
         if state.engaged {
             h = h.min(2.0 * state.engaged_step);
@@ -221,7 +223,13 @@ impl Adaptive {
     }
 
     /// Makes sure that the start of the step is evaluated and its accelerations are right.
-    fn begin(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
+    fn begin(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &Frame,
+        log: &mut EventLog,
+    ) -> Result<(), ZeroPivot> {
         for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let (a, _) = timeline.acceleration(state.time, state.time);
             state.restart |= state.acceleration[drive.dof] != a;
@@ -234,6 +242,20 @@ impl Adaptive {
             state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
             state.v[dof] = timeline.motion(state.time).velocity;
         }
+        loop {
+            self.settle_forces(system, state, frame)?;
+            // What the forces are now may break a rope, and that change the forces.
+            if !parting::break_ropes(system, state, frame, log) {
+                break;
+            }
+            state.restart = true;
+        }
+        self.rodas.linearise(system, state, &frame.mass);
+        Ok(())
+    }
+
+    /// Evaluates the start of the step; where forces have jumped, with the accelerations that belong to them.
+    fn settle_forces(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
         if state.restart {
             self.restart(system, state, frame)?;
             for _ in 0..SETTLING {
@@ -249,7 +271,6 @@ impl Adaptive {
             self.rodas.evaluate(system, state);
             self.current = true;
         }
-        self.rodas.linearise(system, state, &frame.mass);
         Ok(())
     }
 

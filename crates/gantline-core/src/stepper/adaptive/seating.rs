@@ -2,6 +2,7 @@
 
 use super::Adaptive;
 use crate::event::EventLog;
+use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::seats;
 use crate::system::System;
@@ -29,7 +30,7 @@ impl Adaptive {
             self.probe.q.copy_from_slice(&state.q);
             system.tree.advance(&mut self.probe.q, &self.point.phi);
             self.probe.frame.kinematics.update(&system.tree, &self.probe.q);
-            seats::wraps(system, &self.probe.frame.kinematics, &state.seats, into);
+            seats::wraps(system, &self.probe.frame.kinematics, state, into);
         };
         change(GLANCE, &mut self.wraps);
         change(-GLANCE, &mut self.crossings);
@@ -64,7 +65,7 @@ impl Adaptive {
         if state.seats.is_empty() {
             return;
         }
-        seats::wraps(system, &self.next.frame.kinematics, &state.seats, &mut self.wraps);
+        seats::wraps(system, &self.next.frame.kinematics, state, &mut self.wraps);
         for index in 0..state.seats.len() {
             let end = self.wraps[index];
             if !seats::has_crossed(&state.seats[index], end) {
@@ -75,7 +76,7 @@ impl Adaptive {
                 self.probe_wraps(system, state, share * made);
                 seats::has_crossed(&state.seats[index], self.wraps[index])
             });
-            seats::wraps(system, &self.next.frame.kinematics, &state.seats, &mut self.wraps);
+            seats::wraps(system, &self.next.frame.kinematics, state, &mut self.wraps);
         }
     }
 
@@ -98,12 +99,13 @@ impl Adaptive {
             return true;
         }
         self.probe_rows(system, state, 1.0);
-        self.probe.frame.value.iter().all(|value| value.is_finite())
+        let values = self.probe.frame.value.iter().zip(&state.modes);
+        values.into_iter().all(|(value, mode)| value.is_finite() || *mode == Mode::Parted)
     }
 
     fn probe_wraps(&mut self, system: &System, state: &State, theta: f64) {
         self.probe_rows(system, state, theta);
-        seats::wraps(system, &self.probe.frame.kinematics, &state.seats, &mut self.wraps);
+        seats::wraps(system, &self.probe.frame.kinematics, state, &mut self.wraps);
     }
 }
 

@@ -31,6 +31,11 @@ impl Adaptive {
         }
         self.look_at_seats(system, state);
         self.looks.fit();
+        if let Some(share) = self.first_break(system, state) {
+            self.made = share;
+            self.survey(system, state, f64::INFINITY);
+            self.looks.fit();
+        }
     }
 
     /// Looks along the part of the step that is made: what flows, and how far rows are from their laws; ends at the
@@ -140,6 +145,7 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
+            (_, Mode::Parted) => 0.0,
             // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
             (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
                 at.trial[row] - self.looks.start(row).max(0.0)
@@ -175,6 +181,13 @@ impl Adaptive {
             match constraint {
                 AnyConstraint::Rope(_) => any |= self.switch_rope(system, state, log, index, (start, length)),
                 AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake.dof),
+                AnyConstraint::Stop(_) => {
+                    if let Some((hit, crossing)) = self.turn_over(system, state, system.rows.first[index]) {
+                        any = true;
+                        let kind = if hit { EventKind::StopHit } else { EventKind::StopLeft };
+                        log.push(start + length * crossing, kind, index);
+                    }
+                }
                 AnyConstraint::Contact(contact) => {
                     let row = system.rows.first[index];
                     if let Some((taut, crossing)) = self.turn_over(system, state, row) {

@@ -103,7 +103,7 @@ impl TangentMatrix {
         for block in 0..self.places.blocks.len() {
             let Group { row, dofs, .. } = &self.places.blocks[block].group;
             // A part between two points of the world has nothing that moves it.
-            if state.modes[*row] != Mode::Slack && !dofs.is_empty() {
+            if state.modes[*row].carries() && !dofs.is_empty() {
                 self.place_block(system, here, state, block);
             }
         }
@@ -271,9 +271,9 @@ impl TangentMatrix {
         self.values[diagonal] = match state.modes[row] {
             Mode::Acting if compliance == 0.0 => 0.0,
             Mode::Acting => -compliance / (kappa * (kappa + tau)),
-            Mode::Slack | Mode::Slipping => -1.0,
+            Mode::Slack | Mode::Slipping | Mode::Parted => -1.0,
         };
-        if state.modes[row] == Mode::Slack {
+        if !state.modes[row].carries() {
             return;
         }
         for (place, entry) in self.places.in_column[range.clone()].iter().zip(&gradient[range.clone()]) {
@@ -282,7 +282,7 @@ impl TangentMatrix {
         let in_row = self.places.in_row[range.clone()].iter().map(|place| *place as usize);
         let (own, turned) = (&gradient[range.clone()], &self.turned[range.clone()]);
         match state.modes[row] {
-            Mode::Slack => {}
+            Mode::Slack | Mode::Parted => {}
             Mode::Slipping if matches!(law, Law::Brake { .. }) => {
                 for place in in_row {
                     self.values[place] = 0.0;

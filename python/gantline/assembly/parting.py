@@ -1,0 +1,33 @@
+"""Ropes that break or are cut, in the ropes and steps of the document."""
+
+from __future__ import annotations
+
+from gantline.assembly.parts import Json, Parts
+from gantline.scenario import Scenario
+from gantline.scenario.parting import partings
+
+__all__ = ["add_partings"]
+
+
+def add_partings(parts: Parts, scenario: Scenario) -> None:
+    """Tell the ropes, and the steps of the plan, which break or are cut.
+
+    Of a rope with nodes every piece breaks by itself; it is cut at its first end.
+
+    Args:
+        parts: the system with all its ropes and its plan.
+        scenario: the lift.
+    """
+    for name, parting in partings(scenario).items():
+        pieces = _pieces(parts, name)
+        for piece in pieces if parting.breaks_at is not None else ():
+            piece["breaking_force"] = parting.breaks_at
+        if parting.cut_at is not None:
+            pieces[0]["cut_at"] = parting.cut_at
+    for given, step in zip(scenario.plan, parts.plan, strict=True):
+        if given.cut:
+            step["cuts"] = [_pieces(parts, name)[0]["name"] for name in given.cut]
+
+
+def _pieces(parts: Parts, name: str) -> list[Json]:
+    return [rope for rope in parts.ropes if rope["name"] == name or rope["name"].startswith(f"{name}/")]
