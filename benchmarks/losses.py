@@ -2,7 +2,7 @@
 
     python -m benchmarks.losses [N ...]
 
-With inertia every sheave of the equalizer carries 100 kg of spinning mass along; with losses its tensions differ
+With inertia every sheave of the equalizer carries 100 kg of spinning mass along; with losses tensions differ
 by 2 % where it slips. Each variant is compared with itself at a tight tolerance.
 """
 
