@@ -15,7 +15,7 @@ use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 
 /// Names of the energy kinds, in the order of [`Ledger::values`].
-pub const KINDS: [&str; 11] = [
+pub const KINDS: [&str; 12] = [
     "kinetic",
     "gravity",
     "elastic",
@@ -25,6 +25,7 @@ pub const KINDS: [&str; 11] = [
     "contact_damping",
     "friction",
     "impact",
+    "adjusting",
     "method",
     "remainder",
 ];
@@ -44,6 +45,8 @@ pub struct Flows {
     pub friction: f64,
     /// Lost where inextensible ropes went taut.
     pub impact: f64,
+    /// Taken from ropes whose lengths were adjusted.
+    pub adjusting: f64,
     /// Lost by the method itself.
     pub method: f64,
 }
@@ -56,6 +59,7 @@ impl std::ops::AddAssign for Flows {
         self.contact_damping += other.contact_damping;
         self.friction += other.friction;
         self.impact += other.impact;
+        self.adjusting += other.adjusting;
         self.method += other.method;
     }
 }
@@ -106,6 +110,7 @@ impl Ledger {
             + self.flows.contact_damping
             + self.flows.friction
             + self.flows.impact
+            + self.flows.adjusting
             + self.flows.method;
         stored - self.flows.drive_work + lost
     }
@@ -127,6 +132,7 @@ impl Ledger {
             self.flows.contact_damping,
             self.flows.friction,
             self.flows.impact,
+            self.flows.adjusting,
             self.flows.method,
             self.remainder(),
         ]

@@ -28,7 +28,7 @@ pub struct State {
     /// How every row takes part.
     pub modes: Vec<Mode>,
     /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m], for brakes the
-    /// direction of slip.
+    /// direction of slip, for ropes by how much adjusting has lengthened them [m].
     pub memory: Vec<f64>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
     pub next_step: f64,

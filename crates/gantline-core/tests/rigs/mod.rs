@@ -230,6 +230,7 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
         bodies,
         ropes: Vec::new(),
         contacts,
+        adjusters: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),
     };
