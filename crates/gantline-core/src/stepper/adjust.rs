@@ -31,9 +31,12 @@ pub fn adjust(system: &System, state: &mut State, frame: &mut Frame) {
             let before = frame.value[row];
             let after = before - change;
             state.memory[row] += change;
-            frame.value[row] = after;
             state.ledger.flows.adjusting +=
                 spring_energy(&laws[row], before) - spring_energy(&laws[row], after);
         }
+    }
+    if !system.adjusters.is_empty() {
+        // Anew, and not by what has changed: a run that is taken up again evaluates them like that.
+        frame.rows(system, &state.q, &state.memory);
     }
 }

@@ -138,6 +138,7 @@ impl Explicit {
         state.steps += 1;
         flows::set_driven(system, state);
         self.value.copy_from_slice(&frame.value);
+        self.move_anchors(system, state);
         frame.update(system, state);
         self.book_bias(system, state, frame);
         state.v.copy_from_slice(&self.v);
@@ -146,7 +147,7 @@ impl Explicit {
             self.book_row(system, state, frame, row);
         }
         self.forces(system, state, frame);
-        self.release(system, state, frame);
+        self.book_openings(system, state, frame);
         if !system.adjusters.is_empty() {
             // By the tensions that the step has come to; those that it leaves follow from the new lengths.
             std::mem::swap(&mut state.tension, &mut self.tension);
@@ -239,25 +240,38 @@ impl Explicit {
         ledger.flows.method += taken - 0.5 * work(bias);
     }
 
+    /// The anchor of a contact that slips follows so that spring and damper carry the force, that of an open one so
+    /// that its spring holds nothing.
+    fn move_anchors(&self, system: &System, state: &mut State) {
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            let mode = state.modes[row];
+            if is_friction(law) && mode != Mode::Acting {
+                let after = deflection(law, mode, state.tension[row], self.value[row], self.h);
+                state.memory[row] += self.value[row] + self.h * self.moved[row] - after;
+            }
+        }
+    }
+
     /// Loss in a row: what its force took from the motion, less what its spring kept. The spring's way is by the
-    /// trapezoidal rule too, so that a wrong gradient shows in the remainder. An anchor that slips is moved.
-    fn book_row(&mut self, system: &System, state: &mut State, frame: &mut Frame, row: usize) {
+    /// trapezoidal rule too, so that a wrong gradient shows in the remainder.
+    fn book_row(&mut self, system: &System, state: &mut State, frame: &Frame, row: usize) {
         let (h, law) = (self.h, &system.rows.laws[row]);
         let (force, before) = (state.tension[row], self.value[row]);
         let way = 0.5 * h * (self.moved[row] + system.rows.rate(&frame.gradient, row, &self.v));
         let flow = h * force * self.moved[row];
         let ledger = &mut state.ledger.flows;
         let compliance = law.compliance();
-        if is_friction(law) && state.modes[row] != Mode::Acting {
-            let after = deflection(law, state.modes[row], force, before, h);
+        if is_friction(law) && state.modes[row] == Mode::Slack {
+            return;
+        }
+        if is_friction(law) && state.modes[row] == Mode::Slipping {
+            let after = frame.value[row];
             let stretched = after - before;
             let damper = law.damping_time() / compliance * stretched * stretched / h;
             let taken = force * stretched;
             ledger.friction += flow - taken;
             ledger.contact_damping += damper;
             ledger.method += taken - damper - spring_energy(law, after) + spring_energy(law, before);
-            state.memory[row] += frame.value[row] - after;
-            frame.value[row] = after;
             return;
         }
         let spring = if is_friction(law) { before } else { before.max(0.0) } / compliance;
@@ -293,13 +307,16 @@ impl Explicit {
         }
     }
 
-    /// A contact that has opened lets go what its tangential springs hold, and its damper takes it.
-    fn release(&mut self, system: &System, state: &mut State, frame: &mut Frame) {
+    /// A contact that has opened lets go what its tangential springs hold, and its damper takes it. One that has closed
+    /// begins with what its anchor is off, the curvature of the point's path in a step.
+    fn book_openings(&self, system: &System, state: &mut State, frame: &Frame) {
         for (row, law) in system.rows.laws.iter().enumerate() {
-            if is_friction(law) && self.modes[row] == Mode::Slack && state.modes[row] != Mode::Slack {
-                state.ledger.flows.contact_damping += spring_energy(law, frame.value[row]);
-                state.memory[row] += frame.value[row];
-                frame.value[row] = 0.0;
+            let held = [state.modes[row], self.modes[row]].map(|mode| mode != Mode::Slack);
+            match held {
+                _ if !is_friction(law) => {}
+                [true, false] => state.ledger.flows.contact_damping += spring_energy(law, frame.value[row]),
+                [false, true] => state.ledger.flows.method -= spring_energy(law, frame.value[row]),
+                _ => {}
             }
         }
     }
