@@ -34,6 +34,7 @@ ENERGIES = [
     "contact_damping",
     "friction",
     "impact",
+    "adjusting",
     "method",
     "remainder",
 ]
@@ -238,6 +239,7 @@ def sample_columns(
     columns = {
         "time": time,
         "rope_tension": rope_tension,
+        "rope_lengthening": np.zeros((len(time), 0)),
         "segment_tension": tension,
         "segment_length": np.linalg.norm(slings[:, ::2] - slings[:, 1::2], axis=-1),
         "rope_point": np.concatenate([equalizing, slings], axis=1),

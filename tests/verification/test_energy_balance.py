@@ -13,7 +13,7 @@ from gantline.results.variable import FloatArray
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 STORED = ("kinetic", "gravity", "elastic")
-LOSSES = ("rope_damping", "joint_damping", "contact_damping", "friction", "impact", "method")
+LOSSES = ("rope_damping", "joint_damping", "contact_damping", "friction", "impact", "adjusting", "method")
 
 scenarios = pytest.mark.parametrize(
     "name", sorted(path.parent.name for path in SCENARIOS.glob("*/scenario.yaml"))

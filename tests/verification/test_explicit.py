@@ -85,7 +85,7 @@ def test_the_frequency_of_the_scheme() -> None:
 
 
 def test_a_step_that_is_far_too_long_ends_the_run_with_its_cause() -> None:
-    """The mass is thrown ever higher, until a velocity is not finite."""
+    """The mass is thrown ever higher, until it passes all bounds."""
     run = simulation(hanging(0.01), 1e4, step=10 * limit(0.01), sample_interval=100.0, type="explicit")
     status = run.run()
     assert status["status"] == "failed"

@@ -107,6 +107,8 @@ class Equalizer(_FromJson):
         travel_down: Stroke below the start position [m]; None if not limited.
         rated_capacity: Below the moving sheaves [N]; None if not said.
         heading_joint: Joint about which the frame turns under its hook.
+        mechanism: `sheaves`, or `approximated`: no sheave moves, the lengths of its slings are adjusted.
+        adjusting_factor: Of an approximated one, else None.
     """
 
     name: str
@@ -119,6 +121,8 @@ class Equalizer(_FromJson):
     travel_down: float | None = None
     rated_capacity: float | None = None
     heading_joint: str | None = None
+    mechanism: str = "sheaves"
+    adjusting_factor: float | None = None
 
 
 @dataclass(frozen=True)

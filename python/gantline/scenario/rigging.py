@@ -23,6 +23,7 @@ from gantline.scenario.rope_weight import RopeWeight, RopeWeightWord, check_rope
 
 __all__ = ["EqualizerRigging", "Rigging", "SlingRigging", "resolve", "split_reference"]
 
+_EQUALIZER_MAY_HAVE = ("hinge", "rated_capacity", "rope_weight", "mechanism", "adjusting_factor")
 _EQUALIZER_NEEDS = ("frame", "rope", "rope_ends", "fixed_sheaves", "moving_sheaves", "travel")
 
 
@@ -42,6 +43,13 @@ class EqualizerRigging:
     fixed_sheaves: FixedSheaves
     moving_sheaves: MovingSheaves
     travel: Travel
+    mechanism: str
+    adjusting_factor: float | None
+
+    @property
+    def has_sheaves(self) -> bool:
+        """Whether its sheaves move; else its slings hang from its frame, and their lengths are adjusted."""
+        return self.mechanism == "sheaves"
 
 
 @dataclass(frozen=True)
@@ -126,7 +134,7 @@ def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
             sentence = f"'{given.type}' is not a name of 'equalizer_types'; {nearest(given.type, types)}"
             findings.add((*path, "type"), sentence)
             return None
-    for key in (*_EQUALIZER_NEEDS, "hinge", "rated_capacity", "rope_weight"):
+    for key in (*_EQUALIZER_NEEDS, *_EQUALIZER_MAY_HAVE):
         parts[key] = getattr(given, key)
         if parts[key] is None and kind is not None:
             parts[key] = getattr(kind, key)
@@ -139,6 +147,7 @@ def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
     if len(findings.problems) > before:
         return None
     parts["hinge"] = parts["hinge"] or Hinge()
+    parts["mechanism"] = parts["mechanism"] or "sheaves"
     parts["weight"] = _equalizing_rope_weight(findings, name, parts["rope"], parts.pop("rope_weight"))
     return EqualizerRigging(name=name, hook=given.hangs_from, heading=given.heading, **parts)
 
