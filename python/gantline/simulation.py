@@ -241,7 +241,9 @@ def _overridden(
         try:
             integrator = integrator_settings(kind, scenario.simulation)
         except KeyError:
-            raise SettingError(f"integrator: {kind!r} is none; there are adaptive, del and explicit") from None
+            raise SettingError(
+                f"integrator: {kind!r} is none; there are adaptive, del and explicit"
+            ) from None
     merged: dict[str, Any] = {**settings, "integrator": integrator}
     for name, value in given.items():
         wanted = _ABOVE_ZERO.get(name)

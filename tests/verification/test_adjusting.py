@@ -43,7 +43,9 @@ def test_energy_that_adjusting_takes_is_booked() -> None:
     compliance = (LENGTH - stretch) / stiffness
     start = stretch / compliance
     mean = stretch.sum() / compliance.sum()
-    assert run.energy("adjusting")[1:] == pytest.approx(0.5 * np.sum(compliance * (start - mean) ** 2), rel=1e-9)
+    assert run.energy("adjusting")[1:] == pytest.approx(
+        0.5 * np.sum(compliance * (start - mean) ** 2), rel=1e-9
+    )
     assert run.energy_remainder < 1e-12
 
 

@@ -168,7 +168,11 @@ def test_friction_holds_by_its_anchor_and_slides_by_coulomb() -> None:
     system = document(
         [
             {
-                **body("sledge", {"type": "point", "position": [0, 0, -G * 10 / 1e6], "velocity": [speed, 0, 0]}, 10.0),
+                **body(
+                    "sledge",
+                    {"type": "point", "position": [0, 0, -G * 10 / 1e6], "velocity": [speed, 0, 0]},
+                    10.0,
+                ),
             }
         ],
         contacts=[contact("c", "sledge", (0, 0, 0), stiffness=1e6, damping_time=1e-3, friction=friction)],
@@ -199,11 +203,15 @@ def test_what_it_cannot_do_is_refused() -> None:
     system = hanging(0.0)
     system["ropes"][0]["material"] = {"type": "inextensible"}
     system["ropes"][0]["length"] = LENGTH + 1
-    with pytest.raises(ValueError, match="r is inextensible; give it an axial stiffness, or use adaptive or del"):
+    with pytest.raises(
+        ValueError, match="r is inextensible; give it an axial stiffness, or use adaptive or del"
+    ):
         simulate(system, 1.0, type="explicit")
     braked = document(
         [body("m", slider(), MASS), flow("winch", 10.0, brake=1e5)],
         ropes=[rope("r", LENGTH, [drum(None, (0, 0, LENGTH), "winch"), end("m")], EA)],
     )
-    with pytest.raises(ValueError, match="no friction of sheaves and drums, such as that of winch; use adaptive"):
+    with pytest.raises(
+        ValueError, match="no friction of sheaves and drums, such as that of winch; use adaptive"
+    ):
         simulate(braked, 1.0, type="explicit")

@@ -16,9 +16,7 @@ _ROUNDING = 1e-9
 _Add = Callable[[str, str], None]
 
 
-def check_equalizer(
-    findings: Findings, equalizer: EqualizerRigging, slings: Sequence[SlingRigging]
-) -> None:
+def check_equalizer(findings: Findings, equalizer: EqualizerRigging, slings: Sequence[SlingRigging]) -> None:
     """Note everything that is wrong with an equalizer and its slings, or that cannot be simulated yet."""
     given = (findings.scenario.equalizers or {})[equalizer.name]
     before = len(findings.problems)
