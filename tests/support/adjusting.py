@@ -15,7 +15,7 @@ LENGTH = 10.0
 PULL = 0.05
 
 
-def held(stiffness: Sequence[float], factor: float) -> Json:
+def held(stiffness: Sequence[float] | Floats, factor: float) -> Json:
     """Ropes of given EA [N] side by side, their ends held, stretched by 21, 22, 23, ... mm at the start."""
     ropes = []
     for number, ea in enumerate(stiffness, start=1):

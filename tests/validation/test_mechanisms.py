@@ -41,7 +41,7 @@ def test_the_longest_step_of_explicit_is_that_of_the_sheaves() -> None:
 
 
 def test_the_time_of_adjusting_is_step_over_factor() -> None:
-    """1 ms/0.001 and 10 ms/0.01 are the same lift, and another one than 1 ms/0.01; first order in the step."""
+    """1 ms/0.001 and 10 ms/0.01 are the same lift to the first order, and another than 1 ms/0.01."""
     slow = gantline.simulate(SCENARIOS / "mechanisms", adjusting_factor=1e-3).metrics()
     long = gantline.simulate(SCENARIOS / "mechanisms", step=1e-2).metrics()
     quick = gantline.simulate(SCENARIOS / "mechanisms").metrics()
@@ -63,7 +63,7 @@ def test_above_a_factor_of_two_slings_carry_in_turn() -> None:
 
 
 def test_lengths_grow_beyond_any_stroke() -> None:
-    """Slings of 28 m need 3 m of travel down; the equalizer has 1.9 m, and the lengths are adjusted all the same."""
+    """Slings of 28 m need 3 m of travel down where there are 1.9 m; lengths are adjusted all the same."""
     from gantline.scenario.reading import parse_scenario
 
     text = (SCENARIOS / "mechanisms" / "scenario.yaml").read_text(encoding="utf-8")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from adjusting import LENGTH, PULL, held, omega, pair, step_map
+from adjusting import LENGTH, held, omega, pair, step_map
 from mechanics import adaptive, finished, simulate, simulation
 
 MASS, EA = 1000.0, 1e6
@@ -14,7 +14,7 @@ MASS, EA = 1000.0, 1e6
 @pytest.mark.parametrize("kind", ["del", "explicit"])
 @pytest.mark.parametrize("factor", [0.1, 0.7, 1.0, 1.5])
 def test_differences_of_held_ropes_shrink_by_one_minus_the_factor(kind: str, factor: float) -> None:
-    """Ends that stand still: T_i - mean after n steps is (1 - f)^n of the start, Σ ΔL = 0, whatever the stiffness.
+    """Ends stand still: T_i - mean after n steps is (1 - f)^n of the start, Σ ΔL = 0, for any stiffness.
 
     The mean is Σ ε T/Σ ε = Σ e/Σ ε. Else there is rounding: 1e-15 of 10 m over a stretch of 20 mm.
     """
@@ -104,7 +104,7 @@ def test_thresholds_of_stability(kind: str, factor: float, reach: float, stable:
 
 
 def test_adjusting_has_a_time_of_its_own() -> None:
-    """Held ropes: what is left of a difference after 0.1 s is (1 - f)^(0.1 s/h); half the step, its square."""
+    """Held ropes: of a difference (1 - f)^(0.1 s/h) is left after 0.1 s; by half the step its square."""
     left = []
     for step in (1e-3, 5e-4):
         run = simulate(held([1e6, 1e6], 0.02), 0.1, step=step, type="explicit", sample_interval=0.1)
@@ -147,11 +147,11 @@ def test_a_saved_run_goes_on_with_the_same_bytes(kind: str) -> None:
 def test_what_cannot_be_adjusted_is_refused() -> None:
     """By a sentence that names it and says what would be right."""
     system = held([1e6, 1e6], 0.5)
-    with pytest.raises(ValueError, match="e adjusts lengths once per step.*use del or explicit"):
+    with pytest.raises(ValueError, match=r"e adjusts lengths once per step.*use del or explicit"):
         adaptive(system, 1.0)
 
     def refusal(**changes: object) -> str:
-        with pytest.raises(ValueError) as refused:  # noqa: PT011 - the sentence is what is tested
+        with pytest.raises(ValueError) as refused:
             simulate({**system, "adjusters": [{**system["adjusters"][0], **changes}]}, 1.0)
         return str(refused.value)
 

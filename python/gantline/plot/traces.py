@@ -122,7 +122,7 @@ def sheave_travel(recording: Recording) -> Figure | None:
 
 
 def sling_lengthening(recording: Recording) -> Figure | None:
-    """What adjusting has added to the natural length of slings, downwards as sheaves would travel, or None."""
+    """What adjusting has added to the length of slings, downwards as sheaves would travel, or None."""
     equalizers = [e for e in recording.rig.equalizers if e.mechanism == "approximated"]
     if not equalizers:
         return None

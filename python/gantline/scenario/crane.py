@@ -188,8 +188,8 @@ class EqualizerParts(Element):
     travel: Travel | None = Field(None, description="Limits of travel.")
     mechanism: Literal["sheaves", "approximated"] | None = Field(
         None,
-        description="'sheaves', the default: moving sheaves on one equalizing rope. 'approximated': none, the "
-        "slings hang from the frame and their lengths are adjusted after every step; a baseline.",
+        description="'sheaves', the default: moving sheaves on one equalizing rope. 'approximated': none, "
+        "the slings hang from the frame and their lengths are adjusted after every step; a baseline.",
     )
     adjusting_factor: Ratio | None = Field(
         None,
