@@ -86,7 +86,7 @@ def longer(name: str) -> gantline.Recording:
         ("duration: 40 s", "duration: 60 s"),
     ):
         text = text.replace(old, new)
-    # The sheaves end among the fixed ones, where parts of the rope have no length: a fixed step gets past that.
+    # Sheaves end among the fixed ones, where parts of rope have no length: a fixed step gets past that.
     return gantline.simulate(parse_scenario(text, name), integrator="del", step=1e-3)
 
 

@@ -137,6 +137,7 @@ pub fn rig(seeds: &[f64]) -> SystemSpec {
         bodies,
         ropes,
         contacts: vec![contact],
+        adjusters: Vec::new(),
         drives,
         plan: Vec::new(),
     }
