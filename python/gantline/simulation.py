@@ -19,7 +19,7 @@ from gantline.results.derive import recording_of
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
-from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.scenario import Scenario, ScenarioError, load_scenario, resolve
 from gantline.scenario.errors import Problem
 from gantline.version import version
 
@@ -72,9 +72,10 @@ def simulate(
     Args:
         lift: A lift file, its folder, or a loaded scenario.
         on_progress: Called about ten times a second with the simulated time [s]; returning False stops.
-        overrides: Settings in place of those of the lift file: `integrator` ("adaptive", "del"),
-            `tension_tolerance` [N] and `position_tolerance` [m] of `adaptive`, `step` [s], `paper` and
-            `geometric_stiffness` of `del`, `duration` [s], `sample_interval` [s].
+        overrides: Settings in place of those of the lift file: `integrator` ("adaptive", "del", "explicit"),
+            `tension_tolerance` [N] and `position_tolerance` [m] of `adaptive`, `step` [s] of `del` and
+            `explicit`, `paper` and `geometric_stiffness` of `del`, `duration` [s], `sample_interval` [s],
+            `adjusting_factor` of all equalizers that are approximated.
 
     Returns:
         The recording.
@@ -101,6 +102,9 @@ class Simulation:
 
     def __init__(self, lift: str | Path | Scenario, **overrides: Any) -> None:
         self.scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
+        factor = overrides.pop("adjusting_factor", None)
+        if factor is not None:
+            self.scenario = _with_adjusting_factor(self.scenario, factor)
         self.assembly = assemble(self.scenario)
         self.settings = _overridden(self.scenario, self.assembly.settings, overrides)
         self.status = "ready"
@@ -238,6 +242,18 @@ def _off_sheaves(rig: Mapping[str, Any], columns: Mapping[str, Any], names: Mapp
     ]
 
 
+def _with_adjusting_factor(scenario: Scenario, factor: object) -> Scenario:
+    """The same lift with another factor for all equalizers that are approximated."""
+    if not isinstance(factor, int | float) or isinstance(factor, bool) or not 0.0 < factor < math.inf:
+        raise SettingError(f"adjusting_factor: {factor!r} is not a number above zero")
+    given = scenario.equalizers or {}
+    approximated = [name for name, one in resolve(scenario).equalizers.items() if not one.has_sheaves]
+    if not approximated:
+        raise SettingError("adjusting_factor: no equalizer of this lift has 'mechanism: approximated'")
+    changed = {name: given[name].model_copy(update={"adjusting_factor": factor}) for name in approximated}
+    return scenario.model_copy(update={"equalizers": {**given, **changed}})
+
+
 def _overridden(
     scenario: Scenario, settings: Mapping[str, Any], overrides: Mapping[str, Any]
 ) -> dict[str, Any]:
@@ -248,7 +264,9 @@ def _overridden(
         try:
             integrator = integrator_settings(kind, scenario.simulation)
         except KeyError:
-            raise SettingError(f"integrator: {kind!r} is none; there are adaptive and del") from None
+            raise SettingError(
+                f"integrator: {kind!r} is none; there are adaptive, del and explicit"
+            ) from None
     merged: dict[str, Any] = {**settings, "integrator": integrator}
     for name, value in given.items():
         wanted = _ABOVE_ZERO.get(name)

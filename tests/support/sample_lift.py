@@ -35,6 +35,7 @@ ENERGIES = [
     "friction",
     "impact",
     "parting",
+    "adjusting",
     "method",
     "remainder",
 ]
@@ -239,6 +240,7 @@ def sample_columns(
     columns = {
         "time": time,
         "rope_tension": rope_tension,
+        "rope_lengthening": np.zeros((len(time), 0)),
         "segment_tension": tension,
         "segment_length": np.linalg.norm(slings[:, ::2] - slings[:, 1::2], axis=-1),
         "rope_point": np.concatenate([equalizing, slings], axis=1),

@@ -114,6 +114,7 @@ def test_a_sling_that_hangs_in_the_hook_adds_the_vertical_part_of_its_tension() 
     columns = {
         "time": np.zeros(1),
         "rope_tension": one + 100.0,
+        "rope_lengthening": np.zeros((1, 0)),
         "rope_point": np.array([[[0.0, 0.0, 4.0], [3.0, 0.0, 0.0]]]),
         "wrap_angle": np.zeros((1, 0)),
         "fleet_angle": np.zeros((1, 0, 2)),

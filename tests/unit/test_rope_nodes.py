@@ -100,6 +100,7 @@ def fake(
     """Columns of a rope `a` of three pieces and a rope `b`, at two samples, with events."""
     columns = {
         "time": np.array([0.0, 1.0]),
+        "rope_lengthening": np.zeros((2, 0)),
         "rope_tension": np.array([[1.0, 2.0, 3.0, 9.0], [0.0, 2.0, 5.0, 9.0]]),
         "segment_tension": np.array([[1.0, 2.0, 3.0, 9.0], [0.0, 2.0, 5.0, 9.0]]),
         "segment_length": np.ones((2, 4)),

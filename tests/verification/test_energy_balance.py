@@ -13,7 +13,16 @@ from gantline.results.variable import FloatArray
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 STORED = ("kinetic", "gravity", "elastic")
-LOSSES = ("rope_damping", "joint_damping", "contact_damping", "friction", "impact", "parting", "method")
+LOSSES = (
+    "rope_damping",
+    "joint_damping",
+    "contact_damping",
+    "friction",
+    "impact",
+    "parting",
+    "adjusting",
+    "method",
+)
 
 scenarios = pytest.mark.parametrize(
     "name", sorted(path.parent.name for path in SCENARIOS.glob("*/scenario.yaml"))

@@ -15,7 +15,7 @@ use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 
 /// Names of the energy kinds, in the order of [`Ledger::values`].
-pub const KINDS: [&str; 12] = [
+pub const KINDS: [&str; 13] = [
     "kinetic",
     "gravity",
     "elastic",
@@ -26,6 +26,7 @@ pub const KINDS: [&str; 12] = [
     "friction",
     "impact",
     "parting",
+    "adjusting",
     "method",
     "remainder",
 ];
@@ -47,6 +48,8 @@ pub struct Flows {
     pub impact: f64,
     /// Lost with ropes that parted: what they held.
     pub parting: f64,
+    /// Taken from ropes whose lengths were adjusted.
+    pub adjusting: f64,
     /// Lost by the method itself.
     pub method: f64,
 }
@@ -60,6 +63,7 @@ impl std::ops::AddAssign for Flows {
         self.friction += other.friction;
         self.impact += other.impact;
         self.parting += other.parting;
+        self.adjusting += other.adjusting;
         self.method += other.method;
     }
 }
@@ -111,6 +115,7 @@ impl Ledger {
             + self.flows.friction
             + self.flows.impact
             + self.flows.parting
+            + self.flows.adjusting
             + self.flows.method;
         stored - self.flows.drive_work + lost
     }
@@ -133,6 +138,7 @@ impl Ledger {
             self.flows.friction,
             self.flows.impact,
             self.flows.parting,
+            self.flows.adjusting,
             self.flows.method,
             self.remainder(),
         ]

@@ -15,6 +15,7 @@ use crate::state::State;
 use crate::stepper::StepError;
 use crate::stepper::adaptive::{Adaptive, Tolerance};
 use crate::stepper::del::Del;
+use crate::stepper::explicit::Explicit;
 use crate::stepper::frame::Frame;
 use crate::system::System;
 
@@ -54,6 +55,7 @@ pub struct Counters {
 #[derive(Debug, Clone)]
 enum Method {
     Del(Box<Del>),
+    Explicit(Box<Explicit>),
     Adaptive(Box<Adaptive>),
 }
 
@@ -118,7 +120,7 @@ impl Simulation {
         frame.update(&system, &state);
         Ok(Self {
             method: method(&system, &frame, &parsed.integrator)?,
-            recorder: Recorder::new(&state, parsed.sample_interval),
+            recorder: Recorder::new(&system, &state, parsed.sample_interval),
             fingerprint: fingerprint([document, settings]),
             before: state.clone(),
             samples: Samples::with_room(&state, parsed.duration / parsed.sample_interval),
@@ -162,6 +164,7 @@ impl Simulation {
         let Self { system, state, frame, events, .. } = self;
         let made = match &mut self.method {
             Method::Del(del) => del.step(system, state, frame, events),
+            Method::Explicit(explicit) => explicit.step(system, state, frame, events),
             Method::Adaptive(adaptive) => adaptive.step(system, state, frame, events, self.settings.duration),
         };
         let report = made.inspect_err(|_| {
@@ -184,10 +187,15 @@ impl Simulation {
         system.clock.time(Stage::Recording, || {
             recorder.record(&span, samples, &mut |span, share, sample| match method {
                 Method::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
+                Method::Explicit(explicit) => {
+                    explicit.interpolate(system, (span.before, span.after), share, sample);
+                }
                 Method::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
             });
             samples.note_peaks(system, &after.q, |row, known| match method {
-                Method::Del(_) => (after.tension[row] > known).then_some((after.tension[row], after.time)),
+                Method::Del(_) | Method::Explicit(_) => {
+                    (after.tension[row] > known).then_some((after.tension[row], after.time))
+                }
                 Method::Adaptive(adaptive) => {
                     let (force, share) = adaptive.peak(row, known)?;
                     Some((force, before.time + share * (after.time - before.time)))
@@ -270,6 +278,7 @@ impl Simulation {
     pub fn fill(&self) -> usize {
         match &self.method {
             Method::Del(del) => del.fill(),
+            Method::Explicit(explicit) => explicit.fill(),
             Method::Adaptive(adaptive) => adaptive.fill(),
         }
     }
@@ -320,7 +329,22 @@ fn method(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Metho
             above_zero("the step", step, "s")?;
             Ok(Method::Del(Box::new(Del::new(system, step, geometric_stiffness && !paper))))
         }
+        IntegratorSpec::Explicit { step } => {
+            if let Some(problem) = Explicit::refusal(system) {
+                return Err(SetupError::Setting(problem));
+            }
+            above_zero("the step", step, "s")?;
+            Ok(Method::Explicit(Box::new(Explicit::new(system, step))))
+        }
         IntegratorSpec::Adaptive { tension_tolerance, position_tolerance } => {
+            if let Some(adjuster) = system.adjusters.first() {
+                let problem = format!(
+                    "the integrator adaptive chooses its steps, but {} adjusts lengths once per step, which has a \
+                     meaning for a fixed step only; use del or explicit",
+                    adjuster.name
+                );
+                return Err(SetupError::Setting(problem));
+            }
             let default = Tolerance::default_of(system);
             let tolerance = Tolerance {
                 tension: tension_tolerance.unwrap_or(default.tension),

@@ -19,6 +19,9 @@ pub struct SystemSpec {
     /// Points of bodies that may touch a plane.
     #[serde(default)]
     pub contacts: Vec<ContactSpec>,
+    /// Groups of ropes whose lengths are adjusted to one tension.
+    #[serde(default)]
+    pub adjusters: Vec<AdjusterSpec>,
     /// Drives that prescribe joint motions.
     #[serde(default)]
     pub drives: Vec<DriveSpec>,
@@ -273,6 +276,18 @@ pub struct DrumSpec {
     pub rate: f64,
 }
 
+/// After every step the ropes of a group take over length from each other: see [`crate::stepper::adjust`].
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AdjusterSpec {
+    /// Unique name.
+    pub name: String,
+    /// Names of its ropes, at least two, each in one group only.
+    pub ropes: Vec<String>,
+    /// Share of a tension's distance from the mean that one step lets go.
+    pub factor: f64,
+}
+
 /// A point of a body that may touch a plane of the world.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -440,6 +455,11 @@ pub enum IntegratorSpec {
         /// Geometric stiffness of taut ropes in the tangent.
         #[serde(default = "yes")]
         geometric_stiffness: bool,
+    },
+    /// Semi-implicit Euler, fixed step: a baseline.
+    Explicit {
+        /// Step h [s].
+        step: f64,
     },
 }
 

@@ -29,7 +29,7 @@ pub struct State {
     /// How every row takes part.
     pub modes: Vec<Mode>,
     /// What a row remembers: for tangential contact rows where the anchor is along the tangent [m], for brakes the
-    /// direction of slip.
+    /// direction of slip, for ropes by how much adjusting has lengthened them [m].
     pub memory: Vec<f64>,
     /// How ropes lie on sheaves with true tangents, by [`crate::system::System::sheaves`].
     pub seats: Vec<Seat>,

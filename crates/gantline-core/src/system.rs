@@ -89,6 +89,17 @@ pub struct SheavePlace {
     pub may_lift_off: bool,
 }
 
+/// Ropes that take over length from each other after every step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Adjuster {
+    /// Name.
+    pub name: String,
+    /// Rows of the ropes.
+    pub rows: Vec<usize>,
+    /// Share of a tension's distance from the mean that one step lets go.
+    pub factor: f64,
+}
+
 /// A system, built and checked.
 #[derive(Debug, Clone)]
 pub struct System {
@@ -120,6 +131,8 @@ pub struct System {
     pub motors: Vec<(usize, usize)>,
     /// Degrees of freedom of flows.
     pub flows: Vec<usize>,
+    /// Groups of ropes whose lengths are adjusted.
+    pub adjusters: Vec<Adjuster>,
     /// Prescribed joints.
     pub drives: Vec<DriveJoint>,
     /// For every degree of freedom the drive that prescribes it.

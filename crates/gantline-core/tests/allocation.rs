@@ -5,9 +5,11 @@ use std::cell::Cell;
 
 use gantline_core::build::build;
 use gantline_core::event::EventLog;
+use gantline_core::spec::{AdjusterSpec, SystemSpec};
 use gantline_core::state::State;
 use gantline_core::stepper::adaptive::{Adaptive, Tolerance};
 use gantline_core::stepper::del::Del;
+use gantline_core::stepper::explicit::Explicit;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System as SystemUnderTest;
 
@@ -99,6 +101,21 @@ fn check_del(rig: &str, least: usize) {
     assert_eq!(allocations, 0);
     // The stretch was no idle one: ropes and contacts changed side in it.
     assert!(events > least, "{events}");
+}
+
+#[test]
+fn steps_of_explicit_do_not_allocate() {
+    let mut spec: SystemSpec = serde_json::from_str(RIG).unwrap();
+    let ropes = spec.ropes.iter().map(|rope| rope.name.clone()).collect();
+    spec.adjusters = vec![AdjusterSpec { name: "equalizer".into(), ropes, factor: 0.01 }];
+    let (system, state) = build(&spec).unwrap();
+    let mut method = Explicit::new(&system, 1e-3);
+    let step = |system: &SystemUnderTest, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
+        method.step(system, state, frame, log).unwrap();
+    };
+    let (allocations, events) = count(10, 3000, step, &system, state);
+    assert_eq!(allocations, 0);
+    assert!(events > 5, "{events}");
 }
 
 fn check_adaptive(rig: &str, least: usize) {

@@ -83,6 +83,7 @@ fn random_route(random: &mut Random) -> SystemSpec {
         contacts: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),
+        adjusters: Vec::new(),
     };
     let mut place = random.vector(5.0);
     let mut route = Vec::with_capacity(count + 2);

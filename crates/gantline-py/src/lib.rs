@@ -94,9 +94,11 @@ impl Simulation {
         let (bodies, kinds) = (names.body.len(), gantline_core::audit::KINDS.len());
         let events: Vec<f64> = self.inner.events().iter().map(|event| event.0).collect();
         let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
-        let all: [(&str, Vec<f64>, Vec<usize>); 20] = [
+        let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
+        let all: [(&str, Vec<f64>, Vec<usize>); 21] = [
             ("time", samples.time.clone(), vec![count]),
             ("rope_tension", columns.rope_tension, vec![count, ropes]),
+            ("rope_lengthening", columns.rope_lengthening, vec![count, adjusted]),
             ("segment_tension", columns.segment_tension, vec![count, segments]),
             ("segment_length", columns.segment_length, vec![count, segments]),
             ("rope_point", columns.rope_point, vec![count, points, 3]),

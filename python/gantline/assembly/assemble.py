@@ -90,8 +90,8 @@ def integrator_settings(kind: str, given: SimulationSettings) -> dict[str, Any]:
     """Settings of one integrator as the core takes them, from those of the lift file.
 
     Args:
-        kind: `adaptive` or `del`.
-        given: What the lift file says; keys of the other integrator are left out.
+        kind: `adaptive`, `del` or `explicit`.
+        given: What the lift file says; keys of other integrators are left out.
 
     Raises:
         KeyError: If there is no integrator of that kind.

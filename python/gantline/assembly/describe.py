@@ -42,7 +42,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
         "hooks": [_hook(scenario, rigging, name) for name in scenario.cranes or {}],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
-        "slings": [_sling(scenario, sling) for sling in rigging.slings.values()],
+        "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
         "ropes": _ropes(scenario, rigging, parts),
         "sheaves": _sheaves_with_flow(parts),
         "drums": _drums(scenario),
@@ -108,7 +108,9 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
         "name": name,
         "hook": equalizer.hook,
         "body": name,
-        "equalizing_rope": f"{name}.equalizing",
+        "mechanism": equalizer.mechanism,
+        "adjusting_factor": equalizer.adjusting_factor,
+        "equalizing_rope": f"{name}.equalizing" if equalizer.has_sheaves else "",
         "slings": [f"sling.{sling.name}" for sling in sorted(hanging, key=lambda sling: sling.sheave or 0)],
         "moving_sheaves": [f"{name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))],
         "travel_up": equalizer.travel.up,
@@ -119,12 +121,14 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
     }
 
 
-def _sling(scenario: Scenario, sling: SlingRigging) -> Json:
+def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
     assert scenario.load is not None
+    equalizer = None if sling.equalizer is None else rigging.equalizers[sling.equalizer]
+    hangs_from_frame = equalizer is not None and not equalizer.has_sheaves
     return {
         "name": sling.name,
         "rope": f"sling.{sling.name}",
-        "from": sling.upper_body,
+        "from": sling.equalizer if hangs_from_frame else sling.upper_body,
         "to_load": scenario.load.name,
         "to_lug": sling.lug,
         "length": sling.length,
@@ -141,7 +145,11 @@ def _sling(scenario: Scenario, sling: SlingRigging) -> Json:
 
 def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     """Every rope of the lift with what is known of it."""
-    kinds = {f"{name}.equalizing": (one.rope, one.weight) for name, one in rigging.equalizers.items()}
+    kinds = {
+        f"{name}.equalizing": (one.rope, one.weight)
+        for name, one in rigging.equalizers.items()
+        if one.has_sheaves
+    }
     kinds |= {f"sling.{name}": (sling.rope, sling.weight) for name, sling in rigging.slings.items()}
     parting = partings(scenario)
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
@@ -260,7 +268,7 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         kind = "frame"
         frame = rigging.equalizers[name].frame
         size = [frame.length, frame.width, frame.height]
-        shape = {"type": "box", "size": size, "centre": list(body["centre_of_gravity"])}
+        shape = {"type": "box", "size": size, "centre": [0.0, 0.0, -frame.centre_of_gravity_below_hook]}
     elif name in (scenario.cranes or {}):
         kind = "hook"
     elif plain is None:

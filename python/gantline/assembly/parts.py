@@ -39,6 +39,7 @@ class Parts:
         rope_names: ropes as the lift file knows them, in the same order.
         nodes: names of the bodies that are nodes of a rope.
         rope_mass: by rope with weight its mass, and what of it the world bears [kg].
+        adjusters: groups of ropes whose lengths are adjusted.
         contacts: contact points in order.
         drives: drives by name.
         plan: steps in order.
@@ -51,6 +52,7 @@ class Parts:
     rope_names: list[str] = field(default_factory=list)
     nodes: set[str] = field(default_factory=set)
     rope_mass: dict[str, tuple[float, float]] = field(default_factory=dict)
+    adjusters: list[Json] = field(default_factory=list)
     contacts: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
@@ -177,6 +179,7 @@ class Parts:
             "gravity": [0.0, 0.0, -gravity],
             "bodies": [*self.bodies.values(), *self.flows.values()],
             "ropes": self.ropes,
+            "adjusters": self.adjusters,
             "contacts": self.contacts,
             "drives": list(self.drives.values()),
             "plan": self.plan,

@@ -57,7 +57,10 @@ def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
 
 
 def add_equalizers(parts: Parts, rigging: Rigging) -> None:
-    """Frames on a vertical hinge under their hooks, moving sheaves as sliders in them, equalizing ropes."""
+    """Frames on a vertical hinge under their hooks, moving sheaves as sliders in them, equalizing ropes.
+
+    Where lengths are adjusted instead, the sheaves are masses on the frame and there is no equalizing rope.
+    """
     for equalizer in rigging.equalizers.values():
         _add_frame(parts, equalizer)
         carried = {
@@ -67,6 +70,15 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         }
         sheaves = equalizer.moving_sheaves
         held_by = PIN if equalizer.travel.locked else 0.0
+        if not equalizer.has_sheaves:
+            for place in range(1, len(sheaves.along) + 1):
+                mass = sheaves.mass + carried.get(place, 0.0)
+                parts.lump(equalizer.name, sheave_place(equalizer, place), mass)
+            hanging = [sling for sling in rigging.slings.values() if sling.equalizer == equalizer.name]
+            names = [f"sling.{sling.name}" for sling in hanging]
+            factor = equalizer.adjusting_factor
+            parts.adjusters.append({"name": equalizer.name, "ropes": names, "factor": factor})
+            continue
         for place, along in enumerate(sheaves.along, start=1):
             parts.add_body(
                 f"{equalizer.name}.{place}",
@@ -80,6 +92,21 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         length = route_length(parts, route)
         parts.add_rope(f"{equalizer.name}.equalizing", length, rope, route)
         lump_rope(parts, f"{equalizer.name}.equalizing", equalizer.weight, length, route)
+
+
+def sheave_place(equalizer: EqualizerRigging, sheave: int) -> tuple[float, float, float]:
+    """Where a moving sheave is at the start, in the frame of its equalizer [m]; `sheave` counts from 1."""
+    sheaves = equalizer.moving_sheaves
+    return sheaves.along[sheave - 1], 0.0, -sheaves.below_hook
+
+
+def _upper_end(rigging: Rigging, sling: SlingRigging) -> Json:
+    """Upper end of a sling: its moving sheave, or the frame where that would be, or the hook."""
+    if sling.equalizer is not None and sling.sheave is not None:
+        equalizer = rigging.equalizers[sling.equalizer]
+        if not equalizer.has_sheaves:
+            return end(equalizer.name, sheave_place(equalizer, sling.sheave))
+    return end(sling.upper_body)
 
 
 def _travel_stops(equalizer: EqualizerRigging) -> Json | None:
@@ -162,7 +189,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     if scenario.load is None:
         return
     for sling in rigging.slings.values():
-        route = [end(sling.upper_body), end(scenario.load.name, lugs[sling.lug])]
+        route = [_upper_end(rigging, sling), end(scenario.load.name, lugs[sling.lug])]
         distance = route_length(parts, route)
         short = distance - sling.length
         allowed = _TAUT if scenario.starts_at_rest or sling.rope.inextensible else _MOST_STRAIN * sling.length

@@ -163,7 +163,8 @@ def _travel_past_stroke(recording: Recording) -> str:
 
 
 def _travel(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
-    for equalizer in recording.rig.equalizers:
+    # Sheaves of an approximated equalizer do not travel: a limit of travel says nothing about it.
+    for equalizer in (one for one in recording.rig.equalizers if one.mechanism == "sheaves"):
         for sheave in equalizer.moving_sheaves:
             travel = recording.column("sheave_travel", sheave)
             if equalizer.travel_up:

@@ -35,9 +35,12 @@ def run(
         ),
     ] = None,
     integrator: Annotated[
-        str | None, typer.Option(help="Method in place of that of the lift file: adaptive or del.")
+        str | None,
+        typer.Option(help="Method in place of that of the lift file: adaptive, del or explicit."),
     ] = None,
-    step: Annotated[str | None, typer.Option(metavar="TIME", help="Step of del, such as '1 ms'.")] = None,
+    step: Annotated[
+        str | None, typer.Option(metavar="TIME", help="Step of del or explicit, such as '1 ms'.")
+    ] = None,
     tension_tolerance: Annotated[
         str | None, typer.Option(metavar="FORCE", help="Error of tensions in a step of adaptive: '50 N'.")
     ] = None,

@@ -181,6 +181,8 @@ def _share(force: float | None, of: float | None) -> float | None:
 
 def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
     rows: list[tuple[str, str]] = []
+    if equalizer.mechanism == "approximated":
+        rows += _lengthening(recording, equalizer)
     if equalizer.equalizing_rope:
         rope = equalizer.equalizing_rope
         force, time = series.rope_peak(recording, rope)
@@ -204,7 +206,7 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
     rows += [
         (f"travel used {way}", _travel(recording, equalizer, sign, stroke))
         for way, sign, stroke in (("up", -1.0, equalizer.travel_up), ("down", 1.0, equalizer.travel_down))
-        if stroke and equalizer.moving_sheaves
+        if stroke and equalizer.moving_sheaves and equalizer.mechanism == "sheaves"
     ]
     return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
 
@@ -216,6 +218,19 @@ def _again(times: int) -> str:
 def _of_breaking_force(recording: Recording, rope: str) -> str:
     share = series.utilisation(recording, rope)
     return "" if share is None else f", {show(share, '%', 1)} of minimum breaking force"
+
+
+def _lengthening(recording: Recording, equalizer: Equalizer) -> Iterator[tuple[str, str]]:
+    """What takes the place of travel where lengths are adjusted."""
+    factor = f", adjusting factor {equalizer.adjusting_factor:g}" if equalizer.adjusting_factor else ""
+    yield "mechanism", f"approximated{factor}: no sheave moves, slings change their length"
+    change = {rope: recording.column("rope_lengthening", rope) for rope in equalizer.slings}
+    for title, sign in (("longer", 1.0), ("shorter", -1.0)):
+        rope = max(change, key=lambda name: float((sign * change[name]).max()))
+        curve = sign * change[rope]
+        most, time = float(curve.max()), float(recording.time[int(curve.argmax())])
+        sling = rope.removeprefix("sling.")
+        yield title, f"{show(most, 'm', 3)} at most ({sling} at {show(time, 's', 2)}), not limited"
 
 
 def _travel(recording: Recording, equalizer: Equalizer, sign: float, stroke: float) -> str:

@@ -75,9 +75,10 @@ def system(recording: Recording) -> Figure | None:
 
 
 def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
-    """One equalizer close up, seen across its frame, at the same times; None if its frame is not drawn."""
+    """One equalizer close up, across its frame, at the same times; None if not drawn or without sheaves."""
     shown = [(name, snapshot(recording, sample)) for name, sample in moments(recording)]
-    if not which.moving_sheaves or which.name not in shown[0][1].frame_axes:
+    has_sheaves = which.moving_sheaves and which.mechanism == "sheaves"
+    if not has_sheaves or which.name not in shown[0][1].frame_axes:
         return None
     norm = _norm(shown)
     views = [_across(snap.frame_axes[which.name]) for _, snap in shown]

@@ -23,6 +23,7 @@ PICTURES: dict[str, Callable[[Recording], Figure | None]] = {
     "equalizing_rope_tension": traces.equalizing_rope_tension,
     "rope_tension": traces.rope_tension,
     "sheave_travel": traces.sheave_travel,
+    "sling_lengthening": traces.sling_lengthening,
     "attitude": traces.attitude,
     "motion": traces.motion,
     "hook_load": traces.hook_load,

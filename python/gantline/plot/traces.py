@@ -89,7 +89,7 @@ def rope_tension(recording: Recording) -> Figure | None:
 
 def sheave_travel(recording: Recording) -> Figure | None:
     """Travel of the moving sheaves between the ends of their stroke, downwards as they move, or None."""
-    equalizers = [e for e in recording.rig.equalizers if e.moving_sheaves]
+    equalizers = [e for e in recording.rig.equalizers if e.moving_sheaves and e.mechanism == "sheaves"]
     if not equalizers:
         return None
     figure, panels = time_figure(
@@ -118,6 +118,26 @@ def sheave_travel(recording: Recording) -> Figure | None:
                 below=True,
             )
         label_ends(panel, recording.time, travel)
+    return figure
+
+
+def sling_lengthening(recording: Recording) -> Figure | None:
+    """What adjusting has added to the length of slings, downwards as sheaves would travel, or None."""
+    equalizers = [e for e in recording.rig.equalizers if e.mechanism == "approximated"]
+    if not equalizers:
+        return None
+    height = 1.4 + 2.8 * len(equalizers)
+    figure, panels = time_figure(recording, "Sling lengthening", [1.0] * len(equalizers), height)
+    for equalizer, panel in zip(equalizers, panels, strict=True):
+        change = {rope: recording.column("rope_lengthening", rope) for rope in equalizer.slings}
+        named = {rope.removeprefix("sling."): values for rope, values in change.items()}
+        for index, curve in enumerate(named.values()):
+            width = 2.6 if index < len(named) / 2 else 1.3
+            panel.plot(recording.time, curve, color=colour(index), linewidth=width)
+        widen(panel, 0.1)
+        panel.invert_yaxis()
+        panel.set_ylabel(f"{equalizer.name}: longer than\nat the start [m]")
+        label_ends(panel, recording.time, named)
     return figure
 
 

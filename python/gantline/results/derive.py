@@ -25,6 +25,12 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "N",
         "tension of a rope: mean over its segments, or the largest of its nodes' segments",
     ),
+    "rope_lengthening": (
+        "rope_lengthening",
+        ("time", "rope"),
+        "m",
+        "what adjusting has added to the natural length of a rope",
+    ),
     "segment_tension": ("segment_tension", ("time", "segment"), "N", "tension of a segment of rope"),
     "segment_length": ("segment_length", ("time", "segment"), "m", "length of a segment of rope, stretched"),
     "rope_point": ("rope_point", ("time", "rope_point", "xyz"), "m", "points on the drawn path of a rope"),
@@ -143,8 +149,11 @@ def _sheave_travel(columns: Columns, names: Names, rig: Rig) -> _Derived:
     sheaves = [sheave for equalizer in rig.equalizers for sheave in equalizer.moving_sheaves]
     if not sheaves:
         return {}, {}
-    at = [list(names["joint"]).index(sheave) for sheave in sheaves]
-    position = columns["joint_position"][:, at]
+    joints = list(names["joint"])
+    # Sheaves of an approximated equalizer are no bodies, and stand still.
+    still = np.zeros(len(columns["time"]))
+    own = [columns["joint_position"][:, joints.index(s)] if s in joints else still for s in sheaves]
+    position = np.stack(own, axis=1)
     travel = Variable(
         ("time", "moving_sheave"),
         position - position[:1],

@@ -36,6 +36,9 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   stroke that way
 - `travel_used_up_when_clear`, `travel_used_down_when_clear` [1]: the same while the loads are clear
 - `final_sheave_travel.<sheave>` [m]: travel of that moving sheave at the last sample, down positive
+- `largest_rope_lengthening`, `largest_rope_shortening` [m]: most that adjusting has added to the natural
+  length of any rope, or taken from it, at any sample
+- `final_rope_lengthening.<rope>` [m]: what it has added to that of this rope at the last sample
 - `final_joint_travel.<joint>` [m or rad]: position of that hinge or slider at the last sample less that at
   the start; of a sheave with losses or inertia the rope that has passed it, of a drum the rope paid out
 - `energy_remainder` [1]: largest magnitude, over all steps, of the energy that the audit cannot place,
@@ -55,7 +58,7 @@ from gantline.results.recording import Recording
 
 #: Energy remainder up to which the balance counts as closed, by integrator. A fixed step of first order
 #: cannot do better than a thousandth; an error-controlled one does far better unless something is wrong.
-ENERGY_BOUNDS = {"del": 1e-3, "adaptive": 1e-5}
+ENERGY_BOUNDS = {"del": 1e-3, "adaptive": 1e-5, "explicit": 1e-3}
 
 _Metric = tuple[str, float | None]
 
@@ -76,7 +79,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
     """
     if not len(recording.time):
         return {}
-    parts = (_ropes, _parted, _slings, _spread, _sheaves, _loads, _hooks, _travel, _audit)
+    parts = (_ropes, _parted, _slings, _spread, _sheaves, _loads, _hooks, _travel, _lengthening, _audit)
     return {name: value for part in parts for name, value in part(recording) if value is not None}
 
 
@@ -191,7 +194,7 @@ def _travel(recording: Recording) -> Iterator[_Metric]:
             for equalizer in recording.rig.equalizers
             for stroke in [equalizer.travel_up if way == "up" else equalizer.travel_down]
             for sheave in equalizer.moving_sheaves
-            if stroke
+            if stroke and equalizer.mechanism == "sheaves"
         ]
         yield f"travel_used_{way}", _largest(float(share.max()) for share in used)
         if clear.any():
@@ -201,6 +204,16 @@ def _travel(recording: Recording) -> Iterator[_Metric]:
     for joint in recording.coordinates.get("joint", ()):
         position = recording.column("joint_position", joint)
         yield f"final_joint_travel.{joint}", float(position[-1] - position[0])
+
+
+def _lengthening(recording: Recording) -> Iterator[_Metric]:
+    if "rope_lengthening" not in recording:
+        return
+    lengthening = recording["rope_lengthening"].values
+    yield "largest_rope_lengthening", float(np.max(lengthening, initial=0.0))
+    yield "largest_rope_shortening", float(np.max(-lengthening, initial=0.0))
+    for rope in (rope for equalizer in recording.rig.equalizers for rope in equalizer.slings):
+        yield f"final_rope_lengthening.{rope}", float(recording.column("rope_lengthening", rope)[-1])
 
 
 def _audit(recording: Recording) -> Iterator[_Metric]:

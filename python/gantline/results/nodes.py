@@ -48,6 +48,9 @@ def joined(columns: Columns, names: Names, rig: Rig) -> tuple[Columns, Names, di
     within = np.stack([columns["rope_tension"][:, group].max(axis=1) for group in groups], axis=1)
     has_nodes = [rope in split for rope in order]
     merged["rope_tension"] = np.where(has_nodes, np.maximum(within, ends.max(axis=2)), within)
+    if columns["rope_lengthening"].size:
+        lengthened = [columns["rope_lengthening"][:, group].sum(axis=1) for group in groups]
+        merged["rope_lengthening"] = np.stack(lengthened, axis=1)
     merged["rope_peak_tension"], merged["rope_peak_time"] = _peaks(columns, groups, merged["rope_tension"])
     labels["rope"] = order
     labels["segment"] = [_segment(segment, owner) for segment in names["segment"]]

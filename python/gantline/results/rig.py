@@ -108,6 +108,8 @@ class Equalizer(_FromJson):
         stops: Whether stops at both ends of the stroke are simulated.
         rated_capacity: Below the moving sheaves [N]; None if not said.
         heading_joint: Joint about which the frame turns under its hook.
+        mechanism: `sheaves`, or `approximated`: no sheave moves, the lengths of its slings are adjusted.
+        adjusting_factor: Of an approximated one, else None.
     """
 
     name: str
@@ -121,6 +123,8 @@ class Equalizer(_FromJson):
     stops: bool = False
     rated_capacity: float | None = None
     heading_joint: str | None = None
+    mechanism: str = "sheaves"
+    adjusting_factor: float | None = None
 
 
 @dataclass(frozen=True)

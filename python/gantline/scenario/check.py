@@ -30,8 +30,10 @@ def check(scenario: Scenario) -> None:
     findings = Findings(scenario)
     _check_names(findings)
     try:
-        for equalizer in resolve(scenario).equalizers.values():
-            check_equalizer(findings, equalizer)
+        rigging = resolve(scenario)
+        for name, equalizer in rigging.equalizers.items():
+            slings = [sling for sling in rigging.slings.values() if sling.equalizer == name]
+            check_equalizer(findings, equalizer, slings)
     except ScenarioError as error:
         findings.problems.extend(error.problems)
     if scenario.load is not None:
@@ -78,13 +80,16 @@ def _check_names(findings: Findings) -> None:
 
 def _check_simulation(findings: Findings) -> None:
     settings, duration = findings.scenario.simulation, findings.scenario.duration
+    owners: dict[str, list[str]] = {}
     for kind, keys in INTEGRATOR_KEYS.items():
-        for key in keys if kind != settings.integrator else ():
-            if key in settings.model_fields_set:
-                sentence = f"'{key}' belongs to 'integrator: {kind}', this lift has '{settings.integrator}'"
-                findings.add(("simulation", key), f"{sentence}; leave it out or name the other integrator")
-    if settings.integrator == "del" and _has_friction(findings.scenario):
-        sentence = "'del' knows no friction of sheaves and joints, no brakes and no pins"
+        for key in keys:
+            owners.setdefault(key, []).append(f"'integrator: {kind}'")
+    for key, kinds in owners.items():
+        if key in settings.model_fields_set and key not in INTEGRATOR_KEYS[settings.integrator]:
+            sentence = f"'{key}' belongs to {' and '.join(kinds)}, this lift has '{settings.integrator}'"
+            findings.add(("simulation", key), f"{sentence}; leave it out or name the other integrator")
+    if settings.integrator != "adaptive" and _has_friction(findings.scenario):
+        sentence = f"'{settings.integrator}' knows no friction of sheaves and joints, no brakes and no pins"
         findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' is right here")
     if settings.step > duration:
         sentence = (

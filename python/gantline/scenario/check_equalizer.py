@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from gantline.scenario.crane import EqualizerParts
 from gantline.scenario.findings import Findings, Path
-from gantline.scenario.rigging import SHEAVES, EqualizerRigging, sheave_levels
+from gantline.scenario.rigging import SHEAVES, EqualizerRigging, SlingRigging, sheave_levels
 from gantline.scenario.sheave import SheaveWords, check_losses, said_twice, taken_together
 
 __all__ = ["check_equalizer"]
@@ -19,8 +19,8 @@ _Add = Callable[[str, str], None]
 _Levels = Sequence[tuple[Path, SheaveWords]]
 
 
-def check_equalizer(findings: Findings, equalizer: EqualizerRigging) -> None:
-    """Note everything that is wrong with an equalizer, or that this version cannot simulate."""
+def check_equalizer(findings: Findings, equalizer: EqualizerRigging, slings: Sequence[SlingRigging]) -> None:
+    """Note everything that is wrong with an equalizer and its slings, or that cannot be simulated yet."""
     given = (findings.scenario.equalizers or {})[equalizer.name]
     before = len(findings.problems)
 
@@ -31,6 +31,7 @@ def check_equalizer(findings: Findings, equalizer: EqualizerRigging) -> None:
         findings.add((*base, *parts), sentence)
 
     _check_sheaves(findings, equalizer)
+    _check_mechanism(add, findings, equalizer, slings)
     _check_counts(add, equalizer)
     if len(findings.problems) == before:
         _check_order(add, equalizer)
@@ -61,6 +62,35 @@ def _check_sheaves(findings: Findings, equalizer: EqualizerRigging) -> None:
             for shared, own in said_twice(holder.sheaves, getattr(holder, key)):
                 sentence = f"'{shared}' of all sheaves stands beside '{own}' of '{key}'; say it in one place"
                 findings.add((*path, "sheaves", shared), sentence)
+
+
+def _check_mechanism(
+    add: _Add, findings: Findings, equalizer: EqualizerRigging, slings: Sequence[SlingRigging]
+) -> None:
+    factor = equalizer.adjusting_factor
+    if equalizer.has_sheaves:
+        if factor is not None:
+            sentence = "belongs to 'mechanism: approximated'; moving sheaves need no factor"
+            add("adjusting_factor", f"{sentence}, leave it out")
+        return
+    if factor is None:
+        add("mechanism", "'approximated' needs an 'adjusting_factor', such as 0.01")
+    elif factor == 0:
+        add("adjusting_factor", "at 0 nothing is adjusted; a number above 0 is right, such as 0.01")
+    if len(slings) < 2:
+        sentence = f"'approximated' adjusts the lengths of slings against each other; there are {len(slings)}"
+        add("mechanism", f"{sentence}, at least 2 are right")
+    for sling in slings:
+        path = ("slings", sling.name)
+        if sling.rope.inextensible:
+            sentence = f"is inextensible, and '{equalizer.name}' is approximated: it adjusts stretch"
+            findings.add(path, f"{sentence}; give its rope an axial stiffness")
+        if sling.weight.nodes:
+            sentence = f"has nodes, and '{equalizer.name}' is approximated: it adjusts whole ropes"
+            findings.add(path, f"{sentence}; 'rope_weight: lumped' or 'none' is right")
+    if findings.scenario.simulation.integrator == "adaptive":
+        sentence = "adjusts lengths once per step, and 'adaptive' chooses its steps"
+        add("mechanism", f"'approximated' {sentence}; write 'simulation: {{integrator: del, step: 1 ms}}'")
 
 
 def _check_counts(add: _Add, equalizer: EqualizerRigging) -> None:

@@ -22,6 +22,7 @@ from gantline.scenario.quantities import (
     PositiveMass,
     PositiveSpeed,
     PositiveStiffness,
+    Ratio,
     RotationalDamping,
     Time,
     Torque,
@@ -194,6 +195,16 @@ class EqualizerParts(Element):
     fixed_sheaves: FixedSheaves | None = Field(None, description="Sheaves fixed in the frame.")
     moving_sheaves: MovingSheaves | None = Field(None, description="Sheaves that travel.")
     travel: Travel | None = Field(None, description="Limits of travel.")
+    mechanism: Literal["sheaves", "approximated"] | None = Field(
+        None,
+        description="'sheaves', the default: moving sheaves on one equalizing rope. 'approximated': none, "
+        "the slings hang from the frame and their lengths are adjusted after every step; a baseline.",
+    )
+    adjusting_factor: Ratio | None = Field(
+        None,
+        description="approximated: share of a tension's distance from the mean that one step lets go; above "
+        "0, all of it at 1.",
+    )
 
 
 class EqualizerType(EqualizerParts):

@@ -52,6 +52,7 @@ class Ground(Element):
 INTEGRATOR_KEYS = {
     "adaptive": ("tension_tolerance", "position_tolerance"),
     "del": ("step", "paper", "geometric_stiffness"),
+    "explicit": ("step",),
 }
 
 
@@ -60,9 +61,10 @@ class SimulationSettings(Element):
 
     what: ClassVar[str] = "simulation"
 
-    integrator: Literal["adaptive", "del"] = Field(
+    integrator: Literal["adaptive", "del", "explicit"] = Field(
         "adaptive",
-        description="The method: 'adaptive' controls its error, 'del' is the paper's, with a fixed step.",
+        description="The method: 'adaptive' controls its error, 'del' is the paper's, with a fixed step, "
+        "'explicit' a baseline that is stable for short steps only.",
     )
     tension_tolerance: PositiveForce | None = Field(
         None,
@@ -72,7 +74,7 @@ class SimulationSettings(Element):
     position_tolerance: PositiveLength | None = Field(
         None, description="adaptive: error of positions in a step; 0.1 mm if not given."
     )
-    step: PositiveTime = Field(1e-3, description="del: time step; 1 ms if not given.")
+    step: PositiveTime = Field(1e-3, description="del and explicit: time step; 1 ms if not given.")
     paper: Flag = Field(
         False, description="del: true is exactly as in the paper, without geometric stiffness."
     )

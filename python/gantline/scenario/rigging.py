@@ -35,6 +35,7 @@ __all__ = [
 #: Keys of an equalizer's sheaves.
 SHEAVES = ("fixed_sheaves", "moving_sheaves")
 
+_EQUALIZER_MAY_HAVE = ("hinge", "rated_capacity", "rope_weight", "mechanism", "adjusting_factor")
 _EQUALIZER_NEEDS = ("frame", "rope", "rope_ends", "fixed_sheaves", "moving_sheaves", "travel")
 
 
@@ -59,6 +60,13 @@ class EqualizerRigging:
     moving_sheaves: MovingSheaves
     travel: Travel
     sheave_losses: dict[str, SheaveLosses]
+    mechanism: str
+    adjusting_factor: float | None
+
+    @property
+    def has_sheaves(self) -> bool:
+        """Whether its sheaves move; else its slings hang from its frame, and their lengths are adjusted."""
+        return self.mechanism == "sheaves"
 
 
 @dataclass(frozen=True)
@@ -143,7 +151,7 @@ def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
             sentence = f"'{given.type}' is not a name of 'equalizer_types'; {nearest(given.type, types)}"
             findings.add((*path, "type"), sentence)
             return None
-    for key in (*_EQUALIZER_NEEDS, "hinge", "rated_capacity", "rope_weight"):
+    for key in (*_EQUALIZER_NEEDS, *_EQUALIZER_MAY_HAVE):
         parts[key] = getattr(given, key)
         if parts[key] is None and kind is not None:
             parts[key] = getattr(kind, key)
@@ -156,6 +164,7 @@ def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
     if len(findings.problems) > before:
         return None
     parts["hinge"] = parts["hinge"] or Hinge()
+    parts["mechanism"] = parts["mechanism"] or "sheaves"
     parts["weight"] = _equalizing_rope_weight(findings, name, parts["rope"], parts.pop("rope_weight"))
     own_mass, rope_mass = parts["moving_sheaves"].mass, parts["rope"].mass_per_length
     losses = {}

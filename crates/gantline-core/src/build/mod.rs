@@ -1,5 +1,6 @@
 //! From a document to a checked [`System`] and its first [`State`].
 
+mod adjusters;
 mod plan;
 mod rows;
 mod tree;
@@ -22,6 +23,7 @@ use crate::stepper::frame::Frame;
 use crate::system::{Rows, SheavePlace, System};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
+use adjusters::build_adjusters;
 use plan::{build_cuts, build_drives, build_fragile, build_step};
 use rows::{Built, build_constraints};
 use tree::{build_tree, start_of_joint};
@@ -47,6 +49,7 @@ fn error<T>(element: &str, problem: impl Into<String>) -> Result<T, BuildError> 
 pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     unique("body", spec.bodies.iter().map(|body| body.name.as_str()))?;
     unique("rope", spec.ropes.iter().map(|rope| rope.name.as_str()))?;
+    unique("adjuster", spec.adjusters.iter().map(|adjuster| adjuster.name.as_str()))?;
     unique("contact", spec.contacts.iter().map(|contact| contact.name.as_str()))?;
     unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
     let tree = build_tree(spec)?;
@@ -68,6 +71,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let rigid: Vec<usize> = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let is_brake_row = |row: &usize| matches!(rows.laws[*row], Law::Brake { .. });
     let inextensible = rigid.iter().copied().filter(|row| !is_brake_row(row)).collect();
+    let adjusters = build_adjusters(spec, &constraints, &rows)?;
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
     let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
@@ -106,6 +110,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         first_brake,
         motors,
         flows,
+        adjusters,
         drives,
         driven,
         groups,

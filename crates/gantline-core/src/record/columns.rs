@@ -21,6 +21,8 @@ pub const ARC_SAMPLES: usize = 12;
 pub struct Columns {
     /// (rope) [N].
     pub rope_tension: Vec<f64>,
+    /// (rope) by how much adjusting has lengthened it [m]; empty where nothing is adjusted.
+    pub rope_lengthening: Vec<f64>,
     /// (segment) [N].
     pub segment_tension: Vec<f64>,
     /// (segment) [m].
@@ -79,6 +81,7 @@ impl Columns {
             sampled.add_rows(system, samples.time[index], [q, tension], seats, &mut columns);
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
         }
+        columns.rope_lengthening = lengthenings(system, samples);
         columns
     }
 
@@ -88,6 +91,7 @@ impl Columns {
         let (segments, bodies) = (names.segment.len(), names.body.len());
         Self {
             rope_tension: room(names.rope.len()),
+            rope_lengthening: Vec::new(),
             segment_tension: room(segments),
             segment_length: room(segments),
             rope_point: room(3 * names.rope_point.len()),
@@ -113,6 +117,23 @@ fn mean_tension(rope: &Rope, force: &[f64], q: &[f64]) -> f64 {
     let parts = rope.spans.iter().zip(force);
     let sum: f64 = parts.map(|(span, force)| span.parts.len() as f64 * span.scale(q) * force).sum();
     sum / rope.route.parts.len() as f64
+}
+
+/// Lengthening of all ropes (samples, ropes) [m], zero of those that are not adjusted; empty where none is.
+fn lengthenings(system: &System, samples: &Samples) -> Vec<f64> {
+    let adjusted: Vec<usize> = system
+        .adjusters
+        .iter()
+        .flat_map(|adjuster| adjuster.rows.iter().map(|&row| system.constraint_index(row)))
+        .collect();
+    let count = if adjusted.is_empty() { 0 } else { samples.time.len() };
+    let mut all = vec![0.0; count * system.rope_count];
+    for sample in 0..count {
+        for (index, rope) in adjusted.iter().enumerate() {
+            all[sample * system.rope_count + rope] = samples.lengthening[sample * adjusted.len() + index];
+        }
+    }
+    all
 }
 
 /// Tensions of all ropes (samples, ropes) [N], without all that [`Columns`] works out.

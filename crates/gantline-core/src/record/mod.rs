@@ -39,6 +39,8 @@ pub struct Samples {
     pub tension: Vec<f64>,
     /// (sheave) how ropes lie on sheaves with true tangents.
     pub seats: Vec<Seat>,
+    /// (row that is adjusted) by how much it is longer than at the start [m].
+    pub lengthening: Vec<f64>,
     /// (kind) [J].
     pub energy: Vec<f64>,
     /// Largest distance of a force from its law [N].
@@ -121,13 +123,16 @@ pub struct Recorder {
     /// Time between samples [s].
     pub interval: f64,
     sample: Sample,
+    /// Rows that are adjusted.
+    adjusted: Vec<usize>,
 }
 
 impl Recorder {
-    /// A recorder for runs that pass through states like `state`.
-    pub fn new(state: &State, interval: f64) -> Self {
+    /// A recorder for runs of `system` that pass through states like `state`.
+    pub fn new(system: &System, state: &State, interval: f64) -> Self {
         let State { q, v, acceleration, tension, .. } = state.clone();
-        Self { interval, sample: Sample { q, v, acceleration, tension } }
+        let adjusted = system.adjusters.iter().flat_map(|adjuster| adjuster.rows.iter().copied()).collect();
+        Self { interval, sample: Sample { q, v, acceleration, tension }, adjusted }
     }
 
     /// Takes all samples that are due up to the end of the step. `motion` gives the sample at a share of the step.
@@ -148,6 +153,9 @@ impl Recorder {
             let share = ((time - from) / (to - from)).clamp(0.0, 1.0);
             motion(span, share, &mut self.sample);
             samples.push(time, &self.sample, &span.before.seats, span.residual);
+            // Lengths are adjusted when a step has been made, at once.
+            let memory = if share < 1.0 { &span.before.memory } else { &span.after.memory };
+            samples.lengthening.extend(self.adjusted.iter().map(|&row| memory[row]));
             let [before, after] = energies;
             samples
                 .energy

@@ -29,6 +29,7 @@
 //! α, between ¼ and 1, damps K only where the step cannot follow ([`crate::solver::stiffness`]). c is taken at (v + v₊)/2, so a body that turns freely keeps its energy and angular momentum. With
 //! `paper`, K = 0; with constant M, D = 0, τ = 0 and all rows acting that is eq. (15) to the letter.
 
+use super::adjust;
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
 use super::{StepError, StepReport, parting, seats};
@@ -98,30 +99,15 @@ impl Del {
         self.kkt.fill()
     }
 
-    /// Motion within the last step, from `before` to `after`: straight in the coordinates; forces linear.
+    /// Motion within the last step, from `before` to `after`.
     pub fn interpolate(
         &mut self,
         system: &System,
-        (before, after): (&State, &State),
+        states: (&State, &State),
         share: f64,
         sample: &mut Sample,
     ) {
-        sample.v.copy_from_slice(&after.v);
-        sample.acceleration.copy_from_slice(&after.acceleration);
-        if share >= 1.0 {
-            sample.q.copy_from_slice(&after.q);
-            sample.tension.copy_from_slice(&after.tension);
-            return;
-        }
-        for (increment, velocity) in self.increment.iter_mut().zip(&after.v) {
-            *increment = share * self.h * velocity;
-        }
-        sample.q.copy_from_slice(&before.q);
-        system.tree.advance(&mut sample.q, &self.increment);
-        let forces = before.tension.iter().zip(&after.tension);
-        for (tension, (before, after)) in sample.tension.iter_mut().zip(forces) {
-            *tension = before + share * (after - before);
-        }
+        flows::interpolate(system, states, (share, self.h), &mut self.increment, sample);
     }
 
     /// One step from `state`, which `frame` belongs to; both are moved on.
@@ -219,7 +205,7 @@ impl Del {
         // q₊ = q ⊕ h v₊, and the books.
         let flow = StepFlows { h, v: &self.v, c: &self.c, rows: &self.rows, stiffness: &self.kkt.stiffness };
         flow.book(system, state, frame, &mut self.increment);
-        flow.events(system, state, log);
+        flow.change(state).events(system, state, log);
         flow.remember(system, state, frame);
         for (increment, velocity) in self.increment.iter_mut().zip(&self.v) {
             *increment = h * velocity;
@@ -239,6 +225,7 @@ impl Del {
             }
             self.follow_seats(system, state, frame, log);
         }
+        adjust::adjust(system, state, frame);
         flows::store(system, state, frame);
         Ok(report)
     }

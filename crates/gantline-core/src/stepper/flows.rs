@@ -1,8 +1,10 @@
-//! The books of a step of `del`: energy that flowed, events, what contacts remember.
+//! The books of a step of `del`: energy that flowed and what contacts remember. Events of a step of fixed length, and
+//! the motion within it.
 
 use crate::audit::{elastic_energy, gravity_energy, spring_energy};
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
+use crate::record::Sample;
 use crate::solver::complementarity::{Complementarity, Mode};
 use crate::solver::stiffness::Stiffness;
 use crate::state::State;
@@ -102,7 +104,7 @@ impl StepFlows<'_> {
         }
         let before = frame.value[row];
         if is_friction(law) && self.rows.modes[row] != Mode::Acting {
-            let after = self.deflection(law, row, before);
+            let after = deflection(law, self.rows.modes[row], self.rows.tension[row], before, self.h);
             let spring = spring_energy(law, after) - spring_energy(law, before);
             if self.rows.modes[row] == Mode::Slack {
                 state.ledger.flows.contact_damping -= spring;
@@ -135,34 +137,72 @@ impl StepFlows<'_> {
             .any(|((new, old), law)| *new != Mode::Slack && *old == Mode::Slack && law.compliance() == 0.0)
     }
 
+    /// What the rows of the step become.
+    pub fn change(&self, state: &State) -> Change<'_> {
+        let Complementarity { modes, tension, trial, .. } = self.rows;
+        Change { start: state.time, h: self.h, modes, tension, trial }
+    }
+
+    /// Moves forces, modes and the anchors of friction rows into the state. An anchor that slips follows so that
+    /// spring and damper carry the force; one that sticks stays.
+    pub fn remember(&self, system: &System, state: &mut State, frame: &Frame) {
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            if is_friction(law) && self.rows.modes[row] != Mode::Acting {
+                let travel = self.h * system.rows.rate(&frame.gradient, row, self.v);
+                let (mode, force) = (self.rows.modes[row], self.rows.tension[row]);
+                let deflection = deflection(law, mode, force, frame.value[row], self.h);
+                state.memory[row] += frame.value[row] + travel - deflection;
+            }
+        }
+        state.tension.copy_from_slice(&self.rows.tension);
+        state.trial.copy_from_slice(&self.rows.trial);
+        state.modes.copy_from_slice(&self.rows.modes);
+    }
+}
+
+/// What the rows become in a step, for its events.
+pub struct Change<'a> {
+    /// Start of the step [s].
+    pub start: f64,
+    /// Its length [s].
+    pub h: f64,
+    /// Modes after it.
+    pub modes: &'a [Mode],
+    /// Forces after it [N].
+    pub tension: &'a [f64],
+    /// What the laws ask for after it [N].
+    pub trial: &'a [f64],
+}
+
+impl Change<'_> {
     /// Logs what changed in the step. A time within it is found by letting the law's value run linearly.
     pub fn events(&self, system: &System, state: &State, log: &mut EventLog) {
         for (rope, first) in system.rows.first[..=system.rope_count].windows(2).enumerate() {
             let taut = |modes: &[Mode]| modes[first[0]..first[1]].iter().all(|mode| *mode != Mode::Slack);
-            let (old, new) = (taut(&state.modes), taut(&self.rows.modes));
+            let (old, new) = (taut(&state.modes), taut(self.modes));
             if old != new {
-                let changed = (first[0]..first[1]).filter(|&row| state.modes[row] != self.rows.modes[row]);
-                let time = changed.map(|row| self.crossing(state, row)).fold(state.time, f64::max);
+                let changed = (first[0]..first[1]).filter(|&row| state.modes[row] != self.modes[row]);
+                let time = changed.map(|row| self.crossing(state, row)).fold(self.start, f64::max);
                 log.push(time, if new { EventKind::Taut } else { EventKind::Slack }, rope);
             }
         }
         for (index, group) in system.groups.iter().enumerate() {
             let normals = || group.contacts.iter().map(|&contact| system.rows.first[contact]);
             let old = normals().any(|row| state.tension[row] > 0.0);
-            let new = normals().any(|row| self.rows.tension[row] > 0.0);
+            let new = normals().any(|row| self.tension[row] > 0.0);
             if old && !new {
                 let left = normals().filter(|&row| state.tension[row] > 0.0);
-                let time = left.map(|row| self.crossing(state, row)).fold(state.time, f64::max);
+                let time = left.map(|row| self.crossing(state, row)).fold(self.start, f64::max);
                 log.push(time, EventKind::LiftOff, index);
-            } else if new && !old && state.steps > 0 {
-                let met = normals().filter(|&row| self.rows.tension[row] > 0.0);
+            } else if new && !old && self.start > 0.0 {
+                let met = normals().filter(|&row| self.tension[row] > 0.0);
                 let time = met.map(|row| self.crossing(state, row)).fold(f64::INFINITY, f64::min);
                 log.push(time, EventKind::SetDown, index);
             }
         }
         for (index, constraint) in system.constraints.iter().enumerate().skip(system.rope_count) {
             let first = system.rows.first[index];
-            let modes = |row: usize| (state.modes[row], self.rows.modes[row]);
+            let modes = |row: usize| (state.modes[row], self.modes[row]);
             if matches!(constraint, AnyConstraint::Stop(_)) {
                 let kind = match modes(first) {
                     (Mode::Slack, Mode::Acting) => EventKind::StopHit,
@@ -176,44 +216,55 @@ impl StepFlows<'_> {
                     (Mode::Slipping, Mode::Acting) => EventKind::Stick,
                     _ => continue,
                 };
-                log.push(state.time, kind, index);
+                log.push(self.start, kind, index);
             }
         }
     }
 
     fn crossing(&self, state: &State, row: usize) -> f64 {
-        let (before, after) = (state.trial[row], self.rows.trial[row]);
+        let (before, after) = (state.trial[row], self.trial[row]);
         let share = if before == after { 0.0 } else { (before / (before - after)).clamp(0.0, 1.0) };
-        state.time + share * self.h
-    }
-
-    /// Deflection of the spring of a tangential row after a step in which its anchor has moved, from `before` on:
-    /// spring and damper carry the force, ε T = s₊ + τ (s₊ − s)/h. Nothing where there is no contact.
-    fn deflection(&self, law: &Law, row: usize, before: f64) -> f64 {
-        if self.rows.modes[row] == Mode::Slack {
-            return 0.0;
-        }
-        let carried = self.rows.tension[row] * law.compliance();
-        before + self.h * (carried - before) / (self.h + law.damping_time())
-    }
-
-    /// Moves forces, modes and the anchors of friction rows into the state. An anchor that slips follows so that
-    /// spring and damper carry the force; one that sticks stays.
-    pub fn remember(&self, system: &System, state: &mut State, frame: &Frame) {
-        for (row, law) in system.rows.laws.iter().enumerate() {
-            if is_friction(law) && self.rows.modes[row] != Mode::Acting {
-                let travel = self.h * system.rows.rate(&frame.gradient, row, self.v);
-                let deflection = self.deflection(law, row, frame.value[row]);
-                state.memory[row] += frame.value[row] + travel - deflection;
-            }
-        }
-        state.tension.copy_from_slice(&self.rows.tension);
-        state.trial.copy_from_slice(&self.rows.trial);
-        state.modes.copy_from_slice(&self.rows.modes);
+        self.start + share * self.h
     }
 }
 
-fn is_friction(law: &Law) -> bool {
+/// Deflection of the spring of a tangential row after a step in which its anchor has moved, from `before` on:
+/// spring and damper carry the force, ε T = s₊ + τ (s₊ − s)/h. Nothing where there is no contact.
+pub fn deflection(law: &Law, mode: Mode, force: f64, before: f64, h: f64) -> f64 {
+    if mode == Mode::Slack {
+        return 0.0;
+    }
+    before + h * (force * law.compliance() - before) / (h + law.damping_time())
+}
+
+/// Motion within a step of fixed length `h`, from `before` to `after`: straight in the coordinates; forces linear.
+pub fn interpolate(
+    system: &System,
+    (before, after): (&State, &State),
+    (share, h): (f64, f64),
+    increment: &mut [f64],
+    sample: &mut Sample,
+) {
+    sample.v.copy_from_slice(&after.v);
+    sample.acceleration.copy_from_slice(&after.acceleration);
+    if share >= 1.0 {
+        sample.q.copy_from_slice(&after.q);
+        sample.tension.copy_from_slice(&after.tension);
+        return;
+    }
+    for (increment, velocity) in increment.iter_mut().zip(&after.v) {
+        *increment = share * h * velocity;
+    }
+    sample.q.copy_from_slice(&before.q);
+    system.tree.advance(&mut sample.q, increment);
+    let forces = before.tension.iter().zip(&after.tension);
+    for (tension, (before, after)) in sample.tension.iter_mut().zip(forces) {
+        *tension = before + share * (after - before);
+    }
+}
+
+/// True for a tangential row of a contact.
+pub fn is_friction(law: &Law) -> bool {
     matches!(law, Law::Friction { .. })
 }
 

@@ -62,5 +62,8 @@ impl Frame {
             let entries = rows.start[first[0]]..rows.start[first[1]];
             constraint.evaluate(&at, &mut self.value[first[0]..first[1]], &mut self.gradient[entries]);
         }
+        for &row in system.adjusters.iter().flat_map(|adjuster| &adjuster.rows) {
+            self.value[row] -= memory[row];
+        }
     }
 }

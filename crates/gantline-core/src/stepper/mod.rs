@@ -1,7 +1,9 @@
 //! Methods: one file per integrator.
 
 pub mod adaptive;
+pub mod adjust;
 pub mod del;
+pub mod explicit;
 mod flows;
 pub mod frame;
 mod parting;

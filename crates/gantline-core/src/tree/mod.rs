@@ -2,6 +2,7 @@
 
 pub mod ball;
 pub mod bias;
+pub mod factor;
 pub mod fixed;
 pub mod flow;
 pub mod free;

@@ -147,6 +147,7 @@ pub fn rig(seeds: &[f64]) -> SystemSpec {
         bodies,
         ropes,
         contacts: vec![contact],
+        adjusters: Vec::new(),
         drives,
         plan: Vec::new(),
     }
@@ -242,6 +243,7 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
         bodies,
         ropes: Vec::new(),
         contacts,
+        adjusters: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),
     };
