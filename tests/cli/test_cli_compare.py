@@ -228,3 +228,20 @@ def test_an_interrupt_saves_what_there_is(tmp_path: Path) -> None:
     assert "stopped before B was simulated" in err
     assert "Traceback" not in err
     assert gantline.open_recording(tmp_path / "a.nc").attributes["status"] == "stopped"
+
+
+def test_a_mechanism_that_feeds_the_load_is_found_out(tmp_path: Path) -> None:
+    result = compare(
+        "mechanisms", "--b", "adjusting_factor=2.05", "--both", "duration=22 s", "-o", tmp_path, "--no-plots"
+    )
+    assert result.exit_code == 0, result.stderr
+    assert "no energy from nowhere" in result.stdout
+    assert "GAINS ENERGY from 18.7" in result.stdout
+
+
+def test_an_explicit_step_that_is_too_long_is_compared_as_far_as_it_got(tmp_path: Path) -> None:
+    changes = ("--b", "integrator=explicit", "--b", "step=10 ms", "--both", "duration=5 s")
+    result = compare("equalizer", *changes, "-o", tmp_path, "--no-plots")
+    assert result.exit_code == 3
+    assert "explicit, step 10 ms" in result.stdout
+    assert "the step of 0.01 s is too long for an explicit method" in result.stdout
