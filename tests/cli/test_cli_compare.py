@@ -15,25 +15,13 @@ from typer.testing import CliRunner, Result
 import gantline
 from fake_core import FakeCore, core
 from gantline.cli.app import app
+from lift_text import DEAD_CENTRE
 
 __all__ = ["core"]
 
 SCENARIOS = Path(__file__).parents[2] / "scenarios"
 SHORT = ("--both", "duration=1 s")
 NAMES = ("pulleys", "pulleys" + ", integrator=adaptive")
-DEAD_CENTRE = """
-format: 1
-lift: {title: A plumb rope cannot hold what slides level}
-duration: 2 s
-ropes:
-  thin: {inextensible: true}
-mechanics:
-  bodies:
-    ceiling: {joint: {type: fixed}}
-    trolley: {at: [0 m, 0 m, -5 m], joint: {type: slider, axis: [1, 0, 0]}, mass: 40 kg}
-  ropes:
-    plumb: {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: trolley}]}
-"""
 
 
 def compare(*words: str | Path) -> Result:

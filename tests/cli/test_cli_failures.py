@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 
 import gantline
 from gantline.cli.app import app
+from lift_text import DEAD_CENTRE
 
 G = 9.81
 ROPE_TWICE = """
@@ -26,19 +27,6 @@ mechanics:
   ropes:
     first:  {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: weight}]}
     second: {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: weight}]}
-"""
-DEAD_CENTRE = """
-format: 1
-lift: {title: A plumb rope cannot hold what slides level}
-duration: 2 s
-ropes:
-  thin: {inextensible: true}
-mechanics:
-  bodies:
-    ceiling: {joint: {type: fixed}}
-    trolley: {at: [0 m, 0 m, -5 m], joint: {type: slider, axis: [1, 0, 0]}, mass: 40 kg}
-  ropes:
-    plumb: {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: trolley}]}
 """
 # The part between dead end and sheave shrinks to nothing and turns round: the force jumps.
 PAST_THE_END = """

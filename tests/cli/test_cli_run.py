@@ -82,7 +82,8 @@ def test_settings_of_the_command_line_take_the_place_of_those_of_the_file(tmp_pa
     times = {name: float(ms) for name, ms in re.findall(r"^ *(\w+) +([\d.]+) ms", profile, re.MULTILINE)}
     stages = ("kinematics", "assembly", "factorisation", "solution", "events", "other")
     assert 0.0 < times["Integrator"] < times["simulate"]
-    assert sum(times[name] for name in stages) == pytest.approx(times["Integrator"], abs=0.05)
+    # Seven numbers, printed to 0.01 ms: each is off by half of that.
+    assert sum(times[name] for name in stages) == pytest.approx(times["Integrator"], abs=0.036)
     assert times["Recording"] > 0.0
     assert re.search(r"^ *steps +500$", profile, re.MULTILINE)
 

@@ -79,3 +79,19 @@ def spoiled(old: str, new: str, base: str = BASE) -> str:
     """The base with one piece replaced; the piece stands there exactly once."""
     assert base.count(old) == 1, f"{old!r} stands {base.count(old)} times in the lift"
     return base.replace(old, new)
+
+
+#: A lift that cannot go on: it is refused by its equations at the start.
+DEAD_CENTRE = """
+format: 1
+lift: {title: A plumb rope cannot hold what slides level}
+duration: 2 s
+ropes:
+  thin: {inextensible: true}
+mechanics:
+  bodies:
+    ceiling: {joint: {type: fixed}}
+    trolley: {at: [0 m, 0 m, -5 m], joint: {type: slider, axis: [1, 0, 0]}, mass: 40 kg}
+  ropes:
+    plumb: {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: trolley}]}
+"""

@@ -65,7 +65,8 @@ def test_varied_slings_stay_within_five_centimetres_and_are_always_the_same() ->
     plan = equalizer_lift(100).sling_lengths
     deviation = np.subtract(lift.sling_lengths, plan)
     assert np.abs(deviation).max() <= 0.05
-    assert deviation.std() == pytest.approx(0.1 / math.sqrt(12), rel=0.2)
+    # Of 100 uniform numbers the standard deviation is known to 4.5 %; four times that is as good as never.
+    assert deviation.std() == pytest.approx(0.1 / math.sqrt(12), rel=0.18)
     assert lift == varied_lift(100)
 
 

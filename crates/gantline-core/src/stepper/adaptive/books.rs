@@ -5,8 +5,7 @@
 //! adds or takes; it is computed like any other flow.
 
 use super::Adaptive;
-use super::evaluation::{Point, Schedule};
-use super::rodas::Increment;
+use super::evaluation::Point;
 use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
@@ -28,20 +27,8 @@ impl Adaptive {
     pub(super) fn book_look(&mut self, system: &System, state: &State, theta: f64, duration: f64) {
         self.rodas.course.at(theta, &mut self.point);
         self.rodas.course.rate_at(theta, &mut self.rate);
-        let Increment { phi, v, rigid, anchor, .. } = &self.point;
-        let a = &self.rate.v;
-        let schedule = Schedule::after(state, theta * self.rodas.course.h);
-        let point = Point {
-            schedule,
-            base: &state.q,
-            memory: &state.memory,
-            seats: &state.seats,
-            phi,
-            v,
-            a,
-            rigid,
-            anchor,
-        };
+        let elapsed = theta * self.rodas.course.h;
+        let point = Point { a: &self.rate.v, ..Point::of(state, &self.point, elapsed) };
         self.probe.forces(system, &point, &state.modes);
         self.book_point(system, state, duration);
     }

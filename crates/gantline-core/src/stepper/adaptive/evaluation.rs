@@ -11,6 +11,7 @@
 
 use glam::DVec3;
 
+use super::rodas::Increment;
 use crate::clock::Stage;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
 use crate::plan::drive::Timeline;
@@ -318,6 +319,15 @@ pub struct Point<'a> {
     pub rigid: &'a [f64],
     /// α, how far anchors have slid [m], by [`System::friction`].
     pub anchor: &'a [f64],
+}
+
+impl<'a> Point<'a> {
+    /// At an increment from `state`, where a step starts, `elapsed` [s] later.
+    pub fn of(state: &'a State, by: &'a Increment, elapsed: f64) -> Self {
+        let Increment { phi, v, a, rigid, anchor } = by;
+        let State { q: base, memory, seats, .. } = state;
+        Self { schedule: Schedule::after(state, elapsed), base, memory, seats, phi, v, a, rigid, anchor }
+    }
 }
 
 /// G v̇ + Ġ v of an inextensible rope at the motion of `dynamics`: each straight part gives

@@ -33,7 +33,7 @@ use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Twist;
-use evaluation::{Evaluation, Point, Schedule};
+use evaluation::{Evaluation, Point};
 use looks::Looks;
 use rodas::{Increment, Rodas};
 
@@ -277,19 +277,7 @@ impl Adaptive {
     /// Evaluates the course at one share of the step, rows only.
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
-        let Increment { phi, v, a, rigid, anchor } = &self.point;
-        let schedule = Schedule::after(state, theta * self.rodas.course.h);
-        let point = Point {
-            schedule,
-            base: &state.q,
-            memory: &state.memory,
-            seats: &state.seats,
-            phi,
-            v,
-            a,
-            rigid,
-            anchor,
-        };
+        let point = Point::of(state, &self.point, theta * self.rodas.course.h);
         self.probe.rows(system, &point, &state.modes);
     }
 

@@ -246,19 +246,7 @@ impl Rodas {
         for stage in 0..STAGES {
             self.point.set(A[stage], &self.k, &self.course.start);
             if stage > 0 {
-                let Increment { phi, v, a, rigid, anchor } = &self.point;
-                let schedule = Schedule::after(state, TIMES[stage] * h);
-                let point = Point {
-                    schedule,
-                    base: &state.q,
-                    memory: &state.memory,
-                    seats: &state.seats,
-                    phi,
-                    v,
-                    a,
-                    rigid,
-                    anchor,
-                };
+                let point = Point::of(state, &self.point, TIMES[stage] * h);
                 self.stage.forces(system, &point, modes);
             }
             self.stage_sides(system, state, mass, stage, h);

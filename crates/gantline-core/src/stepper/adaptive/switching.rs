@@ -1,8 +1,7 @@
 //! Changes of the rows' modes: seen along the course of a step, made at its end.
 
 use super::books::WEIGHTS;
-use super::evaluation::{Evaluation, Point, Schedule};
-use super::rodas::Increment;
+use super::evaluation::{Evaluation, Point};
 use super::{Adaptive, LOOKS, SWITCHING};
 use crate::audit::Flows;
 use crate::constraint::{AnyConstraint, Law};
@@ -69,19 +68,7 @@ impl Adaptive {
             self.end.phi[drive.dof] = motion.position - position;
             self.end.v[drive.dof] = motion.velocity;
         }
-        let Increment { phi, v, a, rigid, anchor } = &self.end;
-        let schedule = Schedule::after(state, self.made * self.rodas.course.h);
-        let point = Point {
-            schedule,
-            base: &state.q,
-            memory: &state.memory,
-            seats: &state.seats,
-            phi,
-            v,
-            a,
-            rigid,
-            anchor,
-        };
+        let point = Point::of(state, &self.end, self.made * self.rodas.course.h);
         self.next.all(system, &point, &state.modes);
     }
 
