@@ -19,6 +19,7 @@ pub mod simulation;
 pub mod solver;
 pub mod spec;
 pub mod state;
+pub mod statics;
 pub mod stepper;
 pub mod system;
 pub mod tree;

@@ -69,6 +69,11 @@ impl Ldl {
         Ok(())
     }
 
+    /// How many pivots are negative: by Sylvester's law of inertia, how many eigenvalues of the matrix are.
+    pub fn negative_pivots(&self) -> usize {
+        self.inverse_diagonal.iter().filter(|inverse| **inverse < 0.0).count()
+    }
+
     /// Solves A x = b with one step of refinement; `b` stays, `x` is written, both by unknown.
     pub fn solve(&mut self, b: &[f64], x: &mut [f64]) {
         for (place, &unknown) in self.pattern.order.iter().enumerate() {

@@ -1,0 +1,89 @@
+//! No straight part of a rope over sheaves runs through its end in one step.
+//!
+//! A moving sheave that is hauled up to the fixed ones cannot pass them, but the length of the rope knows nothing of
+//! that: beyond, the part would only point the other way. What shortens such a part too much in a step is braked by
+//! itself, by a number on its diagonal, so that the rest of the rig moves on.
+
+use super::matrix::Matrix;
+use super::potential::Potential;
+use crate::constraint::AnyConstraint;
+use crate::rope::route::Attachment;
+use crate::system::System;
+use crate::tree::kinematics::Kinematics;
+
+/// Share of its length that a part keeps in a step.
+const KEPT: f64 = 0.3;
+/// By how much a brake is strengthened where it was not enough.
+const STRONGER: f64 = 8.0;
+
+/// Parts that are looked at.
+#[derive(Debug, Clone)]
+pub struct Guard {
+    /// Rope, part, and the degrees of freedom that move one end and not the other, with 1 for its end.
+    parts: Vec<(usize, usize, Vec<(usize, f64)>)>,
+}
+
+impl Guard {
+    /// Parts of all ropes that have more than one.
+    pub fn new(system: &System) -> Self {
+        let mut parts = Vec::new();
+        for (index, rope) in system.ropes().enumerate().filter(|(_, rope)| rope.route.parts.len() > 1) {
+            for (number, part) in rope.route.parts.iter().enumerate() {
+                let support = |end: &Attachment| system.tree.support_of(end.body);
+                let (from, to) = (support(&part.from.at), support(&part.to.at));
+                let only = |these: &[usize], others: &[usize], sign: f64| -> Vec<(usize, f64)> {
+                    let alone = these.iter().filter(|dof| !others.contains(dof));
+                    alone.map(|&dof| (dof, sign)).collect()
+                };
+                let mut dofs = only(from, to, -1.0);
+                dofs.extend(only(to, from, 1.0));
+                parts.push((index, number, dofs));
+            }
+        }
+        Self { parts }
+    }
+
+    /// True where all parts keep enough of their length; else what shortens them is braked.
+    pub fn holds(
+        &self,
+        system: &System,
+        (here, there): (&Potential, &Kinematics),
+        step: &[f64],
+        (matrix, lambda): (&mut Matrix, f64),
+    ) -> bool {
+        let mut all = true;
+        let kinematics = &here.frame.kinematics;
+        for (rope, number, dofs) in &self.parts {
+            let AnyConstraint::Rope(rope) = &system.constraints[*rope] else { continue };
+            let part = &rope.route.parts[*number];
+            let (now, then) = (part.locate(kinematics), part.locate(there));
+            let kept = now.direction.dot(then.to - then.from);
+            if now.length <= 0.0 || kept >= KEPT * now.length {
+                continue;
+            }
+            let most = dofs.iter().map(|&(dof, sign)| {
+                let point = if sign > 0.0 { now.to } else { now.from };
+                let column = kinematics.point_column(&system.tree, dof, point);
+                (dof, sign * now.direction.dot(column) * step[dof])
+            });
+            // NaN, where there is nothing to locate, is left to the energy.
+            let Some((dof, shortens)) = most.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
+            if shortens < 0.0 {
+                all = false;
+                let size = self.stiffness(system, here, matrix, dof, lambda);
+                matrix.extra[dof] = (STRONGER * matrix.extra[dof]).max(size);
+            }
+        }
+        all
+    }
+
+    /// Size of the second derivative of V on the diagonal of a degree of freedom.
+    fn stiffness(&self, system: &System, here: &Potential, matrix: &Matrix, dof: usize, lambda: f64) -> f64 {
+        let rows = (0..system.rope_rows()).flat_map(|row| {
+            let compliance = system.rows.laws[row].compliance();
+            let own = system.rows.entries(&here.frame.gradient, row).filter(move |(other, _)| *other == dof);
+            own.map(move |(_, entry)| if compliance > 0.0 { entry * entry / compliance } else { 0.0 })
+        });
+        matrix.diagonal(dof, lambda) + rows.sum::<f64>()
+    }
+}

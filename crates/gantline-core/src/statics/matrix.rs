@@ -1,0 +1,246 @@
+//! The symmetric matrix of statics over increments of coordinates and forces of rows,
+//!
+//! ```text
+//! [ λM + K   Gᵀ ]        K = ∂²V_gravity/∂q² + Σ T ∂G/∂q
+//! [ G        −ε ]
+//! ```
+//!
+//! K is the exact geometric stiffness and not projected. Increments turn by rotation vectors in body axes; the second
+//! derivative along them is the symmetric part of ∂(∂V/∂q)/∂q, whose other half is a product of the slope and
+//! vanishes in equilibrium. A row that does not follow is an identity row. Forces stay unknowns and the elimination
+//! order is the rig's, so the cost is that of the rig's length.
+
+use glam::DVec3;
+
+use super::potential::{Bearing, Potential};
+use crate::constraint::Placed;
+use crate::rope::seat::Seat;
+use crate::solver::layout::{Layout, NONE};
+use crate::solver::ldl::Ldl;
+use crate::solver::symbolic::ZeroPivot;
+use crate::system::System;
+use crate::tree::mass::MassMatrix;
+use crate::tree::tangent::DynamicsTangent;
+
+/// The matrix, its pattern and its factors.
+#[derive(Debug, Clone)]
+pub struct Matrix {
+    /// Unknowns.
+    pub layout: Layout,
+    ldl: Ldl,
+    dynamics: DynamicsTangent,
+    mass_slots: Vec<usize>,
+    row_slots: Vec<usize>,
+    diagonal_slots: Vec<usize>,
+    /// Slots of the lower triangle of every group, group after group.
+    group_slots: Vec<usize>,
+    /// M by slot.
+    mass: Vec<f64>,
+    /// K by slot.
+    stiffness: Vec<f64>,
+    gradient: Vec<f64>,
+    curvature: Vec<f64>,
+    columns: Vec<DVec3>,
+    right: Vec<f64>,
+    solution: Vec<f64>,
+    still: Vec<f64>,
+    /// What is added to the diagonal of every degree of freedom, see [`super::guard`].
+    pub extra: Vec<f64>,
+    /// Factorisations made.
+    pub factorisations: u64,
+}
+
+impl Matrix {
+    /// Pattern and elimination order for `system`.
+    pub fn new(system: &System) -> Self {
+        let layout = Layout::new(system);
+        let ldl = Ldl::new(layout.symbolic.clone());
+        let slot = |a: usize, b: usize| {
+            if a == NONE || b == NONE {
+                return NONE;
+            }
+            layout.symbolic.slot(a, b).map_or(NONE, |(slot, _)| slot)
+        };
+        let unknown = |dof: usize| layout.unknown[dof];
+        let mass = MassMatrix::new(&system.tree);
+        let mut mass_slots = Vec::with_capacity(mass.values.len());
+        for dof in 0..system.tree.velocities {
+            let columns = &mass.columns[mass.row_start[dof]..mass.row_start[dof + 1]];
+            mass_slots.extend(columns.iter().map(|&other| slot(unknown(dof), unknown(other))));
+        }
+        let mut row_slots = Vec::with_capacity(system.rows.dofs.len());
+        for row in 0..system.rows.count() {
+            let dofs = &system.rows.dofs[system.rows.start[row]..system.rows.start[row + 1]];
+            row_slots.extend(dofs.iter().map(|&dof| slot(layout.row(row), unknown(dof))));
+        }
+        let mut group_slots = Vec::new();
+        for group in &layout.groups {
+            for (j, &a) in group.dofs.iter().enumerate() {
+                group_slots.extend(group.dofs[..=j].iter().map(|&b| slot(unknown(a), unknown(b))));
+            }
+        }
+        let size = layout.symbolic.size();
+        let largest = layout.groups.iter().map(|group| group.dofs.len()).max().unwrap_or(0);
+        let by_slot = vec![0.0; layout.symbolic.rows.len()];
+        Self {
+            diagonal_slots: (0..size).map(|index| slot(index, index)).collect(),
+            dynamics: DynamicsTangent::new(&system.tree, &mass),
+            mass: by_slot.clone(),
+            stiffness: by_slot,
+            gradient: vec![0.0; system.rows.dofs.len()],
+            curvature: vec![0.0; largest * largest],
+            columns: vec![DVec3::ZERO; largest],
+            right: vec![0.0; size],
+            solution: vec![0.0; size],
+            still: vec![0.0; system.tree.velocities],
+            extra: vec![0.0; system.tree.velocities],
+            factorisations: 0,
+            mass_slots,
+            row_slots,
+            group_slots,
+            ldl,
+            layout,
+        }
+    }
+
+    /// Evaluates M, K and G where `here` has been updated, its mass matrix too.
+    pub fn linearise(&mut self, system: &System, here: &Potential, seats: &[Seat]) {
+        let mass = &here.frame.mass;
+        self.dynamics.update(&system.tree, &here.frame.kinematics, mass, &here.dynamics, &self.still);
+        self.mass.fill(0.0);
+        self.stiffness.fill(0.0);
+        self.gradient.copy_from_slice(&here.frame.gradient);
+        let turned = &self.dynamics.position;
+        for dof in 0..system.tree.velocities {
+            let diagonal = mass.row_start[dof + 1] - 1;
+            for slot in mass.row_start[dof]..=diagonal {
+                let to = self.mass_slots[slot];
+                if to != NONE {
+                    let both = if slot == diagonal { turned.lower[slot] } else { turned.upper[slot] };
+                    self.mass[to] += mass.values[slot];
+                    self.stiffness[to] += 0.5 * (turned.lower[slot] + both);
+                }
+            }
+        }
+        let mut cursor = 0;
+        let at =
+            Placed { tree: &system.tree, kinematics: &here.frame.kinematics, q: &here.q, seats };
+        for group in &self.layout.groups {
+            let size = group.dofs.len();
+            let slots = &self.group_slots[cursor..cursor + size * (size + 1) / 2];
+            cursor += slots.len();
+            let tension = here.tension[group.row];
+            if tension == 0.0 || size == 0 {
+                continue;
+            }
+            let block = &mut self.curvature[..size * size];
+            let value = here.frame.value[group.row];
+            system.constraints[group.constraint].curvature(&at, value, group.number, &mut self.columns, block);
+            let mut next = slots.iter();
+            for j in 0..size {
+                for (k, &slot) in (0..=j).zip(&mut next) {
+                    if slot != NONE {
+                        self.stiffness[slot] += 0.5 * tension * (block[j * size + k] + block[k * size + j]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Factorises with `shift` for λ; a row whose compliance is none does not act.
+    ///
+    /// # Errors
+    /// [`ZeroPivot`] where the matrix is singular.
+    pub fn factorise(
+        &mut self,
+        system: &System,
+        shift: f64,
+        compliance: impl Fn(usize) -> Option<f64>,
+    ) -> Result<(), ZeroPivot> {
+        self.factorisations += 1;
+        let values = self.ldl.values_mut();
+        for ((value, mass), stiffness) in values.iter_mut().zip(&self.mass).zip(&self.stiffness) {
+            *value = shift * mass + stiffness;
+        }
+        for (index, &dof) in self.layout.free.iter().enumerate() {
+            values[self.diagonal_slots[index]] += self.extra[dof];
+        }
+        for row in 0..system.rows.count() {
+            let answer = compliance(row);
+            let diagonal = self.diagonal_slots[self.layout.row(row)];
+            values[diagonal] = answer.map_or(-1.0, |compliance| -compliance);
+            let entries = system.rows.start[row]..system.rows.start[row + 1];
+            for (&slot, entry) in self.row_slots[entries.clone()].iter().zip(&self.gradient[entries]) {
+                if slot != NONE {
+                    values[slot] = if answer.is_some() { *entry } else { 0.0 };
+                }
+            }
+        }
+        self.ldl.factorise()
+    }
+
+    /// How many eigenvalues ω² of K, with the rows that act, lie below −λ of the last factorisation (Sylvester).
+    pub fn below(&self, system: &System) -> usize {
+        self.ldl.negative_pivots().saturating_sub(system.rows.count())
+    }
+
+    /// Solves for increments and forces: `force` is the right side of every degree of freedom, `rows` that of every
+    /// row. Increments of driven degrees of freedom are zero.
+    pub fn solve(&mut self, force: &[f64], rows: &[f64], step: &mut [f64], tension: &mut [f64]) {
+        let free = self.layout.free.len();
+        for (index, &dof) in self.layout.free.iter().enumerate() {
+            self.right[index] = force[dof];
+        }
+        self.right[free..].copy_from_slice(rows);
+        self.ldl.solve(&self.right, &mut self.solution);
+        step.fill(0.0);
+        for (index, &dof) in self.layout.free.iter().enumerate() {
+            step[dof] = self.solution[index];
+        }
+        tension.copy_from_slice(&self.solution[free..]);
+    }
+
+    /// Size of ∂²V/∂q² on the diagonal of a free degree of freedom, without the rows.
+    pub fn diagonal(&self, dof: usize, lambda: f64) -> f64 {
+        match self.layout.unknown[dof] {
+            NONE => 0.0,
+            unknown => {
+                let slot = self.diagonal_slots[unknown];
+                lambda * self.mass[slot] + self.stiffness[slot].abs()
+            }
+        }
+    }
+
+    /// ∂²V/∂q² of all free degrees of freedom as a dense matrix, with the rows that act condensed, and M likewise.
+    pub fn dense(&self, system: &System, bearings: &[Bearing], follows: &[bool]) -> (Vec<f64>, Vec<f64>) {
+        let size = self.layout.free.len();
+        let (mut mass, mut stiffness) = (vec![0.0; size * size], vec![0.0; size * size]);
+        let symbolic = &self.layout.symbolic;
+        for column in 0..symbolic.size() {
+            for slot in symbolic.start[column]..symbolic.start[column + 1] {
+                let (a, b) = (symbolic.order[symbolic.rows[slot]], symbolic.order[column]);
+                if a < size && b < size {
+                    for place in [a * size + b, b * size + a] {
+                        mass[place] = self.mass[slot];
+                        stiffness[place] = self.stiffness[slot];
+                    }
+                }
+            }
+        }
+        for (row, bearing) in bearings.iter().enumerate().filter(|(row, bearing)| follows[*row] && !bearing.is_rigid) {
+            let entries: Vec<(usize, f64)> = self.row_entries(system, row).collect();
+            for &(a, left) in &entries {
+                for &(b, right) in &entries {
+                    stiffness[a * size + b] += left * right / bearing.compliance;
+                }
+            }
+        }
+        (mass, stiffness)
+    }
+
+    /// Unknowns and gradient entries of a row, without driven degrees of freedom.
+    pub fn row_entries<'a>(&'a self, system: &'a System, row: usize) -> impl Iterator<Item = (usize, f64)> + 'a {
+        let entries = system.rows.entries(&self.gradient, row);
+        entries.map(|(dof, entry)| (self.layout.unknown[dof], entry)).filter(|(unknown, _)| *unknown != NONE)
+    }
+}

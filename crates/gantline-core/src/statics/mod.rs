@@ -1,0 +1,169 @@
+//! Statics: where a system rests, whether it rests there for good, and how it moves about that.
+//!
+//! [`Statics::settle`] finds the equilibrium that lies downhill of a configuration, with drives where they are at a
+//! time of their timelines: [`search`] is the way down on the [`potential`], by the [`matrix`] of the exact tangent.
+//!
+//! Friction: contacts and sheaves are taken as ideal, without friction; what holds a joint or a drum by itself (a brake,
+//! a locking pin, dry friction in newtons) holds it where the state has it, with no more than its own force.
+
+pub mod guard;
+pub mod matrix;
+pub mod potential;
+pub mod search;
+
+use thiserror::Error;
+
+use crate::constraint::Law;
+use crate::plan::drive::Timeline;
+use crate::solver::complementarity::Mode;
+use crate::state::State;
+use crate::system::System;
+use potential::{Bearing, Part, bearings};
+use search::{Effort, Search, Stuck};
+
+/// What is left of the length of an inextensible rope [m].
+const LENGTH_LEFT: f64 = 1e-11;
+/// Moves of multipliers, at most.
+const ROUNDS: usize = 40;
+/// ω² of a motion that nothing moves and nothing holds is within this of zero [1/s²]: a period of two hours.
+pub const NEUTRAL: f64 = 1e-6;
+
+/// Why there is no equilibrium.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("there is no equilibrium: {cause} ({element})")]
+pub struct NoEquilibrium {
+    /// Body or constraint concerned.
+    pub element: String,
+    /// Cause.
+    pub cause: String,
+}
+
+/// An equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rest {
+    /// Largest imbalance of a degree of freedom relative to the forces that meet there.
+    pub residual: f64,
+    /// How many motions nothing holds: they stay as near to the start as they were.
+    pub neutral: usize,
+    /// How many motions lead away.
+    pub unstable: usize,
+    /// What the search took.
+    pub effort: Effort,
+    /// Factorisations made.
+    pub factorisations: u64,
+}
+
+/// Statics of one system. Reused.
+#[derive(Debug, Clone)]
+pub struct Statics {
+    search: Search,
+    bearings: Vec<Bearing>,
+}
+
+impl Statics {
+    /// Room for `system`.
+    pub fn new(system: &System) -> Self {
+        Self { search: Search::new(system), bearings: Vec::new() }
+    }
+
+    /// Moves `state` to the equilibrium downhill of it, with drives at `time` [s] of their `timelines`.
+    ///
+    /// # Errors
+    /// [`NoEquilibrium`] where something falls without end, or no step leads on.
+    pub fn settle(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        timelines: &[Timeline],
+        time: f64,
+    ) -> Result<Rest, NoEquilibrium> {
+        for (drive, timeline) in system.prescribed(timelines) {
+            state.q[system.tree.bodies[drive.body].first_position] = timeline.motion(time).position;
+        }
+        self.bearings = bearings(system, state, timelines, time);
+        self.search.effort = Effort::default();
+        self.search.matrix.factorisations = 0;
+        for round in 1.. {
+            self.search.descend(system, state, &self.bearings).map_err(|stuck| explain(system, stuck))?;
+            if self.move_multipliers() <= LENGTH_LEFT {
+                break;
+            }
+            if round == ROUNDS {
+                let rigid = self.bearings.iter().position(|bearing| bearing.is_rigid).unwrap_or(0);
+                let cause = "lengths that cannot change contradict one another".to_owned();
+                let element = system.constraint_of_row(rigid).name().to_owned();
+                return Err(NoEquilibrium { element, cause });
+            }
+        }
+        let (unstable, neutral) = self.inertia(system, state);
+        self.store(system, state);
+        Ok(Rest {
+            residual: self.search.here.residual(system),
+            neutral,
+            unstable,
+            effort: self.search.effort,
+            factorisations: self.search.matrix.factorisations,
+        })
+    }
+
+    /// T̂ = T of rows without compliance; by how much the largest of their lengths was wrong [m].
+    fn move_multipliers(&mut self) -> f64 {
+        let mut most = 0.0_f64;
+        for (bearing, &tension) in self.bearings.iter_mut().zip(&self.search.here.tension) {
+            if bearing.is_rigid && bearing.part != Part::Off {
+                most = most.max((tension - bearing.offset).abs() * bearing.compliance);
+                bearing.offset = tension;
+            }
+        }
+        most
+    }
+
+    /// How many motions have ω² below and about zero, by the signs of pivots at two shifts.
+    fn inertia(&mut self, system: &System, state: &State) -> (usize, usize) {
+        let Self { search, bearings } = self;
+        search.here.update_mass(system);
+        search.matrix.linearise(system, &search.here, &state.seats);
+        let follows = &search.here.follows;
+        let compliance = |row: usize| follows[row].then_some(bearings[row].compliance);
+        let mut below = |shift: f64| {
+            let made = search.matrix.factorise(system, shift, compliance);
+            made.map(|()| search.matrix.below(system)).unwrap_or(0)
+        };
+        let unstable = below(NEUTRAL);
+        (unstable, below(-NEUTRAL).saturating_sub(unstable))
+    }
+
+    /// Forces and modes into the state, which is at rest.
+    fn store(&self, system: &System, state: &mut State) {
+        state.v.fill(0.0);
+        state.acceleration.fill(0.0);
+        state.bias.fill(0.0);
+        state.tension.copy_from_slice(&self.search.here.tension);
+        state.trial.copy_from_slice(&self.search.here.tension);
+        for (row, law) in system.rows.laws.iter().enumerate() {
+            if state.modes[row] == Mode::Parted {
+                continue;
+            }
+            state.modes[row] = match *law {
+                Law::Unilateral { .. } if self.search.here.follows[row] => Mode::Acting,
+                Law::Unilateral { .. } => Mode::Slack,
+                Law::Friction { normal, .. } => state.modes[normal],
+                Law::Brake { .. } => Mode::Acting,
+            };
+            if let Law::Unilateral { compliance, .. } = *law
+                && !self.search.here.follows[row]
+                && compliance > 0.0
+            {
+                state.trial[row] = self.search.here.value[row] / compliance;
+            }
+        }
+    }
+}
+
+fn explain(system: &System, stuck: Stuck) -> NoEquilibrium {
+    let (body, cause) = match stuck {
+        Stuck::Falls(body) => (body, "nothing holds it, it falls without end"),
+        Stuck::NoStep(dof) => (system.tree.owner[dof], "no step brings its forces closer to balance"),
+    };
+    NoEquilibrium { element: system.tree.bodies[body].name.clone(), cause: cause.to_owned() }
+}

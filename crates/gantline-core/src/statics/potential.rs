@@ -1,0 +1,204 @@
+//! The potential energy of a system at rest, its slope, and what every row carries.
+//!
+//! ```text
+//! V(q) = −Σ m g·c + Σ ½ ε T²        T = max(0, T̂ + e/ε) of ropes, contacts and stops
+//!                                    T = T̂ + e/ε within ± its bound, of brakes that hold
+//! ```
+//!
+//! Where a row has no compliance ε is a small one of statics' own and T̂ the multiplier, which is moved to T until
+//! nothing is left of e: the augmented Lagrangian (Hestenes 1969, Powell 1969). Else T̂ = 0, and V is the energy.
+
+use crate::audit::gravity_energy;
+use crate::constraint::{AnyConstraint, Law};
+use crate::plan::drive::Timeline;
+use crate::rope::seat::Seat;
+use crate::solver::complementarity::Mode;
+use crate::state::State;
+use crate::stepper::frame::Frame;
+use crate::system::System;
+use crate::tree::bias::NewtonEuler;
+
+/// Stretch of a row without compliance under the weight of everything, before its multiplier is found [m].
+const SOFTNESS: f64 = 1e-3;
+
+/// How a row takes part in statics.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Part {
+    /// Not at all: friction of contacts and of sheaves, ropes that have parted.
+    Off,
+    /// Pulls, or pushes, and never the other way.
+    Pull,
+    /// Holds a joint where it is, with no more force than this [N or N m].
+    Hold(f64),
+}
+
+/// A row in statics.
+#[derive(Debug, Clone, Copy)]
+pub struct Bearing {
+    /// How it takes part.
+    pub part: Part,
+    /// ε [m/N].
+    pub compliance: f64,
+    /// True where ε is statics' own.
+    pub is_rigid: bool,
+    /// T̂ [N].
+    pub offset: f64,
+    /// Coordinate that it holds, and where.
+    pub held: (usize, f64),
+}
+
+impl Bearing {
+    /// T and ½ ε T² of the value e, and whether T follows e there.
+    fn answer(&self, value: f64) -> (f64, f64, bool) {
+        let trial = self.offset + value / self.compliance;
+        match self.part {
+            Part::Off => (0.0, 0.0, false),
+            Part::Pull if trial > 0.0 => (trial, 0.5 * self.compliance * trial * trial, true),
+            Part::Pull => (0.0, 0.0, false),
+            Part::Hold(bound) if trial.abs() <= bound => {
+                (trial, 0.5 * self.compliance * trial * trial, true)
+            }
+            Part::Hold(bound) => {
+                let energy = self.compliance * bound * (trial.abs() - 0.5 * bound);
+                (bound.copysign(trial), energy, false)
+            }
+        }
+    }
+
+    /// T after the value has changed in a straight line to `value`, its energy, whether T follows.
+    pub fn at(&self, value: f64) -> (f64, f64, bool) {
+        self.answer(value)
+    }
+}
+
+/// Bearings of all rows: where drives are at `time` [s] of their timelines.
+pub fn bearings(system: &System, state: &State, timelines: &[Timeline], time: f64) -> Vec<Bearing> {
+    let compliance = SOFTNESS / weight(system);
+    let row = |(row, law): (usize, &Law)| {
+        let is_rigid = law.compliance() == 0.0;
+        let compliance = if is_rigid { compliance } else { law.compliance() };
+        let (part, held) = match law {
+            _ if state.modes[row] == Mode::Parted => (Part::Off, (0, 0.0)),
+            Law::Unilateral { .. } => (Part::Pull, (0, 0.0)),
+            Law::Friction { .. } => (Part::Off, (0, 0.0)),
+            Law::Brake { .. } => held(system, state, row, (timelines, time)),
+        };
+        Bearing { part, compliance, is_rigid, offset: 0.0, held }
+    };
+    system.rows.laws.iter().enumerate().map(row).collect()
+}
+
+fn held(
+    system: &System,
+    state: &State,
+    row: usize,
+    (timelines, time): (&[Timeline], f64),
+) -> (Part, (usize, f64)) {
+    let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { return (Part::Off, (0, 0.0)) };
+    if brake.share > 0.0 {
+        return (Part::Off, (0, 0.0));
+    }
+    let body = &system.tree.bodies[system.tree.owner[brake.dof]];
+    let position = body.first_position + brake.dof - body.first_velocity;
+    let motor = system.motors.iter().find(|(other, _)| *other == row);
+    let place = motor.map_or(state.q[position], |&(_, drive)| timelines[drive].motion(time).position);
+    (Part::Hold(brake.capacity), (position, place))
+}
+
+/// Weight of everything that can move [N]; 1 where nothing weighs.
+pub fn weight(system: &System) -> f64 {
+    let mass: f64 = system.tree.bodies.iter().map(|body| body.mass).sum();
+    let weight = mass * system.tree.gravity.length();
+    if weight > 0.0 { weight } else { 1.0 }
+}
+
+/// Everything at one configuration. Reused.
+#[derive(Debug, Clone)]
+pub struct Potential {
+    /// Configuration.
+    pub q: Vec<f64>,
+    /// Poses, rows, gradients, mass matrix.
+    pub frame: Frame,
+    /// Inverse dynamics without any motion.
+    pub dynamics: NewtonEuler,
+    /// ∂V/∂q of gravity.
+    pub gravity: Vec<f64>,
+    /// ∂V/∂q.
+    pub slope: Vec<f64>,
+    /// Sum of the sizes of the terms of every slope.
+    pub terms: Vec<f64>,
+    /// e of every row as statics counts it [m].
+    pub value: Vec<f64>,
+    /// T of every row [N].
+    pub tension: Vec<f64>,
+    /// True where T follows e.
+    pub follows: Vec<bool>,
+    /// V [J].
+    pub energy: f64,
+    /// Rounding of V [J].
+    pub rounding: f64,
+    still: Vec<f64>,
+}
+
+impl Potential {
+    /// Room for `system`.
+    pub fn new(system: &System) -> Self {
+        let (rows, size) = (system.rows.count(), system.tree.velocities);
+        Self {
+            q: vec![0.0; system.tree.positions],
+            frame: Frame::new(system),
+            dynamics: NewtonEuler::new(&system.tree),
+            gravity: vec![0.0; size],
+            slope: vec![0.0; size],
+            terms: vec![0.0; size],
+            value: vec![0.0; rows],
+            tension: vec![0.0; rows],
+            follows: vec![false; rows],
+            energy: 0.0,
+            rounding: 0.0,
+            still: vec![0.0; size],
+        }
+    }
+
+    /// Evaluates everything at `self.q`; ropes lie on sheaves as `seats` say.
+    pub fn update(&mut self, system: &System, bearings: &[Bearing], memory: &[f64], seats: &[Seat]) {
+        let Self { q, frame, dynamics, gravity, .. } = self;
+        frame.kinematics.update(&system.tree, q);
+        frame.rows(system, q, memory, seats);
+        dynamics.update(&system.tree, &frame.kinematics, &self.still, None, None, gravity);
+        self.slope.copy_from_slice(&self.gravity);
+        for (terms, gravity) in self.terms.iter_mut().zip(&self.gravity) {
+            *terms = gravity.abs();
+        }
+        self.energy = gravity_energy(system, &self.frame.kinematics);
+        self.rounding = self.energy.abs();
+        for (row, bearing) in bearings.iter().enumerate() {
+            self.value[row] = match bearing.part {
+                Part::Hold(_) => self.q[bearing.held.0] - bearing.held.1,
+                _ => self.frame.value[row],
+            };
+            let (tension, energy, follows) = bearing.answer(self.value[row]);
+            (self.tension[row], self.follows[row]) = (tension, follows);
+            self.energy += energy;
+            self.rounding += energy;
+            if tension != 0.0 {
+                for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
+                    self.slope[dof] += entry * tension;
+                    self.terms[dof] += (entry * tension).abs();
+                }
+            }
+        }
+        self.rounding *= f64::EPSILON;
+    }
+
+    /// The mass matrix at the poses of the last update.
+    pub fn update_mass(&mut self, system: &System) {
+        self.frame.mass.update(&system.tree, &self.frame.kinematics);
+    }
+
+    /// Largest slope of a free degree of freedom relative to its terms.
+    pub fn residual(&self, system: &System) -> f64 {
+        let free = (0..self.slope.len()).filter(|&dof| system.driven[dof].is_none());
+        free.map(|dof| self.slope[dof].abs() / self.terms[dof].max(f64::MIN_POSITIVE)).fold(0.0, f64::max)
+    }
+}

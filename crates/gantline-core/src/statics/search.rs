@@ -1,0 +1,289 @@
+//! The way down: Newton's method on the potential, made safe.
+//!
+//! A step minimises the model
+//!
+//! ```text
+//! ∇V_g·Δ + ½ Δᵀ (λM + K) Δ + Σ ½ ε max(0, T̂ + (e + GΔ)/ε)²
+//! ```
+//!
+//! in which ropes that are slack go taut and contacts close where the step leads them: rows change sides within the
+//! model, all at once, until none does (Júdice and Pires 1994), each time by one factorisation. λ is raised until
+//! λM + K is positive definite on all motions, which the signs of the pivots tell, and no joint turns too far at once;
+//! it follows from the energy that the model promised and the energy that came (Levenberg 1944, Marquardt 1963, Moré 1978).
+//! With a large λ the step is that of an implicit step in time from rest, 1/√λ long, so what nothing holds falls, and
+//! what nothing moves stays where it was: of neutral motions the nearest in the metric of M.
+//!
+//! λ never falls below [`LEAST`], so that neutral motions do not make the matrix singular; the last steps converge
+//! by λ/ω² each, ω the slowest motion that is not neutral.
+
+use super::guard::Guard;
+use super::matrix::Matrix;
+use super::potential::{Bearing, Part, Potential};
+use crate::state::State;
+use crate::stepper::seats;
+use crate::system::System;
+use crate::tree::joint::Motion;
+
+/// λ of the first step [1/s²].
+const FIRST: f64 = 1.0;
+/// Smallest λ [1/s²].
+pub const LEAST: f64 = 1e-6;
+/// Beyond this λ no step is worth trying [1/s²].
+const MOST: f64 = 1e16;
+/// Largest turn of a joint in one step [rad].
+const TURN: f64 = 0.8;
+/// Rounds in which rows change sides within one step.
+const ROUNDS: usize = 12;
+/// How often a model is made anew, at most, for one step.
+const TRIES: usize = 100;
+/// Steps, at most.
+const STEPS: usize = 500;
+/// What has moved so far falls without end [m].
+const ENDLESS: f64 = 1e5;
+/// Slope, relative to its terms, at which forces balance.
+const BALANCED: f64 = 1e-9;
+/// Energy that a step must gain, relative to what the model promised.
+const WORTH: f64 = 1e-3;
+
+/// Why a search ended without equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stuck {
+    /// This body falls without end.
+    Falls(usize),
+    /// No step leads on; the slope of this degree of freedom is the largest.
+    NoStep(usize),
+}
+
+/// What a search took.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Steps made.
+    pub steps: u64,
+    /// Steps tried and not made.
+    pub rejected: u64,
+}
+
+/// Room for a search. Reused.
+#[derive(Debug, Clone)]
+pub struct Search {
+    /// Where it is.
+    pub here: Potential,
+    there: Potential,
+    /// The matrix at the last place that was linearised.
+    pub matrix: Matrix,
+    /// What it has taken since the start.
+    pub effort: Effort,
+    guard: Guard,
+    acts: Vec<bool>,
+    step: Vec<f64>,
+    tension: Vec<f64>,
+    force: Vec<f64>,
+    right: Vec<f64>,
+    wraps: Vec<f64>,
+}
+
+impl Search {
+    /// Room for `system`.
+    pub fn new(system: &System) -> Self {
+        let (rows, size) = (system.rows.count(), system.tree.velocities);
+        Self {
+            here: Potential::new(system),
+            there: Potential::new(system),
+            matrix: Matrix::new(system),
+            effort: Effort::default(),
+            guard: Guard::new(system),
+            acts: vec![false; rows],
+            step: vec![0.0; size],
+            tension: vec![0.0; rows],
+            force: vec![0.0; size],
+            right: vec![0.0; rows],
+            wraps: vec![0.0; system.sheaves.len()],
+        }
+    }
+
+    /// From the configuration of `state` to where all slopes are zero; `state` follows.
+    pub fn descend(&mut self, system: &System, state: &mut State, bearings: &[Bearing]) -> Result<(), Stuck> {
+        self.here.q.copy_from_slice(&state.q);
+        self.here.update(system, bearings, &state.memory, &state.seats);
+        let start: Vec<_> = self.here.frame.kinematics.centre_of_gravity.clone();
+        let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
+        for _ in 0..STEPS {
+            self.here.update_mass(system);
+            self.matrix.linearise(system, &self.here, &state.seats);
+            loop {
+                let promised = self.model(system, bearings, &mut lambda);
+                let Some(promised) = promised else { return self.end(system) };
+                self.there.update(system, bearings, &state.memory, &state.seats);
+                let noise = 16.0 * (self.here.rounding + self.there.rounding);
+                let (before, after) = (self.here.residual(system), self.there.residual(system));
+                let gained = self.here.energy - self.there.energy;
+                let is_fine = promised <= 10.0 * noise;
+                let is_worth = if is_fine { after < 0.5 * before } else { gained > WORTH * promised };
+                if !is_worth {
+                    if is_fine && before <= BALANCED {
+                        return Ok(());
+                    }
+                    self.effort.rejected += 1;
+                    lambda = (4.0 * lambda).max(1e-3);
+                    if lambda > MOST {
+                        return self.end(system);
+                    }
+                    continue;
+                }
+                self.effort.steps += 1;
+                let share = gained / promised;
+                lambda *= if is_fine || share > 0.75 {
+                    0.03
+                } else if share < 0.25 {
+                    4.0
+                } else {
+                    1.0
+                };
+                lambda = lambda.max(LEAST);
+                break;
+            }
+            std::mem::swap(&mut self.here, &mut self.there);
+            state.q.copy_from_slice(&self.here.q);
+            self.seat(system, state, bearings);
+            if let Some(body) = self.endless(system, &start) {
+                return Err(Stuck::Falls(body));
+            }
+        }
+        self.end(system)
+    }
+
+    /// Nothing leads on from here.
+    fn end(&self, system: &System) -> Result<(), Stuck> {
+        if self.here.residual(system) <= BALANCED {
+            return Ok(());
+        }
+        let relative = |dof: &usize| self.here.slope[*dof].abs() / self.here.terms[*dof].max(f64::MIN_POSITIVE);
+        let free = (0..self.here.slope.len()).filter(|&dof| system.driven[dof].is_none());
+        let worst = free.max_by(|a, b| relative(a).total_cmp(&relative(b)));
+        Err(Stuck::NoStep(worst.unwrap_or(0)))
+    }
+
+    /// Ropes lie on their sheaves as they do here; where one has changed its way all is evaluated anew.
+    fn seat(&mut self, system: &System, state: &mut State, bearings: &[Bearing]) {
+        if system.sheaves.is_empty() {
+            return;
+        }
+        let mut changed = false;
+        seats::wraps(system, &self.here.frame.kinematics, state, &mut self.wraps);
+        for ((seat, &wrap), place) in state.seats.iter_mut().zip(&self.wraps).zip(&system.sheaves) {
+            changed |= place.may_lift_off && seats::has_crossed(seat, wrap);
+            (seat.is_off, seat.wrap) = (wrap < 0.0, wrap);
+        }
+        if changed {
+            self.here.update(system, bearings, &state.memory, &state.seats);
+        }
+    }
+
+    /// The body that has fallen farthest, where that is without end.
+    fn endless(&self, system: &System, start: &[glam::DVec3]) -> Option<usize> {
+        let centres = &self.here.frame.kinematics.centre_of_gravity;
+        let moved = |body: usize| (centres[body] - start[body]).length();
+        let farthest = (0..system.tree.bodies.len()).max_by(|&a, &b| moved(a).total_cmp(&moved(b)))?;
+        (moved(farthest) > ENDLESS).then_some(farthest)
+    }
+
+    /// Poses at `there` = `here` ⊕ step; true where no part of a rope runs through its end on the way.
+    fn is_passable(&mut self, system: &System, lambda: f64) -> bool {
+        self.there.q.copy_from_slice(&self.here.q);
+        system.tree.advance(&mut self.there.q, &self.step);
+        self.there.frame.kinematics.update(&system.tree, &self.there.q);
+        let places = (&self.here, &self.there.frame.kinematics);
+        self.guard.holds(system, places, &self.step, (&mut self.matrix, lambda))
+    }
+
+    /// Minimises the model; λ is raised as far as that takes. The energy that the step promises [J]; none where no
+    /// λ will do.
+    fn model(
+        &mut self,
+        system: &System,
+        bearings: &[Bearing],
+        lambda: &mut f64,
+    ) -> Option<f64> {
+        self.matrix.extra.fill(0.0);
+        self.acts.copy_from_slice(&self.here.follows);
+        for _ in 0..TRIES {
+            if !self.settle_rows(system, bearings, *lambda) || self.largest_turn(system) > TURN {
+                *lambda = (4.0 * *lambda).max(1e-3);
+            } else if self.is_passable(system, *lambda) {
+                return Some(self.promised(system, bearings));
+            }
+        }
+        None
+    }
+
+    /// Steps of the model until no row changes sides; false where λM + K is not positive definite.
+    fn settle_rows(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
+        for _ in 0..ROUNDS {
+            let Self { matrix, acts, .. } = self;
+            let compliance = |row: usize| acts[row].then_some(bearings[row].compliance);
+            if matrix.factorise(system, lambda, compliance).is_err() || matrix.below(system) > 0 {
+                return false;
+            }
+            self.right_sides(system, bearings);
+            self.matrix.solve(&self.force, &self.right, &mut self.step, &mut self.tension);
+            let mut same = true;
+            for (row, bearing) in bearings.iter().enumerate() {
+                if bearing.part == Part::Off {
+                    continue;
+                }
+                let (_, _, follows) = bearing.at(self.reached(system, row));
+                same &= follows == self.acts[row];
+                self.acts[row] = follows;
+            }
+            if same {
+                break;
+            }
+        }
+        true
+    }
+
+    /// e of a row after the step, by its gradient.
+    fn reached(&self, system: &System, row: usize) -> f64 {
+        self.here.value[row] + system.rows.rate(&self.here.frame.gradient, row, &self.step)
+    }
+
+    fn right_sides(&mut self, system: &System, bearings: &[Bearing]) {
+        for (force, gravity) in self.force.iter_mut().zip(&self.here.gravity) {
+            *force = -gravity;
+        }
+        for (row, bearing) in bearings.iter().enumerate() {
+            self.right[row] = if self.acts[row] {
+                -(self.here.value[row] + bearing.compliance * bearing.offset)
+            } else {
+                0.0
+            };
+            if let (Part::Hold(_), false) = (bearing.part, self.acts[row]) {
+                let force = bearing.at(self.here.value[row]).0;
+                self.right[row] = -force;
+                for (dof, entry) in system.rows.entries(&self.here.frame.gradient, row) {
+                    self.force[dof] -= entry * force;
+                }
+            }
+        }
+    }
+
+    fn largest_turn(&self, system: &System) -> f64 {
+        let turns = self.step.iter().zip(&system.tree.motions);
+        turns.filter(|(_, motion)| **motion == Motion::Turn).map(|(turn, _)| turn.abs()).fold(0.0, f64::max)
+    }
+
+    /// The model's energy here less that after the step; by its own equation ½ Δᵀ (λM + K) Δ = −½ (∇V_g + GᵀT)·Δ.
+    fn promised(&self, system: &System, bearings: &[Bearing]) -> f64 {
+        let along = |(force, step): (&f64, &f64)| force * step;
+        let gravity: f64 = self.here.gravity.iter().zip(&self.step).map(along).sum();
+        let (mut work, mut elastic) = (0.0, 0.0);
+        for (row, bearing) in bearings.iter().enumerate().filter(|(_, bearing)| bearing.part != Part::Off) {
+            let reached = self.reached(system, row);
+            work += self.tension[row] * (reached - self.here.value[row]);
+            elastic += bearing.at(self.here.value[row]).1 - bearing.at(reached).1;
+        }
+        let extra = self.matrix.extra.iter().zip(&self.step);
+        let braked: f64 = extra.map(|(extra, step)| extra * step * step).sum();
+        elastic - gravity + 0.5 * (gravity + work + braked)
+    }
+}
