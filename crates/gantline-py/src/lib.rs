@@ -1,7 +1,12 @@
 //! Python binding of `gantline-core`: documents in, columns of numbers out.
 
+mod statics;
+
 use std::time::{Duration, Instant};
 
+use gantline_core::record::Samples;
+use gantline_core::record::columns::Columns;
+use gantline_core::record::names::Names;
 use gantline_core::simulation::SetupError;
 use gantline_core::stepper::StepError;
 use numpy::ndarray::{ArrayD, IxDyn};
@@ -86,43 +91,9 @@ impl Simulation {
 
     /// Columns of the recording so far, by name.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let samples = self.inner.samples();
         let columns = py.detach(|| self.inner.columns());
-        let names = self.inner.names();
-        let count = samples.time.len();
-        let (ropes, segments, points) = (names.rope.len(), names.segment.len(), names.rope_point.len());
-        let (bodies, kinds) = (names.body.len(), gantline_core::audit::KINDS.len());
         let events: Vec<f64> = self.inner.events().iter().map(|event| event.0).collect();
-        let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
-        let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
-        let all: [(&str, Vec<f64>, Vec<usize>); 21] = [
-            ("time", samples.time.clone(), vec![count]),
-            ("rope_tension", columns.rope_tension, vec![count, ropes]),
-            ("rope_lengthening", columns.rope_lengthening, vec![count, adjusted]),
-            ("segment_tension", columns.segment_tension, vec![count, segments]),
-            ("segment_length", columns.segment_length, vec![count, segments]),
-            ("rope_point", columns.rope_point, vec![count, points, 3]),
-            ("wrap_angle", columns.wrap_angle, vec![count, names.wrapped_sheave.len()]),
-            ("fleet_angle", columns.fleet_angle, vec![count, names.wrapped_sheave.len(), 2]),
-            ("body_position", columns.body_position, vec![count, bodies, 3]),
-            ("body_orientation", columns.body_orientation, vec![count, bodies, 4]),
-            ("body_velocity", columns.body_velocity, vec![count, bodies, 3]),
-            ("body_angular_velocity", columns.body_angular_velocity, vec![count, bodies, 3]),
-            ("joint_position", columns.joint_position, vec![count, names.joint.len()]),
-            ("joint_force", columns.joint_force, vec![count, bodies, 3]),
-            ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
-            ("energy", samples.energy.clone(), vec![count, kinds]),
-            ("constraint_residual", columns.constraint_residual, vec![count]),
-            ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),
-            ("rope_peak_tension", samples.rope_peak_tension.clone(), vec![peaks]),
-            ("rope_peak_time", samples.rope_peak_time.clone(), vec![peaks]),
-            ("event_time", events, vec![event_count]),
-        ];
-        let out = PyDict::new(py);
-        for (name, values, shape) in all {
-            out.set_item(name, array(py, values, &shape)?)?;
-        }
-        Ok(out)
+        column_arrays(py, self.inner.samples(), columns, &self.inner.names(), events)
     }
 
     /// Tensions of all ropes (samples, ropes) [N], without working out the other columns.
@@ -134,17 +105,8 @@ impl Simulation {
 
     /// Names that go with the columns.
     fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let names = self.inner.names();
+        let out = name_lists(py, self.inner.names())?;
         let events = self.inner.events();
-        let out = PyDict::new(py);
-        out.set_item("rope", names.rope)?;
-        out.set_item("segment", names.segment)?;
-        out.set_item("rope_point", names.rope_point)?;
-        out.set_item("wrapped_sheave", names.wrapped_sheave)?;
-        out.set_item("body", names.body)?;
-        out.set_item("joint", names.joint)?;
-        out.set_item("contact", names.contact)?;
-        out.set_item("energy_kind", gantline_core::audit::KINDS.to_vec())?;
         out.set_item("event_kind", events.iter().map(|event| event.1).collect::<Vec<_>>())?;
         out.set_item("event_name", events.iter().map(|event| event.2.as_str()).collect::<Vec<_>>())?;
         Ok(out)
@@ -221,6 +183,63 @@ fn run_for_a_while(simulation: &mut gantline_core::Simulation, until: f64) -> Pa
     }
 }
 
+/// Columns as arrays, by name.
+fn column_arrays<'py>(
+    py: Python<'py>,
+    samples: &Samples,
+    columns: Columns,
+    names: &Names,
+    events: Vec<f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let count = samples.time.len();
+    let (ropes, segments, points) = (names.rope.len(), names.segment.len(), names.rope_point.len());
+    let (bodies, kinds) = (names.body.len(), gantline_core::audit::KINDS.len());
+    let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
+    let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
+    let all: [(&str, Vec<f64>, Vec<usize>); 21] = [
+        ("time", samples.time.clone(), vec![count]),
+        ("rope_tension", columns.rope_tension, vec![count, ropes]),
+        ("rope_lengthening", columns.rope_lengthening, vec![count, adjusted]),
+        ("segment_tension", columns.segment_tension, vec![count, segments]),
+        ("segment_length", columns.segment_length, vec![count, segments]),
+        ("rope_point", columns.rope_point, vec![count, points, 3]),
+        ("wrap_angle", columns.wrap_angle, vec![count, names.wrapped_sheave.len()]),
+        ("fleet_angle", columns.fleet_angle, vec![count, names.wrapped_sheave.len(), 2]),
+        ("body_position", columns.body_position, vec![count, bodies, 3]),
+        ("body_orientation", columns.body_orientation, vec![count, bodies, 4]),
+        ("body_velocity", columns.body_velocity, vec![count, bodies, 3]),
+        ("body_angular_velocity", columns.body_angular_velocity, vec![count, bodies, 3]),
+        ("joint_position", columns.joint_position, vec![count, names.joint.len()]),
+        ("joint_force", columns.joint_force, vec![count, bodies, 3]),
+        ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
+        ("energy", samples.energy.clone(), vec![count, kinds]),
+        ("constraint_residual", columns.constraint_residual, vec![count]),
+        ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),
+        ("rope_peak_tension", samples.rope_peak_tension.clone(), vec![peaks]),
+        ("rope_peak_time", samples.rope_peak_time.clone(), vec![peaks]),
+        ("event_time", events, vec![event_count]),
+    ];
+    let out = PyDict::new(py);
+    for (name, values, shape) in all {
+        out.set_item(name, array(py, values, &shape)?)?;
+    }
+    Ok(out)
+}
+
+/// Names along the dimensions of the columns, but for events.
+fn name_lists(py: Python<'_>, names: Names) -> PyResult<Bound<'_, PyDict>> {
+    let out = PyDict::new(py);
+    out.set_item("rope", names.rope)?;
+    out.set_item("segment", names.segment)?;
+    out.set_item("rope_point", names.rope_point)?;
+    out.set_item("wrapped_sheave", names.wrapped_sheave)?;
+    out.set_item("body", names.body)?;
+    out.set_item("joint", names.joint)?;
+    out.set_item("contact", names.contact)?;
+    out.set_item("energy_kind", gantline_core::audit::KINDS.to_vec())?;
+    Ok(out)
+}
+
 fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let array = ArrayD::from_shape_vec(IxDyn(shape), values);
     Ok(array.map_err(|error| PyValueError::new_err(error.to_string()))?.into_pyarray(py))
@@ -231,4 +250,6 @@ fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bo
 mod _core {
     #[pymodule_export]
     use super::Simulation;
+    #[pymodule_export]
+    use super::statics::Statics;
 }

@@ -74,6 +74,15 @@ impl Samples {
         }
     }
 
+    /// Adds a state as it is, as a sample at `time` [s].
+    pub fn push_state(&mut self, system: &System, time: f64, state: &State) {
+        let State { q, v, acceleration, tension, .. } = state.clone();
+        self.push(time, &Sample { q, v, acceleration, tension }, &state.seats, 0.0);
+        let adjusted = system.adjusters.iter().flat_map(|adjuster| &adjuster.rows);
+        self.lengthening.extend(adjusted.map(|&row| state.memory[row]));
+        self.energy.extend(state.ledger.values());
+    }
+
     fn push(&mut self, time: f64, sample: &Sample, seats: &[Seat], residual: f64) {
         self.time.push(time);
         self.q.extend_from_slice(&sample.q);

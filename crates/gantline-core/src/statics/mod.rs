@@ -6,17 +6,22 @@
 //! Friction: contacts and sheaves are taken as ideal, without friction; what holds a joint or a drum by itself (a brake,
 //! a locking pin, dry friction in newtons) holds it where the state has it, with no more than its own force.
 
+pub mod eigen;
 pub mod guard;
+pub mod lift;
 pub mod matrix;
+pub mod modes;
 pub mod potential;
 pub mod search;
+pub mod sensitivity;
 
 use thiserror::Error;
 
+use crate::audit::{Ledger, elastic_energy, gravity_energy};
 use crate::constraint::Law;
-use crate::plan::drive::Timeline;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
+use crate::stepper::flows;
 use crate::system::System;
 use potential::{Bearing, Part, bearings};
 use search::{Effort, Search, Stuck};
@@ -66,21 +71,13 @@ impl Statics {
         Self { search: Search::new(system), bearings: Vec::new() }
     }
 
-    /// Moves `state` to the equilibrium downhill of it, with drives at `time` [s] of their `timelines`.
+    /// Moves `state` to the equilibrium downhill of it, with drives where their timelines say at its time.
     ///
     /// # Errors
     /// [`NoEquilibrium`] where something falls without end, or no step leads on.
-    pub fn settle(
-        &mut self,
-        system: &System,
-        state: &mut State,
-        timelines: &[Timeline],
-        time: f64,
-    ) -> Result<Rest, NoEquilibrium> {
-        for (drive, timeline) in system.prescribed(timelines) {
-            state.q[system.tree.bodies[drive.body].first_position] = timeline.motion(time).position;
-        }
-        self.bearings = bearings(system, state, timelines, time);
+    pub fn settle(&mut self, system: &System, state: &mut State) -> Result<Rest, NoEquilibrium> {
+        flows::set_driven(system, state);
+        self.bearings = bearings(system, state);
         self.search.effort = Effort::default();
         self.search.matrix.factorisations = 0;
         for round in 1.. {
@@ -144,6 +141,10 @@ impl Statics {
             if state.modes[row] == Mode::Parted {
                 continue;
             }
+            if matches!(law, Law::Friction { .. }) {
+                // Anchors lie below their points: without deflection.
+                state.memory[row] += self.search.here.frame.value[row];
+            }
             state.modes[row] = match *law {
                 Law::Unilateral { .. } if self.search.here.follows[row] => Mode::Acting,
                 Law::Unilateral { .. } => Mode::Slack,
@@ -157,6 +158,10 @@ impl Statics {
                 state.trial[row] = self.search.here.value[row] / compliance;
             }
         }
+        let frame = &self.search.here.frame;
+        let elastic = elastic_energy(system, &frame.value, &state.modes);
+        state.ledger = Ledger::open(0.0, gravity_energy(system, &frame.kinematics), elastic);
+        state.restart = true;
     }
 }
 

@@ -10,7 +10,6 @@
 
 use crate::audit::gravity_energy;
 use crate::constraint::{AnyConstraint, Law};
-use crate::plan::drive::Timeline;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -49,7 +48,7 @@ pub struct Bearing {
 
 impl Bearing {
     /// T and ½ ε T² of the value e, and whether T follows e there.
-    fn answer(&self, value: f64) -> (f64, f64, bool) {
+    pub fn at(&self, value: f64) -> (f64, f64, bool) {
         let trial = self.offset + value / self.compliance;
         match self.part {
             Part::Off => (0.0, 0.0, false),
@@ -64,15 +63,10 @@ impl Bearing {
             }
         }
     }
-
-    /// T after the value has changed in a straight line to `value`, its energy, whether T follows.
-    pub fn at(&self, value: f64) -> (f64, f64, bool) {
-        self.answer(value)
-    }
 }
 
-/// Bearings of all rows: where drives are at `time` [s] of their timelines.
-pub fn bearings(system: &System, state: &State, timelines: &[Timeline], time: f64) -> Vec<Bearing> {
+/// Bearings of all rows, with drives where their timelines say at the state's time.
+pub fn bearings(system: &System, state: &State) -> Vec<Bearing> {
     let compliance = SOFTNESS / weight(system);
     let row = |(row, law): (usize, &Law)| {
         let is_rigid = law.compliance() == 0.0;
@@ -81,19 +75,14 @@ pub fn bearings(system: &System, state: &State, timelines: &[Timeline], time: f6
             _ if state.modes[row] == Mode::Parted => (Part::Off, (0, 0.0)),
             Law::Unilateral { .. } => (Part::Pull, (0, 0.0)),
             Law::Friction { .. } => (Part::Off, (0, 0.0)),
-            Law::Brake { .. } => held(system, state, row, (timelines, time)),
+            Law::Brake { .. } => held(system, state, row),
         };
         Bearing { part, compliance, is_rigid, offset: 0.0, held }
     };
     system.rows.laws.iter().enumerate().map(row).collect()
 }
 
-fn held(
-    system: &System,
-    state: &State,
-    row: usize,
-    (timelines, time): (&[Timeline], f64),
-) -> (Part, (usize, f64)) {
+fn held(system: &System, state: &State, row: usize) -> (Part, (usize, f64)) {
     let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { return (Part::Off, (0, 0.0)) };
     if brake.share > 0.0 {
         return (Part::Off, (0, 0.0));
@@ -101,7 +90,8 @@ fn held(
     let body = &system.tree.bodies[system.tree.owner[brake.dof]];
     let position = body.first_position + brake.dof - body.first_velocity;
     let motor = system.motors.iter().find(|(other, _)| *other == row);
-    let place = motor.map_or(state.q[position], |&(_, drive)| timelines[drive].motion(time).position);
+    let asked = |drive: usize| state.plan.timelines[drive].motion(state.time).position;
+    let place = motor.map_or(state.q[position], |&(_, drive)| asked(drive));
     (Part::Hold(brake.capacity), (position, place))
 }
 
@@ -177,7 +167,7 @@ impl Potential {
                 Part::Hold(_) => self.q[bearing.held.0] - bearing.held.1,
                 _ => self.frame.value[row],
             };
-            let (tension, energy, follows) = bearing.answer(self.value[row]);
+            let (tension, energy, follows) = bearing.at(self.value[row]);
             (self.tension[row], self.follows[row]) = (tension, follows);
             self.energy += energy;
             self.rounding += energy;

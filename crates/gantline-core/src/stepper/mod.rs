@@ -4,7 +4,7 @@ pub mod adaptive;
 pub mod adjust;
 pub mod del;
 pub mod explicit;
-mod flows;
+pub(crate) mod flows;
 pub mod frame;
 mod parting;
 pub mod seats;

@@ -1,0 +1,204 @@
+//! A lift at rest, from its document: where it hangs at any time of its plan, how it moves about that, and what it
+//! answers to what is uncertain. What the border hands on.
+
+use super::modes::Mode;
+use super::sensitivity::{Parameter, Sensitivity};
+use super::{NoEquilibrium, Rest, Statics};
+use crate::build::build;
+use crate::constraint::AnyConstraint;
+use crate::event::EventLog;
+use crate::plan::Due;
+use crate::record::Samples;
+use crate::record::columns::Columns;
+use crate::record::names::Names;
+use crate::simulation::SetupError;
+use crate::solver::complementarity::Mode as RowMode;
+use crate::spec::SystemSpec;
+use crate::state::State;
+use crate::stepper::flows;
+use crate::system::System;
+use crate::tree::kinematics::{Kinematics, Twist};
+
+/// Time between looks at the conditions of a plan [s].
+const LOOK: f64 = 0.1;
+
+/// A lift at rest.
+#[derive(Debug, Clone)]
+pub struct StaticLift {
+    system: System,
+    first: State,
+    state: State,
+    statics: Statics,
+    samples: Samples,
+}
+
+impl StaticLift {
+    /// From a document, see [`crate::spec`].
+    ///
+    /// # Errors
+    /// [`SetupError`] says what is wrong with it.
+    pub fn new(document: &str) -> Result<Self, SetupError> {
+        let spec: SystemSpec = serde_json::from_str(document)?;
+        let (system, first) = build(&spec)?;
+        if let Some(adjuster) = system.adjusters.first() {
+            let name = &adjuster.name;
+            let problem = format!("{name} adjusts lengths step by step, which statics does not know");
+            return Err(SetupError::Setting(problem));
+        }
+        let statics = Statics::new(&system);
+        Ok(Self { state: first.clone(), samples: Samples::default(), first, statics, system })
+    }
+
+    /// Finds the equilibrium at `time` [s] of the plan, downhill of the start of the lift after `increment` of its
+    /// free degrees of freedom (none: the start itself).
+    ///
+    /// A plan that waits for a condition is followed from rest to rest in steps of 0.1 s.
+    ///
+    /// # Errors
+    /// [`NoEquilibrium`] says why there is none.
+    pub fn settle(&mut self, time: f64, increment: Option<&[f64]>) -> Result<Rest, NoEquilibrium> {
+        let Self { system, first, state, statics, .. } = self;
+        state.copy_from(first);
+        if let Some(increment) = increment {
+            let free = increment.iter().zip(&system.driven);
+            let free: Vec<f64> =
+                free.map(|(step, driven)| if driven.is_none() { *step } else { 0.0 }).collect();
+            system.tree.advance(&mut state.q, &free);
+        }
+        let mut log = EventLog::new();
+        let mut support = vec![f64::INFINITY; system.groups.len()];
+        let mut ahead = state.plan.clone();
+        ahead.advance(&system.plan, 0.0, time, &support, &mut log);
+        if ahead.waits_for_condition() {
+            let mut now = 0.0;
+            while now < time {
+                state.time = now;
+                part(system, state);
+                statics.settle(system, state)?;
+                flows::supports(system, &state.tension, &mut support);
+                let next = (now + LOOK).min(time);
+                state.plan.advance(&system.plan, now, next, &support, &mut log);
+                now = next;
+            }
+        } else {
+            state.plan.copy_from(&ahead);
+        }
+        state.time = time;
+        part(system, state);
+        let rest = statics.settle(system, state)?;
+        self.samples = Samples::default();
+        self.samples.push_state(&self.system, time, &self.state);
+        self.note_tensions();
+        Ok(rest)
+    }
+
+    /// Modes about the equilibrium that was found last, slowest first.
+    pub fn modes(&mut self) -> Vec<Mode> {
+        self.statics.modes(&self.system, &self.state)
+    }
+
+    /// How a shape moves every body: velocity of the centre of gravity and angular velocity, world axes.
+    pub fn body_motion(&self, shape: &[f64]) -> Vec<f64> {
+        let mut kinematics = Kinematics::new(&self.system.tree);
+        kinematics.update(&self.system.tree, &self.state.q);
+        let mut twists = vec![Twist::default(); self.system.tree.bodies.len()];
+        kinematics.twists(&self.system.tree, shape, &mut twists);
+        let motion = twists.iter().zip(&kinematics.lever).flat_map(|(twist, &lever)| {
+            let Twist { angular, .. } = *twist;
+            twist.at(lever).to_array().into_iter().chain(angular.to_array())
+        });
+        motion.collect()
+    }
+
+    /// Derivatives of the equilibrium that was found last.
+    ///
+    /// # Errors
+    /// As [`Statics::sensitivities`].
+    pub fn sensitivities(&mut self, parameters: &[Parameter]) -> Result<Vec<Sensitivity>, NoEquilibrium> {
+        self.statics.sensitivities(&self.system, &self.state, parameters)
+    }
+
+    /// The equilibrium that was found last swings in a mode: one period of `frames` samples in which the shape goes
+    /// from −`amplitude` to `amplitude`. A motion that leads away, or that nothing holds, is shown alike, in 1 s.
+    pub fn swing(&mut self, mode: &Mode, amplitude: f64, frames: usize) {
+        let omega = if mode.square > super::NEUTRAL { mode.square.sqrt() } else { std::f64::consts::TAU };
+        let period = std::f64::consts::TAU / omega;
+        self.samples = Samples::default();
+        for frame in 0..frames {
+            let time = period * frame as f64 / (frames.max(2) - 1) as f64;
+            let (sine, cosine) = (omega * time).sin_cos();
+            let mut state = self.state.clone();
+            let along = |factor: f64| -> Vec<f64> { mode.shape.iter().map(|x| factor * x).collect() };
+            self.system.tree.advance(&mut state.q, &along(amplitude * sine));
+            state.v = along(amplitude * omega * cosine);
+            state.acceleration = along(-amplitude * omega * omega * sine);
+            for (tension, change) in state.tension.iter_mut().zip(&mode.tension) {
+                *tension += amplitude * sine * change;
+            }
+            self.samples.push_state(&self.system, time, &state);
+        }
+        self.note_tensions();
+    }
+
+    fn note_tensions(&mut self) {
+        let tension = &self.state.tension;
+        let known = |row: usize, known: f64| (tension[row] > known).then_some((tension[row], self.state.time));
+        self.samples.note_peaks(&self.system, &self.state.q, known);
+    }
+
+    /// The system.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// The state found last.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Samples of the equilibrium or swing found last.
+    pub fn samples(&self) -> &Samples {
+        &self.samples
+    }
+
+    /// Everything that follows from them.
+    pub fn columns(&self) -> Columns {
+        Columns::of(&self.system, &self.samples, &EventLog::new())
+    }
+
+    /// Names that go with the columns.
+    pub fn names(&self) -> Names {
+        Names::new(&self.system)
+    }
+
+    /// Number of a rope.
+    pub fn rope(&self, name: &str) -> Option<usize> {
+        let ropes = &self.system.constraints[..self.system.rope_count];
+        ropes.iter().position(|rope| rope.name() == name)
+    }
+
+    /// Number of a body.
+    pub fn body(&self, name: &str) -> Option<usize> {
+        self.system.tree.bodies.iter().position(|body| body.name == name)
+    }
+
+    /// Names of the joints without friction that were taken to have none, although they have: sheaves with losses.
+    pub fn idealised(&self) -> Vec<&str> {
+        let brakes = self.system.constraints[self.system.first_brake..].iter();
+        let lossy = brakes.filter(|brake| matches!(brake, AnyConstraint::Brake(brake) if brake.share > 0.0));
+        lossy.map(|brake| brake.name()).collect()
+    }
+}
+
+/// Ropes that have been cut before now.
+fn part(system: &System, state: &mut State) {
+    for cut in &system.cuts {
+        let is_due = match cut.due {
+            Due::At(at) => at < state.time,
+            Due::Step(step) => step < state.plan.begun(),
+        };
+        if is_due {
+            state.modes[system.rows.first[cut.rope]..system.rows.first[cut.rope + 1]].fill(RowMode::Parted);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Natural modes about an equilibrium, with taut ropes, closed contacts and held brakes as they are there.
+//!
+//! ```text
+//! K x = ω² M x      xᵀ M x = 1      ζ = xᵀ D x/2ω
+//! ```
+//!
+//! K = ∂²V/∂q² with geometric stiffness and gravity, rows that act condensed; rows without compliance hold their
+//! direction. D holds joint damping and τ/ε of rows. ζ is that of a mode by itself, as usual where damping is light:
+//! what couples modes through D is left out.
+
+use super::eigen::{Square, vibrations};
+use super::{Part, Statics};
+use crate::state::State;
+use crate::system::System;
+
+/// A mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    /// ω² [1/s²]; negative where the motion leads away.
+    pub square: f64,
+    /// ζ; none where nothing swings.
+    pub damping_ratio: Option<f64>,
+    /// x over all degrees of freedom [1/√kg times m or rad], zero for driven ones.
+    pub shape: Vec<f64>,
+    /// What it adds to the force of every row [N].
+    pub tension: Vec<f64>,
+}
+
+impl Statics {
+    /// All modes about the equilibrium in which `state` is since the last [`Statics::settle`], slowest first.
+    pub fn modes(&mut self, system: &System, state: &State) -> Vec<Mode> {
+        self.search.here.update_mass(system);
+        self.search.matrix.linearise(system, &self.search.here, &state.seats);
+        let (follows, matrix) = (&self.search.here.follows, &self.search.matrix);
+        let size = matrix.layout.free.len();
+        let (mass, stiffness) = matrix.dense(system, &self.bearings, follows);
+        let rigid = (0..follows.len()).filter(|&row| follows[row] && self.bearings[row].is_rigid);
+        let held: Vec<Vec<f64>> = rigid
+            .map(|row| {
+                let mut entries = vec![0.0; size];
+                matrix.row_entries(system, row).for_each(|(unknown, entry)| entries[unknown] += entry);
+                entries
+            })
+            .collect();
+        let found = vibrations(&Square::new(size, mass), &Square::new(size, stiffness), &held);
+        let (squares, shapes) = found.unwrap_or_default();
+        squares.into_iter().zip(shapes).map(|(square, shape)| self.mode(system, square, &shape)).collect()
+    }
+
+    fn mode(&self, system: &System, square: f64, free: &[f64]) -> Mode {
+        let matrix = &self.search.matrix;
+        let mut shape = vec![0.0; system.tree.velocities];
+        for (index, &dof) in matrix.layout.free.iter().enumerate() {
+            shape[dof] = free[index];
+        }
+        let sign = if shape.iter().sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
+        shape.iter_mut().for_each(|entry| *entry *= sign);
+        let joints = shape.iter().zip(&system.tree.damping);
+        let mut damping: f64 = joints.map(|(entry, damping)| damping * entry * entry).sum();
+        let mut tension = vec![0.0; system.rows.count()];
+        for (row, bearing) in self.bearings.iter().enumerate() {
+            if self.search.here.follows[row] && bearing.part == Part::Pull && !bearing.is_rigid {
+                let rate = system.rows.rate(&self.search.here.frame.gradient, row, &shape);
+                tension[row] = rate / bearing.compliance;
+                damping += system.rows.laws[row].damping_time() * tension[row] * rate;
+            }
+        }
+        let swings = square > super::NEUTRAL;
+        let damping_ratio = swings.then(|| 0.5 * damping / square.sqrt());
+        Mode { square, damping_ratio, shape, tension }
+    }
+}

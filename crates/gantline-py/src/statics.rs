@@ -1,0 +1,140 @@
+//! Statics at the border: a document in, equilibria, modes and sensitivities out.
+
+use gantline_core::statics::NoEquilibrium;
+use gantline_core::statics::lift::StaticLift;
+use gantline_core::statics::modes::Mode;
+use gantline_core::statics::sensitivity::Parameter;
+use numpy::PyArrayDyn;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::{array, column_arrays, name_lists, value_error};
+
+/// A system at rest.
+#[pyclass(module = "gantline._core")]
+pub struct Statics {
+    inner: StaticLift,
+    modes: Vec<Mode>,
+}
+
+fn no_equilibrium(error: NoEquilibrium) -> PyErr {
+    PyRuntimeError::new_err((error.element, error.cause))
+}
+
+#[pymethods]
+impl Statics {
+    /// Builds a system from its document, JSON text.
+    #[new]
+    fn new(py: Python<'_>, document: &str) -> PyResult<Self> {
+        let inner = py.detach(|| StaticLift::new(document)).map_err(value_error)?;
+        Ok(Self { inner, modes: Vec::new() })
+    }
+
+    /// Number of degrees of freedom.
+    fn degrees_of_freedom(&self) -> usize {
+        self.inner.system().tree.velocities
+    }
+
+    /// Finds the equilibrium at a time of the plan; raises `RuntimeError` with element and cause where there is none.
+    #[pyo3(signature = (time=0.0, increment=None))]
+    fn settle<'py>(
+        &mut self,
+        py: Python<'py>,
+        time: f64,
+        increment: Option<Vec<f64>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let size = self.degrees_of_freedom();
+        if let Some(given) = increment.as_ref().filter(|given| given.len() != size) {
+            return Err(PyValueError::new_err(format!("{} increments for {size} degrees of freedom", given.len())));
+        }
+        if !(time >= 0.0 && time.is_finite()) {
+            return Err(PyValueError::new_err(format!("the time is {time} s; it must be zero or more")));
+        }
+        self.modes.clear();
+        let inner = &mut self.inner;
+        let rest = py.detach(|| inner.settle(time, increment.as_deref())).map_err(no_equilibrium)?;
+        let out = PyDict::new(py);
+        out.set_item("residual", rest.residual)?;
+        out.set_item("neutral", rest.neutral)?;
+        out.set_item("unstable", rest.unstable)?;
+        out.set_item("steps", rest.effort.steps)?;
+        out.set_item("rejected", rest.effort.rejected)?;
+        out.set_item("factorisations", rest.factorisations)?;
+        out.set_item("idealised", self.inner.idealised())?;
+        Ok(out)
+    }
+
+    /// Modes about the equilibrium found last, slowest first; arrays over the modes.
+    fn modes<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let inner = &mut self.inner;
+        self.modes = py.detach(|| inner.modes());
+        let (modes, ropes) = (&self.modes, self.inner.system().rope_rows());
+        let (count, bodies) = (modes.len(), self.inner.system().tree.bodies.len());
+        let motion = modes.iter().flat_map(|mode| self.inner.body_motion(&mode.shape)).collect();
+        let shapes = modes.iter().flat_map(|mode| mode.shape.iter().copied()).collect();
+        let tensions = modes.iter().flat_map(|mode| mode.tension[..ropes].iter().copied()).collect();
+        let ratio = |mode: &Mode| mode.damping_ratio.unwrap_or(f64::NAN);
+        let out = PyDict::new(py);
+        out.set_item("square", array(py, modes.iter().map(|mode| mode.square).collect(), &[count])?)?;
+        out.set_item("damping_ratio", array(py, modes.iter().map(ratio).collect(), &[count])?)?;
+        out.set_item("shape", array(py, shapes, &[count, self.degrees_of_freedom()])?)?;
+        out.set_item("rope_row_force", array(py, tensions, &[count, ropes])?)?;
+        out.set_item("body_motion", array(py, motion, &[count, bodies, 6])?)?;
+        Ok(out)
+    }
+
+    /// Lets the equilibrium swing in one of the modes that were found last; `columns` has one period of it.
+    fn swing(&mut self, mode: usize, amplitude: f64, frames: usize) -> PyResult<()> {
+        let found = self.modes.get(mode).ok_or_else(|| PyValueError::new_err(format!("there is no mode {mode}")))?;
+        self.inner.swing(found, amplitude, frames);
+        Ok(())
+    }
+
+    /// Derivatives of the tension of every rope [N] over parameters: pairs of a kind (`length`, `stiffness`, `mass`,
+    /// `centre_x`, `centre_y`, `centre_z`) and the name of a rope or body.
+    fn sensitivities<'py>(
+        &mut self,
+        py: Python<'py>,
+        parameters: Vec<(String, String)>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let wanted: Vec<Parameter> =
+            parameters.iter().map(|(kind, name)| self.parameter(kind, name)).collect::<PyResult<_>>()?;
+        let inner = &mut self.inner;
+        let found = py.detach(|| inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
+        let ropes: Vec<usize> = self.inner.system().rows.first[..self.inner.system().rope_count].to_vec();
+        let values = found.iter().flat_map(|one| ropes.iter().map(|&row| one.tension[row])).collect();
+        array(py, values, &[wanted.len(), ropes.len()])
+    }
+
+    /// Columns of the equilibrium or swing found last, by name.
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let columns = py.detach(|| self.inner.columns());
+        column_arrays(py, self.inner.samples(), columns, &self.inner.names(), Vec::new())
+    }
+
+    /// Names that go with the columns.
+    fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let out = name_lists(py, self.inner.names())?;
+        out.set_item("event_kind", Vec::<String>::new())?;
+        out.set_item("event_name", Vec::<String>::new())?;
+        Ok(out)
+    }
+}
+
+impl Statics {
+    fn parameter(&self, kind: &str, name: &str) -> PyResult<Parameter> {
+        let missing = || PyValueError::new_err(format!("there is no {name} to ask the {kind} of"));
+        let rope = || self.inner.rope(name).ok_or_else(missing);
+        let body = || self.inner.body(name).ok_or_else(missing);
+        Ok(match kind {
+            "length" => Parameter::Length(rope()?),
+            "stiffness" => Parameter::Stiffness(rope()?),
+            "mass" => Parameter::Mass(body()?),
+            "centre_x" => Parameter::Centre(body()?, 0),
+            "centre_y" => Parameter::Centre(body()?, 1),
+            "centre_z" => Parameter::Centre(body()?, 2),
+            _ => return Err(PyValueError::new_err(format!("there is no parameter {kind}"))),
+        })
+    }
+}
