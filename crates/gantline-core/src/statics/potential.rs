@@ -18,7 +18,7 @@ use crate::system::System;
 use crate::tree::bias::NewtonEuler;
 
 /// Stretch of a row without compliance under the weight of everything, before its multiplier is found [m].
-const SOFTNESS: f64 = 1e-3;
+const SOFTNESS: f64 = 0.03;
 
 /// How a row takes part in statics.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -186,9 +186,15 @@ impl Potential {
         self.frame.mass.update(&system.tree, &self.frame.kinematics);
     }
 
-    /// Largest slope of a free degree of freedom relative to its terms.
+    /// Slope of a degree of freedom relative to the forces that meet there, or to its weight where they are less.
+    pub fn imbalance(&self, system: &System, dof: usize) -> f64 {
+        let weight = system.tree.inertia_scale[dof] * system.tree.gravity.length();
+        self.slope[dof].abs() / self.terms[dof].max(weight).max(f64::MIN_POSITIVE)
+    }
+
+    /// Largest imbalance of a free degree of freedom.
     pub fn residual(&self, system: &System) -> f64 {
         let free = (0..self.slope.len()).filter(|&dof| system.driven[dof].is_none());
-        free.map(|dof| self.slope[dof].abs() / self.terms[dof].max(f64::MIN_POSITIVE)).fold(0.0, f64::max)
+        free.map(|dof| self.imbalance(system, dof)).fold(0.0, f64::max)
     }
 }

@@ -119,6 +119,13 @@ impl Search {
                 let gained = self.here.energy - self.there.energy;
                 let is_fine = promised <= 10.0 * noise;
                 let is_worth = if is_fine { after < 0.5 * before } else { gained > WORTH * promised };
+                let (gained, is_worth) = if is_fine || gained > 0.25 * promised {
+                    (gained, is_worth)
+                } else {
+                    let corrected = self.correct(system, state, bearings, gained);
+                    (corrected, corrected > WORTH * promised)
+                };
+                if std::env::var("DBG").is_ok() { eprintln!("{} lam {lambda:.1e} V {:.6e} promised {promised:.3e} gained {gained:.3e} res {before:.2e}->{after:.2e} noise {noise:.1e} fine {is_fine} maxstep {:.3}", self.effort.steps, self.here.energy, self.step.iter().fold(0.0f64,|a,b| a.max(b.abs()))); }
                 if !is_worth {
                     if is_fine && before <= BALANCED {
                         return Ok(());
@@ -132,8 +139,10 @@ impl Search {
                 }
                 self.effort.steps += 1;
                 let share = gained / promised;
-                lambda *= if is_fine || share > 0.75 {
+                lambda *= if is_fine || (share - 1.0).abs() < 0.1 {
                     0.03
+                } else if share > 0.75 {
+                    0.3
                 } else if share < 0.25 {
                     4.0
                 } else {
@@ -157,9 +166,9 @@ impl Search {
         if self.here.residual(system) <= BALANCED {
             return Ok(());
         }
-        let relative = |dof: &usize| self.here.slope[*dof].abs() / self.here.terms[*dof].max(f64::MIN_POSITIVE);
         let free = (0..self.here.slope.len()).filter(|&dof| system.driven[dof].is_none());
-        let worst = free.max_by(|a, b| relative(a).total_cmp(&relative(b)));
+        let imbalance = |dof: &usize| self.here.imbalance(system, *dof);
+        let worst = free.max_by(|a, b| imbalance(a).total_cmp(&imbalance(b)));
         Err(Stuck::NoStep(worst.unwrap_or(0)))
     }
 
@@ -194,6 +203,36 @@ impl Search {
         self.there.frame.kinematics.update(&system.tree, &self.there.q);
         let places = (&self.here, &self.there.frame.kinematics);
         self.guard.holds(system, places, &self.step, (&mut self.matrix, lambda))
+    }
+
+    /// Adds to the step what the rows lack that follow it, since they are not as straight as the model has them, and
+    /// keeps that where it gains more than `gained` [J]. What is gained then.
+    fn correct(&mut self, system: &System, state: &State, bearings: &[Bearing], gained: f64) -> f64 {
+        for row in 0..bearings.len() {
+            self.right[row] = if self.acts[row] && bearings[row].part != Part::Off {
+                self.reached(system, row) - self.there.value[row]
+            } else {
+                0.0
+            };
+        }
+        self.force.fill(0.0);
+        let first = self.step.clone();
+        let mut tension = std::mem::take(&mut self.tension);
+        self.matrix.solve(&self.force, &self.right, &mut self.step, &mut tension);
+        self.tension = tension;
+        for (step, first) in self.step.iter_mut().zip(&first) {
+            *step += first;
+        }
+        let passable = self.is_passable(system, 0.0);
+        self.there.update(system, bearings, &state.memory, &state.seats);
+        let corrected = self.here.energy - self.there.energy;
+        if passable && corrected > gained {
+            return corrected;
+        }
+        self.step = first;
+        self.is_passable(system, 0.0);
+        self.there.update(system, bearings, &state.memory, &state.seats);
+        gained
     }
 
     /// Minimises the model; λ is raised as far as that takes. The energy that the step promises [J]; none where no
