@@ -52,6 +52,7 @@ impl StaticLift {
     /// Finds the equilibrium at `time` [s] of the plan, downhill of the start of the lift after `increment` of its
     /// free degrees of freedom (none: the start itself).
     ///
+    /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
     /// A plan that waits for a condition is followed from rest to rest in steps of 0.1 s.
     ///
     /// # Errors
@@ -87,6 +88,10 @@ impl StaticLift {
         part(system, state);
         let rest = statics.settle(system, state)?;
         self.samples = Samples::default();
+        if time > 0.0 {
+            // Travel counts from here.
+            self.samples.push_state(&self.system, 0.0, &self.first);
+        }
         self.samples.push_state(&self.system, time, &self.state);
         self.note_tensions();
         Ok(rest)

@@ -6,16 +6,20 @@
 //! [ K   Gᵀ ] [ dq/dp ]     [ ∂(∂V/∂q)/∂p   ]
 //! [ G   −ε ] [ dT/dp ] = − [ ∂(e − ε T)/∂p ]
 //! ```
+//!
+//! What nothing holds would make the matrix singular, so K + λM stands in it, and λM dq/dp of the last solution comes back
+//! on the right side.
 
 use glam::DVec3;
 
+use super::search::LEAST;
 use super::{NoEquilibrium, Statics};
 use crate::constraint::AnyConstraint;
 use crate::state::State;
 use crate::system::System;
 
-/// λ of the tangent [1/s²]: what nothing holds must not make it singular; wrong by this over ω².
-const SHIFT: f64 = 1e-9;
+/// Solutions with λM moved to the right side, each of which leaves λ/ω² of the error.
+const REPEATS: usize = 3;
 /// Compliance of rows that have none, as a share of what the search gave them.
 const STIFFER: f64 = 1e-9;
 
@@ -63,19 +67,27 @@ impl Statics {
             let share = if bearing.is_rigid { STIFFER } else { 1.0 };
             follows[row].then_some(bearing.compliance * share)
         };
-        search.matrix.factorise(system, SHIFT, compliance).map_err(|pivot| {
+        search.matrix.factorise(system, LEAST, compliance).map_err(|pivot| {
             let element = search.matrix.layout.element(system, pivot.unknown).to_owned();
             NoEquilibrium { element, cause: "the tangent is singular here".to_owned() }
         })?;
         let mut all = Vec::with_capacity(parameters.len());
         let (mut force, mut right) = (vec![0.0; system.tree.velocities], vec![0.0; system.rows.count()]);
+        let mut inertia = force.clone();
         for parameter in parameters {
             force.fill(0.0);
             right.fill(0.0);
             self.right_side(system, *parameter, &mut force, &mut right)?;
             let mut motion = vec![0.0; force.len()];
             let mut tension = vec![0.0; right.len()];
-            self.search.matrix.solve(&force, &right, &mut motion, &mut tension);
+            let search = &mut self.search;
+            for _ in 0..REPEATS {
+                search.here.frame.mass.multiply(&motion, &mut inertia);
+                for (inertia, force) in inertia.iter_mut().zip(&force) {
+                    *inertia = LEAST * *inertia + force;
+                }
+                search.matrix.solve(&inertia, &right, &mut motion, &mut tension);
+            }
             all.push(Sensitivity { motion, tension });
         }
         Ok(all)
