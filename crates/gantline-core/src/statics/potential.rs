@@ -20,6 +20,9 @@ use crate::tree::bias::NewtonEuler;
 /// Stretch of a row without compliance under the weight of everything, before its multiplier is found [m].
 const SOFTNESS: f64 = 0.03;
 
+/// Rounding of a sum of lengths, relative to the longest.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// How a row takes part in statics.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Part {
@@ -44,6 +47,8 @@ pub struct Bearing {
     pub offset: f64,
     /// Coordinate that it holds, and where.
     pub held: (usize, f64),
+    /// Rounding of its force [N]: that of the lengths whose difference e is, over ε.
+    pub rounding: f64,
 }
 
 impl Bearing {
@@ -65,6 +70,12 @@ impl Bearing {
     }
 }
 
+/// Unstretched length of a rope's row [m]; 0 of other rows.
+fn length(system: &System, row: usize) -> f64 {
+    let AnyConstraint::Rope(rope) = system.constraint_of_row(row) else { return 0.0 };
+    rope.spans[row - system.rows.first[system.constraint_index(row)]].length
+}
+
 /// Bearings of all rows, with drives where their timelines say at the state's time.
 pub fn bearings(system: &System, state: &State) -> Vec<Bearing> {
     let compliance = SOFTNESS / weight(system);
@@ -77,7 +88,9 @@ pub fn bearings(system: &System, state: &State) -> Vec<Bearing> {
             Law::Friction { .. } => (Part::Off, (0, 0.0)),
             Law::Brake { .. } => held(system, state, row),
         };
-        Bearing { part, compliance, is_rigid, offset: 0.0, held }
+        let size = length(system, row).max(1.0);
+        let rounding = ROUNDING * size / compliance;
+        Bearing { part, compliance, is_rigid, offset: 0.0, held, rounding }
     };
     system.rows.laws.iter().enumerate().map(row).collect()
 }
@@ -117,6 +130,8 @@ pub struct Potential {
     pub slope: Vec<f64>,
     /// Sum of the sizes of the terms of every slope.
     pub terms: Vec<f64>,
+    /// What rounding makes of every slope.
+    pub noise: Vec<f64>,
     /// e of every row as statics counts it [m].
     pub value: Vec<f64>,
     /// T of every row [N].
@@ -141,6 +156,7 @@ impl Potential {
             gravity: vec![0.0; size],
             slope: vec![0.0; size],
             terms: vec![0.0; size],
+            noise: vec![0.0; size],
             value: vec![0.0; rows],
             tension: vec![0.0; rows],
             follows: vec![false; rows],
@@ -160,6 +176,7 @@ impl Potential {
         for (terms, gravity) in self.terms.iter_mut().zip(&self.gravity) {
             *terms = gravity.abs();
         }
+        self.noise.fill(0.0);
         self.energy = gravity_energy(system, &self.frame.kinematics);
         self.rounding = self.energy.abs();
         for (row, bearing) in bearings.iter().enumerate() {
@@ -175,6 +192,7 @@ impl Potential {
                 for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
                     self.slope[dof] += entry * tension;
                     self.terms[dof] += (entry * tension).abs();
+                    self.noise[dof] += entry.abs() * bearing.rounding;
                 }
             }
         }
@@ -186,10 +204,12 @@ impl Potential {
         self.frame.mass.update(&system.tree, &self.frame.kinematics);
     }
 
-    /// Slope of a degree of freedom relative to the forces that meet there, or to its weight where they are less.
+    /// Slope of a degree of freedom, beyond rounding, relative to the forces that meet there, or to its weight where
+    /// they are less.
     pub fn imbalance(&self, system: &System, dof: usize) -> f64 {
         let weight = system.tree.inertia_scale[dof] * system.tree.gravity.length();
-        self.slope[dof].abs() / self.terms[dof].max(weight).max(f64::MIN_POSITIVE)
+        let excess = (self.slope[dof].abs() - self.noise[dof]).max(0.0);
+        excess / self.terms[dof].max(weight).max(f64::MIN_POSITIVE)
     }
 
     /// Largest imbalance of a free degree of freedom.

@@ -1,0 +1,259 @@
+"""Where a lift comes to rest: closed forms, from anywhere, and what is said where there is no such place."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from gantline.statics import Statics
+from tests.support.mechanics import (
+    adaptive,
+    body,
+    contact,
+    document,
+    drum,
+    end,
+    flow,
+    free,
+    hinge,
+    point,
+    rope,
+    slider,
+)
+from tests.support.resting import CORNERS, G, AtRest, at_rest, four_slings, one_equalizer
+
+SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
+LUGS = ((-2.5, 2.5), (2.5, 2.5), (0, 0), (-2.5, -2.5), (2.5, -2.5))
+
+
+def angle_between(a: np.ndarray, b: np.ndarray) -> float:
+    """Angle about the vertical from one orientation to another [deg]."""
+    headings = [2 * math.atan2(q[3], q[0]) for q in (a, b)]
+    return math.degrees(headings[1] - headings[0])
+
+
+def test_the_reference_lift_hangs_as_it_must() -> None:
+    lift = Statics(SCENARIOS / "equalizer")
+    rest = lift.equilibrium()
+    last = {
+        name: rest.recording.column("body_orientation", name)[-1] for name in ("e1", "block")
+    }
+    # The frame turns until the slings pull it no way: an independent solution in minimal coordinates has -68.983 deg.
+    assert angle_between(last["block"], last["e1"]) == pytest.approx(-68.983, abs=5e-4)
+    # Each sling pulls with W/5 along the plumb; the equalizing rope with half of that and half a sheave's weight.
+    assert rest.tension("e1.equalizing") == pytest.approx((588.6e3 + 300 * 9.81) / 2, rel=1e-12)
+    wanted = {"S1": 589.746e3, "S2": 593.180e3, "S3": 588.600e3, "S4": 593.180e3, "S5": 589.746e3}
+    for name, tension in wanted.items():
+        # To the last digit of the independent solution.
+        assert rest.tension(f"sling.{name}") == pytest.approx(tension, abs=0.5)
+    # (300 + 20 + 5 * 0.3) t * g
+    assert rest.recording.column("hook_load", "test_hook")[-1] == pytest.approx(321.5e3 * 9.81, rel=1e-12)
+    # The hook turns nothing: load and frame may turn together.
+    assert (rest.neutral, rest.unstable) == (1, 0)
+    assert lift.modes()[0].motion == "block turns about z"
+
+
+def test_a_thousand_starts_end_in_one_state() -> None:
+    lift = Statics(SCENARIOS / "equalizer")
+    planned = lift.equilibrium()
+    wanted = planned.recording.column("rope_tension", "sling.S1")[-1], planned.tension("sling.S2")
+    draw = np.random.default_rng(20160101)
+    steps = []
+    for _ in range(1000):
+        # Hook, frame, five sheaves, load: up to 20 m and any heading off.
+        increment = np.concatenate(
+            [[0.0], draw.uniform(-math.pi, math.pi, 1), draw.uniform(-1.2, 1.2, 5),
+             draw.uniform(-20, 20, 3), draw.uniform(-0.8, 0.8, 2), draw.uniform(-math.pi, math.pi, 1)]
+        )  # fmt: skip
+        found = lift.equilibrium(increment=increment.tolist())
+        assert (found.neutral, found.unstable) == (1, 0)
+        # Ten digits: rounding of sums of 600 kN after at most some hundred steps.
+        assert found.tension("sling.S1") == pytest.approx(wanted[0], rel=1e-10)
+        assert found.tension("sling.S2") == pytest.approx(wanted[1], rel=1e-10)
+        steps.append(found.steps)
+    # What a start takes, which no busy machine changes.
+    assert np.median(steps) <= 30
+    assert max(steps) <= 300
+
+
+@pytest.mark.parametrize("excess", [0.25, 0.5, 0.9, 1.0, 1.5])
+def test_one_sling_short_of_four(excess: float) -> None:
+    # kδ = x W: loads 1 + x, 1 − x of W/4 until two go slack and the others carry 2. The limit of small δ/L by a cubic
+    # through four stretches W/EA; rounding of e = ℓ − L there is 2e-15 m/5e-4 m.
+    weight = 300e3 * G
+    stretches = np.array([2e-4, 4e-4, 6e-4, 8e-4])
+    loads = [
+        at_rest(four_slings(weight / s, excess * s * 10.0)).tensions * 4 / weight for s in stretches
+    ]
+    limit = np.linalg.solve(np.vander(stretches, 4, increasing=True), np.array(loads))[0]
+    up, down = 1 + min(excess, 1.0), 1 - min(excess, 1.0)
+    assert limit == pytest.approx([up, down, up, down], abs=1e-9)
+
+
+def test_skew_load_factor_of_a_real_sling() -> None:
+    # 300 t, 60 mm ropes of 80 GPa on 0.785 d², 10 m, 32.5 mm short: kδ/W = 0.24966 in the limit; with the exact
+    # geometry of slings 5 m apart 1.2571.
+    stiffness = 80e9 * 0.785 * 0.06**2
+    assert stiffness / 10 * 0.0325 / (300e3 * G) == pytest.approx(0.24966, abs=1e-5)
+    short, even = (at_rest(four_slings(stiffness, delta)).tensions for delta in (0.0325, 0.0))
+    assert float((short / even).max()) == pytest.approx(1.2571, abs=5e-5)
+
+
+def test_an_equalizer_takes_the_skew_away() -> None:
+    lugs = [(2.5 * x, 2.5 * y) for x, y in CORNERS]
+    tensions = [
+        at_rest(one_equalizer(lugs, lengths=[24, 24 + off, 24, 24], plumb=True)).tensions[1:]
+        for off in (0.0, 0.03)
+    ]
+    # The sheave goes where the sling wants it: all stay plumb, to the rounding of a sling's length.
+    assert tensions[1] / tensions[0] == pytest.approx([1.0] * 4, rel=1e-9)
+
+
+@pytest.mark.parametrize("offset", [(0.1, 0.0), (0.0, 0.1)])
+def test_tilt_under_one_equalizer(offset: tuple[float, float]) -> None:
+    # Five equal pulls act as one from the lugs' middle: tan θ = e/h = 0.1/2.5. Slings over their lugs lean by what the load turns
+    # about, so their pulls differ by 1e-9 and the tilt by 1e-4 of it.
+    rest = at_rest(one_equalizer(LUGS, lengths=[26] * 5, offset=offset, plumb=True))
+    orientation = rest.body("load", "body_orientation")
+    tilt = 2 * math.asin(math.hypot(orientation[1], orientation[2]))
+    assert math.tan(tilt) == pytest.approx(0.1 / 2.5, rel=1e-4)
+    assert math.degrees(tilt) == pytest.approx(2.29, abs=0.005)
+
+
+def test_equal_to_a_run_damped_to_rest() -> None:
+    lift = one_equalizer(LUGS, lengths=[26.0, 25.9, 26.1, 25.8, 26.2])
+    for one in lift["bodies"][:-1]:
+        one["joint"]["damping"] = 3e3
+    for one in lift["ropes"]:
+        one["material"]["damping_time"] = 0.05
+    # Swings, tilts and turns are damped by lines to the world, off the load's middle.
+    for index, (x, y) in enumerate([(200, 30), (-200, 30), (30, 200), (30, -200)]):
+        corner = (3.0, 2.0, -2.0)
+        length = math.dist(corner, (x, y, 0)) - 1.0
+        route = [end(None, (x, y, 12.0)), end("load", corner)]
+        lift["ropes"].append(rope(f"line{index}", length, route, 2e6, 20.0))
+    rest = at_rest(lift)
+    damped = adaptive(lift, 800.0, sample_interval=10.0)
+    assert damped.columns["rope_tension"][-1] == pytest.approx(rest.tensions, rel=1e-6)
+
+
+def test_three_legged_bridle() -> None:
+    # Lugs not evenly about the centre of gravity: forces by moments. The hook hangs over the centre of gravity, so with
+    # slings to one point the lengths' directions and the weight make three equations.
+    lugs = np.array([(3.0, 0.0, 0.0), (-2.0, 2.5, 0.0), (-1.0, -3.0, 0.0)])
+    load = body("load", free((0, 0, 0)), 50e3, centre_of_gravity=(0, 0, -1.0), inertia=(2e5, 2e5, 3e5))
+    hook = np.array([0.0, 0.0, 9.0])
+    slings = [
+        rope(f"s{i}", float(np.linalg.norm(hook - lug)), [end(None, hook), end("load", lug)], 1e8)
+        for i, lug in enumerate(lugs)
+    ]
+    rest = at_rest(document([load], ropes=slings))
+    w, x, y, z = rest.body("load", "body_orientation")
+    turn = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    # body_position is the centre of gravity, 1 m below the lugs' plane.
+    centre = rest.body("load")
+    arms = (lugs + [0, 0, 1.0]) @ turn.T
+    pulls = hook - (centre + arms)
+    directions = pulls / np.linalg.norm(pulls, axis=1)[:, None]
+    tensions = np.linalg.solve(directions.T, [0, 0, 50e3 * G])
+    assert rest.tensions == pytest.approx(tensions, rel=1e-9)
+    moments = np.cross(arms, directions * rest.tensions[:, None]).sum(axis=0)
+    assert np.abs(moments).max() < 1e-9 * 50e3 * G * 3
+
+
+def test_two_cranes_share_by_moments() -> None:
+    # Plumb falls 12 m apart, centre of gravity 2 m from the middle and in the lugs' plane: 8/12 and 4/12 of the weight,
+    # whatever the stiffness of the falls.
+    ropes = [
+        rope(f"hoist{i}", 20.0, [end(None, (x, 0, 20)), end("load", (x, 0, 0))], ea)
+        for i, (x, ea) in enumerate([(-6.0, 1e12), (6.0, 2e12)])
+    ]
+    load = body("load", free((0, 0, 0)), 200e3, centre_of_gravity=(-2, 0, -1e-9), inertia=(1e6, 3e6, 3e6))
+    rest = at_rest(document([load], ropes=ropes))
+    # The falls stretch by 2e-5 m over 12 m.
+    assert rest.tensions == pytest.approx([200e3 * G * 8 / 12, 200e3 * G * 4 / 12], rel=1e-5)
+
+
+def test_inextensible_ropes_from_far_away() -> None:
+    system = document(
+        [body("hook", point((0, 0, -30)), 30e3), body("load", point((0, 0, -50)), 300e3)],
+        ropes=[
+            rope("upper", 30.0, [end(None), end("hook")], None),
+            rope("lower", 20.0, [end("hook"), end("load")], None),
+        ],
+    )
+    for seed in range(20):
+        rest = at_rest(system, increment=np.random.default_rng(seed).uniform(-20, 20, 6).tolist())
+        assert rest.tensions == pytest.approx([330e3 * G, 300e3 * G], rel=1e-10)
+        assert rest.body("load") == pytest.approx([0, 0, -50], abs=1e-9)
+
+
+def test_contacts_stops_and_slack_ropes() -> None:
+    # A box on four springs sinks by W/4k; the rope above it is slack.
+    corners = [
+        contact(f"c{i}", "box", (x, y, -1), stiffness=1e6, friction=0.5) for i, (x, y) in enumerate(CORNERS)
+    ]
+    box = body("box", free((0.3, 0.2, 5.0)), 1e3, inertia=(400, 400, 400))
+    system = document([box], contacts=corners, ropes=[rope("r", 6.0, [end(None, (0, 0, 5)), end("box")], 1e6)])
+    rest = at_rest(system)
+    assert rest.tensions == pytest.approx([0.0])
+    assert rest.body("box") == pytest.approx([0.3, 0.2, 1 - 1e3 * G / 4e6], abs=1e-10)
+    # Without friction it slides and turns where it likes.
+    assert (rest.found["neutral"], rest.found["unstable"]) == (3, 0)
+    # A slider that falls onto its stop: W/k beyond it.
+    stops = {"lower": -2.0, "stiffness": 1e5}
+    fallen = at_rest(document([body("slide", slider(stops=stops), 10.0)]))
+    assert fallen.joint("slide") == pytest.approx(-2.0 - 10 * G / 1e5, abs=1e-12)
+
+
+def test_brakes_hold_what_they_can() -> None:
+    def hoist(brake: float) -> AtRest:
+        route = [drum(None, (0, 0, 10), "winch"), end("load")]
+        load = body("load", slider(), 1e3)
+        return at_rest(
+            document([load, flow("winch", 100.0, brake=brake)], ropes=[rope("r", 10.0, route, 1e6)])
+        )
+
+    held = hoist(2e4)
+    assert held.tensions == pytest.approx([1e3 * G], rel=1e-9)
+    assert held.joint("load") == pytest.approx(-1e3 * G * 10 / 1e6, rel=1e-6)
+    with pytest.raises(RuntimeError, match="falls without end"):
+        hoist(5e3)
+    # Dry friction of a pin holds a pendulum where it starts, up to its moment: sin θ = M/(m g l).
+    for friction, angle in ((2e3, 0.5), (1e2, math.asin(1e2 / (50 * G * 1.0)))):
+        pin = body("pin", hinge(position=0.5, friction=friction), 50.0, centre_of_gravity=(0, 0, -1.0))
+        assert at_rest(document([pin])).joint("pin") == pytest.approx(angle, abs=1e-9)
+
+
+def test_nothing_holds_it() -> None:
+    with pytest.raises(RuntimeError) as caught:
+        at_rest(document([body("loose", point((0, 0, 0)), 1.0)]))
+    assert caught.value.args == ("loose", "nothing holds it, it falls without end")
+
+
+def test_a_centre_of_gravity_above_the_lugs_is_unstable() -> None:
+    def lifted(above: float) -> AtRest:
+        slings = [
+            rope(f"s{i}", 8.0, [end(None, (x, 0, 8)), end("beam", (x, 0, -above))], 1e8)
+            for i, x in enumerate((-3.0, 3.0))
+        ]
+        beam = body("beam", free((0, 0, above)), 1e4, inertia=(5e3, 5e4, 5e4))
+        return at_rest(document([beam], ropes=slings))
+
+    assert lifted(-0.5).found["unstable"] == 0
+    rest = lifted(0.5)
+    assert rest.found["unstable"] == 1
+    modes = rest.core.modes()
+    assert modes["square"][0] < 0 < modes["square"][1]
+    # It rolls about the line of its lugs, x.
+    motion = modes["body_motion"][0, 0]
+    assert abs(motion[3]) > 1e3 * np.abs(motion[4:]).max()

@@ -1,0 +1,146 @@
+"""Natural motions about an equilibrium: closed forms."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from gantline.statics import Statics
+from tests.support.mechanics import body, document, end, free, hinge, point, rope, slider
+from tests.support.resting import CORNERS, G, at_rest, one_equalizer
+
+SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
+
+
+@pytest.mark.parametrize("axial_stiffness", [None, 1e13])
+def test_double_pendulum(axial_stiffness: float | None) -> None:
+    # Hook block 30 t on 30 m, load 300 t on 20 m: det(K − ω²M) = 0 with M = [[m₁+m₂, m₂], [m₂, m₂]] in lengths times
+    # angles, K = diag((m₁+m₂) g/l₁, m₂ g/l₂) likewise: 14.026 s and 2.119 s, twice each.
+    upper, lower, top, bottom = 30e3, 300e3, 30.0, 20.0
+    mass = np.array([[upper + lower, lower], [lower, lower]])
+    stiffness = np.diag([(upper + lower) * G / top, lower * G / bottom])
+    wanted = 2 * math.pi / np.sqrt(np.linalg.eigvals(np.linalg.solve(mass, stiffness)).real)
+    assert sorted(wanted) == pytest.approx([2.119, 14.026], abs=5e-4)
+    rest = at_rest(
+        document(
+            [body("hook", point((0, 0, -top)), upper), body("load", point((0, 0, -top - bottom)), lower)],
+            ropes=[
+                rope("upper", top, [end(None), end("hook")], axial_stiffness),
+                rope("lower", bottom, [end("hook"), end("load")], axial_stiffness),
+            ],
+        )
+    )
+    # An elastic rope of 1e13 N stretches by 3e-7 of its length.
+    exact = 1e-9 if axial_stiffness is None else 1e-6
+    assert rest.periods[:4] == pytest.approx([max(wanted)] * 2 + [min(wanted)] * 2, rel=exact)
+
+
+def test_load_on_an_elastic_sling() -> None:
+    # ω² = EA/(m L); damped as ζ = τω/2.
+    mass, length, stiffness, damping_time = 2e4, 12.0, 5e6, 0.01
+    rest = at_rest(
+        document(
+            [body("load", slider(), mass)],
+            ropes=[rope("r", length, [end(None, (0, 0, length)), end("load")], stiffness, damping_time)],
+        )
+    )
+    modes = rest.core.modes()
+    omega = math.sqrt(stiffness / (mass * length))
+    assert modes["square"] == pytest.approx([omega**2], rel=1e-12)
+    assert modes["damping_ratio"] == pytest.approx([0.5 * damping_time * omega], rel=1e-12)
+    # xᵀ M x = 1
+    assert abs(modes["shape"][0, 0]) == pytest.approx(1 / math.sqrt(mass), rel=1e-12)
+
+
+@pytest.mark.parametrize("cords", [2, 4])
+def test_torsion_of_plumb_cords(cords: int) -> None:
+    # ω² = m g r²/(I L), r the distance of the cords from the axis; bifilar and quadrifilar.
+    places = [(1.5, 0.0), (-1.5, 0.0)] if cords == 2 else [(1.2 * x, 0.9 * y) for x, y in CORNERS]
+    mass, inertia, length = 500.0, 300.0, 6.0
+    ropes = [
+        rope(f"c{i}", length, [end(None, (x, y, length)), end("load", (x, y, 0))], None)
+        for i, (x, y) in enumerate(places)
+    ]
+    joint = {"type": "free", **{**free((0, 0, 0))}}
+    load = body("load", joint, mass, centre_of_gravity=(0, 0, -0.4), inertia=(100, 100, inertia))
+    if cords == 4:
+        # Four rigid cords repeat one another: elastic ones of 1e10 N, which stretch by 1.2e-7.
+        for one in ropes:
+            one["material"] = {"type": "elastic", "axial_stiffness": 1e10, "damping_time": 0.0}
+    rest = at_rest(document([load], ropes=ropes))
+    wanted = mass * G * 1.5**2 / (inertia * length)
+    assert np.min(np.abs(rest.squares / wanted - 1)) < (1e-8 if cords == 2 else 1e-6)
+
+
+def test_tilting_under_one_equalizer() -> None:
+    # lifts of 300 t with the lugs' middle h = 2.5 m above the centre of gravity. Held there by a ball, a hand
+    # calculation: T = 2π √((I + m h²)/(m g h)) = 5.2 s.
+    mass, inertia, below = 300e3, 3.125e6, 2.5
+    ball = {"type": "ball", "orientation": [1, 0, 0, 0], "angular_velocity": [0, 0, 0]}
+    held = at_rest(
+        document([body("load", ball, mass, centre_of_gravity=(0, 0, -below), inertia=(inertia,) * 3)])
+    )
+    by_hand = 2 * math.pi * math.sqrt((inertia + mass * below**2) / (mass * G * below))
+    assert by_hand == pytest.approx(5.2, abs=0.05)
+    periods = 2 * math.pi / np.sqrt(held.squares[1:])
+    assert held.found["neutral"] == 1
+    assert periods == pytest.approx([by_hand] * 2, rel=1e-9)
+    # On slings the lugs' middle is not held: a double pendulum of the sling length L and the load,
+    # M = m [[1, h], [h, h² + I/m]], K = m g diag(1/L, h) in (path, tilt). It tilts in 3.9 s.
+    length = 26.0
+    lugs = ((-2.5, 2.5), (2.5, 2.5), (0, 0), (-2.5, -2.5), (2.5, -2.5))
+    system = one_equalizer(
+        lugs, lengths=[length] * 5, plumb=True, sheave_mass=1.0, axial_stiffness=1e10
+    )
+    rest = at_rest(system)
+    m = np.array([[1.0, below], [below, below**2 + inertia / mass]])
+    k = np.diag([G / length, G * below])
+    swing, tilt = sorted(2 * math.pi / np.sqrt(np.linalg.eigvals(np.linalg.solve(m, k)).real))[::-1]
+    assert tilt == pytest.approx(3.9, abs=0.05)
+    for wanted in (swing, tilt):
+        # A sling of 1e10 N stretches by 6e-5, and a sheave of 1 kg moves with the load.
+        assert np.min(np.abs(rest.periods / wanted - 1)) < 1e-4
+
+
+def test_unstable_motions_stand_first() -> None:
+    # An inverted pendulum: ω² = −m g l/(I + m l²).
+    rest = at_rest(
+        document([body("pole", hinge(), 40.0, centre_of_gravity=(0, 0, 1.5), inertia=(8, 8, 1))])
+    )
+    assert (rest.found["neutral"], rest.found["unstable"]) == (0, 1)
+    assert rest.squares == pytest.approx([-40 * G * 1.5 / (8 + 40 * 1.5**2)], rel=1e-12)
+
+
+def test_what_nothing_holds_has_no_period() -> None:
+    # A load on one rope from a hook: two swings, and a turn about the plumb that nothing holds.
+    ropes = [rope("r", 10.0, [end(None, (0, 0, 11)), end("load", (0, 0, 1))], 1e8)]
+    rest = at_rest(document([body("load", free((0, 0, 0)), 1e4, inertia=(1e3, 1e3, 1e3))], ropes=ropes))
+    assert (rest.found["neutral"], rest.found["unstable"]) == (1, 0)
+    modes = rest.core.modes()
+    assert abs(modes["square"][0]) < 1e-9
+    assert math.isnan(modes["damping_ratio"][0])
+
+
+def test_a_mode_as_a_recording() -> None:
+    lift = Statics(SCENARIOS / "equalizer")
+    rest = lift.equilibrium()
+    modes = lift.modes()
+    bounce = next(mode for mode in modes if mode.motion == "block moves along z")
+    recording = lift.swing(bounce, amplitude=0.01, frames=41)
+    assert recording.time[-1] == pytest.approx(bounce.period, rel=1e-12)
+    height = recording.column("body_position", "block")[:, 2]
+    at = rest.recording.column("body_position", "block")[-1, 2]
+    # The sheaves move more than the load in it, by at most 1 cm.
+    assert height[[0, 20, 40]] == pytest.approx([at] * 3, abs=1e-12)
+    swing = height - at
+    assert np.abs(swing).max() == pytest.approx(abs(swing[10]), rel=1e-9)
+    assert 1e-3 < abs(swing[10]) <= 0.01
+    # Force on the load is m ω² times what it is out of place: slings pull more when it is low.
+    pulls = sum(recording.column("rope_tension", f"sling.S{i}") for i in range(1, 6))
+    extra = float(pulls[30] - pulls[10]) / 2
+    assert extra * math.copysign(1.0, -swing[30]) > 0
+    # Slings lean by up to 7 degrees.
+    assert abs(extra) == pytest.approx(300e3 * bounce.square * abs(swing[30]), rel=0.02)

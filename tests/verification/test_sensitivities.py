@@ -1,0 +1,78 @@
+"""Derivatives of an equilibrium from its factorised tangent, against equilibria of lifts that differ."""
+
+from __future__ import annotations
+
+import copy
+import json
+
+import numpy as np
+import pytest
+
+from gantline import _core
+from tests.support.mechanics import Floats, Json
+from tests.support.resting import at_rest, four_slings, one_equalizer
+
+STEPS = {"length": 5e-3, "stiffness": 2e6, "mass": 500.0, "centre_x": 2e-3, "centre_y": 2e-3, "centre_z": 2e-3}
+LUGS = ((-2.5, 2.5), (2.5, 2.5), (0, 0), (-2.5, -2.5), (2.5, -2.5))
+
+
+def changed(system: Json, kind: str, name: str, step: float) -> Json:
+    other = copy.deepcopy(system)
+    one = next(one for one in (*other["ropes"], *other["bodies"]) if one["name"] == name)
+    if kind == "length":
+        one["length"] += step
+    elif kind == "stiffness":
+        one["material"]["axial_stiffness"] += step
+    elif kind == "mass":
+        one["mass"] += step
+    else:
+        one["centre_of_gravity"]["xyz".index(kind[-1])] += step
+    return other
+
+
+def differences(system: Json, kind: str, name: str) -> Floats:
+    """dT/dp by central differences of fourth order."""
+    step = STEPS[kind]
+    at = {k: at_rest(changed(system, kind, name, k * step)).tensions for k in (-2, -1, 1, 2)}
+    return (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
+
+
+@pytest.mark.parametrize("system", ["four slings", "equalizer"])
+def test_sensitivities_are_the_derivatives(system: str) -> None:
+    if system == "four slings":
+        lift = four_slings(2e8, 0.01)
+        slings = [f"s{i}" for i in range(4)]
+    else:
+        lift = one_equalizer(LUGS, lengths=[23, 26, 26, 26.3, 23], offset=(0.1, -0.2))
+        slings = [f"s{i}" for i in range(5)]
+    wanted = [(kind, name) for kind in ("length", "stiffness") for name in slings]
+    wanted += [(kind, "load") for kind in ("centre_x", "centre_y", "centre_z", "mass")]
+    core = _core.Statics(json.dumps(lift))
+    core.settle()
+    clear = 0
+    for (kind, name), found in zip(wanted, core.sensitivities(wanted), strict=True):
+        derivative = differences(lift, kind, name)
+        # Tensions are right to some 1e-8 N (e = ℓ − L of 1e-14 m times EA/L), so differences over a step to 1e-8 N over it.
+        noise = 1e-7 / STEPS[kind]
+        assert found == pytest.approx(derivative, rel=1e-6, abs=noise), (kind, name)
+        clear += np.abs(derivative).max() > 1e6 * noise
+    # An equalizer takes the effect of most of them away.
+    assert clear >= (11 if system == "four slings" else 3)
+
+
+def test_the_weight_of_a_load_is_shared_alike() -> None:
+    # Four plumb slings: dT/dm = g/4, dT/dL = −/+ k/4 with k = EA/L, but for their strain of 4e-5.
+    core = _core.Statics(json.dumps(four_slings(2e10, 0.0)))
+    core.settle()
+    mass, length = core.sensitivities([("mass", "load"), ("length", "s0")])
+    assert mass == pytest.approx([9.81 / 4] * 4, rel=1e-6)
+    assert length == pytest.approx(np.array([-1, 1, -1, 1]) * 2e9 / 4, rel=1e-3)
+
+
+def test_asking_for_what_is_not_there() -> None:
+    core = _core.Statics(json.dumps(four_slings(2e8, 0.0)))
+    core.settle()
+    with pytest.raises(ValueError, match="there is no s9 to ask the length of"):
+        core.sensitivities([("length", "s9")])
+    with pytest.raises(ValueError, match="there is no parameter colour"):
+        core.sensitivities([("colour", "s0")])
