@@ -130,7 +130,8 @@ def test_plan_and_settings_of_the_reference_lift() -> None:
     assert assembly.document["drives"] == [{"name": "test_hook.hoist", "ramps": []}]
     assert assembly.document["gravity"] == [0, 0, -9.81]
     method = {"type": "adaptive", "tension_tolerance": None, "position_tolerance": None}
-    assert assembly.settings == {"integrator": method, "duration": 40.0, "sample_interval": 0.02}
+    run = {"duration": 40.0, "sample_interval": 0.02, "start": "as_given"}
+    assert assembly.settings == {"integrator": method, **run}
 
 
 def test_the_creep_plan() -> None:

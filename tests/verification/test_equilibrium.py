@@ -26,6 +26,7 @@ from tests.support.mechanics import (
 from tests.support.resting import CORNERS, G, AtRest, at_rest, four_slings, one_equalizer
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
+LOAD = "block"  # as the lift file calls it
 LUGS = ((-2.5, 2.5), (2.5, 2.5), (0, 0), (-2.5, -2.5), (2.5, -2.5))
 
 
@@ -36,13 +37,14 @@ def angle_between(a: np.ndarray, b: np.ndarray) -> float:
 
 
 def test_the_reference_lift_hangs_as_it_must() -> None:
+    """Frame, slings and equalizing rope of the reference lift at rest, to the last digit of an independent solution."""
     lift = Statics(SCENARIOS / "equalizer")
     rest = lift.equilibrium()
     last = {
-        name: rest.recording.column("body_orientation", name)[-1] for name in ("e1", "block")
+        name: rest.recording.column("body_orientation", name)[-1] for name in ("e1", LOAD)
     }
     # The frame turns until the slings pull it no way: an independent solution in minimal coordinates has -68.983 deg.
-    assert angle_between(last["block"], last["e1"]) == pytest.approx(-68.983, abs=5e-4)
+    assert angle_between(last[LOAD], last["e1"]) == pytest.approx(-68.983, abs=5e-4)
     # Each sling pulls with W/5 along the plumb; the equalizing rope with half of that and half a sheave's weight.
     assert rest.tension("e1.equalizing") == pytest.approx((588.6e3 + 300 * 9.81) / 2, rel=1e-12)
     wanted = {"S1": 589.746e3, "S2": 593.180e3, "S3": 588.600e3, "S4": 593.180e3, "S5": 589.746e3}
@@ -53,10 +55,11 @@ def test_the_reference_lift_hangs_as_it_must() -> None:
     assert rest.recording.column("hook_load", "test_hook")[-1] == pytest.approx(321.5e3 * 9.81, rel=1e-12)
     # The hook turns nothing: load and frame may turn together.
     assert (rest.neutral, rest.unstable) == (1, 0)
-    assert lift.modes()[0].motion == "block turns about z"
+    assert lift.modes()[0].motion == f"{LOAD} turns about z"
 
 
 def test_a_thousand_starts_end_in_one_state() -> None:
+    """1000 random starts of the reference lift, up to 20 m off, end in one state but for what nothing holds."""
     lift = Statics(SCENARIOS / "equalizer")
     planned = lift.equilibrium()
     wanted = planned.recording.column("rope_tension", "sling.S1")[-1], planned.tension("sling.S2")
@@ -81,6 +84,7 @@ def test_a_thousand_starts_end_in_one_state() -> None:
 
 @pytest.mark.parametrize("excess", [0.25, 0.5, 0.9, 1.0, 1.5])
 def test_one_sling_short_of_four(excess: float) -> None:
+    """Four slings, one short by δ: loads 1 ± kδ/W of W/4 until two go slack."""
     # kδ = x W: loads 1 + x, 1 − x of W/4 until two go slack and the others carry 2. The limit of small δ/L by a cubic
     # through four stretches W/EA; rounding of e = ℓ − L there is 2e-15 m/5e-4 m.
     weight = 300e3 * G
@@ -94,6 +98,7 @@ def test_one_sling_short_of_four(excess: float) -> None:
 
 
 def test_skew_load_factor_of_a_real_sling() -> None:
+    """Skew load factor of four 60 mm slings, one 32.5 mm short: 1.2571."""
     # 300 t, 60 mm ropes of 80 GPa on 0.785 d², 10 m, 32.5 mm short: kδ/W = 0.24966 in the limit; with the exact
     # geometry of slings 5 m apart 1.2571.
     stiffness = 80e9 * 0.785 * 0.06**2
@@ -103,6 +108,7 @@ def test_skew_load_factor_of_a_real_sling() -> None:
 
 
 def test_an_equalizer_takes_the_skew_away() -> None:
+    """The same under an ideal equalizer: 1.000."""
     lugs = [(2.5 * x, 2.5 * y) for x, y in CORNERS]
     tensions = [
         at_rest(one_equalizer(lugs, lengths=[24, 24 + off, 24, 24], plumb=True)).tensions[1:]
@@ -114,6 +120,7 @@ def test_an_equalizer_takes_the_skew_away() -> None:
 
 @pytest.mark.parametrize("offset", [(0.1, 0.0), (0.0, 0.1)])
 def test_tilt_under_one_equalizer(offset: tuple[float, float]) -> None:
+    """Tilt under one equalizer: tan θ = e/h, 2.29 degrees for 100 mm over 2.5 m."""
     # Five equal pulls act as one from the lugs' middle: tan θ = e/h = 0.1/2.5. Slings over their lugs lean by what the load turns
     # about, so their pulls differ by 1e-9 and the tilt by 1e-4 of it.
     rest = at_rest(one_equalizer(LUGS, lengths=[26] * 5, offset=offset, plumb=True))
@@ -124,6 +131,7 @@ def test_tilt_under_one_equalizer(offset: tuple[float, float]) -> None:
 
 
 def test_equal_to_a_run_damped_to_rest() -> None:
+    """The equilibrium against a simulation that is damped to rest."""
     lift = one_equalizer(LUGS, lengths=[26.0, 25.9, 26.1, 25.8, 26.2])
     for one in lift["bodies"][:-1]:
         one["joint"]["damping"] = 3e3
@@ -141,6 +149,7 @@ def test_equal_to_a_run_damped_to_rest() -> None:
 
 
 def test_three_legged_bridle() -> None:
+    """Three slings to one hook: forces and moments about the centre of gravity."""
     # Lugs not evenly about the centre of gravity: forces by moments. The hook hangs over the centre of gravity, so with
     # slings to one point the lengths' directions and the weight make three equations.
     lugs = np.array([(3.0, 0.0, 0.0), (-2.0, 2.5, 0.0), (-1.0, -3.0, 0.0)])
@@ -171,6 +180,7 @@ def test_three_legged_bridle() -> None:
 
 
 def test_two_cranes_share_by_moments() -> None:
+    """Two cranes share a load by moments."""
     # Plumb falls 12 m apart, centre of gravity 2 m from the middle and in the lugs' plane: 8/12 and 4/12 of the weight,
     # whatever the stiffness of the falls.
     ropes = [
@@ -184,6 +194,7 @@ def test_two_cranes_share_by_moments() -> None:
 
 
 def test_inextensible_ropes_from_far_away() -> None:
+    """A double pendulum on inextensible ropes, found from up to 20 m off."""
     system = document(
         [body("hook", point((0, 0, -30)), 30e3), body("load", point((0, 0, -50)), 300e3)],
         ropes=[
@@ -198,6 +209,7 @@ def test_inextensible_ropes_from_far_away() -> None:
 
 
 def test_contacts_stops_and_slack_ropes() -> None:
+    """A box on four springs under a slack rope, a slider on its stop."""
     # A box on four springs sinks by W/4k; the rope above it is slack.
     corners = [
         contact(f"c{i}", "box", (x, y, -1), stiffness=1e6, friction=0.5) for i, (x, y) in enumerate(CORNERS)
@@ -216,6 +228,7 @@ def test_contacts_stops_and_slack_ropes() -> None:
 
 
 def test_brakes_hold_what_they_can() -> None:
+    """A drum held by its brake, and not; a pin with dry friction: sin θ = M/(m g l)."""
     def hoist(brake: float) -> AtRest:
         route = [drum(None, (0, 0, 10), "winch"), end("load")]
         load = body("load", slider(), 1e3)
@@ -235,12 +248,14 @@ def test_brakes_hold_what_they_can() -> None:
 
 
 def test_nothing_holds_it() -> None:
+    """What nothing holds falls without end, and is named."""
     with pytest.raises(RuntimeError) as caught:
         at_rest(document([body("loose", point((0, 0, 0)), 1.0)]))
     assert caught.value.args == ("loose", "nothing holds it, it falls without end")
 
 
 def test_a_centre_of_gravity_above_the_lugs_is_unstable() -> None:
+    """A beam whose lugs lie below its centre of gravity is unstable about the line of its lugs."""
     def lifted(above: float) -> AtRest:
         slings = [
             rope(f"s{i}", 8.0, [end(None, (x, 0, 8)), end("beam", (x, 0, -above))], 1e8)

@@ -13,10 +13,12 @@ from tests.support.mechanics import body, document, end, free, hinge, point, rop
 from tests.support.resting import CORNERS, G, at_rest, one_equalizer
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
+LOAD = "block"  # as the lift file calls it
 
 
 @pytest.mark.parametrize("axial_stiffness", [None, 1e13])
 def test_double_pendulum(axial_stiffness: float | None) -> None:
+    """Double pendulum 30 t / 300 t on 30 m / 20 m: 14.026 s and 2.119 s."""
     # Hook block 30 t on 30 m, load 300 t on 20 m: det(K − ω²M) = 0 with M = [[m₁+m₂, m₂], [m₂, m₂]] in lengths times
     # angles, K = diag((m₁+m₂) g/l₁, m₂ g/l₂) likewise: 14.026 s and 2.119 s, twice each.
     upper, lower, top, bottom = 30e3, 300e3, 30.0, 20.0
@@ -39,6 +41,7 @@ def test_double_pendulum(axial_stiffness: float | None) -> None:
 
 
 def test_load_on_an_elastic_sling() -> None:
+    """Load on an elastic sling: ω² = EA/(m L), ζ = τω/2."""
     # ω² = EA/(m L); damped as ζ = τω/2.
     mass, length, stiffness, damping_time = 2e4, 12.0, 5e6, 0.01
     rest = at_rest(
@@ -57,6 +60,7 @@ def test_load_on_an_elastic_sling() -> None:
 
 @pytest.mark.parametrize("cords", [2, 4])
 def test_torsion_of_plumb_cords(cords: int) -> None:
+    """Bifilar and quadrifilar torsion: ω² = m g r²/(I L)."""
     # ω² = m g r²/(I L), r the distance of the cords from the axis; bifilar and quadrifilar.
     places = [(1.5, 0.0), (-1.5, 0.0)] if cords == 2 else [(1.2 * x, 0.9 * y) for x, y in CORNERS]
     mass, inertia, length = 500.0, 300.0, 6.0
@@ -76,6 +80,7 @@ def test_torsion_of_plumb_cords(cords: int) -> None:
 
 
 def test_tilting_under_one_equalizer() -> None:
+    """Tilting of a load by hand, 5.2 s with its lugs held, and on slings, 3.9 s."""
     # lifts of 300 t with the lugs' middle h = 2.5 m above the centre of gravity. Held there by a ball, a hand
     # calculation: T = 2π √((I + m h²)/(m g h)) = 5.2 s.
     mass, inertia, below = 300e3, 3.125e6, 2.5
@@ -106,6 +111,7 @@ def test_tilting_under_one_equalizer() -> None:
 
 
 def test_unstable_motions_stand_first() -> None:
+    """Inverted pendulum: ω² = −m g l/(I + m l²)."""
     # An inverted pendulum: ω² = −m g l/(I + m l²).
     rest = at_rest(
         document([body("pole", hinge(), 40.0, centre_of_gravity=(0, 0, 1.5), inertia=(8, 8, 1))])
@@ -115,6 +121,7 @@ def test_unstable_motions_stand_first() -> None:
 
 
 def test_what_nothing_holds_has_no_period() -> None:
+    """A load on one rope: two swings and a turn that nothing holds."""
     # A load on one rope from a hook: two swings, and a turn about the plumb that nothing holds.
     ropes = [rope("r", 10.0, [end(None, (0, 0, 11)), end("load", (0, 0, 1))], 1e8)]
     rest = at_rest(document([body("load", free((0, 0, 0)), 1e4, inertia=(1e3, 1e3, 1e3))], ropes=ropes))
@@ -125,14 +132,15 @@ def test_what_nothing_holds_has_no_period() -> None:
 
 
 def test_a_mode_as_a_recording() -> None:
+    """A mode recorded over one period: forces are mass times ω² times displacement."""
     lift = Statics(SCENARIOS / "equalizer")
     rest = lift.equilibrium()
     modes = lift.modes()
-    bounce = next(mode for mode in modes if mode.motion == "block moves along z")
+    bounce = next(mode for mode in modes if mode.motion == f"{LOAD} moves along z")
     recording = lift.swing(bounce, amplitude=0.01, frames=41)
     assert recording.time[-1] == pytest.approx(bounce.period, rel=1e-12)
-    height = recording.column("body_position", "block")[:, 2]
-    at = rest.recording.column("body_position", "block")[-1, 2]
+    height = recording.column("body_position", LOAD)[:, 2]
+    at = rest.recording.column("body_position", LOAD)[-1, 2]
     # The sheaves move more than the load in it, by at most 1 cm.
     assert height[[0, 20, 40]] == pytest.approx([at] * 3, abs=1e-12)
     swing = height - at

@@ -39,6 +39,7 @@ def differences(system: Json, kind: str, name: str) -> Floats:
 
 @pytest.mark.parametrize("system", ["four slings", "equalizer"])
 def test_sensitivities_are_the_derivatives(system: str) -> None:
+    """Sensitivities from the tangent against differences of equilibria of lifts that differ."""
     if system == "four slings":
         lift = four_slings(2e8, 0.01)
         slings = [f"s{i}" for i in range(4)]
@@ -61,6 +62,7 @@ def test_sensitivities_are_the_derivatives(system: str) -> None:
 
 
 def test_the_weight_of_a_load_is_shared_alike() -> None:
+    """Four plumb slings: dT/dm = g/4, dT/dL = ∓ k/4."""
     # Four plumb slings: dT/dm = g/4, dT/dL = −/+ k/4 with k = EA/L, but for their strain of 4e-5.
     core = _core.Statics(json.dumps(four_slings(2e10, 0.0)))
     core.settle()
@@ -70,6 +72,7 @@ def test_the_weight_of_a_load_is_shared_alike() -> None:
 
 
 def test_asking_for_what_is_not_there() -> None:
+    """Ropes and quantities that there are not are refused by name."""
     core = _core.Statics(json.dumps(four_slings(2e8, 0.0)))
     core.settle()
     with pytest.raises(ValueError, match="there is no s9 to ask the length of"):

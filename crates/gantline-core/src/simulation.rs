@@ -10,8 +10,9 @@ use crate::event::{Event, EventKind, EventLog};
 use crate::record::columns::Columns;
 use crate::record::names::Names;
 use crate::record::{Recorder, Samples, Span};
-use crate::spec::{IntegratorSpec, SettingsSpec, SystemSpec};
+use crate::spec::{IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
 use crate::state::State;
+use crate::statics::{NoEquilibrium, Statics};
 use crate::stepper::StepError;
 use crate::stepper::adaptive::{Adaptive, Tolerance};
 use crate::stepper::del::Del;
@@ -28,6 +29,9 @@ pub enum SetupError {
     /// Something in it is wrong.
     #[error(transparent)]
     Build(#[from] BuildError),
+    /// It shall start at rest and comes to rest nowhere.
+    #[error("{}: it cannot start at rest: {}", .0.element, .0.cause)]
+    Rest(#[from] NoEquilibrium),
     /// A setting is out of its range.
     #[error("{0}")]
     Setting(String),
@@ -115,7 +119,10 @@ impl Simulation {
             let problem = "the sample interval is too short for the duration: more than ten million samples";
             return Err(SetupError::Setting(problem.to_owned()));
         }
-        let (system, state) = build(&spec)?;
+        let (system, mut state) = build(&spec)?;
+        if parsed.start == StartSpec::Rest {
+            Statics::new(&system).settle(&system, &mut state)?;
+        }
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);
         Ok(Self {

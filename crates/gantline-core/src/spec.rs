@@ -430,6 +430,20 @@ pub struct SettingsSpec {
     pub duration: f64,
     /// Time between samples of the recording [s].
     pub sample_interval: f64,
+    /// Where it starts from.
+    #[serde(default)]
+    pub start: StartSpec,
+}
+
+/// Where a run starts from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StartSpec {
+    /// The positions and velocities of the document.
+    #[default]
+    AsGiven,
+    /// The equilibrium downhill of its positions.
+    Rest,
 }
 
 /// Integrators.

@@ -83,7 +83,7 @@ def add_load(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -
     """
     orientation = about_axis((0.0, 0.0, 1.0), load.heading)
     position = np.array(load.position) + rotation_matrix(orientation) @ lifted.centre
-    if scenario.starts_at_rest:
+    if scenario.load_has_settled:
         height, turn = _at_rest(scenario, load, lifted, orientation)
         position[2] = height
         orientation = quaternion_product(turn, orientation)

@@ -192,13 +192,13 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         route = [_upper_end(rigging, sling), end(scenario.load.name, lugs[sling.lug])]
         distance = route_length(parts, route)
         short = distance - sling.length
-        allowed = _TAUT if scenario.starts_at_rest or sling.rope.inextensible else _MOST_STRAIN * sling.length
+        allowed = _TAUT if scenario.load_has_settled or sling.rope.inextensible else _MOST_STRAIN * sling.length
         if short > allowed:
             lug = f"{scenario.load.name}.{sling.lug}"
             apart = f"from '{sling.upper_body}' to '{lug}' it is {_not_shorter(distance, sling.length)} m"
             sentence = f"the sling is {sling.length:g} m, but {apart} at the start; "
             advice = "lower the hook or make the sling longer"
-            if scenario.starts_at_rest and short <= _MOST_STRAIN * sling.length:
+            if scenario.load_has_settled and short <= _MOST_STRAIN * sling.length:
                 advice += ", or write 'start: as_given' if it shall pull from the start"
             raise scenario.error(("slings", sling.name), sentence + advice)
         path = ("slings", sling.name)

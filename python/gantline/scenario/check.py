@@ -40,8 +40,8 @@ def check(scenario: Scenario) -> None:
         check_load(findings, scenario.load)
     elif scenario.mechanics is None:
         findings.add((), "there is nothing to lift; a lift file has a 'load' or 'mechanics'")
-    if scenario.start == "rest" and (scenario.load is None or scenario.load.stands_on is None):
-        sentence = "'rest' needs a load that stands on the ground"
+    if scenario.start == "settled" and (scenario.load is None or scenario.load.stands_on is None):
+        sentence = "'settled' needs a load that stands on the ground"
         findings.add(("start",), f"{sentence}; write 'stands_on: ground' or 'start: as_given'")
     if scenario.mechanics is not None:
         check_mechanics(findings, scenario.mechanics)

@@ -53,7 +53,7 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
     elif ground is None:
         sentence = "the load stands on the ground but there is no 'ground' in this file"
         findings.add(("load", "stands_on"), f"{sentence}; add 'ground: {{level: 0 m}}'")
-    elif findings.scenario.starts_at_rest and abs(load.position[2] - ground.level) > _STANDING:
+    elif findings.scenario.load_has_settled and abs(load.position[2] - ground.level) > _STANDING:
         gap = load.position[2] - ground.level
         where = "above" if gap > 0 else "below"
         sentence = f"the load stands on the ground but its underside is {abs(gap):g} m {where} it"

@@ -45,10 +45,11 @@ class Scenario(Element):
     format: Annotated[int, _FormatReader()] = Field(description="Format of the file: 1.")
     lift: LiftHead = Field(description="What the lift is called.")
     duration: PositiveTime = Field(description="Time to simulate.")
-    start: Literal["rest", "as_given"] | None = Field(
+    start: Literal["rest", "settled", "as_given"] | None = Field(
         None,
-        description="'rest': the load has settled on the ground; 'as_given': from the positions given. "
-        "If not given: 'rest' for a load that stands on the ground.",
+        description="'rest': everything in equilibrium, found from the positions given; 'settled': the load has settled "
+        "on the ground, all else is as given; 'as_given': from the positions given. If not given: 'rest' for "
+        "a lift with a 'load', else 'as_given'.",
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
@@ -95,6 +96,11 @@ class Scenario(Element):
 
     @property
     def starts_at_rest(self) -> bool:
+        """Whether everything is in equilibrium before the lift begins."""
+        return self.start == "rest" or (self.start is None and self.load is not None)
+
+    @property
+    def load_has_settled(self) -> bool:
         """Whether the load has settled on the ground before the lift begins."""
         stands = self.load is not None and self.load.stands_on is not None
-        return self.start == "rest" or (self.start is None and stands)
+        return stands and self.start != "as_given"

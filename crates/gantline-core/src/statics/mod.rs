@@ -110,6 +110,7 @@ impl Statics {
             if bearing.is_rigid && bearing.part != Part::Off {
                 most = most.max((tension - bearing.offset).abs() * bearing.compliance);
                 bearing.offset = tension;
+                bearing.stiffen();
             }
         }
         most
@@ -131,7 +132,7 @@ impl Statics {
     }
 
     /// Forces and modes into the state, which is at rest.
-    fn store(&self, system: &System, state: &mut State) {
+    fn store(&mut self, system: &System, state: &mut State) {
         state.v.fill(0.0);
         state.acceleration.fill(0.0);
         state.bias.fill(0.0);
@@ -143,7 +144,7 @@ impl Statics {
             }
             if matches!(law, Law::Friction { .. }) {
                 // Anchors lie below their points: without deflection.
-                state.memory[row] += self.search.here.frame.value[row];
+                state.memory[row] += std::mem::take(&mut self.search.here.frame.value[row]);
             }
             state.modes[row] = match *law {
                 Law::Unilateral { .. } if self.search.here.follows[row] => Mode::Acting,

@@ -19,6 +19,10 @@ use crate::tree::bias::NewtonEuler;
 
 /// Stretch of a row without compliance under the weight of everything, before its multiplier is found [m].
 const SOFTNESS: f64 = 0.03;
+/// What is left of it in each search that follows.
+const STIFFER: f64 = 0.1;
+/// And what is left of it at least.
+const LEAST_SHARE: f64 = 2e-3;
 
 /// Rounding of a sum of lengths, relative to the longest.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -41,6 +45,8 @@ pub struct Bearing {
     pub part: Part,
     /// ε [m/N].
     pub compliance: f64,
+    /// ε of the first search [m/N].
+    pub first_compliance: f64,
     /// True where ε is statics' own.
     pub is_rigid: bool,
     /// T̂ [N].
@@ -52,6 +58,14 @@ pub struct Bearing {
 }
 
 impl Bearing {
+    /// Once its multiplier is about right, a row without compliance can be stiffer: the next one is closer.
+    pub fn stiffen(&mut self) {
+        if self.compliance > LEAST_SHARE * self.first_compliance {
+            self.compliance *= STIFFER;
+            self.rounding /= STIFFER;
+        }
+    }
+
     /// T and ½ ε T² of the value e, and whether T follows e there.
     pub fn at(&self, value: f64) -> (f64, f64, bool) {
         let trial = self.offset + value / self.compliance;
@@ -90,7 +104,7 @@ pub fn bearings(system: &System, state: &State) -> Vec<Bearing> {
         };
         let size = length(system, row).max(1.0);
         let rounding = ROUNDING * size / compliance;
-        Bearing { part, compliance, is_rigid, offset: 0.0, held, rounding }
+        Bearing { part, compliance, first_compliance: compliance, is_rigid, offset: 0.0, held, rounding }
     };
     system.rows.laws.iter().enumerate().map(row).collect()
 }
