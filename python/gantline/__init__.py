@@ -13,16 +13,20 @@ if TYPE_CHECKING:
     from gantline.results.recording import Recording, open_recording
     from gantline.scenario import Scenario, ScenarioError, load_scenario
     from gantline.simulation import Simulation, SimulationError, simulate
+    from gantline.statics import Equilibrium, NoEquilibriumError, Statics
 
     __version__: str
 
 __all__ = [
     "Comparison",
+    "Equilibrium",
+    "NoEquilibriumError",
     "Recording",
     "Scenario",
     "ScenarioError",
     "Simulation",
     "SimulationError",
+    "Statics",
     "__version__",
     "compare",
     "load_scenario",
@@ -41,6 +45,9 @@ _HOMES = {
     "Simulation": "gantline.simulation",
     "SimulationError": "gantline.simulation",
     "simulate": "gantline.simulation",
+    "Equilibrium": "gantline.statics",
+    "NoEquilibriumError": "gantline.statics",
+    "Statics": "gantline.statics",
 }
 
 

@@ -55,3 +55,35 @@ class Simulation:
 
     def counters(self) -> dict[str, int]:
         """Steps, factorisations and what else was counted."""
+
+class Statics:
+    """A system whose equilibria are asked for.
+
+    Args:
+        document: The system as JSON text.
+
+    Raises:
+        ValueError: If the document is not right, or has lengths that are adjusted.
+    """
+
+    def __init__(self, document: str) -> None: ...
+    def degrees_of_freedom(self) -> int:
+        """How many there are, of driven joints too."""
+
+    def settle(self, time: float = 0.0, increment: list[float] | None = None) -> dict[str, Any]:
+        """Find the equilibrium at a time [s] of the plan; RuntimeError(element, cause) where there is none."""
+
+    def modes(self) -> dict[str, npt.NDArray[np.float64]]:
+        """Natural motions about the equilibrium found last, slowest first; NaN where none has a damping ratio."""
+
+    def swing(self, mode: int, amplitude: float, frames: int) -> None:
+        """Let the equilibrium swing in a mode, so that `columns` has one period of it."""
+
+    def sensitivities(self, parameters: list[tuple[str, str]]) -> npt.NDArray[np.float64]:
+        """Derivatives of all tensions, shape (parameters, ropes), over pairs of a kind and a name."""
+
+    def columns(self) -> dict[str, npt.NDArray[np.float64]]:
+        """The equilibrium or motion found last, by name."""
+
+    def names(self) -> dict[str, list[str]]:
+        """Names along the dimensions of the columns."""

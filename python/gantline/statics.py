@@ -245,11 +245,19 @@ class Statics:
             gantline_version=version(),
             scenario=self.scenario.text,
             settings={},
+            axial_stiffness=self._stiffness(),
             warnings=[],
             scene=self.assembly.scene,
             counters={},
             status=status,
         )
+
+    def _stiffness(self) -> dict[str, float]:
+        """Axial stiffness of ropes that stretch [N]."""
+        materials = {rope["name"]: rope["material"] for rope in self.assembly.document["ropes"]}
+        return {
+            name: float(one["axial_stiffness"]) for name, one in materials.items() if one["type"] == "elastic"
+        }
 
     def _words(self, motion: Floats) -> str:
         """What moves: the bodies with the most kinetic energy."""

@@ -11,6 +11,7 @@ from gantline.cli.compare import compare
 from gantline.cli.new import new
 from gantline.cli.run import run
 from gantline.cli.schema import schema
+from gantline.cli.statics import statics
 
 app = typer.Typer(
     name="gantline",
@@ -22,6 +23,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command()(run)
+app.command()(statics)
 app.command()(compare)
 app.command()(check)
 app.command()(new)

@@ -13,6 +13,8 @@ use crate::tree::kinematics::Kinematics;
 
 /// Share of its length that a part keeps in a step.
 const KEPT: f64 = 0.3;
+/// A part of this length is none any more [m].
+const NOTHING: f64 = 1e-3;
 /// By how much a brake is strengthened where it was not enough.
 const STRONGER: f64 = 8.0;
 
@@ -75,6 +77,15 @@ impl Guard {
             }
         }
         all
+    }
+
+    /// A rope of which a part has come to nothing [m].
+    pub fn used_up(&self, system: &System, here: &Potential) -> Option<usize> {
+        let is_nothing = |&&(rope, number, _): &&(usize, usize, Vec<(usize, f64)>)| {
+            let AnyConstraint::Rope(rope) = &system.constraints[rope] else { return false };
+            rope.route.parts[number].locate(&here.frame.kinematics).length < NOTHING
+        };
+        self.parts.iter().find(is_nothing).map(|(rope, ..)| *rope)
     }
 
     /// Size of the second derivative of V on the diagonal of a degree of freedom.

@@ -167,9 +167,14 @@ impl Statics {
 }
 
 fn explain(system: &System, stuck: Stuck) -> NoEquilibrium {
-    let (body, cause) = match stuck {
-        Stuck::Falls(body) => (body, "nothing holds it, it falls without end"),
-        Stuck::NoStep(dof) => (system.tree.owner[dof], "no step brings its forces closer to balance"),
+    let body = |index: usize| system.tree.bodies[index].name.clone();
+    let (element, cause) = match stuck {
+        Stuck::Falls(index) => (body(index), "nothing holds it, it falls without end"),
+        Stuck::UsedUp(rope) => {
+            let name = system.constraints[rope].name().to_owned();
+            (name, "it is hauled in until two of the places that it passes have come together")
+        }
+        Stuck::NoStep(dof) => (body(system.tree.owner[dof]), "no step brings its forces closer to balance"),
     };
-    NoEquilibrium { element: system.tree.bodies[body].name.clone(), cause: cause.to_owned() }
+    NoEquilibrium { element, cause: cause.to_owned() }
 }

@@ -50,6 +50,8 @@ const WORTH: f64 = 1e-3;
 pub enum Stuck {
     /// This body falls without end.
     Falls(usize),
+    /// Two of the places that this rope passes have come together.
+    UsedUp(usize),
     /// No step leads on; the slope of this degree of freedom is the largest.
     NoStep(usize),
 }
@@ -165,6 +167,9 @@ impl Search {
     fn end(&self, system: &System) -> Result<(), Stuck> {
         if self.here.residual(system) <= BALANCED {
             return Ok(());
+        }
+        if let Some(rope) = self.guard.used_up(system, &self.here) {
+            return Err(Stuck::UsedUp(rope));
         }
         let free = (0..self.here.slope.len()).filter(|&dof| system.driven[dof].is_none());
         let imbalance = |dof: &usize| self.here.imbalance(system, *dof);

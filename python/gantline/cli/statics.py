@@ -1,0 +1,218 @@
+"""`gantline statics`: how a lift hangs at rest, how it swings about that, what it answers to errors."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gantline.cli.lift import output_folder, quantity_of
+from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
+
+if TYPE_CHECKING:
+    from gantline.statics import Equilibrium, Mode, Sensitivity, Statics
+
+#: Modes that are shown where it is not said how many.
+_MODES = 6
+
+
+def statics(
+    lift: Annotated[
+        Path,
+        typer.Argument(
+            metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
+        ),
+    ],
+    time: Annotated[
+        str | None,
+        typer.Option(metavar="TIME", help="Time of the plan, such as '12 s'.  [default: the end of the lift]"),
+    ] = None,
+    modes: Annotated[int, typer.Option(min=0, help="How many natural motions to show.")] = _MODES,
+    sensitivities: Annotated[
+        bool, typer.Option("--sensitivities", help="Show what lengths, stiffness and weight change.")
+    ] = False,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="DIR",
+            help="Folder for the equilibrium and one period of each motion shown, as recordings.",
+        ),
+    ] = None,
+) -> None:
+    """Find the equilibrium of a lift, and its natural motions about it; nothing is simulated.
+
+    Ends with code 1 where the equilibrium is unstable, and with 3 where there is none.
+    """
+    moment = quantity_of("--time", time, "time")
+    if moment is not None and moment < 0.0:
+        stop(f"--time: {time!r} is before the start of the lift; 0 s is the start")
+    with scenario_errors():
+        from gantline.statics import NoEquilibriumError, Statics
+
+        question = Statics(lift)
+    try:
+        rest = question.equilibrium(moment)
+    except NoEquilibriumError as problem:
+        stop(str(problem), COULD_NOT_GO_ON)
+    found = question.modes()
+    shown = found[: max(modes, rest.unstable)]
+    parts = [
+        _heading(question, rest, found),
+        _slings(rest),
+        _ropes(rest),
+        _hooks(rest),
+        _loads(rest),
+        _sheaves(rest),
+        _modes(shown),
+        _sensitivities(rest, question.sensitivities()) if sensitivities else [],
+    ]
+    typer.echo("\n".join(line for part in parts if part for line in (*part, "")))
+    if output is not None:
+        _write(question, rest, shown, output)
+    raise typer.Exit(DONE if rest.is_stable else CHECK_FAILED)
+
+
+def _heading(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
+    from gantline.cli.summary import heading, weights
+
+    lines = [*heading(question.rig), *weights(question.rig)]
+    if rest.is_stable:
+        state = "stable"
+    else:
+        count = "one motion leads" if rest.unstable == 1 else f"{rest.unstable} motions lead"
+        state = f"UNSTABLE: {count} away"
+    lines.append(f"Equilibrium at {rest.time:g} s: {state}")
+    free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
+    lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]
+    if rest.frictionless:
+        lines.append(f"  without the losses of {len(rest.frictionless)} sheaves; contacts without friction")
+    elif rest.recording.rig.loads:
+        lines.append("  contacts without friction")
+    return lines
+
+
+def _slings(rest: Equilibrium) -> list[str]:
+    from gantline.cli.summary import show
+    from gantline.cli.table import ABSENT, table
+    from gantline.results import series
+
+    slings = rest.recording.rig.slings
+    tensions = {sling.name: rest.tension(sling.rope) for sling in slings}
+    mean = sum(tensions.values()) / max(len(tensions), 1)
+    rows = [
+        (
+            sling.name,
+            show(tensions[sling.name], "kN", 3),
+            f"{tensions[sling.name] / mean:.4f}" if mean > 0.0 else ABSENT,
+            show(float(series.sling_angle(rest.recording, sling)[-1]), "deg", 2),
+            "slack" if tensions[sling.name] <= 0.0 else "",
+        )
+        for sling in slings
+    ]
+    return table(("Sling", "tension", "of the mean", "angle", ""), rows, "lrrrl") if rows else []
+
+
+def _ropes(rest: Equilibrium) -> list[str]:
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    slings = {sling.rope for sling in rest.recording.rig.slings}
+    names = [name for name in rest.recording.coordinates["rope"] if name not in slings]
+    rows = [(name, show(rest.tension(name), "kN", 3)) for name in names]
+    return table(("Rope", "tension"), rows, "lr") if rows else []
+
+
+def _hooks(rest: Equilibrium) -> list[str]:
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    rows = [
+        (hook.name, *(show(float(rest.recording.column(name, hook.name)[-1]), "kN", 1) for name in loads))
+        for loads in [("hook_load", "hoist_load")]
+        for hook in rest.recording.rig.hooks
+    ]
+    return table(("Hook", "hook load", "hoist load"), rows, "lrr") if rows else []
+
+
+def _loads(rest: Equilibrium) -> list[str]:
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    rows = [
+        (
+            load.name,
+            show(float(rest.recording.column("load_tilt", load.name)[-1]), "deg", 3),
+            # Rounding of a load that stands is no negative share.
+            show(max(0.0, float(rest.recording.column("load_transferred", load.name)[-1])), "%", 1),
+        )
+        for load in rest.recording.rig.loads
+    ]
+    return table(("Load", "tilt", "load transferred"), rows, "lrr") if rows else []
+
+
+def _sheaves(rest: Equilibrium) -> list[str]:
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    rows = [
+        (sheave, show(float(rest.recording.column("sheave_travel", sheave)[-1]), "m", 3))
+        for equalizer in rest.recording.rig.equalizers
+        for sheave in equalizer.moving_sheaves
+    ]
+    return table(("Moving sheave", "travel, down positive"), rows, "lr") if rows else []
+
+
+def _modes(modes: list[Mode]) -> list[str]:
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    def course(mode: Mode) -> str:
+        if mode.growth_time is not None:
+            return f"leads away, e-fold in {show(mode.growth_time, 's', 2)}"
+        return show(mode.period, "s", 3) if mode.period is not None else "nothing holds it"
+
+    rows = [
+        (str(mode.number + 1), course(mode), show(mode.damping_ratio, "%", 2), mode.motion) for mode in modes
+    ]
+    return table(("Motion", "period", "damping ratio", "what moves"), rows, "lrrl") if rows else []
+
+
+#: What one error of each kind is, for the table: its size, and in words.
+_ERRORS = {
+    "length": (0.01, "10 mm longer"),
+    "stiffness": (0.0, "1 % stiffer"),
+    "mass": (1000.0, "1 t heavier"),
+    "centre_x": (0.1, "centre of gravity 100 mm along x"),
+    "centre_y": (0.1, "centre of gravity 100 mm along y"),
+    "centre_z": (0.1, "centre of gravity 100 mm along z"),
+}
+
+
+def _sensitivities(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[str]:
+    """Changes of the slings' tensions, first order."""
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    slings = rest.recording.rig.slings
+    stiffness = rest.recording.attributes["axial_stiffness"]
+    rows = []
+    for one in all_of_them:
+        size, words = _ERRORS[one.kind]
+        if one.kind == "stiffness":
+            size = 0.01 * stiffness.get(one.name, 0.0)
+        changes = [show(one.of(sling.rope) * size, "kN", 3) for sling in slings]
+        rows.append((f"{one.name} {words}", *changes))
+    head = ("Change of tension", *(sling.name for sling in slings))
+    return table(head, rows, "l" + "r" * len(slings)) if slings else []
+
+
+def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path) -> None:
+    place = output_folder(folder)
+    with writing(place):
+        written = [rest.recording.save(place / "equilibrium.nc")]
+        for mode in modes:
+            written.append(question.swing(mode).save(place / f"motion_{mode.number + 1}.nc"))
+    typer.echo("\n".join(f"Recording   {path}" for path in written))
