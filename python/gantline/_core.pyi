@@ -70,7 +70,9 @@ class Statics:
     def degrees_of_freedom(self) -> int:
         """How many there are, of driven joints too."""
 
-    def settle(self, time: float = 0.0, increment: list[float] | None = None) -> dict[str, Any]:
+    def settle(
+        self, time: float = 0.0, increment: list[float] | None = None, losses: str = "none"
+    ) -> dict[str, Any]:
         """Find the equilibrium at a time [s] of the plan; RuntimeError(element, cause) where there is none."""
 
     def modes(self) -> dict[str, npt.NDArray[np.float64]]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +22,7 @@ from gantline.version import version
 __all__ = ["Equilibrium", "Mode", "NoEquilibriumError", "Sensitivity", "Statics"]
 
 Floats = npt.NDArray[np.float64]
+Losses = Literal["none", "forward", "backward"]
 
 #: ω² within this of zero is no stiffness at all [1/s²], as in the core.
 _NEUTRAL = 1e-6
@@ -61,7 +63,8 @@ class Equilibrium:
         neutral: How many motions nothing holds; they stay where the start was nearest.
         unstable: How many motions lead away; 0 if it is stable.
         steps: Steps that the search made.
-        frictionless: Sheaves with losses, which are taken here as ideal.
+        lossy: Sheaves with losses.
+        losses: What these do, see `Statics.equilibrium`.
     """
 
     time: float
@@ -70,7 +73,8 @@ class Equilibrium:
     neutral: int
     unstable: int
     steps: int
-    frictionless: tuple[str, ...] = ()
+    lossy: tuple[str, ...] = ()
+    losses: Losses = "none"
 
     @property
     def is_stable(self) -> bool:
@@ -158,16 +162,22 @@ class Statics:
         return Rig.from_json(self.assembly.rig)
 
     def equilibrium(
-        self, time: float | None = None, *, increment: Sequence[float] | None = None
+        self,
+        time: float | None = None,
+        *,
+        losses: Losses = "none",
+        increment: Sequence[float] | None = None,
     ) -> Equilibrium:
         """The equilibrium that lies downhill of the start of the lift.
 
-        Friction of contacts and losses of sheaves are left out; brakes, locking pins and dry friction given in newtons hold what they
-        hold at the start.
+        Friction of contacts is left out; brakes, locking pins and dry friction given in newtons hold what they hold
+        at the start.
 
         Args:
             time: Time of the plan [s], at which drives are where it says; None for the end of the lift. A plan
                 that waits for conditions is followed from rest to rest.
+            losses: What losses of sheaves do: `none`, the middle of what they may hold; `forward` and `backward`, all
+                sheaves slip towards the end or the start of their ropes' routes, which bounds it.
             increment: How far each degree of freedom starts from the start of the lift [m or rad].
 
         Raises:
@@ -175,7 +185,7 @@ class Statics:
         """
         moment = self.scenario.duration if time is None else time
         try:
-            found = self._core.settle(moment, None if increment is None else list(increment))
+            found = self._core.settle(moment, None if increment is None else list(increment), losses)
         except RuntimeError as problem:
             raise NoEquilibriumError(moment, *problem.args) from None
         return Equilibrium(
@@ -185,7 +195,8 @@ class Statics:
             neutral=found["neutral"],
             unstable=found["unstable"],
             steps=found["steps"],
-            frictionless=tuple(found["idealised"]),
+            lossy=tuple(found["lossy"]),
+            losses=losses,
         )
 
     def modes(self) -> list[Mode]:
@@ -309,4 +320,4 @@ def _direction(vector: Floats) -> str:
         if abs(unit[axis]) >= _ALONG:
             return name
     unit = unit if unit[int(np.argmax(np.abs(unit)))] > 0 else -unit
-    return f"({', '.join(f'{part:.2f}' for part in unit)})"
+    return f"({', '.join(f'{round(part, 2) + 0.0:.2f}' for part in unit)})"

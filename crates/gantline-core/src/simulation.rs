@@ -12,6 +12,7 @@ use crate::record::names::Names;
 use crate::record::{Recorder, Samples, Span};
 use crate::spec::{IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
 use crate::state::State;
+use crate::statics::potential::Losses;
 use crate::statics::{NoEquilibrium, Statics};
 use crate::stepper::StepError;
 use crate::stepper::adaptive::{Adaptive, Tolerance};
@@ -121,7 +122,7 @@ impl Simulation {
         }
         let (system, mut state) = build(&spec)?;
         if parsed.start == StartSpec::Rest {
-            Statics::new(&system).settle(&system, &mut state)?;
+            Statics::new(&system).settle(&system, &mut state, Losses::None)?;
         }
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);

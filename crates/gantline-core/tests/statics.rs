@@ -5,7 +5,7 @@ mod rigs;
 use gantline_core::build::build;
 use gantline_core::statics::Statics;
 use gantline_core::statics::matrix::Matrix;
-use gantline_core::statics::potential::{Part, Potential, bearings};
+use gantline_core::statics::potential::{Losses, Part, Potential, bearings};
 use gantline_core::system::System;
 use proptest::prelude::*;
 use rigs::{built, moved, seeds};
@@ -14,7 +14,7 @@ use rigs::{built, moved, seeds};
 fn potential(system: &System, state: &gantline_core::state::State) -> Potential {
     let mut here = Potential::new(system);
     here.q.copy_from_slice(&state.q);
-    here.update(system, &bearings(system, state), &state.memory, &state.seats);
+    here.update(system, &bearings(system, state, Losses::None), &state.memory, &state.seats);
     here
 }
 
@@ -27,7 +27,7 @@ proptest! {
         let (system, state, _) = built(&seeds);
         let direction = &directions[..system.tree.velocities];
         let mut here = potential(&system, &state);
-        let bearings = bearings(&system, &state);
+        let bearings = bearings(&system, &state, Losses::None);
         // Where a row changes sides the second derivative jumps.
         let takes_part = here.value.iter().zip(&bearings).filter(|(_, bearing)| bearing.part != Part::Off);
         prop_assume!(takes_part.into_iter().all(|(value, _)| value.abs() > 0.02));
@@ -109,7 +109,7 @@ fn cost_is_linear_in_the_rig() {
     for count in [10, 100, 1000] {
         let (system, mut state) = build(&row_of_sheaves(count)).expect("a valid system");
         let mut statics = Statics::new(&system);
-        let rest = statics.settle(&system, &mut state).expect("it hangs");
+        let rest = statics.settle(&system, &mut state, Losses::None).expect("it hangs");
         assert_eq!(rest.unstable, 0);
         assert!(rest.effort.steps <= 12 && rest.factorisations <= 40, "{count}: {rest:?}");
         // Every sheave bears 60 t and itself on two parts.

@@ -3,6 +3,7 @@
 use gantline_core::statics::NoEquilibrium;
 use gantline_core::statics::lift::StaticLift;
 use gantline_core::statics::modes::Mode;
+use gantline_core::statics::potential::Losses;
 use gantline_core::statics::sensitivity::Parameter;
 use numpy::PyArrayDyn;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -37,12 +38,13 @@ impl Statics {
     }
 
     /// Finds the equilibrium at a time of the plan; raises `RuntimeError` with element and cause where there is none.
-    #[pyo3(signature = (time=0.0, increment=None))]
+    #[pyo3(signature = (time=0.0, increment=None, losses="none"))]
     fn settle<'py>(
         &mut self,
         py: Python<'py>,
         time: f64,
         increment: Option<Vec<f64>>,
+        losses: &str,
     ) -> PyResult<Bound<'py, PyDict>> {
         let size = self.degrees_of_freedom();
         if let Some(given) = increment.as_ref().filter(|given| given.len() != size) {
@@ -51,9 +53,15 @@ impl Statics {
         if !(time >= 0.0 && time.is_finite()) {
             return Err(PyValueError::new_err(format!("the time is {time} s; it must be zero or more")));
         }
+        let losses = match losses {
+            "none" => Losses::None,
+            "forward" => Losses::Forward,
+            "backward" => Losses::Backward,
+            _ => return Err(PyValueError::new_err(format!("there are no losses {losses}; there are none, forward and backward"))),
+        };
         self.modes.clear();
         let inner = &mut self.inner;
-        let rest = py.detach(|| inner.settle(time, increment.as_deref())).map_err(no_equilibrium)?;
+        let rest = py.detach(|| inner.settle(time, increment.as_deref(), losses)).map_err(no_equilibrium)?;
         let out = PyDict::new(py);
         out.set_item("residual", rest.residual)?;
         out.set_item("neutral", rest.neutral)?;
@@ -61,7 +69,7 @@ impl Statics {
         out.set_item("steps", rest.effort.steps)?;
         out.set_item("rejected", rest.effort.rejected)?;
         out.set_item("factorisations", rest.factorisations)?;
-        out.set_item("idealised", self.inner.idealised())?;
+        out.set_item("lossy", self.inner.lossy_sheaves())?;
         Ok(out)
     }
 
@@ -70,7 +78,7 @@ impl Statics {
         let inner = &mut self.inner;
         self.modes = py.detach(|| inner.modes());
         let (modes, ropes) = (&self.modes, self.inner.system().rope_rows());
-        let (count, bodies) = (modes.len(), self.inner.system().tree.bodies.len());
+        let (count, bodies) = (modes.len(), self.inner.names().body.len());
         let motion = modes.iter().flat_map(|mode| self.inner.body_motion(&mode.shape)).collect();
         let shapes = modes.iter().flat_map(|mode| mode.shape.iter().copied()).collect();
         let tensions = modes.iter().flat_map(|mode| mode.tension[..ropes].iter().copied()).collect();

@@ -54,6 +54,7 @@ def statics(
 
         question = Statics(lift)
     try:
+        bounds = _bounds(question, moment)
         rest = question.equilibrium(moment)
     except NoEquilibriumError as problem:
         stop(str(problem), COULD_NOT_GO_ON)
@@ -61,7 +62,7 @@ def statics(
     shown = found[: max(modes, rest.unstable)]
     parts = [
         _heading(question, rest, found),
-        _slings(rest),
+        _slings(rest, bounds),
         _ropes(rest),
         _hooks(rest),
         _loads(rest),
@@ -73,6 +74,12 @@ def statics(
     if output is not None:
         _write(question, rest, shown, output)
     raise typer.Exit(DONE if rest.is_stable else CHECK_FAILED)
+
+
+def _bounds(question: Statics, moment: float | None) -> list[Equilibrium]:
+    """With all sheaves slipping one way and the other; none where no sheave has losses."""
+    along = question.equilibrium(moment, losses="forward")
+    return [along, question.equilibrium(moment, losses="backward")] if along.lossy else []
 
 
 def _heading(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
@@ -87,14 +94,14 @@ def _heading(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[st
     lines.append(f"Equilibrium at {rest.time:g} s: {state}")
     free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
     lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]
-    if rest.frictionless:
-        lines.append(f"  without the losses of {len(rest.frictionless)} sheaves; contacts without friction")
-    elif rest.recording.rig.loads:
+    if rest.lossy:
+        lines.append(f"  losses of {len(rest.lossy)} sheaves left out; bounds: all slip along the rope, all against")
+    if rest.recording.rig.loads:
         lines.append("  contacts without friction")
     return lines
 
 
-def _slings(rest: Equilibrium) -> list[str]:
+def _slings(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
     from gantline.cli.summary import show
     from gantline.cli.table import ABSENT, table
     from gantline.results import series
@@ -109,10 +116,12 @@ def _slings(rest: Equilibrium) -> list[str]:
             f"{tensions[sling.name] / mean:.4f}" if mean > 0.0 else ABSENT,
             show(float(series.sling_angle(rest.recording, sling)[-1]), "deg", 2),
             "slack" if tensions[sling.name] <= 0.0 else "",
+            *(show(bound.tension(sling.rope), "kN", 1) for bound in bounds),
         )
         for sling in slings
     ]
-    return table(("Sling", "tension", "of the mean", "angle", ""), rows, "lrrrl") if rows else []
+    head = ("Sling", "tension", "of the mean", "angle", "", *(("slip along", "slip against") if bounds else ()))
+    return table(head, rows, "lrrrl" + "r" * len(bounds)) if rows else []
 
 
 def _ropes(rest: Equilibrium) -> list[str]:

@@ -2,6 +2,7 @@
 //! answers to what is uncertain. What the border hands on.
 
 use super::modes::Mode;
+use super::potential::Losses;
 use super::sensitivity::{Parameter, Sensitivity};
 use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
@@ -57,7 +58,12 @@ impl StaticLift {
     ///
     /// # Errors
     /// [`NoEquilibrium`] says why there is none.
-    pub fn settle(&mut self, time: f64, increment: Option<&[f64]>) -> Result<Rest, NoEquilibrium> {
+    pub fn settle(
+        &mut self,
+        time: f64,
+        increment: Option<&[f64]>,
+        losses: Losses,
+    ) -> Result<Rest, NoEquilibrium> {
         let Self { system, first, state, statics, .. } = self;
         state.copy_from(first);
         if let Some(increment) = increment {
@@ -75,7 +81,7 @@ impl StaticLift {
             while now < time {
                 state.time = now;
                 part(system, state);
-                statics.settle(system, state)?;
+                statics.settle(system, state, losses)?;
                 flows::supports(system, &state.tension, &mut support);
                 let next = (now + LOOK).min(time);
                 state.plan.advance(&system.plan, now, next, &support, &mut log);
@@ -86,7 +92,7 @@ impl StaticLift {
         }
         state.time = time;
         part(system, state);
-        let rest = statics.settle(system, state)?;
+        let rest = statics.settle(system, state, losses)?;
         self.samples = Samples::default();
         if time > 0.0 {
             // Travel counts from here.
@@ -108,9 +114,10 @@ impl StaticLift {
         kinematics.update(&self.system.tree, &self.state.q);
         let mut twists = vec![Twist::default(); self.system.tree.bodies.len()];
         kinematics.twists(&self.system.tree, shape, &mut twists);
-        let motion = twists.iter().zip(&kinematics.lever).flat_map(|(twist, &lever)| {
-            let Twist { angular, .. } = *twist;
-            twist.at(lever).to_array().into_iter().chain(angular.to_array())
+        let bodies = self.system.tree.bodies.iter().zip(twists.iter().zip(&kinematics.lever));
+        let moving = bodies.filter(|(body, _)| body.joint.moves_body());
+        let motion = moving.flat_map(|(_, (twist, &lever))| {
+            twist.at(lever).to_array().into_iter().chain(twist.angular.to_array())
         });
         motion.collect()
     }
@@ -187,8 +194,8 @@ impl StaticLift {
         self.system.tree.bodies.iter().position(|body| body.name == name)
     }
 
-    /// Names of the joints without friction that were taken to have none, although they have: sheaves with losses.
-    pub fn idealised(&self) -> Vec<&str> {
+    /// Names of the sheaves with losses.
+    pub fn lossy_sheaves(&self) -> Vec<&str> {
         let brakes = self.system.constraints[self.system.first_brake..].iter();
         let lossy = brakes.filter(|brake| matches!(brake, AnyConstraint::Brake(brake) if brake.share > 0.0));
         lossy.map(|brake| brake.name()).collect()

@@ -3,7 +3,8 @@
 //! [`Statics::settle`] finds the equilibrium that lies downhill of a configuration, with drives where they are at a
 //! time of their timelines: [`search`] is the way down on the [`potential`], by the [`matrix`] of the exact tangent.
 //!
-//! Friction: contacts and sheaves are taken as ideal, without friction; what holds a joint or a drum by itself (a brake,
+//! Friction: contacts are taken without. Sheaves are taken as ideal, or as slipping all one way, which bounds what their
+//! losses may hold ([`potential::Losses`]). What holds a joint or a drum by itself (a brake,
 //! a locking pin, dry friction in newtons) holds it where the state has it, with no more than its own force.
 
 pub mod eigen;
@@ -18,16 +19,18 @@ pub mod sensitivity;
 use thiserror::Error;
 
 use crate::audit::{Ledger, elastic_energy, gravity_energy};
-use crate::constraint::Law;
+use crate::constraint::{AnyConstraint, Law};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::flows;
 use crate::system::System;
-use potential::{Bearing, Part, bearings};
+use potential::{Bearing, Losses, Part, bearings};
 use search::{Effort, Search, Stuck};
 
 /// What is left of the length of an inextensible rope [m].
 const LENGTH_LEFT: f64 = 1e-11;
+/// What is left of the force of a sheave that slips, relative to it.
+const LOSS_LEFT: f64 = 1e-12;
 /// Moves of multipliers, at most.
 const ROUNDS: usize = 40;
 /// ω² of a motion that nothing moves and nothing holds is within this of zero [1/s²]: a period of two hours.
@@ -75,17 +78,24 @@ impl Statics {
     ///
     /// # Errors
     /// [`NoEquilibrium`] where something falls without end, or no step leads on.
-    pub fn settle(&mut self, system: &System, state: &mut State) -> Result<Rest, NoEquilibrium> {
+    pub fn settle(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        losses: Losses,
+    ) -> Result<Rest, NoEquilibrium> {
         flows::set_driven(system, state);
-        self.bearings = bearings(system, state);
+        self.bearings = bearings(system, state, losses);
         self.search.effort = Effort::default();
         self.search.matrix.factorisations = 0;
         for round in 1.. {
             self.search.descend(system, state, &self.bearings).map_err(|stuck| explain(system, stuck))?;
-            if self.move_multipliers() <= LENGTH_LEFT {
+            let lengths = self.move_multipliers();
+            if lengths <= LENGTH_LEFT && self.follow_losses(system, losses) <= LOSS_LEFT {
                 break;
             }
             if round == ROUNDS {
+                // Losses are a share of tensions: they contract, lengths may not.
                 let rigid = self.bearings.iter().position(|bearing| bearing.is_rigid).unwrap_or(0);
                 let cause = "lengths that cannot change contradict one another".to_owned();
                 let element = system.constraint_of_row(rigid).name().to_owned();
@@ -112,6 +122,25 @@ impl Statics {
                 bearing.offset = tension;
                 bearing.stiffen();
             }
+        }
+        most
+    }
+
+    /// Forces of sheaves that slip after the tensions on both sides; by how much the largest share was wrong.
+    fn follow_losses(&mut self, system: &System, losses: Losses) -> f64 {
+        let sign = match losses {
+            Losses::None => return 0.0,
+            Losses::Forward => 1.0,
+            Losses::Backward => -1.0,
+        };
+        let mut most = 0.0_f64;
+        let here = &self.search.here;
+        for (bearing, row) in self.bearings.iter_mut().zip(0..) {
+            let Part::Resist(force) = &mut bearing.part else { continue };
+            let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { continue };
+            let bound = brake.bound(&here.q, &here.tension, 0.0);
+            most = most.max((sign * bound - *force).abs() / bound.max(f64::MIN_POSITIVE));
+            *force = sign * bound;
         }
         most
     }

@@ -36,6 +36,20 @@ pub enum Part {
     Pull,
     /// Holds a joint where it is, with no more force than this [N or N m].
     Hold(f64),
+    /// Resists with this force whatever the value: a sheave that slips [N].
+    Resist(f64),
+}
+
+/// What the losses of sheaves do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Losses {
+    /// Nothing: one tension on both sides, the middle of what they may hold.
+    #[default]
+    None,
+    /// All slip towards the end of their ropes' routes.
+    Forward,
+    /// All slip towards the start.
+    Backward,
 }
 
 /// A row in statics.
@@ -71,6 +85,7 @@ impl Bearing {
         let trial = self.offset + value / self.compliance;
         match self.part {
             Part::Off => (0.0, 0.0, false),
+            Part::Resist(force) => (force, force * value, false),
             Part::Pull if trial > 0.0 => (trial, 0.5 * self.compliance * trial * trial, true),
             Part::Pull => (0.0, 0.0, false),
             Part::Hold(bound) if trial.abs() <= bound => {
@@ -91,7 +106,7 @@ fn length(system: &System, row: usize) -> f64 {
 }
 
 /// Bearings of all rows, with drives where their timelines say at the state's time.
-pub fn bearings(system: &System, state: &State) -> Vec<Bearing> {
+pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> {
     let compliance = SOFTNESS / weight(system);
     let row = |(row, law): (usize, &Law)| {
         let is_rigid = law.compliance() == 0.0;
@@ -100,7 +115,7 @@ pub fn bearings(system: &System, state: &State) -> Vec<Bearing> {
             _ if state.modes[row] == Mode::Parted => (Part::Off, (0, 0.0)),
             Law::Unilateral { .. } => (Part::Pull, (0, 0.0)),
             Law::Friction { .. } => (Part::Off, (0, 0.0)),
-            Law::Brake { .. } => held(system, state, row),
+            Law::Brake { .. } => held(system, state, row, losses),
         };
         let size = length(system, row).max(1.0);
         let rounding = ROUNDING * size / compliance;
@@ -109,13 +124,14 @@ pub fn bearings(system: &System, state: &State) -> Vec<Bearing> {
     system.rows.laws.iter().enumerate().map(row).collect()
 }
 
-fn held(system: &System, state: &State, row: usize) -> (Part, (usize, f64)) {
+fn held(system: &System, state: &State, row: usize, losses: Losses) -> (Part, (usize, f64)) {
     let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { return (Part::Off, (0, 0.0)) };
-    if brake.share > 0.0 {
-        return (Part::Off, (0, 0.0));
-    }
     let body = &system.tree.bodies[system.tree.owner[brake.dof]];
     let position = body.first_position + brake.dof - body.first_velocity;
+    if brake.share > 0.0 {
+        let part = if losses == Losses::None { Part::Off } else { Part::Resist(0.0) };
+        return (part, (position, state.q[position]));
+    }
     let motor = system.motors.iter().find(|(other, _)| *other == row);
     let asked = |drive: usize| state.plan.timelines[drive].motion(state.time).position;
     let place = motor.map_or(state.q[position], |&(_, drive)| asked(drive));
@@ -195,7 +211,7 @@ impl Potential {
         self.rounding = self.energy.abs();
         for (row, bearing) in bearings.iter().enumerate() {
             self.value[row] = match bearing.part {
-                Part::Hold(_) => self.q[bearing.held.0] - bearing.held.1,
+                Part::Hold(_) | Part::Resist(_) => self.q[bearing.held.0] - bearing.held.1,
                 _ => self.frame.value[row],
             };
             let (tension, energy, follows) = bearing.at(self.value[row]);

@@ -301,7 +301,7 @@ impl Search {
             } else {
                 0.0
             };
-            if let (Part::Hold(_), false) = (bearing.part, self.acts[row]) {
+            if let (Part::Hold(_) | Part::Resist(_), false) = (bearing.part, self.acts[row]) {
                 let force = bearing.at(self.here.value[row]).0;
                 self.right[row] = -force;
                 for (dof, entry) in system.rows.entries(&self.here.frame.gradient, row) {
