@@ -73,10 +73,10 @@ class Statics:
     def settle(
         self, time: float = 0.0, increment: list[float] | None = None, losses: str = "none"
     ) -> dict[str, Any]:
-        """Find the equilibrium at a time [s] of the plan; RuntimeError(element, cause) where there is none."""
+        """Find the equilibrium at a time [s]; RuntimeError(element, cause) where there is none."""
 
     def modes(self) -> dict[str, npt.NDArray[np.float64]]:
-        """Natural motions about the equilibrium found last, slowest first; NaN where none has a damping ratio."""
+        """Natural motions about the equilibrium found last, slowest first; NaN: no damping ratio."""
 
     def swing(self, mode: int, amplitude: float, frames: int) -> None:
         """Let the equilibrium swing in a mode, so that `columns` has one period of it."""

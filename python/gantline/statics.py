@@ -1,4 +1,4 @@
-"""Statics of a lift: how it hangs at any time of its plan, how it swings about that, what it answers to errors."""
+"""Statics of a lift: how it hangs at a time of its plan, how it swings about that, how errors change it."""
 
 from __future__ import annotations
 
@@ -58,7 +58,8 @@ class Equilibrium:
 
     Attributes:
         time: Time of the plan [s].
-        recording: The start of the lift as given, and the equilibrium as the last sample; at time 0 that alone.
+        recording: The start of the lift as given, and the equilibrium as the last sample; at time 0 that
+            alone.
         residual: Largest imbalance of forces relative to the forces that meet there.
         neutral: How many motions nothing holds; they stay where the start was nearest.
         unstable: How many motions lead away; 0 if it is stable.
@@ -94,8 +95,8 @@ class Mode:
         number: Its number, from the slowest on.
         square: ω² [1/s²]; negative where the motion leads away.
         damping_ratio: Of this mode by itself; None where it does not swing.
-        body_motion: Velocity of each body's centre of gravity and its angular velocity, world axes, shape (body, 6), of
-            the shape with xᵀ M x = 1 [1/√kg].
+        body_motion: Velocity of each body's centre of gravity and its angular velocity, world axes, shape
+            (body, 6), of the shape with xᵀ M x = 1 [1/√kg].
         motion: What moves, in words.
     """
 
@@ -170,14 +171,15 @@ class Statics:
     ) -> Equilibrium:
         """The equilibrium that lies downhill of the start of the lift.
 
-        Friction of contacts is left out; brakes, locking pins and dry friction given in newtons hold what they hold
-        at the start.
+        Friction of contacts is left out; brakes, locking pins and dry friction given in newtons hold what
+        they hold at the start.
 
         Args:
-            time: Time of the plan [s], at which drives are where it says; None for the end of the lift. A plan
-                that waits for conditions is followed from rest to rest.
-            losses: What losses of sheaves do: `none`, the middle of what they may hold; `forward` and `backward`, all
-                sheaves slip towards the end or the start of their ropes' routes, which bounds it.
+            time: Time of the plan [s], at which drives are where it says; None for the end of the lift. A
+                plan that waits for conditions is followed from rest to rest.
+            losses: What losses of sheaves do: `none`, the middle of what they may hold; `forward` and
+                `backward`, all sheaves slip towards the end or the start of their ropes' routes, which
+                bounds it.
             increment: How far each degree of freedom starts from the start of the lift [m or rad].
 
         Raises:
@@ -200,7 +202,7 @@ class Statics:
         )
 
     def modes(self) -> list[Mode]:
-        """Natural motions about the equilibrium found last, slowest first; those that lead away stand before them."""
+        """Natural motions about the equilibrium found last, slowest first, after those that lead away."""
         found = self._core.modes()
         ratios = found["damping_ratio"]
         return [
@@ -231,15 +233,13 @@ class Statics:
         """Derivatives of all tensions about the equilibrium found last, from its factorised tangent.
 
         Args:
-            parameters: Pairs of a kind and a name, see `Sensitivity`; None for the lengths and stiffnesses of all
-                slings and the centres of gravity and masses of all loads.
+            parameters: Pairs of a kind and a name, see `Sensitivity`; None for the lengths and stiffnesses
+                of all slings and the centres of gravity and masses of all loads.
         """
         wanted = list(parameters) if parameters is not None else self._uncertain()
         found = self._core.sensitivities(wanted)
         ropes = tuple(self._core.names()["rope"])
-        return [
-            Sensitivity(kind, name, row, ropes) for (kind, name), row in zip(wanted, found, strict=True)
-        ]
+        return [Sensitivity(kind, name, row, ropes) for (kind, name), row in zip(wanted, found, strict=True)]
 
     def _uncertain(self) -> list[tuple[str, str]]:
         rig = self.rig

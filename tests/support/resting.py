@@ -6,12 +6,13 @@ import json
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from gantline import _core
-from tests.support.mechanics import Floats, G, Json, body, document, end, free, half_turn, rope, slider
+from mechanics import Floats, G, Json, body, document, end, free, half_turn, rope, slider
 
 
 @dataclass
@@ -63,7 +64,7 @@ def four_slings(
     length: float = 10.0,
     half: float = 2.5,
 ) -> Json:
-    """A rigid load on four plumb slings from fixed points over its lugs; the first is `short` of its length [m]."""
+    """A rigid load on four plumb slings from points over its lugs; the first is `short` of its length [m]."""
     slings = [
         rope(
             f"s{index}",
@@ -108,7 +109,7 @@ def one_equalizer(
                 {"type": "half_turn", "body": None, "enter": enter, "leave": leave, "bulge": [0, 0, 1]}
             )
     route.append(end(None, (places[-1][0] + radius, places[-1][1], height)))
-    between = [math.dist(a, b) - 2 * radius for a, b in zip(places, places[1:], strict=False)]
+    between = [math.dist(a, b) - 2 * radius for a, b in pairwise(places)]
     wraps = math.pi * radius * len(places) + sum(0.5 * math.pi * gap for gap in between)
     equalizing = rope("equalizing", 2 * drop * len(places) + wraps, route, 1e8)
     slings = [

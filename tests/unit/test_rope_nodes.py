@@ -78,8 +78,10 @@ def test_a_lift_without_nodes_is_recorded_as_before() -> None:
 
 
 def test_a_sling_with_nodes_beside_one_without() -> None:
-    text = BASE.replace("start: rest", "start: settled").replace("mass: none", "mass: 8 kg/m").replace(
-        "rope: sling, tol", "rope: sling, rope_weight: distributed, rope_nodes: 5, tol"
+    text = (
+        BASE.replace("start: rest", "start: settled")
+        .replace("mass: none", "mass: 8 kg/m")
+        .replace("rope: sling, tol", "rope: sling, rope_weight: distributed, rope_nodes: 5, tol")
     )
     recording = gantline.simulate(parse_scenario(text), integrator="adaptive", duration=10.0)
     assert recording.coordinates["rope"] == ("e1.equalizing", "sling.S1", "sling.S2")

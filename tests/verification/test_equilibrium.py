@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from gantline.statics import Statics
-from tests.support.mechanics import (
+from mechanics import (
     adaptive,
     body,
     contact,
@@ -23,7 +23,7 @@ from tests.support.mechanics import (
     rope,
     slider,
 )
-from tests.support.resting import CORNERS, G, AtRest, at_rest, four_slings, one_equalizer
+from resting import CORNERS, AtRest, G, at_rest, four_slings, one_equalizer
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 LOAD = "block"  # as the lift file calls it
@@ -37,15 +37,15 @@ def angle_between(a: np.ndarray, b: np.ndarray) -> float:
 
 
 def test_the_reference_lift_hangs_as_it_must() -> None:
-    """Frame, slings and equalizing rope of the reference lift at rest, to the last digit of an independent solution."""
+    """The reference lift at rest, frame and ropes, to the last digit of an independent solution."""
     lift = Statics(SCENARIOS / "equalizer")
     rest = lift.equilibrium()
-    last = {
-        name: rest.recording.column("body_orientation", name)[-1] for name in ("e1", LOAD)
-    }
-    # The frame turns until the slings pull it no way: an independent solution in minimal coordinates has -68.983 deg.
+    last = {name: rest.recording.column("body_orientation", name)[-1] for name in ("e1", LOAD)}
+    # The frame turns until the slings pull it no way: an independent solution in minimal coordinates has
+    # -68.983 deg.
     assert angle_between(last[LOAD], last["e1"]) == pytest.approx(-68.983, abs=5e-4)
-    # Each sling pulls with W/5 along the plumb; the equalizing rope with half of that and half a sheave's weight.
+    # Each sling pulls with W/5 along the plumb; the equalizing rope with half of that and half a sheave's
+    # weight.
     assert rest.tension("e1.equalizing") == pytest.approx((588.6e3 + 300 * 9.81) / 2, rel=1e-12)
     wanted = {"S1": 589.746e3, "S2": 593.180e3, "S3": 588.600e3, "S4": 593.180e3, "S5": 589.746e3}
     for name, tension in wanted.items():
@@ -59,7 +59,7 @@ def test_the_reference_lift_hangs_as_it_must() -> None:
 
 
 def test_a_thousand_starts_end_in_one_state() -> None:
-    """1000 random starts of the reference lift, up to 20 m off, end in one state but for what nothing holds."""
+    """1000 starts of the reference lift, up to 20 m off, end in one state but for what nothing holds."""
     lift = Statics(SCENARIOS / "equalizer")
     planned = lift.equilibrium()
     wanted = planned.recording.column("rope_tension", "sling.S1")[-1], planned.tension("sling.S2")
@@ -85,13 +85,11 @@ def test_a_thousand_starts_end_in_one_state() -> None:
 @pytest.mark.parametrize("excess", [0.25, 0.5, 0.9, 1.0, 1.5])
 def test_one_sling_short_of_four(excess: float) -> None:
     """Four slings, one short by δ: loads 1 ± kδ/W of W/4 until two go slack."""
-    # kδ = x W: loads 1 + x, 1 − x of W/4 until two go slack and the others carry 2. The limit of small δ/L by a cubic
-    # through four stretches W/EA; rounding of e = ℓ − L there is 2e-15 m/5e-4 m.
+    # kδ = x W: loads 1 + x, 1 − x of W/4 until two go slack and the others carry 2. The limit of small δ/L
+    # by a cubic through four stretches W/EA; rounding of e = ℓ − L there is 2e-15 m/5e-4 m.
     weight = 300e3 * G
     stretches = np.array([2e-4, 4e-4, 6e-4, 8e-4])
-    loads = [
-        at_rest(four_slings(weight / s, excess * s * 10.0)).tensions * 4 / weight for s in stretches
-    ]
+    loads = [at_rest(four_slings(weight / s, excess * s * 10.0)).tensions * 4 / weight for s in stretches]
     limit = np.linalg.solve(np.vander(stretches, 4, increasing=True), np.array(loads))[0]
     up, down = 1 + min(excess, 1.0), 1 - min(excess, 1.0)
     assert limit == pytest.approx([up, down, up, down], abs=1e-9)
@@ -99,8 +97,8 @@ def test_one_sling_short_of_four(excess: float) -> None:
 
 def test_skew_load_factor_of_a_real_sling() -> None:
     """Skew load factor of four 60 mm slings, one 32.5 mm short: 1.2571."""
-    # 300 t, 60 mm ropes of 80 GPa on 0.785 d², 10 m, 32.5 mm short: kδ/W = 0.24966 in the limit; with the exact
-    # geometry of slings 5 m apart 1.2571.
+    # 300 t, 60 mm ropes of 80 GPa on 0.785 d², 10 m, 32.5 mm short: kδ/W = 0.24966 in the limit; with the
+    # exact geometry of slings 5 m apart 1.2571.
     stiffness = 80e9 * 0.785 * 0.06**2
     assert stiffness / 10 * 0.0325 / (300e3 * G) == pytest.approx(0.24966, abs=1e-5)
     short, even = (at_rest(four_slings(stiffness, delta)).tensions for delta in (0.0325, 0.0))
@@ -121,8 +119,8 @@ def test_an_equalizer_takes_the_skew_away() -> None:
 @pytest.mark.parametrize("offset", [(0.1, 0.0), (0.0, 0.1)])
 def test_tilt_under_one_equalizer(offset: tuple[float, float]) -> None:
     """Tilt under one equalizer: tan θ = e/h, 2.29 degrees for 100 mm over 2.5 m."""
-    # Five equal pulls act as one from the lugs' middle: tan θ = e/h = 0.1/2.5. Slings over their lugs lean by what the load turns
-    # about, so their pulls differ by 1e-9 and the tilt by 1e-4 of it.
+    # Five equal pulls act as one from the lugs' middle: tan θ = e/h = 0.1/2.5. Slings over their lugs lean
+    # by what the load turns about, so their pulls differ by 1e-9 and the tilt by 1e-4 of it.
     rest = at_rest(one_equalizer(LUGS, lengths=[26] * 5, offset=offset, plumb=True))
     orientation = rest.body("load", "body_orientation")
     tilt = 2 * math.asin(math.hypot(orientation[1], orientation[2]))
@@ -150,8 +148,8 @@ def test_equal_to_a_run_damped_to_rest() -> None:
 
 def test_three_legged_bridle() -> None:
     """Three slings to one hook: forces and moments about the centre of gravity."""
-    # Lugs not evenly about the centre of gravity: forces by moments. The hook hangs over the centre of gravity, so with
-    # slings to one point the lengths' directions and the weight make three equations.
+    # Lugs not evenly about the centre of gravity: forces by moments. The hook hangs over the centre of
+    # gravity, so with slings to one point the lengths' directions and the weight make three equations.
     lugs = np.array([(3.0, 0.0, 0.0), (-2.0, 2.5, 0.0), (-1.0, -3.0, 0.0)])
     load = body("load", free((0, 0, 0)), 50e3, centre_of_gravity=(0, 0, -1.0), inertia=(2e5, 2e5, 3e5))
     hook = np.array([0.0, 0.0, 9.0])
@@ -170,7 +168,7 @@ def test_three_legged_bridle() -> None:
     )
     # body_position is the centre of gravity, 1 m below the lugs' plane.
     centre = rest.body("load")
-    arms = (lugs + [0, 0, 1.0]) @ turn.T
+    arms = np.add(lugs, (0, 0, 1.0)) @ turn.T
     pulls = hook - (centre + arms)
     directions = pulls / np.linalg.norm(pulls, axis=1)[:, None]
     tensions = np.linalg.solve(directions.T, [0, 0, 50e3 * G])
@@ -181,8 +179,8 @@ def test_three_legged_bridle() -> None:
 
 def test_two_cranes_share_by_moments() -> None:
     """Two cranes share a load by moments."""
-    # Plumb falls 12 m apart, centre of gravity 2 m from the middle and in the lugs' plane: 8/12 and 4/12 of the weight,
-    # whatever the stiffness of the falls.
+    # Plumb falls 12 m apart, centre of gravity 2 m from the middle and in the lugs' plane: 8/12 and 4/12 of
+    # the weight, whatever the stiffness of the falls.
     ropes = [
         rope(f"hoist{i}", 20.0, [end(None, (x, 0, 20)), end("load", (x, 0, 0))], ea)
         for i, (x, ea) in enumerate([(-6.0, 1e12), (6.0, 2e12)])
@@ -215,7 +213,9 @@ def test_contacts_stops_and_slack_ropes() -> None:
         contact(f"c{i}", "box", (x, y, -1), stiffness=1e6, friction=0.5) for i, (x, y) in enumerate(CORNERS)
     ]
     box = body("box", free((0.3, 0.2, 5.0)), 1e3, inertia=(400, 400, 400))
-    system = document([box], contacts=corners, ropes=[rope("r", 6.0, [end(None, (0, 0, 5)), end("box")], 1e6)])
+    system = document(
+        [box], contacts=corners, ropes=[rope("r", 6.0, [end(None, (0, 0, 5)), end("box")], 1e6)]
+    )
     rest = at_rest(system)
     assert rest.tensions == pytest.approx([0.0])
     assert rest.body("box") == pytest.approx([0.3, 0.2, 1 - 1e3 * G / 4e6], abs=1e-10)
@@ -229,6 +229,7 @@ def test_contacts_stops_and_slack_ropes() -> None:
 
 def test_brakes_hold_what_they_can() -> None:
     """A drum held by its brake, and not; a pin with dry friction: sin θ = M/(m g l)."""
+
     def hoist(brake: float) -> AtRest:
         route = [drum(None, (0, 0, 10), "winch"), end("load")]
         load = body("load", slider(), 1e3)
@@ -256,6 +257,7 @@ def test_nothing_holds_it() -> None:
 
 def test_a_centre_of_gravity_above_the_lugs_is_unstable() -> None:
     """A beam whose lugs lie below its centre of gravity is unstable about the line of its lugs."""
+
     def lifted(above: float) -> AtRest:
         slings = [
             rope(f"s{i}", 8.0, [end(None, (x, 0, 8)), end("beam", (x, 0, -above))], 1e8)

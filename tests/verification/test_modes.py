@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from gantline.statics import Statics
-from tests.support.mechanics import body, document, end, free, hinge, point, rope, slider
-from tests.support.resting import CORNERS, G, at_rest, one_equalizer
+from mechanics import body, document, end, free, hinge, point, rope, slider
+from resting import CORNERS, G, at_rest, one_equalizer
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 LOAD = "block"  # as the lift file calls it
@@ -19,8 +19,8 @@ LOAD = "block"  # as the lift file calls it
 @pytest.mark.parametrize("axial_stiffness", [None, 1e13])
 def test_double_pendulum(axial_stiffness: float | None) -> None:
     """Double pendulum 30 t / 300 t on 30 m / 20 m: 14.026 s and 2.119 s."""
-    # Hook block 30 t on 30 m, load 300 t on 20 m: det(K − ω²M) = 0 with M = [[m₁+m₂, m₂], [m₂, m₂]] in lengths times
-    # angles, K = diag((m₁+m₂) g/l₁, m₂ g/l₂) likewise: 14.026 s and 2.119 s, twice each.
+    # Hook block 30 t on 30 m, load 300 t on 20 m: det(K − ω²M) = 0 with M = [[m₁+m₂, m₂], [m₂, m₂]] in
+    # lengths times angles, K = diag((m₁+m₂) g/l₁, m₂ g/l₂) likewise: 14.026 s and 2.119 s, twice each.
     upper, lower, top, bottom = 30e3, 300e3, 30.0, 20.0
     mass = np.array([[upper + lower, lower], [lower, lower]])
     stiffness = np.diag([(upper + lower) * G / top, lower * G / bottom])
@@ -97,9 +97,7 @@ def test_tilting_under_one_equalizer() -> None:
     # M = m [[1, h], [h, h² + I/m]], K = m g diag(1/L, h) in (path, tilt). It tilts in 3.9 s.
     length = 26.0
     lugs = ((-2.5, 2.5), (2.5, 2.5), (0, 0), (-2.5, -2.5), (2.5, -2.5))
-    system = one_equalizer(
-        lugs, lengths=[length] * 5, plumb=True, sheave_mass=1.0, axial_stiffness=1e10
-    )
+    system = one_equalizer(lugs, lengths=[length] * 5, plumb=True, sheave_mass=1.0, axial_stiffness=1e10)
     rest = at_rest(system)
     m = np.array([[1.0, below], [below, below**2 + inertia / mass]])
     k = np.diag([G / length, G * below])
@@ -113,9 +111,7 @@ def test_tilting_under_one_equalizer() -> None:
 def test_unstable_motions_stand_first() -> None:
     """Inverted pendulum: ω² = −m g l/(I + m l²)."""
     # An inverted pendulum: ω² = −m g l/(I + m l²).
-    rest = at_rest(
-        document([body("pole", hinge(), 40.0, centre_of_gravity=(0, 0, 1.5), inertia=(8, 8, 1))])
-    )
+    rest = at_rest(document([body("pole", hinge(), 40.0, centre_of_gravity=(0, 0, 1.5), inertia=(8, 8, 1))]))
     assert (rest.found["neutral"], rest.found["unstable"]) == (0, 1)
     assert rest.squares == pytest.approx([-40 * G * 1.5 / (8 + 40 * 1.5**2)], rel=1e-12)
 
@@ -147,7 +143,7 @@ def test_a_mode_as_a_recording() -> None:
     assert np.abs(swing).max() == pytest.approx(abs(swing[10]), rel=1e-9)
     assert 1e-3 < abs(swing[10]) <= 0.01
     # Force on the load is m ω² times what it is out of place: slings pull more when it is low.
-    pulls = sum(recording.column("rope_tension", f"sling.S{i}") for i in range(1, 6))
+    pulls = np.sum([recording.column("rope_tension", f"sling.S{i}") for i in range(1, 6)], axis=0)
     extra = float(pulls[30] - pulls[10]) / 2
     assert extra * math.copysign(1.0, -swing[30]) > 0
     # Slings lean by up to 7 degrees.

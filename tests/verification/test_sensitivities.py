@@ -9,10 +9,17 @@ import numpy as np
 import pytest
 
 from gantline import _core
-from tests.support.mechanics import Floats, Json
-from tests.support.resting import at_rest, four_slings, one_equalizer
+from mechanics import Floats, Json
+from resting import at_rest, four_slings, one_equalizer
 
-STEPS = {"length": 5e-3, "stiffness": 2e6, "mass": 500.0, "centre_x": 2e-3, "centre_y": 2e-3, "centre_z": 2e-3}
+STEPS = {
+    "length": 5e-3,
+    "stiffness": 2e6,
+    "mass": 500.0,
+    "centre_x": 2e-3,
+    "centre_y": 2e-3,
+    "centre_z": 2e-3,
+}
 LUGS = ((-2.5, 2.5), (2.5, 2.5), (0, 0), (-2.5, -2.5), (2.5, -2.5))
 
 
@@ -34,7 +41,8 @@ def differences(system: Json, kind: str, name: str) -> Floats:
     """dT/dp by central differences of fourth order."""
     step = STEPS[kind]
     at = {k: at_rest(changed(system, kind, name, k * step)).tensions for k in (-2, -1, 1, 2)}
-    return (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
+    slope: Floats = (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
+    return slope
 
 
 @pytest.mark.parametrize("system", ["four slings", "equalizer"])
@@ -53,7 +61,7 @@ def test_sensitivities_are_the_derivatives(system: str) -> None:
     clear = 0
     for (kind, name), found in zip(wanted, core.sensitivities(wanted), strict=True):
         derivative = differences(lift, kind, name)
-        # Tensions are right to some 1e-8 N (e = ℓ − L of 1e-14 m times EA/L), so differences over a step to 1e-8 N over it.
+        # Tensions are right to some 1e-8 N: e = ℓ − L of 1e-14 m times EA/L.
         noise = 1e-7 / STEPS[kind]
         assert found == pytest.approx(derivative, rel=1e-6, abs=noise), (kind, name)
         clear += np.abs(derivative).max() > 1e6 * noise

@@ -69,7 +69,8 @@ fn row_of_sheaves(count: usize) -> gantline_core::spec::SystemSpec {
         bodies.push(format!(
             r#"{{"name": "s{index}", "parent": null, {placement}, {slide}, "mass": 300, {rest}}}"#
         ));
-        let point = format!(r#""joint": {{"type": "point", "position": [{x}, 0, -12], "velocity": [0, 0, 0]}}"#);
+        let point =
+            format!(r#""joint": {{"type": "point", "position": [{x}, 0, -12], "velocity": [0, 0, 0]}}"#);
         let origin = r#""placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]}"#;
         bodies.push(format!(
             r#"{{"name": "w{index}", "parent": null, {origin}, {point}, "mass": 60000, {rest}}}"#
@@ -89,7 +90,10 @@ fn row_of_sheaves(count: usize) -> gantline_core::spec::SystemSpec {
             20.0 + 0.3 * (index % 3) as f64
         ));
     }
-    route.push(format!(r#"{{"type": "end", "body": null, "at": [{}, 0, 10]}}"#, 1.6 * (count - 1) as f64 + 0.4));
+    route.push(format!(
+        r#"{{"type": "end", "body": null, "at": [{}, 0, 10]}}"#,
+        1.6 * (count - 1) as f64 + 0.4
+    ));
     ropes.push(format!(
         r#"{{"name": "equalizing", "length": null, "material": {{"type": "elastic", "axial_stiffness": 4e7}}, "route": [{}]}}"#,
         route.join(", ")

@@ -48,7 +48,10 @@ impl Statics {
     ) -> PyResult<Bound<'py, PyDict>> {
         let size = self.degrees_of_freedom();
         if let Some(given) = increment.as_ref().filter(|given| given.len() != size) {
-            return Err(PyValueError::new_err(format!("{} increments for {size} degrees of freedom", given.len())));
+            return Err(PyValueError::new_err(format!(
+                "{} increments for {size} degrees of freedom",
+                given.len()
+            )));
         }
         if !(time >= 0.0 && time.is_finite()) {
             return Err(PyValueError::new_err(format!("the time is {time} s; it must be zero or more")));
@@ -57,7 +60,11 @@ impl Statics {
             "none" => Losses::None,
             "forward" => Losses::Forward,
             "backward" => Losses::Backward,
-            _ => return Err(PyValueError::new_err(format!("there are no losses {losses}; there are none, forward and backward"))),
+            _ => {
+                return Err(PyValueError::new_err(format!(
+                    "there are no losses {losses}; there are none, forward and backward"
+                )));
+            }
         };
         self.modes.clear();
         let inner = &mut self.inner;
@@ -94,7 +101,8 @@ impl Statics {
 
     /// Lets the equilibrium swing in one of the modes that were found last; `columns` has one period of it.
     fn swing(&mut self, mode: usize, amplitude: f64, frames: usize) -> PyResult<()> {
-        let found = self.modes.get(mode).ok_or_else(|| PyValueError::new_err(format!("there is no mode {mode}")))?;
+        let found =
+            self.modes.get(mode).ok_or_else(|| PyValueError::new_err(format!("there is no mode {mode}")))?;
         self.inner.swing(found, amplitude, frames);
         Ok(())
     }

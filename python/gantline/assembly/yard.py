@@ -192,7 +192,9 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         route = [_upper_end(rigging, sling), end(scenario.load.name, lugs[sling.lug])]
         distance = route_length(parts, route)
         short = distance - sling.length
-        allowed = _TAUT if scenario.load_has_settled or sling.rope.inextensible else _MOST_STRAIN * sling.length
+        allowed = (
+            _TAUT if scenario.load_has_settled or sling.rope.inextensible else _MOST_STRAIN * sling.length
+        )
         if short > allowed:
             lug = f"{scenario.load.name}.{sling.lug}"
             apart = f"from '{sling.upper_body}' to '{lug}' it is {_not_shorter(distance, sling.length)} m"

@@ -26,7 +26,9 @@ def statics(
     ],
     time: Annotated[
         str | None,
-        typer.Option(metavar="TIME", help="Time of the plan, such as '12 s'.  [default: the end of the lift]"),
+        typer.Option(
+            metavar="TIME", help="Time of the plan, such as '12 s'.  [default: the end of the lift]"
+        ),
     ] = None,
     modes: Annotated[int, typer.Option(min=0, help="How many natural motions to show.")] = _MODES,
     sensitivities: Annotated[
@@ -95,7 +97,9 @@ def _heading(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[st
     free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
     lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]
     if rest.lossy:
-        lines.append(f"  losses of {len(rest.lossy)} sheaves left out; bounds: all slip along the rope, all against")
+        lines.append(
+            f"  losses of {len(rest.lossy)} sheaves left out; bounds: all slip along the rope, all against"
+        )
     if rest.recording.rig.loads:
         lines.append("  contacts without friction")
     return lines
@@ -120,7 +124,14 @@ def _slings(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
         )
         for sling in slings
     ]
-    head = ("Sling", "tension", "of the mean", "angle", "", *(("slip along", "slip against") if bounds else ()))
+    head = (
+        "Sling",
+        "tension",
+        "of the mean",
+        "angle",
+        "",
+        *(("slip along", "slip against") if bounds else ()),
+    )
     return table(head, rows, "lrrrl" + "r" * len(bounds)) if rows else []
 
 

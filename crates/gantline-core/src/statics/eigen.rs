@@ -94,9 +94,8 @@ fn implicit_ql(diagonal: &mut [f64], beside: &mut [f64], basis: &mut Square) {
     let size = diagonal.len();
     for l in 0..size {
         for _ in 0..SWEEPS {
-            let small = |m: &usize| {
-                beside[*m].abs() <= f64::EPSILON * (diagonal[*m].abs() + diagonal[*m + 1].abs())
-            };
+            let small =
+                |m: &usize| beside[*m].abs() <= f64::EPSILON * (diagonal[*m].abs() + diagonal[*m + 1].abs());
             let m = (l..size - 1).find(small).unwrap_or(size - 1);
             if m == l {
                 break;
@@ -228,7 +227,8 @@ fn norm(x: &[f64]) -> f64 {
 fn project(c: &mut Square, basis: &[Vec<f64>], far: f64) {
     let size = c.size;
     for vector in basis {
-        let product: Vec<f64> = (0..size).map(|row| (0..size).map(|k| c.at(row, k) * vector[k]).sum()).collect();
+        let product: Vec<f64> =
+            (0..size).map(|row| (0..size).map(|k| c.at(row, k) * vector[k]).sum()).collect();
         let along: f64 = vector.iter().zip(&product).map(|(a, b)| a * b).sum();
         for row in 0..size {
             for column in 0..size {

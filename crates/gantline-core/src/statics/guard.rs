@@ -18,11 +18,20 @@ const NOTHING: f64 = 1e-3;
 /// By how much a brake is strengthened where it was not enough.
 const STRONGER: f64 = 8.0;
 
+/// A straight part of a rope.
+#[derive(Debug, Clone)]
+struct Straight {
+    rope: usize,
+    /// Its number along the route.
+    number: usize,
+    /// Degrees of freedom that move one end and not the other, with 1 for its end and −1 for its start.
+    dofs: Vec<(usize, f64)>,
+}
+
 /// Parts that are looked at.
 #[derive(Debug, Clone)]
 pub struct Guard {
-    /// Rope, part, and the degrees of freedom that move one end and not the other, with 1 for its end.
-    parts: Vec<(usize, usize, Vec<(usize, f64)>)>,
+    parts: Vec<Straight>,
 }
 
 impl Guard {
@@ -39,7 +48,7 @@ impl Guard {
                 };
                 let mut dofs = only(from, to, -1.0);
                 dofs.extend(only(to, from, 1.0));
-                parts.push((index, number, dofs));
+                parts.push(Straight { rope: index, number, dofs });
             }
         }
         Self { parts }
@@ -55,7 +64,7 @@ impl Guard {
     ) -> bool {
         let mut all = true;
         let kinematics = &here.frame.kinematics;
-        for (rope, number, dofs) in &self.parts {
+        for Straight { rope, number, dofs } in &self.parts {
             let AnyConstraint::Rope(rope) = &system.constraints[*rope] else { continue };
             let part = &rope.route.parts[*number];
             let (now, then) = (part.locate(kinematics), part.locate(there));
@@ -81,11 +90,11 @@ impl Guard {
 
     /// A rope of which a part has come to nothing [m].
     pub fn used_up(&self, system: &System, here: &Potential) -> Option<usize> {
-        let is_nothing = |&&(rope, number, _): &&(usize, usize, Vec<(usize, f64)>)| {
-            let AnyConstraint::Rope(rope) = &system.constraints[rope] else { return false };
-            rope.route.parts[number].locate(&here.frame.kinematics).length < NOTHING
+        let is_nothing = |part: &&Straight| {
+            let AnyConstraint::Rope(rope) = &system.constraints[part.rope] else { return false };
+            rope.route.parts[part.number].locate(&here.frame.kinematics).length < NOTHING
         };
-        self.parts.iter().find(is_nothing).map(|(rope, ..)| *rope)
+        self.parts.iter().find(is_nothing).map(|part| part.rope)
     }
 
     /// Size of the second derivative of V on the diagonal of a degree of freedom.

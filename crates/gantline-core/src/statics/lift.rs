@@ -154,7 +154,8 @@ impl StaticLift {
 
     fn note_tensions(&mut self) {
         let tension = &self.state.tension;
-        let known = |row: usize, known: f64| (tension[row] > known).then_some((tension[row], self.state.time));
+        let known =
+            |row: usize, known: f64| (tension[row] > known).then_some((tension[row], self.state.time));
         self.samples.note_peaks(&self.system, &self.state.q, known);
     }
 

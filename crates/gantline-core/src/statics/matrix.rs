@@ -123,8 +123,7 @@ impl Matrix {
             }
         }
         let mut cursor = 0;
-        let at =
-            Placed { tree: &system.tree, kinematics: &here.frame.kinematics, q: &here.q, seats };
+        let at = Placed { tree: &system.tree, kinematics: &here.frame.kinematics, q: &here.q, seats };
         for group in &self.layout.groups {
             let size = group.dofs.len();
             let slots = &self.group_slots[cursor..cursor + size * (size + 1) / 2];
@@ -135,7 +134,13 @@ impl Matrix {
             }
             let block = &mut self.curvature[..size * size];
             let value = here.frame.value[group.row];
-            system.constraints[group.constraint].curvature(&at, value, group.number, &mut self.columns, block);
+            system.constraints[group.constraint].curvature(
+                &at,
+                value,
+                group.number,
+                &mut self.columns,
+                block,
+            );
             let mut next = slots.iter();
             for j in 0..size {
                 for (k, &slot) in (0..=j).zip(&mut next) {
@@ -227,7 +232,9 @@ impl Matrix {
                 }
             }
         }
-        for (row, bearing) in bearings.iter().enumerate().filter(|(row, bearing)| follows[*row] && !bearing.is_rigid) {
+        for (row, bearing) in
+            bearings.iter().enumerate().filter(|(row, bearing)| follows[*row] && !bearing.is_rigid)
+        {
             let entries: Vec<(usize, f64)> = self.row_entries(system, row).collect();
             for &(a, left) in &entries {
                 for &(b, right) in &entries {
@@ -239,7 +246,11 @@ impl Matrix {
     }
 
     /// Unknowns and gradient entries of a row, without driven degrees of freedom.
-    pub fn row_entries<'a>(&'a self, system: &'a System, row: usize) -> impl Iterator<Item = (usize, f64)> + 'a {
+    pub fn row_entries<'a>(
+        &'a self,
+        system: &'a System,
+        row: usize,
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
         let entries = system.rows.entries(&self.gradient, row);
         entries.map(|(dof, entry)| (self.layout.unknown[dof], entry)).filter(|(unknown, _)| *unknown != NONE)
     }

@@ -88,9 +88,7 @@ impl Bearing {
             Part::Resist(force) => (force, force * value, false),
             Part::Pull if trial > 0.0 => (trial, 0.5 * self.compliance * trial * trial, true),
             Part::Pull => (0.0, 0.0, false),
-            Part::Hold(bound) if trial.abs() <= bound => {
-                (trial, 0.5 * self.compliance * trial * trial, true)
-            }
+            Part::Hold(bound) if trial.abs() <= bound => (trial, 0.5 * self.compliance * trial * trial, true),
             Part::Hold(bound) => {
                 let energy = self.compliance * bound * (trial.abs() - 0.5 * bound);
                 (bound.copysign(trial), energy, false)

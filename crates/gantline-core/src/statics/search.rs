@@ -127,7 +127,14 @@ impl Search {
                     let corrected = self.correct(system, state, bearings, gained);
                     (corrected, corrected > WORTH * promised)
                 };
-                if std::env::var("DBG").is_ok() { eprintln!("{} lam {lambda:.1e} V {:.6e} promised {promised:.3e} gained {gained:.3e} res {before:.2e}->{after:.2e} noise {noise:.1e} fine {is_fine} maxstep {:.3}", self.effort.steps, self.here.energy, self.step.iter().fold(0.0f64,|a,b| a.max(b.abs()))); }
+                if std::env::var("DBG").is_ok() {
+                    eprintln!(
+                        "{} lam {lambda:.1e} V {:.6e} promised {promised:.3e} gained {gained:.3e} res {before:.2e}->{after:.2e} noise {noise:.1e} fine {is_fine} maxstep {:.3}",
+                        self.effort.steps,
+                        self.here.energy,
+                        self.step.iter().fold(0.0f64, |a, b| a.max(b.abs()))
+                    );
+                }
                 if !is_worth {
                     if is_fine && before <= BALANCED {
                         return Ok(());
@@ -242,12 +249,7 @@ impl Search {
 
     /// Minimises the model; λ is raised as far as that takes. The energy that the step promises [J]; none where no
     /// λ will do.
-    fn model(
-        &mut self,
-        system: &System,
-        bearings: &[Bearing],
-        lambda: &mut f64,
-    ) -> Option<f64> {
+    fn model(&mut self, system: &System, bearings: &[Bearing], lambda: &mut f64) -> Option<f64> {
         self.matrix.extra.fill(0.0);
         self.acts.copy_from_slice(&self.here.follows);
         for _ in 0..TRIES {

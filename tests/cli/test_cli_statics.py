@@ -1,0 +1,85 @@
+"""`gantline statics`, as people use it."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import gantline
+
+ROOT = Path(__file__).resolve().parents[2]
+REFERENCE = ROOT / "scenarios" / "equalizer" / "scenario.yaml"
+
+
+def statics(*arguments: object) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "gantline", "statics", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def lift(folder: Path, *changes: tuple[str, str]) -> Path:
+    text = REFERENCE.read_text(encoding="utf-8")
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    path = folder / "lift.yaml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_the_reference_lift(tmp_path: Path) -> None:
+    result = statics("equalizer", "--sensitivities", "--modes", 2, "-o", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert "Equilibrium at 40 s: stable" in result.stdout
+    # The independent solution: 589.746 kN over its angle from the plumb.
+    assert re.search(r"S1 +589\.746 kN +0\.9981 +3\.57 deg", result.stdout)
+    assert re.search(r"block 1 t heavier +1\.966 kN", result.stdout)
+    names = sorted(path.name for path in (tmp_path / "out").iterdir())
+    assert names == ["equilibrium.nc", "motion_1.nc", "motion_2.nc"]
+    recording = gantline.open_recording(tmp_path / "out" / "motion_2.nc")
+    assert recording.time[-1] == pytest.approx(10.567, abs=1e-3)
+    assert str(recording.attributes["status"]).startswith("mode 2: block moves along")
+
+
+def test_bounds_of_losses(tmp_path: Path) -> None:
+    real = ("efficiency: 1.0, rotating_mass: 0 kg", "efficiency: 0.98, rotating_mass: 100 kg")
+    lossy = lift(tmp_path, real)
+    result = statics(lossy, "--modes", 0)
+    assert result.returncode == 0, result.stderr
+    assert "losses of 9 sheaves left out" in result.stdout
+    assert re.search(r"S1 +589\.746 kN.* 543\.\d kN +638\.\d kN", result.stdout)
+
+
+def test_an_unstable_lift_ends_with_one(tmp_path: Path) -> None:
+    # The centre of gravity 1 m above the lugs' plane: whatever the slings, one equalizer lets it turn over.
+    tall = ("box: [10 m, 10 m, 5 m]", "box: [10 m, 10 m, 9 m]")
+    above = lift(tmp_path, tall, ("at: [0 m, 0 m, 2.5 m]\n", "at: [0 m, 0 m, 6 m]\n"))
+    result = statics(above)
+    assert result.returncode == 1, result.stdout + result.stderr
+    assert "UNSTABLE: 2 motions lead away" in result.stdout
+    assert re.search(r"leads away, e-fold in \d+\.\d+ s +- +block turns about", result.stdout)
+
+
+def test_where_there_is_none_it_ends_with_three() -> None:
+    result = statics("pulleys")
+    assert result.returncode == 3
+    assert result.stdout == ""
+    assert "there is no equilibrium at t = 5 s: it is hauled in until two of the places" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("equalizer", "--time", "12"), "--time: "),
+        (("equalizer", "--time", "-1 s"), "--time: '-1 s' is before the start of the lift; 0 s is the start"),
+        (("mechanisms",), "e1 adjusts lengths step by step, which statics does not know"),
+    ],
+)
+def test_bad_input_is_named(arguments: tuple[str, ...], message: str) -> None:
+    result = statics(*arguments)
+    assert result.returncode == 2
+    assert message in result.stderr
+    assert "Traceback" not in result.stderr
