@@ -40,6 +40,7 @@ bench: setup ## race with other codes on the benchmark lifts, growth, stages, ti
 		|| echo "the other codes could not be installed: the race goes without those that are missing"
 	python -m benchmarks.race
 	python -m benchmarks.growth
+	python -m benchmarks.statics
 	python -m benchmarks.losses
 	python -m benchmarks.stages
 	python benchmarks/speed.py

@@ -48,8 +48,8 @@ class Scenario(Element):
     start: Literal["rest", "settled", "as_given"] | None = Field(
         None,
         description="'rest': everything in equilibrium, found from the positions given; 'settled': the load "
-        "has settled on the ground, all else is as given; 'as_given': from the positions given. If not given: "
-        "'rest' for a lift with a 'load', else 'as_given'.",
+        "has settled on the ground, all else is as given; 'as_given': from the positions given. If not "
+        "given: 'rest' for a lift with a 'load', else 'as_given'.",
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")

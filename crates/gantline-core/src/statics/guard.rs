@@ -81,7 +81,7 @@ impl Guard {
             let Some((dof, shortens)) = most.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
             if shortens < 0.0 {
                 all = false;
-                let size = self.stiffness(system, here, matrix, dof, lambda);
+                let size = matrix.diagonal(dof, lambda);
                 matrix.extra[dof] = (STRONGER * matrix.extra[dof]).max(size);
             }
         }
@@ -95,15 +95,5 @@ impl Guard {
             rope.route.parts[part.number].locate(&here.frame.kinematics).length < NOTHING
         };
         self.parts.iter().find(is_nothing).map(|part| part.rope)
-    }
-
-    /// Size of the second derivative of V on the diagonal of a degree of freedom.
-    fn stiffness(&self, system: &System, here: &Potential, matrix: &Matrix, dof: usize, lambda: f64) -> f64 {
-        let rows = (0..system.rope_rows()).flat_map(|row| {
-            let compliance = system.rows.laws[row].compliance();
-            let own = system.rows.entries(&here.frame.gradient, row).filter(move |(other, _)| *other == dof);
-            own.map(move |(_, entry)| if compliance > 0.0 { entry * entry / compliance } else { 0.0 })
-        });
-        matrix.diagonal(dof, lambda) + rows.sum::<f64>()
     }
 }

@@ -39,6 +39,8 @@ pub struct Matrix {
     /// K by slot.
     stiffness: Vec<f64>,
     gradient: Vec<f64>,
+    /// What the ropes that stretch put on the diagonal of every degree of freedom.
+    stretch: Vec<f64>,
     curvature: Vec<f64>,
     columns: Vec<DVec3>,
     right: Vec<f64>,
@@ -88,6 +90,7 @@ impl Matrix {
             mass: by_slot.clone(),
             stiffness: by_slot,
             gradient: vec![0.0; system.rows.dofs.len()],
+            stretch: vec![0.0; system.tree.velocities],
             curvature: vec![0.0; largest * largest],
             columns: vec![DVec3::ZERO; largest],
             right: vec![0.0; size],
@@ -110,6 +113,13 @@ impl Matrix {
         self.mass.fill(0.0);
         self.stiffness.fill(0.0);
         self.gradient.copy_from_slice(&here.frame.gradient);
+        self.stretch.fill(0.0);
+        for row in 0..system.rope_rows() {
+            let compliance = system.rows.laws[row].compliance();
+            for (dof, entry) in system.rows.entries(&self.gradient, row).filter(|_| compliance > 0.0) {
+                self.stretch[dof] += entry * entry / compliance;
+            }
+        }
         let turned = &self.dynamics.position;
         for dof in 0..system.tree.velocities {
             let diagonal = mass.row_start[dof + 1] - 1;
@@ -205,15 +215,14 @@ impl Matrix {
         tension.copy_from_slice(&self.solution[free..]);
     }
 
-    /// Size of ∂²V/∂q² on the diagonal of a free degree of freedom, without the rows.
+    /// Size of λM + ∂²V/∂q² on the diagonal of a free degree of freedom, with all ropes that stretch acting.
     pub fn diagonal(&self, dof: usize, lambda: f64) -> f64 {
-        match self.layout.unknown[dof] {
-            NONE => 0.0,
-            unknown => {
-                let slot = self.diagonal_slots[unknown];
-                lambda * self.mass[slot] + self.stiffness[slot].abs()
-            }
+        let unknown = self.layout.unknown[dof];
+        if unknown == NONE {
+            return 0.0;
         }
+        let slot = self.diagonal_slots[unknown];
+        lambda * self.mass[slot] + self.stiffness[slot].abs() + self.stretch[dof]
     }
 
     /// ∂²V/∂q² of all free degrees of freedom as a dense matrix, with the rows that act condensed, and M likewise.
