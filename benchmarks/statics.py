@@ -2,9 +2,9 @@
 
     python -m benchmarks.statics [--largest N]
 
-Each E(n) is let go from just-taut slings, as in the race. Beside its time stands that of simulating the same lift until
-it has settled, 30 s, with gantline's own method at its default tolerance. The time is the least of many; building
-the system, once for a lift, is not counted.
+Each E(n) is let go from just-taut slings, as in the race. Beside its time stands that of simulating the same
+lift until it has settled, 30 s, with gantline's own method at its default tolerance. The time is the least of
+many; building the system, once for a lift, is not counted.
 """
 
 from __future__ import annotations

@@ -12,6 +12,7 @@ import pytest
 import gantline
 
 ROOT = Path(__file__).resolve().parents[2]
+LOAD = "block"  # as the lift file calls it
 REFERENCE = ROOT / "scenarios" / "equalizer" / "scenario.yaml"
 
 
@@ -36,12 +37,12 @@ def test_the_reference_lift(tmp_path: Path) -> None:
     assert "Equilibrium at 40 s: stable" in result.stdout
     # The independent solution: 589.746 kN over its angle from the plumb.
     assert re.search(r"S1 +589\.746 kN +0\.9981 +3\.57 deg", result.stdout)
-    assert re.search(r"block 1 t heavier +1\.966 kN", result.stdout)
+    assert re.search(LOAD + r" 1 t heavier +1\.966 kN", result.stdout)
     names = sorted(path.name for path in (tmp_path / "out").iterdir())
     assert names == ["equilibrium.nc", "motion_1.nc", "motion_2.nc"]
     recording = gantline.open_recording(tmp_path / "out" / "motion_2.nc")
     assert recording.time[-1] == pytest.approx(10.567, abs=1e-3)
-    assert str(recording.attributes["status"]).startswith("mode 2: block moves along")
+    assert str(recording.attributes["status"]).startswith(f"mode 2: {LOAD} moves along")
 
 
 def test_bounds_of_losses(tmp_path: Path) -> None:
@@ -60,7 +61,7 @@ def test_an_unstable_lift_ends_with_one(tmp_path: Path) -> None:
     result = statics(above)
     assert result.returncode == 1, result.stdout + result.stderr
     assert "UNSTABLE: 2 motions lead away" in result.stdout
-    assert re.search(r"leads away, e-fold in \d+\.\d+ s +- +block turns about", result.stdout)
+    assert re.search(r"leads away, e-fold in \d+\.\d+ s +- +" + LOAD + " turns about", result.stdout)
 
 
 def test_where_there_is_none_it_ends_with_three() -> None:

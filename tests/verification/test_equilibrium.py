@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from gantline.results import series
+from gantline.scenario import parse_scenario
+from gantline.simulation import simulate
 from gantline.statics import Statics
 from mechanics import (
     adaptive,
@@ -246,6 +250,84 @@ def test_brakes_hold_what_they_can() -> None:
     for friction, angle in ((2e3, 0.5), (1e2, math.asin(1e2 / (50 * G * 1.0)))):
         pin = body("pin", hinge(position=0.5, friction=friction), 50.0, centre_of_gravity=(0, 0, -1.0))
         assert at_rest(document([pin])).joint("pin") == pytest.approx(angle, abs=1e-9)
+
+
+def test_bounds_of_lossy_sheaves() -> None:
+    """Nine crossings of 2 % that all slip one way: parts of the rope as 0.98 to each other."""
+    text = (SCENARIOS / "equalizer" / "scenario.yaml").read_text(encoding="utf-8")
+    lossy = text.replace("efficiency: 1.0, rotating_mass: 0 kg", "efficiency: 0.98, rotating_mass: 100 kg")
+    lift = Statics(parse_scenario(lossy))
+    assert len(lift.equilibrium().lossy) == 9
+    shares = {}
+    for losses in ("forward", "backward"):
+        rest = lift.equilibrium(losses=losses)
+        pulls = []
+        for sling in rest.recording.rig.slings:
+            angle = float(series.sling_angle(rest.recording, sling)[-1])
+            pulls.append(rest.tension(sling.rope) * math.cos(angle) + 300 * 9.81)
+        # A moving sheave hangs in parts 2 i and 2 i + 1 of ten: between two sheaves lie two crossings. Rope
+        # that passes takes its stretch along, half the strain of 3e-3 times its change of 4 %.
+        ratio = 0.98**2 if losses == "backward" else 0.98**-2
+        assert [b / a for a, b in pairwise(pulls)] == pytest.approx([ratio] * 4, rel=2e-4)
+        # They carry the load all the same.
+        assert sum(pulls) == pytest.approx((300e3 + 5 * 300) * 9.81, rel=1e-9)
+        shares[losses] = [pull / (sum(pulls) / 5) for pull in pulls]
+    assert shares["backward"] == pytest.approx([1.082, 1.040, 0.998, 0.959, 0.921], abs=6e-4)
+    assert shares["forward"] == pytest.approx(shares["backward"][::-1], rel=1e-6)
+
+
+def test_a_lift_that_starts_at_rest_stays_there() -> None:
+    """From `start: rest` nothing moves until the plan does."""
+    text = (SCENARIOS / "equalizer" / "scenario.yaml").read_text(encoding="utf-8")
+    later = text.replace("start: settled", "start: rest").replace("start_at: 0 s", "start_at: 3 s")
+    moved = {}
+    for name, lift in (("rest", later), ("settled", later.replace("start: rest", "start: settled"))):
+        recording = simulate(parse_scenario(lift), duration=3.0)
+        moved[name] = float(np.abs(recording["body_velocity"].values).max())
+    # Contact springs of 200 MN/m turn rounding of 1e-15 m into 2e-7 N; sheaves would fall 0.05 mm otherwise.
+    assert moved["rest"] < 1e-9
+    assert moved["settled"] > 1e-4
+
+
+def test_a_plan_that_waits_for_conditions() -> None:
+    """Half of the weight transferred: support and hook share it."""
+    lift = Statics(SCENARIOS / "equalizer_yard")
+    # The hold at 50 % lasts 10 s; 60 s lies within it.
+    rest = lift.equilibrium(60.0)
+    transferred = float(rest.recording.column("load_transferred", LOAD)[-1])
+    # Looked at every 0.1 s, in which 0.5 m/min stretch slings and equalizer of some 33 MN/m by 0.8 mm: 1 %.
+    assert transferred == pytest.approx(0.5, abs=0.01)
+    assert transferred >= 0.5
+    hook = float(rest.recording.column("hook_load", "test_hook")[-1])
+    # (20 + 5 * 0.3) t hang there in any case.
+    assert hook == pytest.approx(transferred * 300e3 * 9.81 + 21.5e3 * 9.81, rel=1e-9)
+
+
+def test_tilt_with_and_without_an_equalizer() -> None:
+    """The reference load 100 mm off: 2.5 and 2.3 degrees under its equalizer, 0.2 straight to the hook."""
+    text = (SCENARIOS / "equalizer" / "scenario.yaml").read_text(encoding="utf-8")
+
+    def tilt(x: float, y: float) -> float:
+        at = text.replace("at: [0 m, 0 m, 2.5 m]\n", f"at: [{x} m, {y} m, 2.5 m]\n")
+        assert at != text
+        return math.degrees(
+            float(Statics(parse_scenario(at)).equilibrium().recording["load_tilt"].values[-1, 0])
+        )
+
+    # atan(0.1/2.5) = 2.29 deg for plumb slings; crossed slings lean, by up to 7 deg, and add to it.
+    assert tilt(0.1, 0.0) == pytest.approx(2.29, abs=0.2)
+    assert tilt(0.0, 0.1) == pytest.approx(2.29, abs=0.05)
+    # Five slings of 25 m from one point that hardly stretch: all turns as one about the hook, tan θ = e/27.5.
+    lengths = [math.sqrt(25**2 + x * x + y * y) for x, y in LUGS]
+    ropes = [
+        rope(f"s{i}", length, [end(None, (0, 0, 27.5)), end("load", (*lug, 2.5))], 2e11)
+        for i, (lug, length) in enumerate(zip(LUGS, lengths, strict=True))
+    ]
+    inertia = (3.125e6, 3.125e6, 5e6)
+    load = body("load", free((0, 0, 0)), 300e3, centre_of_gravity=(0.1, 0, 0), inertia=inertia)
+    orientation = at_rest(document([load], ropes=ropes)).body("load", "body_orientation")
+    straight = math.degrees(2 * math.asin(math.hypot(orientation[1], orientation[2])))
+    assert straight == pytest.approx(math.degrees(math.atan(0.1 / 27.5)), rel=1e-3)
 
 
 def test_nothing_holds_it() -> None:

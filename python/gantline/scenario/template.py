@@ -17,7 +17,7 @@ lift:
   revision: "0"
 
 duration: 60 s                       # time to simulate
-start: rest                          # the load has settled on the ground before the lift begins
+start: rest                          # everything hangs and stands in equilibrium before the lift begins
 
 ground: {level: 0 m, friction: 0.5, stiffness: 200 MN/m, damping: 2 MN s/m, acts_at: corners}
 

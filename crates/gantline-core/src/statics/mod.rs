@@ -150,6 +150,7 @@ impl Statics {
         let Self { search, bearings } = self;
         search.here.update_mass(system);
         search.matrix.linearise(system, &search.here, &state.seats);
+        search.matrix.extra.fill(0.0);
         let follows = &search.here.follows;
         let compliance = |row: usize| follows[row].then_some(bearings[row].compliance);
         let mut below = |shift: f64| {

@@ -45,6 +45,23 @@ const BALANCED: f64 = 1e-9;
 /// Energy that a step must gain, relative to what the model promised.
 const WORTH: f64 = 1e-3;
 
+/// Rounding of an energy below which nothing can be told from it, in units of that of its terms.
+const NOISE: f64 = 160.0;
+/// Factor of λ after a step that the model foresaw.
+const FASTER: f64 = 0.03;
+/// Factor of λ after one that led nowhere.
+const SLOWER: f64 = 4.0;
+
+/// Factor of λ after a step that gained this share of what was promised.
+fn trust(share: f64) -> f64 {
+    match share {
+        share if (share - 1.0).abs() < 0.1 => FASTER,
+        share if share > 0.75 => 0.3,
+        share if share < 0.25 => SLOWER,
+        _ => 1.0,
+    }
+}
+
 /// Why a search ended without equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stuck {
@@ -112,54 +129,10 @@ impl Search {
         for _ in 0..STEPS {
             self.here.update_mass(system);
             self.matrix.linearise(system, &self.here, &state.seats);
-            loop {
-                let promised = self.model(system, bearings, &mut lambda);
-                let Some(promised) = promised else { return self.end(system) };
-                self.there.update(system, bearings, &state.memory, &state.seats);
-                let noise = 16.0 * (self.here.rounding + self.there.rounding);
-                let (before, after) = (self.here.residual(system), self.there.residual(system));
-                let gained = self.here.energy - self.there.energy;
-                let is_fine = promised <= 10.0 * noise;
-                let is_worth = if is_fine { after < 0.5 * before } else { gained > WORTH * promised };
-                let (gained, is_worth) = if is_fine || gained > 0.25 * promised {
-                    (gained, is_worth)
-                } else {
-                    let corrected = self.correct(system, state, bearings, gained);
-                    (corrected, corrected > WORTH * promised)
-                };
-                if std::env::var("DBG").is_ok() {
-                    eprintln!(
-                        "{} lam {lambda:.1e} V {:.6e} promised {promised:.3e} gained {gained:.3e} res {before:.2e}->{after:.2e} noise {noise:.1e} fine {is_fine} maxstep {:.3}",
-                        self.effort.steps,
-                        self.here.energy,
-                        self.step.iter().fold(0.0f64, |a, b| a.max(b.abs()))
-                    );
-                }
-                if !is_worth {
-                    if is_fine && before <= BALANCED {
-                        return Ok(());
-                    }
-                    self.effort.rejected += 1;
-                    lambda = (4.0 * lambda).max(1e-3);
-                    if lambda > MOST {
-                        return self.end(system);
-                    }
-                    continue;
-                }
-                self.effort.steps += 1;
-                let share = gained / promised;
-                lambda *= if is_fine || (share - 1.0).abs() < 0.1 {
-                    0.03
-                } else if share > 0.75 {
-                    0.3
-                } else if share < 0.25 {
-                    4.0
-                } else {
-                    1.0
-                };
-                lambda = lambda.max(LEAST);
-                break;
+            if !self.find_step(system, state, bearings, &mut lambda)? {
+                return Ok(());
             }
+            self.effort.steps += 1;
             std::mem::swap(&mut self.here, &mut self.there);
             state.q.copy_from_slice(&self.here.q);
             self.seat(system, state, bearings);
@@ -167,13 +140,51 @@ impl Search {
                 return Err(Stuck::Falls(body));
             }
         }
+        self.end(system).map(|_| ())
+    }
+
+    /// Sets `there` to where a step that is worth it leads; false where none is needed.
+    fn find_step(
+        &mut self,
+        system: &System,
+        state: &State,
+        bearings: &[Bearing],
+        lambda: &mut f64,
+    ) -> Result<bool, Stuck> {
+        while *lambda <= MOST {
+            let Some(promised) = self.model(system, bearings, lambda) else { break };
+            self.there.update(system, bearings, &state.memory, &state.seats);
+            let noise = self.here.rounding + self.there.rounding;
+            let mut gained = self.here.energy - self.there.energy;
+            if promised <= NOISE * noise {
+                // Energies say no more: it goes on while slopes do.
+                let before = self.here.residual(system);
+                if self.there.residual(system) < 0.5 * before {
+                    *lambda = (FASTER * *lambda).max(LEAST);
+                    return Ok(true);
+                }
+                if before <= BALANCED {
+                    return Ok(false);
+                }
+            } else {
+                if gained <= 0.25 * promised {
+                    gained = self.correct(system, state, bearings, gained);
+                }
+                if gained > WORTH * promised {
+                    *lambda = (trust(gained / promised) * *lambda).max(LEAST);
+                    return Ok(true);
+                }
+            }
+            self.effort.rejected += 1;
+            *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
+        }
         self.end(system)
     }
 
     /// Nothing leads on from here.
-    fn end(&self, system: &System) -> Result<(), Stuck> {
+    fn end(&self, system: &System) -> Result<bool, Stuck> {
         if self.here.residual(system) <= BALANCED {
-            return Ok(());
+            return Ok(false);
         }
         if let Some(rope) = self.guard.used_up(system, &self.here) {
             return Err(Stuck::UsedUp(rope));
@@ -254,7 +265,7 @@ impl Search {
         self.acts.copy_from_slice(&self.here.follows);
         for _ in 0..TRIES {
             if !self.settle_rows(system, bearings, *lambda) || self.largest_turn(system) > TURN {
-                *lambda = (4.0 * *lambda).max(1e-3);
+                *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
             } else if self.is_passable(system, *lambda) {
                 return Some(self.promised(system, bearings));
             }
