@@ -255,7 +255,7 @@ class Statics:
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,
-            settings={},
+            settings=self.assembly.settings,
             axial_stiffness=self._stiffness(),
             warnings=[],
             scene=self.assembly.scene,

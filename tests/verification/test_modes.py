@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from gantline.plot.pictures import PICTURES
 from gantline.statics import Statics
 from mechanics import body, document, end, free, hinge, point, rope, slider
 from resting import CORNERS, G, at_rest, one_equalizer
@@ -146,5 +147,6 @@ def test_a_mode_as_a_recording() -> None:
     pulls = np.sum([recording.column("rope_tension", f"sling.S{i}") for i in range(1, 6)], axis=0)
     extra = float(pulls[30] - pulls[10]) / 2
     assert extra * math.copysign(1.0, -swing[30]) > 0
+    assert all(draw(recording) is None or recording.time.size for draw in PICTURES.values())
     # Slings lean by up to 7 degrees.
     assert abs(extra) == pytest.approx(300e3 * bounce.square * abs(swing[30]), rel=0.02)

@@ -8,7 +8,7 @@ use gantline_core::statics::matrix::Matrix;
 use gantline_core::statics::potential::{Losses, Part, Potential, bearings};
 use gantline_core::system::System;
 use proptest::prelude::*;
-use rigs::{built, moved, seeds};
+use rigs::{built, moved, seeds, torture};
 
 /// V at a configuration with its slope and matrix [J].
 fn potential(system: &System, state: &gantline_core::state::State) -> Potential {
@@ -54,6 +54,31 @@ proptest! {
             .sum();
         prop_assert!((second - wanted).abs() < 1e-5 * sizes.max(here.energy.abs()), "{second} {wanted}");
     }
+}
+
+/// Random rigs of light and heavy bodies, soft, stiff and inextensible ropes over rough ground: most come to rest, what
+/// does not says why, and what is found balances.
+#[test]
+fn random_rigs_come_to_rest_or_say_why() {
+    let (mut found, mut reasons) = (0, std::collections::BTreeMap::<String, usize>::new());
+    for seed in 0..300_u64 {
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as f64 / (1u64 << 31) as f64 * 2.0 - 1.0
+        };
+        let seeds: Vec<f64> = (0..400).map(|_| number()).collect();
+        let Ok((system, mut state)) = build(&torture(&seeds)) else { continue };
+        match Statics::new(&system).settle(&system, &mut state, Losses::None) {
+            Ok(rest) => {
+                found += 1;
+                assert!(rest.residual < 1e-8, "{seed}: {rest:?}");
+                assert!(state.tension.iter().chain(&state.q).all(|value| value.is_finite()));
+            }
+            Err(reason) => *reasons.entry(reason.cause).or_default() += 1,
+        }
+    }
+    println!("{found} {reasons:?}");
 }
 
 /// A row of sheaves over one rope, each with a weight on a sling: n degrees of freedom and n more rows.

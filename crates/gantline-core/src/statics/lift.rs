@@ -99,7 +99,7 @@ impl StaticLift {
             self.samples.push_state(&self.system, 0.0, &self.first);
         }
         self.samples.push_state(&self.system, time, &self.state);
-        self.note_tensions();
+        self.note_tensions(&self.state.clone());
         Ok(rest)
     }
 
@@ -144,19 +144,20 @@ impl StaticLift {
             self.system.tree.advance(&mut state.q, &along(amplitude * sine));
             state.v = along(amplitude * omega * cosine);
             state.acceleration = along(-amplitude * omega * omega * sine);
-            for (tension, change) in state.tension.iter_mut().zip(&mode.tension) {
-                *tension += amplitude * sine * change;
+            let changes = state.tension.iter_mut().zip(&mode.tension).filter(|(_, change)| **change != 0.0);
+            for (tension, change) in changes {
+                *tension = (*tension + amplitude * sine * change).max(0.0);
             }
+            state.time = time;
             self.samples.push_state(&self.system, time, &state);
+            self.note_tensions(&state);
         }
-        self.note_tensions();
     }
 
-    fn note_tensions(&mut self) {
-        let tension = &self.state.tension;
-        let known =
-            |row: usize, known: f64| (tension[row] > known).then_some((tension[row], self.state.time));
-        self.samples.note_peaks(&self.system, &self.state.q, known);
+    fn note_tensions(&mut self, state: &State) {
+        let State { tension, q, time, .. } = state;
+        let peak = |row: usize, known: f64| (tension[row] > known).then_some((tension[row], *time));
+        self.samples.note_peaks(&self.system, q, peak);
     }
 
     /// The system.
