@@ -15,8 +15,6 @@ use crate::tree::kinematics::Kinematics;
 const KEPT: f64 = 0.3;
 /// A part of this length is none any more [m].
 const NOTHING: f64 = 1e-3;
-/// By how much a brake is strengthened where it was not enough.
-const STRONGER: f64 = 8.0;
 
 /// A straight part of a rope.
 #[derive(Debug, Clone)]
@@ -81,8 +79,7 @@ impl Guard {
             let Some((dof, shortens)) = most.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
             if shortens < 0.0 {
                 all = false;
-                let size = matrix.diagonal(dof, lambda);
-                matrix.extra[dof] = (STRONGER * matrix.extra[dof]).max(size);
+                matrix.brake(dof, lambda);
             }
         }
         all

@@ -22,6 +22,9 @@ use crate::system::System;
 use crate::tree::mass::MassMatrix;
 use crate::tree::tangent::DynamicsTangent;
 
+/// By how much a brake is strengthened where it was not enough.
+const STRONGER: f64 = 8.0;
+
 /// The matrix, its pattern and its factors.
 #[derive(Debug, Clone)]
 pub struct Matrix {
@@ -215,8 +218,13 @@ impl Matrix {
         tension.copy_from_slice(&self.solution[free..]);
     }
 
+    /// Puts on the diagonal of a degree of freedom what about halves its step, and more each time.
+    pub fn brake(&mut self, dof: usize, lambda: f64) {
+        self.extra[dof] = (STRONGER * self.extra[dof]).max(self.diagonal(dof, lambda));
+    }
+
     /// Size of λM + ∂²V/∂q² on the diagonal of a free degree of freedom, with all ropes that stretch acting.
-    pub fn diagonal(&self, dof: usize, lambda: f64) -> f64 {
+    fn diagonal(&self, dof: usize, lambda: f64) -> f64 {
         let unknown = self.layout.unknown[dof];
         if unknown == NONE {
             return 0.0;

@@ -67,8 +67,8 @@ pub struct Bearing {
     pub offset: f64,
     /// Coordinate that it holds, and where.
     pub held: (usize, f64),
-    /// Rounding of its force [N]: that of the lengths whose difference e is, over ε.
-    pub rounding: f64,
+    /// Length whose difference to another e is [m].
+    pub length: f64,
 }
 
 impl Bearing {
@@ -76,7 +76,6 @@ impl Bearing {
     pub fn stiffen(&mut self) {
         if self.compliance > LEAST_SHARE * self.first_compliance {
             self.compliance *= STIFFER;
-            self.rounding /= STIFFER;
         }
     }
 
@@ -115,9 +114,8 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
             Law::Friction { .. } => (Part::Off, (0, 0.0)),
             Law::Brake { .. } => held(system, state, row, losses),
         };
-        let size = length(system, row).max(1.0);
-        let rounding = ROUNDING * size / compliance;
-        Bearing { part, compliance, first_compliance: compliance, is_rigid, offset: 0.0, held, rounding }
+        let length = length(system, row);
+        Bearing { part, compliance, first_compliance: compliance, is_rigid, offset: 0.0, held, length }
     };
     system.rows.laws.iter().enumerate().map(row).collect()
 }
@@ -205,6 +203,8 @@ impl Potential {
             *terms = gravity.abs();
         }
         self.noise.fill(0.0);
+        let places = self.frame.kinematics.centre_of_gravity.iter();
+        let reach = places.fold(1.0_f64, |most, place| most.max(place.abs().max_element()));
         self.energy = gravity_energy(system, &self.frame.kinematics);
         self.rounding = self.energy.abs();
         for (row, bearing) in bearings.iter().enumerate() {
@@ -220,7 +220,7 @@ impl Potential {
                 for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
                     self.slope[dof] += entry * tension;
                     self.terms[dof] += (entry * tension).abs();
-                    self.noise[dof] += entry.abs() * bearing.rounding;
+                    self.noise[dof] += entry.abs() * ROUNDING * (bearing.length + reach) / bearing.compliance;
                 }
             }
         }

@@ -39,9 +39,11 @@ const TRIES: usize = 100;
 /// Steps, at most.
 const STEPS: usize = 500;
 /// What has moved so far falls without end [m].
-const ENDLESS: f64 = 1e5;
+const ENDLESS: f64 = 1e4;
 /// Slope, relative to its terms, at which forces balance.
 const BALANCED: f64 = 1e-9;
+/// The same where nothing betters it: masses and stiffnesses that are very unlike leave that much to rounding.
+const ROUGH: f64 = 1e-5;
 /// Energy that a step must gain, relative to what the model promised.
 const WORTH: f64 = 1e-3;
 
@@ -151,12 +153,13 @@ impl Search {
         bearings: &[Bearing],
         lambda: &mut f64,
     ) -> Result<bool, Stuck> {
+        let mut is_last = false;
         while *lambda <= MOST {
             let Some(promised) = self.model(system, bearings, lambda) else { break };
             self.there.update(system, bearings, &state.memory, &state.seats);
             let noise = self.here.rounding + self.there.rounding;
             let mut gained = self.here.energy - self.there.energy;
-            if promised <= NOISE * noise {
+            if promised.abs() <= NOISE * noise {
                 // Energies say no more: it goes on while slopes do.
                 let before = self.here.residual(system);
                 if self.there.residual(system) < 0.5 * before {
@@ -165,6 +168,10 @@ impl Search {
                 }
                 if before <= BALANCED {
                     return Ok(false);
+                }
+                if *lambda > LEAST && !is_last {
+                    (*lambda, is_last) = (LEAST, true);
+                    continue;
                 }
             } else {
                 if gained <= 0.25 * promised {
@@ -183,7 +190,7 @@ impl Search {
 
     /// Nothing leads on from here.
     fn end(&self, system: &System) -> Result<bool, Stuck> {
-        if self.here.residual(system) <= BALANCED {
+        if self.here.residual(system) <= ROUGH {
             return Ok(false);
         }
         if let Some(rope) = self.guard.used_up(system, &self.here) {
@@ -267,7 +274,7 @@ impl Search {
             if !self.settle_rows(system, bearings, *lambda) || self.largest_turn(system) > TURN {
                 *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
             } else if self.is_passable(system, *lambda) {
-                return Some(self.promised(system, bearings));
+                return Some(self.promised(system, bearings, *lambda));
             }
         }
         None
@@ -329,8 +336,9 @@ impl Search {
         turns.filter(|(_, motion)| **motion == Motion::Turn).map(|(turn, _)| turn.abs()).fold(0.0, f64::max)
     }
 
-    /// The model's energy here less that after the step; by its own equation ½ Δᵀ (λM + K) Δ = −½ (∇V_g + GᵀT)·Δ.
-    fn promised(&self, system: &System, bearings: &[Bearing]) -> f64 {
+    /// The model's energy here less that after the step, both without λ and brakes; by its own equation the quadratic
+    /// term with them, Δᵀ (λM + K) Δ, is −(∇V_g + GᵀT)·Δ.
+    fn promised(&self, system: &System, bearings: &[Bearing], lambda: f64) -> f64 {
         let along = |(force, step): (&f64, &f64)| force * step;
         let gravity: f64 = self.here.gravity.iter().zip(&self.step).map(along).sum();
         let (mut work, mut elastic) = (0.0, 0.0);
@@ -341,6 +349,7 @@ impl Search {
         }
         let extra = self.matrix.extra.iter().zip(&self.step);
         let braked: f64 = extra.map(|(extra, step)| extra * step * step).sum();
-        elastic - gravity + 0.5 * (gravity + work + braked)
+        let slowed = lambda * self.here.frame.mass.quadratic(&self.step) + braked;
+        elastic - gravity + 0.5 * (gravity + work + slowed)
     }
 }
