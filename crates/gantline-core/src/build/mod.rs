@@ -1,6 +1,7 @@
 //! From a document to a checked [`System`] and its first [`State`].
 
 mod adjusters;
+mod brakes;
 mod plan;
 mod rows;
 mod tree;

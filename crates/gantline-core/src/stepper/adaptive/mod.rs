@@ -28,6 +28,7 @@ use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::event::EventLog;
 use crate::record::Sample;
+use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
@@ -94,10 +95,12 @@ pub struct Adaptive {
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
-    /// Wrap angles of all sheaves at the end of the part that is made, and the share of it at which a rope left one
+    /// What is wound on all sheaves at the end of the part that is made, and the share of it at which a rope left one
     /// or came back.
-    wraps: Vec<f64>,
+    wraps: Vec<Winding>,
     crossings: Vec<f64>,
+    /// What was wound a moment ago.
+    unwound: Vec<Winding>,
     /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
     taut: Vec<bool>,
     /// True while `rodas.here` belongs to the state.
@@ -128,7 +131,8 @@ impl Adaptive {
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
-            wraps: vec![0.0; system.sheaves.len()],
+            wraps: vec![Winding::default(); system.sheaves.len()],
+            unwound: vec![Winding::default(); system.sheaves.len()],
             crossings: vec![0.0; system.sheaves.len()],
             taut: Vec::with_capacity(system.rigid.len()),
             current: false,
