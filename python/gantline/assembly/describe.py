@@ -12,6 +12,7 @@ from gantline.assembly.catenary import end_mass
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.gear import Shackle
@@ -182,14 +183,23 @@ def _sheaves_with_flow(parts: Parts) -> list[Json]:
             "name": guide["flow"],
             "rope": rope["name"],
             "segments": [f"{rope['name']}/{place - 1}", f"{rope['name']}/{place}"],
-            "ratio": guide["ratio"],
-            "inertia": parts.flows[guide["flow"]]["joint"]["inertia"],
+            "ratio": guide.get("ratio"),
+            "groove_friction": guide["groove"]["friction"] if "groove" in guide else None,
+            "spins": spin_of(guide["flow"]) in parts.flows,
+            "inertia": _inertia_of(parts, guide["flow"]),
             "inertia_from": parts.inertia_from[guide["flow"]],
         }
         for rope in parts.ropes
         for place, guide in enumerate(rope["route"])
         if "flow" in guide
     ]
+
+
+def _inertia_of(parts: Parts, flow: str) -> float:
+    """Mass of what turns with the rope over a sheave, or moves with it over one that does not turn [kg]."""
+    spin = spin_of(flow)
+    inertia: float = parts.flows[spin if spin in parts.flows else flow]["joint"]["inertia"]
+    return inertia
 
 
 def _drums(scenario: Scenario) -> list[Json]:

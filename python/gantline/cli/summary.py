@@ -308,7 +308,7 @@ def _wraps(recording: Recording) -> list[str]:
 
 def _losses(recording: Recording) -> list[str]:
     """What losses of sheaves do to each rope: its worst sheave, and how far its segments differ."""
-    lossy = [sheave for sheave in recording.rig.sheaves if sheave.ratio > 1.0]
+    lossy = [sheave for sheave in recording.rig.sheaves if sheave.has_losses]
     rows = []
     for rope in dict.fromkeys(sheave.rope for sheave in lossy):
         own = [sheave for sheave in lossy if sheave.rope == rope]
@@ -321,7 +321,7 @@ def _losses(recording: Recording) -> list[str]:
             (
                 rope,
                 f"{float(ratio.max()):.4f}",
-                f"{worst.ratio:.4f}",
+                f"{float(series.slip_ratio(recording, worst)[int(ratio.argmax())]):.4f}",
                 worst.name,
                 show(float(recording.time[int(ratio.argmax())]), "s", 2),
                 show(float(force.min()), unit, digits),

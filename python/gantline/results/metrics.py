@@ -149,7 +149,7 @@ def _spread(recording: Recording) -> Iterator[_Metric]:
 
 
 def _sheaves(recording: Recording) -> Iterator[_Metric]:
-    lossy = [sheave for sheave in recording.rig.sheaves if sheave.ratio > 1.0]
+    lossy = [sheave for sheave in recording.rig.sheaves if sheave.has_losses]
     ratios = [series.tension_ratio(recording, sheave) for sheave in lossy]
     yield "peak_sheave_tension_ratio", _largest(float(ratio.max()) for ratio in ratios)
     yield "final_sheave_tension_ratio", _largest(float(ratio[-1]) for ratio in ratios)

@@ -197,7 +197,10 @@ class Sheave(_FromJson):
             `<rope>/sheave_<n>` of a rope of `mechanics`, counted from 1 along the rope.
         rope: The rope over it.
         segments: Segments of the rope before and after it.
-        ratio: Largest ratio of the tensions on both sides, 1 without losses.
+        ratio: Largest ratio of the tensions on both sides that its bearing holds, 1 without losses, None
+            where it does not turn.
+        groove_friction: Coefficient of friction of a groove in which the rope may slip, None where it grips.
+        spins: Whether its spin is a coordinate of its own beside the rope over it.
         inertia: Mass that moves with the rope, moment of inertia over radius squared [kg].
         inertia_from: What that mass is, in words.
     """
@@ -205,9 +208,16 @@ class Sheave(_FromJson):
     name: str
     rope: str
     segments: Sequence[str]
-    ratio: float = 1.0
+    ratio: float | None = 1.0
+    groove_friction: float | None = None
+    spins: bool = False
     inertia: float = 0.0
     inertia_from: str = ""
+
+    @property
+    def has_losses(self) -> bool:
+        """Whether it takes tension from the rope that passes."""
+        return self.ratio != 1.0 or self.groove_friction is not None
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from gantline.results.recording import Recording
@@ -184,6 +186,19 @@ def tension_ratio(recording: Recording, sheave: Sheave) -> FloatArray:
     if clear.any():
         counts &= clear
     ratio: FloatArray = np.divide(high, low, out=np.ones_like(high), where=counts)
+    return ratio
+
+
+def slip_ratio(recording: Recording, sheave: Sheave) -> FloatArray:
+    """Ratio of tensions from which rope passes a sheave, by bearing or groove [1], shape (time,)."""
+    bearing = math.inf if sheave.ratio is None else sheave.ratio
+    if sheave.groove_friction is None:
+        return np.full(recording.time.shape, bearing)
+    is_wrapped = any(other.name == sheave.name for other in recording.rig.wrapped_sheaves)
+    wrap = (
+        recording.column("wrap_angle", sheave.name) if is_wrapped else np.full(recording.time.shape, math.pi)
+    )
+    ratio: FloatArray = np.minimum(bearing, np.exp(sheave.groove_friction * wrap))
     return ratio
 
 
