@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from gantline.assembly import Assembly, assemble
-from gantline.assembly.yard import PIN
 from gantline.cli.summary import summary
 from gantline.results.recording import Recording
 from gantline.scenario import ScenarioError, parse_scenario
@@ -197,22 +196,14 @@ def test_a_drive_with_limits_that_are_too_low_does_not_lift() -> None:
     assert rises[0] > 0.2 and rises[1] < -1.0
 
 
-def test_hinges_with_friction_and_pinned_sheaves() -> None:
+def test_hinges_with_friction() -> None:
     def joints(text: str) -> dict[str, Any]:
         return {one["name"]: one["joint"] for one in assembled(text).document["bodies"]}
 
     plain = joints(ADAPTIVE)
-    assert plain["e1"]["friction"] == plain["e1.1"]["friction"] == 0.0
+    assert plain["e1"]["friction"] == 0.0
     rough = joints(spoiled("hinge: {damping: 1 kN m s}", "hinge: {friction: 5 kN m}", ADAPTIVE))
     assert rough["e1"]["friction"] == 5e3
-    pinned = joints(spoiled("travel: {up: 1 m", "travel: {locked: true, up: 1 m", ADAPTIVE))
-    assert [pinned[f"e1.{place}"]["friction"] for place in (1, 2)] == [PIN, PIN]
-
-
-def test_pinned_sheaves_do_not_move() -> None:
-    text = spoiled("travel: {up: 1 m", "travel: {locked: true, up: 1 m", ADAPTIVE)
-    run = simulate(parse_scenario(text), duration=6.0)
-    assert np.abs(run["sheave_travel"].values).max() < 1e-9
 
 
 def test_two_drums_on_one_shaft() -> None:

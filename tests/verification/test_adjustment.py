@@ -42,7 +42,7 @@ def test_the_sequence_of_fig_6(run: Run) -> None:
 
 
 def test_what_the_paper_says_of_it(run: Run) -> None:
-    """(a) f₁ alone: p1 goes down, the others go up alike. (b) f₀ > f₁ > f₂ = 0: p0 down, p2 further up than p1.
+    """(a) f₁ alone: p1 goes down, the others up alike. (b) f₀ > f₁ > f₂ = 0: p0 down, p2 further up than p1.
 
     (c) all forces equal, k/3 Σ (y − g), and every sheave at rest at its own y − g less the mean.
     """

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -21,8 +21,6 @@ __all__ = ["add_equalizers", "add_hooks", "add_slings", "hoist_drive", "lower_lu
 _TAUT = 1e-6
 #: Largest stretch of a sling at the start of a lift that is not at rest.
 _MOST_STRAIN = 0.02
-#: What a locking pin holds [N]: more than any lift has.
-PIN = 1e12
 
 
 def hoist_drive(hook: str) -> str:
@@ -56,8 +54,10 @@ def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
         )
 
 
-def add_equalizers(parts: Parts, rigging: Rigging) -> None:
+def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> None:
     """Frames on a vertical hinge under their hooks, moving sheaves as sliders in them, equalizing ropes.
+
+    `pins`: moving sheaves that have locking pins, and whether they are in at the start.
 
     Where lengths are adjusted instead, the sheaves are masses on the frame and there is no equalizing rope.
     """
@@ -69,7 +69,6 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
             if sling.equalizer == equalizer.name
         }
         sheaves = equalizer.moving_sheaves
-        held_by = PIN if equalizer.travel.locked else 0.0
         if not equalizer.has_sheaves:
             for place in range(1, len(sheaves.along) + 1):
                 mass = sheaves.mass + carried.get(place, 0.0)
@@ -82,7 +81,10 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         for place, along in enumerate(sheaves.along, start=1):
             parts.add_body(
                 f"{equalizer.name}.{place}",
-                _slider((0.0, 0.0, -1.0), None, held_by, _travel_stops(equalizer)),  # travel down is positive
+                {  # travel down is positive
+                    **_slider((0.0, 0.0, -1.0), None, _travel_stops(equalizer)),
+                    "pin": pins.get(f"{equalizer.name}.{place}"),
+                },
                 parent=equalizer.name,
                 position=(along, 0.0, -sheaves.below_hook),
                 mass=sheaves.mass + carried.get(place, 0.0),
@@ -122,16 +124,14 @@ def _travel_stops(equalizer: EqualizerRigging) -> Json | None:
     }
 
 
-def _slider(
-    axis: Sequence[float], drive: str | None, friction: float = 0.0, stops: Json | None = None
-) -> Json:
+def _slider(axis: Sequence[float], drive: str | None, stops: Json | None = None) -> Json:
     return {
         "type": "slider",
         "axis": list(axis),
         "position": 0.0,
         "velocity": 0.0,
         "damping": 0.0,
-        "friction": friction,
+        "friction": 0.0,
         "drive": drive,
         "stops": stops,
     }

@@ -248,6 +248,7 @@ impl Evaluation {
         for (pull, &row) in self.pull.iter_mut().zip(&system.rigid) {
             *pull = match system.constraint_of_row(row) {
                 AnyConstraint::Brake(brake) => at.a[brake.dof],
+                AnyConstraint::Pin(pin) => at.a[pin.dof],
                 _ => pull_of(system, &self.frame, &self.dynamics, row),
             };
         }

@@ -132,7 +132,7 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
-            (_, Mode::Parted) => 0.0,
+            (_, Mode::Parted) | (Law::Pin, _) => 0.0,
             // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
             (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
                 at.trial[row] - self.looks.start(row).max(0.0)
@@ -168,6 +168,7 @@ impl Adaptive {
             match constraint {
                 AnyConstraint::Rope(_) => any |= self.switch_rope(system, state, log, index, (start, length)),
                 AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake.dof),
+                AnyConstraint::Pin(_) => {}
                 AnyConstraint::Stop(_) => {
                     if let Some((hit, crossing)) = self.turn_over(system, state, system.rows.first[index]) {
                         any = true;
