@@ -218,8 +218,10 @@ def _wrapped_sheaves(parts: Parts) -> list[Json]:
 def _limits(scenario: Scenario, *, has_sheaves: bool) -> Json:
     """Limits of the lift file, and those that hold as warnings where it is silent."""
     given = {} if scenario.limits is None else scenario.limits.model_dump(exclude_none=True)
+    # No limit, but what a result is counted by.
+    bound = {key: given.pop(key) for key in ("equalised_below",) if key in given}
     assumed = {"fleet_angle": FLEET_ANGLE} if has_sheaves and "fleet_angle" not in given else {}
-    return {"limits": {**given, **assumed}, "assumed_limits": list(assumed)}
+    return {"limits": {**given, **assumed}, "assumed_limits": list(assumed), **bound}
 
 
 def _step(step: Any) -> Json:

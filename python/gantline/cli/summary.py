@@ -9,6 +9,7 @@ import numpy as np
 from gantline.checks import Check, Verdict
 from gantline.cli.table import ABSENT, pairs, table
 from gantline.results import series
+from gantline.results.equalising import equalising
 from gantline.results.metrics import energy_bound, metrics_of
 from gantline.results.parting import partings, stops_met
 from gantline.results.recording import Recording
@@ -201,6 +202,7 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
         rows.append(
             ("tension spread", f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end")
         )
+    rows += _equalising(recording, equalizer)
     met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
     rows += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{_again(one.times)}") for one in met]
     rows += [
@@ -209,6 +211,18 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
         if stroke and equalizer.moving_sheaves and equalizer.mechanism == "sheaves"
     ]
     return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
+
+
+def _equalising(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
+    """How long it took until the slings carry alike, where all of them have ever been taut."""
+    found = equalising(recording, equalizer)
+    if not equalizer.slings:
+        return []
+    bound = show(recording.rig.equalised_below, "%", 0 if recording.rig.equalised_below >= 0.01 else 2)
+    if found is None:
+        return [("time to equalise", f"{ABSENT}, the spread does not end below {bound} with all slings taut")]
+    text = f"{show(found.time, 's', 2)} to a spread below {bound}, from {show(found.begin, 's', 2)} on"
+    return [("time to equalise", text)]
 
 
 def _again(times: int) -> str:

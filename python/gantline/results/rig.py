@@ -10,6 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, Self
 
+#: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
+EQUALISED_BELOW = 0.05
+
 
 class _FromJson:
     """Dataclasses that are made from a JSON object and pass over keys that they do not know."""
@@ -275,6 +278,7 @@ class Rig(_FromJson):
         wrapped_sheaves: Sheaves with true tangents.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         assumed_limits: Those of them that the lift file does not name: going past one is a warning.
+        equalised_below: Tension spread below which an equalizer has equalised [1].
         plan: Steps of the plan.
     """
 
@@ -293,6 +297,7 @@ class Rig(_FromJson):
     wrapped_sheaves: Sequence[WrappedSheave] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
     assumed_limits: Sequence[str] = ()
+    equalised_below: float = EQUALISED_BELOW
     plan: Sequence[Step] = ()
 
     @classmethod

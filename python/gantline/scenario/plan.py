@@ -333,6 +333,11 @@ class Limits(Element):
     tension_spread_when_clear: Ratio | None = Field(
         None, description="(max - min)/mean of slings once clear."
     )
+    equalised_below: Annotated[float, Quantity("ratio", "positive")] | None = Field(
+        None,
+        description="Tension spread below which an equalizer counts as equalised, for its time to equalise; "
+        "5 % if not given. It is not checked.",
+    )
     equalizer_travel_used: Ratio | None = Field(None, description="Travel used, of the stroke.")
     hook_dynamic_factor: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
         None, description="Dynamic over static hook load."
