@@ -1,8 +1,8 @@
 """How long equalizers take to equalise.
 
 An equalizer *begins* to equalise when the last of its slings has gone taut for good, or when the last of its
-locking pins is pulled, whichever is later; 0 where all slings are taut from the start. It *has equalised* from
-when its tension spread stays below a bound, `Rig.equalised_below`, to the end of the recording.
+locking pins is pulled, whichever is later; 0 where all slings are taut from the start. It *has equalised*
+from when its tension spread stays below a bound, `Rig.equalised_below`, to the end of the recording.
 """
 
 from __future__ import annotations
