@@ -1,6 +1,7 @@
-"""Draws the picture of `docs/concepts/equalizer.md`, and prints its figures.
+"""Draws the pictures of `docs/concepts/equalizer.md`, and prints their figures.
 
 `equalizer_adjustment.png`: the sequence of Fig. 6 of Ham, Roh and Lee (2016), simulated and in closed form.
+`equalizer_extension.png`: a load with four lugs on one sling of a hook, by extension sheaves.
 """
 
 from __future__ import annotations
@@ -14,12 +15,17 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from gantline._core import Simulation
+from gantline.plot import drawing
 from gantline.plot.style import RC, colour
+from gantline.results import series
+from gantline.scenario import parse_scenario
+from gantline.simulation import simulate
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tests" / "support")]
 
 from adjustment import DURATION, course, system  # noqa: E402
+from extension_lifts import DEEP  # noqa: E402
 
 FOLDER = ROOT / "docs" / "images"
 DOTS_PER_INCH = 150
@@ -65,11 +71,26 @@ def draw_adjustment() -> Figure:
     return figure
 
 
+def draw_extension() -> Figure:
+    """Side and top view, from slack slings to the load in the air."""
+    recording = simulate(parse_scenario(DEEP))
+    for sling in recording.rig.slings:
+        static = series.static_value(recording, series.sling_tension(recording, sling)) or 0.0
+        print(f"{sling.name}: {static / 1e3:.1f} kN")
+    figure = drawing.system(recording)
+    assert figure is not None
+    return figure
+
+
 def main() -> None:
-    """Draw it."""
-    with matplotlib.rc_context(RC):
-        path = FOLDER / "equalizer_adjustment.png"
-        draw_adjustment().savefig(path, dpi=DOTS_PER_INCH, metadata={"Software": None})
+    """Draw all."""
+    for name, draw, dots in (
+        ("adjustment", draw_adjustment, DOTS_PER_INCH),
+        ("extension", draw_extension, DOTS_PER_INCH // 2),
+    ):
+        with matplotlib.rc_context(RC):
+            path = FOLDER / f"equalizer_{name}.png"
+            draw().savefig(path, dpi=dots, metadata={"Software": None})
 
 
 if __name__ == "__main__":

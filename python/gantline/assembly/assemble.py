@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gantline.assembly.describe import rig, scene
+from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.operations import operations
 from gantline.assembly.parting import add_partings
@@ -66,6 +67,7 @@ def assemble(scenario: Scenario) -> Assembly:
     if scenario.load is not None:
         lifted = lifted_load(scenario.load, rigging)
         add_load(parts, scenario, scenario.load, lifted)
+        add_extension_sheaves(parts, scenario, rigging, lifted.lugs)
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]

@@ -150,17 +150,20 @@ def _used(recording: Recording) -> list[str]:
         static = series.static_value(recording, tension, window)
         limits = [s["working_load_limit"] for s in sling.shackles.values() if s.get("working_load_limit")]
         load = recording.rig.load(sling.to_load)
-        lug = load.lugs.get(sling.to_lug or "") if load else None
-        aside = series.out_of_plane_angle(recording, sling)
+        lugs = [load.lugs[lug] for lug in sling.lugs if lug in load.lugs and lug] if load else []
+        capacity = min((lug.capacity for lug in lugs if lug.capacity), default=None)
+        aside = list(series.out_of_plane_angles(recording, sling).values())
         carrying = series.is_carrying(tension)
         rows.append(
             (
                 sling.name,
                 show(_share(force, sling.minimum_breaking_force), "%", 1),
                 show(_share(static, min(limits, default=None)), "%", 1),
-                show(_share(force, lug.capacity if lug else None), "%", 1),
+                show(_share(force, capacity), "%", 1),
                 show(
-                    float(aside[carrying].max()) if aside is not None and carrying.any() else None, "deg", 1
+                    float(np.max(aside, axis=0)[carrying].max()) if aside and carrying.any() else None,
+                    "deg",
+                    1,
                 ),
             )
         )

@@ -57,11 +57,15 @@ def check(scenario: Scenario) -> None:
 
 
 def _check_names(findings: Findings) -> None:
-    """Cranes, equalizers, their moving sheaves, the load, plain bodies and drums share one set of names."""
+    """Cranes, equalizers, all sheaves that move, the load, plain bodies and drums share one set of names."""
     scenario = findings.scenario
     named: list[tuple[str, str, Path]] = []
     named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
     named += [(name, "an equalizer", ("equalizers", name)) for name in scenario.equalizers or {}]
+    named += [
+        (name, "an extension sheave", ("extension_sheaves", name))
+        for name in scenario.extension_sheaves or {}
+    ]
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
     if scenario.mechanics is not None:

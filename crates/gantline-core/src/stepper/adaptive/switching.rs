@@ -68,8 +68,21 @@ impl Adaptive {
             self.end.phi[drive.dof] = motion.position - position;
             self.end.v[drive.dof] = motion.velocity;
         }
+        self.hold_pins(system, state);
         let point = Point::of(state, &self.end, self.made * self.rodas.course.h);
         self.next.all(system, &point, &state.modes);
+    }
+
+    /// Keeps what pins hold exactly where it is, so that rounding does not add up there either.
+    fn hold_pins(&mut self, system: &System, state: &State) {
+        for pinning in &system.pins {
+            let row = system.rows.first[pinning.pin];
+            if state.modes[row] == Mode::Acting {
+                for (dof, _) in system.rows.entries(&self.next.frame.gradient, row) {
+                    (self.end.phi[dof], self.end.v[dof]) = (0.0, 0.0);
+                }
+            }
+        }
     }
 
     /// Share of the step at which a row reaches the switching tolerance before the look `index`.
