@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from gantline.assembly import assemble
+from gantline.cli.summary import summary
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from lift_text import BASE
@@ -63,6 +64,19 @@ def test_explicit_knows_no_pins() -> None:
         parse_scenario(text)
 
 
+def test_pins_and_an_inextensible_rope_do_not_hold_the_same_twice() -> None:
+    rigid = ADAPTIVE.replace(
+        "thick: {axial_stiffness: 100 MN, damping_time: 2 ms}", "thick: {inextensible: true}"
+    )
+    says = "all pins of 'e1' are in, and its rope is inextensible; leave one out, or give the rope"
+    with pytest.raises(ScenarioError, match=f"travel.locked: {says}"):
+        parse_scenario(locked("true", rigid))
+    again = rigid.replace("hold: until_end}", "hold: until_end, put_in_pins: e1.2}")
+    with pytest.raises(ScenarioError, match=rf"plan\[2\]\.put_in_pins: {says}"):
+        parse_scenario(locked("1", again))
+    assert simulate(parse_scenario(locked("1", rigid)), duration=2.0).attributes["energy_remainder"] < 1e-6
+
+
 @pytest.mark.parametrize("integrator", ["adaptive", "del"])
 def test_pinned_sheaves_hold_until_they_are_let_go(integrator: str) -> None:
     run = simulate(parse_scenario(UNEVEN), integrator=integrator, step=2e-3 if integrator == "del" else None)
@@ -87,3 +101,6 @@ def test_pinned_sheaves_hold_until_they_are_let_go(integrator: str) -> None:
     assert travel[-1, 1] > 0.0 > travel[-1, 0]
     assert abs(np.ptp(slings[-1])) < 0.1 * np.ptp(tension)
     assert run.attributes["energy_remainder"] < 1e-3
+    (line,) = [line for line in summary(run, [], str) if "locking pins" in line]
+    assert line.endswith(f"pulled at {when:.2f} s")
+    assert "(e1.2 at" in line

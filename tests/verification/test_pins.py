@@ -210,13 +210,15 @@ def test_what_is_refused() -> None:
     """Pins of joints that have none, twice in one step, on driven joints, and with `explicit`."""
     method = {"integrator": METHODS["del"], "duration": 1.0, "sample_interval": 0.1}
     explicit = {**method, "integrator": {"type": "explicit", "step": 1e-4}}
-    pinned, driven = equalizer([]), equalizer([])
+    pinned, driven, rough = equalizer([]), equalizer([]), equalizer([])
+    rough["bodies"][0]["joint"]["friction"] = 10.0
     driven["bodies"][0]["joint"]["drive"] = "d"
     driven["drives"] = [{"name": "d", "ramps": []}]
     cases = (
         (equalizer(steps("a", "b", pulls=["load"])), method, "there is no pin of `load`"),
         (equalizer(steps("a", "b", pulls=["m0"], pins=["m0"])), method, "moves the pin of `m0` twice"),
         (driven, method, "what is driven has no pin"),
+        (rough, method, "has friction and a pin, which hold the same"),
         (pinned, explicit, "the integrator explicit knows no pins, such as that of m0"),
     )
     for system, settings, says in cases:

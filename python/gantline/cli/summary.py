@@ -206,6 +206,7 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
             ("tension spread", f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end")
         )
     rows += _equalising(recording, equalizer)
+    rows += _pins(recording, equalizer)
     met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
     rows += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{_again(one.times)}") for one in met]
     rows += [
@@ -226,6 +227,22 @@ def _equalising(recording: Recording, equalizer: Equalizer) -> list[tuple[str, s
         return [("time to equalise", f"{ABSENT}, the spread does not end below {bound} with all slings taut")]
     text = f"{show(found.time, 's', 2)} to a spread below {bound}, from {show(found.begin, 's', 2)} on"
     return [("time to equalise", text)]
+
+
+def _pins(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
+    """What its locking pins held, and when they were pulled and put in."""
+    pins = [pin for pin in recording.coordinates.get("pin", ()) if pin in equalizer.moving_sheaves]
+    if not pins:
+        return []
+    force = {pin: np.abs(recording.column("pin_force", pin)) for pin in pins}
+    pin = max(pins, key=lambda name: float(force[name].max()))
+    time = float(recording.time[int(force[pin].argmax())])
+    text = f"{show(float(force[pin].max()), 'kN', 1)} at most ({pin} at {show(time, 's', 2)})"
+    for kind, words in (("pin_pulled", "pulled"), ("pin_put_in", "put in")):
+        times = sorted({when for when, _, name in recording.events(kind) if name in pins})
+        if times:
+            text += f", {words} at {' and '.join(show(when, 's', 2) for when in times)}"
+    return [("locking pins", text)]
 
 
 def _again(times: int) -> str:

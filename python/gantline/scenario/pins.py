@@ -49,6 +49,7 @@ def _follow(scenario: Scenario, rigging: Rigging, note: _Note) -> Pins:
     for name, equalizer in equalizers.items():
         locked = _locked(scenario, equalizer, note)
         is_in |= {f"{name}.{place}": place in locked for place in _places(equalizer)}
+        _check_rope(equalizer, is_in, _locked_path(scenario, equalizer), note)
     pins, moved, start = Pins(), set[str](), dict(is_in)
     for place, step in enumerate(scenario.plan):
         before = dict(is_in)
@@ -61,6 +62,9 @@ def _follow(scenario: Scenario, rigging: Rigging, note: _Note) -> Pins:
             if len(set(changed)) < len(changed):
                 note(("plan", place, key), "names a pin twice; each pin stands once")
             (pins.put_in if wanted else pins.pulled).append(changed)
+            if wanted and changed:
+                for equalizer in equalizers.values():
+                    _check_rope(equalizer, is_in, ("plan", place, key), note)
             moved |= set(changed)
     pins.at_start = {sheave: locked for sheave, locked in start.items() if locked or sheave in moved}
     return pins
@@ -70,12 +74,25 @@ def _places(equalizer: EqualizerRigging) -> range:
     return range(1, len(equalizer.moving_sheaves.along) + 1)
 
 
-def _locked(scenario: Scenario, equalizer: EqualizerRigging, note: _Note) -> tuple[int, ...]:
-    """Moving sheaves, counted from 1, whose pins are in at the start."""
+def _locked_path(scenario: Scenario, equalizer: EqualizerRigging) -> Path:
     given = (scenario.equalizers or {})[equalizer.name]
     own = given.travel is not None
     base = ("equalizers", equalizer.name) if own else ("equalizer_types", str(given.type))
-    path, locked, places = (*base, "travel", "locked"), equalizer.travel.locked, _places(equalizer)
+    return (*base, "travel", "locked")
+
+
+def _check_rope(equalizer: EqualizerRigging, is_in: Mapping[str, bool], path: Path, note: _Note) -> None:
+    """An equalizing rope that does not stretch and pins that all are in would hold the same twice."""
+    if not equalizer.rope.inextensible or not equalizer.has_sheaves:
+        return
+    if all(is_in[f"{equalizer.name}.{place}"] for place in _places(equalizer)):
+        sentence = f"all pins of '{equalizer.name}' are in, and its rope is inextensible"
+        note(path, f"{sentence}; leave one out, or give the rope an axial stiffness")
+
+
+def _locked(scenario: Scenario, equalizer: EqualizerRigging, note: _Note) -> tuple[int, ...]:
+    """Moving sheaves, counted from 1, whose pins are in at the start."""
+    path, locked, places = _locked_path(scenario, equalizer), equalizer.travel.locked, _places(equalizer)
     if locked and not equalizer.has_sheaves:
         note(path, f"'{equalizer.name}' is approximated: it has no moving sheaves to lock; leave it out")
         return ()

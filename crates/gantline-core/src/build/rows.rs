@@ -384,6 +384,12 @@ fn build_pins(spec: &SystemSpec, tree: &Tree) -> Result<Vec<Pin>, BuildError> {
         if joint.drive.is_some() {
             return error(&given.name, "its joint has a drive and a pin; what is driven has no pin");
         }
+        if joint.friction > 0.0 {
+            return error(
+                &given.name,
+                "its joint has friction and a pin, which hold the same; one of them only",
+            );
+        }
         if starts_in && joint.velocity != 0.0 {
             return error(&given.name, "its pin is in at the start and its joint moves; one of them only");
         }
