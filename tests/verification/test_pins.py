@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from gantline._core import Simulation
-from mechanics import G, Json, Run, body, document, end, finished, half_turn, rope, slider
+from mechanics import G, Json, Run, body, document, end, finished, half_turn, hinge, rope, slider
 
 RADIUS = 0.2
 #: A sheave [kg], the load [kg], EA of the slings [N]; the equalizing rope is a thousand times as stiff.
@@ -204,6 +204,40 @@ def test_no_pin_goes_into_a_sheave_that_moves(method: str) -> None:
     assert status["time"] == pytest.approx(0.01, abs=1e-3)
     assert status["element"] == "m2"
     assert "cannot be put in while it moves by 0." in status["cause"]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_pinned_hinge_is_a_fixed_joint(method: str) -> None:
+    """A crooked double pendulum in space, its knee pinned at 0.7 rad, moves like one without a joint there.
+
+    Rounding apart, so do its joint forces and what the energy balance leaves over.
+    """
+    angle = 0.7
+
+    def pendulum(joint: Json, turned: float) -> Json:
+        upper = body(
+            "upper", hinge((0, 1, 0), position=0.9), 20.0, centre_of_gravity=(0, 0.1, -0.5), inertia=(2, 2, 1)
+        )
+        lower = body(
+            "lower",
+            joint,
+            30.0,
+            parent="upper",
+            position=(0, 0, -1),
+            centre_of_gravity=(0.2, 0, -0.6),
+            inertia=(3, 2, 1),
+        )
+        lower["placement"]["orientation"] = [math.cos(turned / 2), math.sin(turned / 2), 0, 0]
+        return document([upper, lower])
+
+    pinned = run(pendulum(hinge((1, 0, 0), position=angle, pin=True), 0.0), method, 4.0)
+    fixed = run(pendulum({"type": "fixed"}, angle), method, 4.0)
+    for column in ("body_position", "body_orientation", "body_velocity", "joint_force"):
+        largest = np.abs(fixed.columns[column]).max()
+        assert np.abs(pinned.columns[column] - fixed.columns[column]).max() < 1e-6 * largest
+    assert np.abs(pinned.joint("lower") - angle).max() < 1e-12
+    assert np.abs(pin_force(pinned, "lower")).max() > 10.0
+    assert pinned.energy_remainder == pytest.approx(fixed.energy_remainder, rel=1e-3, abs=1e-9)
 
 
 def test_what_is_refused() -> None:
