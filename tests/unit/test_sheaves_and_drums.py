@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from gantline.assembly import Assembly, assemble
-from gantline.assembly.yard import PIN
 from gantline.cli.summary import summary
 from gantline.results import series
 from gantline.results.recording import Recording
@@ -206,22 +205,14 @@ def test_a_drive_with_limits_that_are_too_low_does_not_lift() -> None:
     assert rises[0] > 0.2 and rises[1] < -1.0
 
 
-def test_hinges_with_friction_and_pinned_sheaves() -> None:
+def test_hinges_with_friction() -> None:
     def joints(text: str) -> dict[str, Any]:
         return {one["name"]: one["joint"] for one in assembled(text).document["bodies"]}
 
     plain = joints(ADAPTIVE)
-    assert plain["e1"]["friction"] == plain["e1.1"]["friction"] == 0.0
+    assert plain["e1"]["friction"] == 0.0
     rough = joints(spoiled("hinge: {damping: 1 kN m s}", "hinge: {friction: 5 kN m}", ADAPTIVE))
     assert rough["e1"]["friction"] == 5e3
-    pinned = joints(spoiled("travel: {up: 1 m", "travel: {locked: true, up: 1 m", ADAPTIVE))
-    assert [pinned[f"e1.{place}"]["friction"] for place in (1, 2)] == [PIN, PIN]
-
-
-def test_pinned_sheaves_do_not_move() -> None:
-    text = spoiled("travel: {up: 1 m", "travel: {locked: true, up: 1 m", ADAPTIVE)
-    run = simulate(parse_scenario(text), duration=6.0)
-    assert np.abs(run["sheave_travel"].values).max() < 1e-9
 
 
 def test_two_drums_on_one_shaft() -> None:
@@ -382,7 +373,7 @@ format: 1
 lift: {title: A deflection sheave}
 duration: 4 s
 ropes:
-  wire: {axial_stiffness: 50 MN, damping_time: 20 ms, mass: 9 kg/m}
+  hoist: {axial_stiffness: 50 MN, damping_time: 20 ms, mass: 9 kg/m}
 mechanics:
   bodies:
     weight: {joint: {type: slider, axis: [0, 0, 1]}, mass: 1 t, at: [-0.5 m, 0 m, 0 m]}
@@ -390,7 +381,7 @@ mechanics:
     winch: {diameter: 0.8 m, rotating_mass: 2 t, drive: {speed: 30 m/min, acceleration: 0.2 m/s^2}}
   ropes:
     line:
-      rope: wire
+      rope: hoist
       length: as_routed
       route:
         - {type: end, body: weight}

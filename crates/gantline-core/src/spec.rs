@@ -156,6 +156,9 @@ pub struct AxisJointSpec {
     /// Where its motion ends; without them nowhere.
     #[serde(default)]
     pub stops: Option<StopsSpec>,
+    /// Whether its locking pin is in at the start; none has no pin.
+    #[serde(default)]
+    pub pin: Option<bool>,
 }
 
 /// Stops of a hinge or slider.
@@ -390,6 +393,12 @@ pub struct StepSpec {
     /// Names of ropes that are cut as it begins.
     #[serde(default)]
     pub cuts: Vec<String>,
+    /// Names of bodies whose pins are pulled as it begins.
+    #[serde(default)]
+    pub pulls: Vec<String>,
+    /// Names of bodies whose pins are put in as it begins.
+    #[serde(default)]
+    pub pins: Vec<String>,
 }
 
 /// One drive in a step.

@@ -12,7 +12,7 @@ use crate::tree::Tree;
 /// A joint with dry friction that turns back as slowly as this [m/s or rad/s] is as good as held.
 const SLOW: f64 = 1e-4;
 
-/// Friction of all flows and joints that no drive prescribes: of pins, of the sheave that rope passes, and of brakes.
+/// Friction of all flows and joints that no drive prescribes: of joints, of the sheave that rope passes, and of brakes.
 pub(super) fn build_brakes(
     spec: &SystemSpec,
     tree: &Tree,

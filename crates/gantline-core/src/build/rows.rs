@@ -1,4 +1,4 @@
-//! Ropes, contacts and stops.
+//! Ropes, contacts, stops and pins.
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -6,6 +6,7 @@ use super::brakes::build_brakes;
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
+use crate::constraint::pin::Pin;
 use crate::constraint::rope::Rope;
 use crate::constraint::rope::span::{Feed, Span};
 use crate::constraint::stop::Stop;
@@ -63,6 +64,7 @@ pub(super) fn build_constraints(
     for (index, given) in spec.bodies.iter().enumerate() {
         constraints.extend(build_stops(given, index, tree)?.into_iter().map(AnyConstraint::Stop));
     }
+    constraints.extend(build_pins(spec, tree)?.into_iter().map(AnyConstraint::Pin));
     constraints.extend(brakes);
     Ok(Built { constraints, groups, seats })
 }
@@ -346,6 +348,29 @@ fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>,
         });
     }
     Ok(stops)
+}
+
+/// The locking pins of all joints that have one.
+fn build_pins(spec: &SystemSpec, tree: &Tree) -> Result<Vec<Pin>, BuildError> {
+    let mut pins = Vec::new();
+    for (given, body) in spec.bodies.iter().zip(&tree.bodies) {
+        let (JointSpec::Hinge(joint) | JointSpec::Slider(joint)) = &given.joint else { continue };
+        let Some(starts_in) = joint.pin else { continue };
+        if joint.drive.is_some() {
+            return error(&given.name, "its joint has a drive and a pin; what is driven has no pin");
+        }
+        if joint.friction > 0.0 {
+            return error(
+                &given.name,
+                "its joint has friction and a pin, which hold the same; one of them only",
+            );
+        }
+        if starts_in && joint.velocity != 0.0 {
+            return error(&given.name, "its pin is in at the start and its joint moves; one of them only");
+        }
+        pins.push(Pin { name: given.name.clone(), dof: body.first_velocity });
+    }
+    Ok(pins)
 }
 
 fn build_contact(given: &ContactSpec, group: usize, tree: &Tree) -> Result<Contact, BuildError> {

@@ -32,7 +32,7 @@
 use super::adjust;
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
-use super::{StepError, StepReport, parting, seats};
+use super::{StepError, StepReport, parting, pinning, seats};
 use crate::clock::Stage;
 use crate::event::EventLog;
 use crate::record::Sample;
@@ -129,6 +129,7 @@ impl Del {
         state.plan.advance(&system.plan, state.time, end, &self.support, log);
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);
+        pinning::act(system, state, frame, log)?;
 
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
         system.clock.time(Stage::Assembly, || {

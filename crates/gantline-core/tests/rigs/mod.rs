@@ -72,6 +72,7 @@ fn joint(draw: &mut Draw, kind: usize) -> JointSpec {
         friction: 0.0,
         drive: None,
         stops: None,
+        pin: None,
     };
     match kind {
         0 => JointSpec::Fixed {},

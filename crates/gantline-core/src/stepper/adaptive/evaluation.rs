@@ -251,6 +251,7 @@ impl Evaluation {
         for (pull, &row) in self.pull.iter_mut().zip(&system.rigid) {
             *pull = match system.constraint_of_row(row) {
                 AnyConstraint::Brake(brake) => brake.along(at.a),
+                AnyConstraint::Pin(pin) => at.a[pin.dof],
                 _ => pull_of(system, &self.frame, &self.dynamics, row),
             };
         }

@@ -22,7 +22,7 @@ pub mod tangent;
 
 use super::flows;
 use super::frame::Frame;
-use super::{StepError, StepReport, parting, seats};
+use super::{StepError, StepReport, parting, pinning, seats};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -183,6 +183,7 @@ impl Adaptive {
         let soon = state.time + 1e-12 * (1.0 + state.time);
         state.plan.advance(&system.plan, state.time, soon, &self.support, log);
         state.restart |= parting::cut(system, state, frame, soon, log);
+        state.restart |= pinning::act(system, state, frame, log)?;
         self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;
         let stop = state.plan.next_time(&system.plan, soon).min(parting::next_cut(system, soon)).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };

@@ -69,8 +69,21 @@ impl Adaptive {
             self.end.phi[drive.dof] = motion.position - position;
             self.end.v[drive.dof] = motion.velocity;
         }
+        self.hold_pins(system, state);
         let point = Point::of(state, &self.end, self.made * self.rodas.course.h);
         self.next.all(system, &point, &state.modes);
+    }
+
+    /// Keeps what pins hold exactly where it is, so that rounding does not add up there either.
+    fn hold_pins(&mut self, system: &System, state: &State) {
+        for pinning in &system.pins {
+            let row = system.rows.first[pinning.pin];
+            if state.modes[row] == Mode::Acting {
+                for (dof, _) in system.rows.entries(&self.next.frame.gradient, row) {
+                    (self.end.phi[dof], self.end.v[dof]) = (0.0, 0.0);
+                }
+            }
+        }
     }
 
     /// Share of the step at which a row reaches the switching tolerance before the look `index`.
@@ -133,7 +146,7 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
-            (_, Mode::Parted) => 0.0,
+            (_, Mode::Parted) | (Law::Pin, _) => 0.0,
             // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
             (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
                 at.trial[row] - self.looks.start(row).max(0.0)
@@ -169,6 +182,7 @@ impl Adaptive {
             match constraint {
                 AnyConstraint::Rope(_) => any |= self.switch_rope(system, state, log, index, (start, length)),
                 AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake),
+                AnyConstraint::Pin(_) => {}
                 AnyConstraint::Stop(_) => {
                     if let Some((hit, crossing)) = self.turn_over(system, state, system.rows.first[index]) {
                         any = true;
