@@ -199,12 +199,13 @@ impl StaticLift {
     /// Names of the sheaves with losses.
     pub fn lossy_sheaves(&self) -> Vec<&str> {
         let brakes = self.system.constraints[self.system.first_brake..].iter();
-        let lossy = brakes.filter(|brake| matches!(brake, AnyConstraint::Brake(brake) if brake.share > 0.0));
+        let lossy =
+            brakes.filter(|brake| matches!(brake, AnyConstraint::Brake(brake) if !brake.grip.is_none()));
         lossy.map(|brake| brake.name()).collect()
     }
 }
 
-/// Ropes that have been cut before now.
+/// Ropes that have been cut before now, and pins as the steps that have begun have them.
 fn part(system: &System, state: &mut State) {
     for cut in &system.cuts {
         let is_due = match cut.due {
@@ -214,5 +215,9 @@ fn part(system: &System, state: &mut State) {
         if is_due {
             state.modes[system.rows.first[cut.rope]..system.rows.first[cut.rope + 1]].fill(RowMode::Parted);
         }
+    }
+    for pinning in &system.pins {
+        let (is_in, _) = pinning.wanted(state.plan.begun());
+        state.modes[system.rows.first[pinning.pin]] = if is_in { RowMode::Acting } else { RowMode::Slack };
     }
 }

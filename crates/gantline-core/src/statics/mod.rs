@@ -19,6 +19,7 @@ pub mod sensitivity;
 use thiserror::Error;
 
 use crate::audit::{Ledger, elastic_energy, gravity_energy};
+use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -91,7 +92,7 @@ impl Statics {
         for round in 1.. {
             self.search.descend(system, state, &self.bearings).map_err(|stuck| explain(system, stuck))?;
             let lengths = self.move_multipliers();
-            if lengths <= LENGTH_LEFT && self.follow_losses(system, losses) <= LOSS_LEFT {
+            if lengths <= LENGTH_LEFT && self.follow_losses(system, state, losses) <= LOSS_LEFT {
                 break;
             }
             if round == ROUNDS {
@@ -127,7 +128,7 @@ impl Statics {
     }
 
     /// Forces of sheaves that slip after the tensions on both sides; by how much the largest share was wrong.
-    fn follow_losses(&mut self, system: &System, losses: Losses) -> f64 {
+    fn follow_losses(&mut self, system: &System, state: &State, losses: Losses) -> f64 {
         let sign = match losses {
             Losses::None => return 0.0,
             Losses::Forward => 1.0,
@@ -136,11 +137,16 @@ impl Statics {
         let mut most = 0.0_f64;
         let here = &self.search.here;
         for (bearing, row) in self.bearings.iter_mut().zip(0..) {
-            let Part::Resist(force) = &mut bearing.part else { continue };
             let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { continue };
-            let bound = brake.bound(&here.q, &here.tension, 0.0);
-            most = most.max((sign * bound - *force).abs() / bound.max(f64::MIN_POSITIVE));
-            *force = sign * bound;
+            if brake.grip.is_none() {
+                continue;
+            }
+            let at = At { q: &here.q, kinematics: &here.frame.kinematics, seats: &state.seats };
+            let bound = brake.bound(at, &here.tension, 0.0);
+            let (Part::Resist(known) | Part::Hold(known)) = &mut bearing.part else { continue };
+            let wanted = if brake.spin.is_some() { bound } else { sign * bound };
+            most = most.max((wanted - *known).abs() / bound.max(f64::MIN_POSITIVE));
+            *known = wanted;
         }
         most
     }
@@ -180,6 +186,7 @@ impl Statics {
                 Law::Unilateral { .. } if self.search.here.follows[row] => Mode::Acting,
                 Law::Unilateral { .. } => Mode::Slack,
                 Law::Friction { normal, .. } => state.modes[normal],
+                Law::Pin => state.modes[row],
                 Law::Brake { .. } => Mode::Acting,
             };
             if let Law::Unilateral { compliance, .. } = *law

@@ -52,6 +52,27 @@ pub enum Losses {
     Backward,
 }
 
+/// What a row holds: a coordinate, or one against another where there is one.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Held {
+    position: usize,
+    against: Option<usize>,
+    place: f64,
+}
+
+impl Held {
+    /// How far it is from where it is held [m or rad].
+    fn value(&self, q: &[f64]) -> f64 {
+        q[self.position] - self.against.map_or(0.0, |other| q[other]) - self.place
+    }
+
+    /// Held where `q` has it.
+    fn here(position: usize, against: Option<usize>, q: &[f64]) -> Self {
+        let held = Self { position, against, place: 0.0 };
+        Self { place: held.value(q), ..held }
+    }
+}
+
 /// A row in statics.
 #[derive(Debug, Clone, Copy)]
 pub struct Bearing {
@@ -65,8 +86,8 @@ pub struct Bearing {
     pub is_rigid: bool,
     /// T̂ [N].
     pub offset: f64,
-    /// Coordinate that it holds, and where.
-    pub held: (usize, f64),
+    /// What it holds, and where.
+    pub held: Held,
     /// Length whose difference to another e is [m].
     pub length: f64,
 }
@@ -109,10 +130,10 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
         let is_rigid = law.compliance() == 0.0;
         let compliance = if is_rigid { compliance } else { law.compliance() };
         let (part, held) = match law {
-            _ if state.modes[row] == Mode::Parted => (Part::Off, (0, 0.0)),
-            Law::Unilateral { .. } => (Part::Pull, (0, 0.0)),
-            Law::Friction { .. } => (Part::Off, (0, 0.0)),
-            Law::Brake { .. } => held(system, state, row, losses),
+            _ if state.modes[row] == Mode::Parted => (Part::Off, Held::default()),
+            Law::Unilateral { .. } => (Part::Pull, Held::default()),
+            Law::Friction { .. } => (Part::Off, Held::default()),
+            Law::Pin | Law::Brake { .. } => held(system, state, row, losses),
         };
         let length = length(system, row);
         Bearing { part, compliance, first_compliance: compliance, is_rigid, offset: 0.0, held, length }
@@ -120,18 +141,32 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
     system.rows.laws.iter().enumerate().map(row).collect()
 }
 
-fn held(system: &System, state: &State, row: usize, losses: Losses) -> (Part, (usize, f64)) {
-    let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { return (Part::Off, (0, 0.0)) };
-    let body = &system.tree.bodies[system.tree.owner[brake.dof]];
-    let position = body.first_position + brake.dof - body.first_velocity;
-    if brake.share > 0.0 {
-        let part = if losses == Losses::None { Part::Off } else { Part::Resist(0.0) };
-        return (part, (position, state.q[position]));
+fn held(system: &System, state: &State, row: usize, losses: Losses) -> (Part, Held) {
+    let position = |dof: usize| {
+        let body = &system.tree.bodies[system.tree.owner[dof]];
+        body.first_position + dof - body.first_velocity
+    };
+    match system.constraint_of_row(row) {
+        AnyConstraint::Pin(pin) if state.modes[row] == Mode::Acting => {
+            (Part::Hold(f64::INFINITY), Held::here(position(pin.dof), None, &state.q))
+        }
+        AnyConstraint::Brake(brake) => {
+            let mut held = Held::here(position(brake.dof), brake.spin.map(position), &state.q);
+            let part = match (brake.grip.is_none(), losses) {
+                (true, _) => Part::Hold(brake.capacity),
+                // The groove grips, unless it is weaker than the bearing.
+                (false, _) if brake.spin.is_some() => Part::Hold(f64::INFINITY),
+                (false, Losses::None) => Part::Off,
+                (false, _) => Part::Resist(0.0),
+            };
+            let asked = |drive: usize| state.plan.timelines[drive].motion(state.time).position;
+            if let Some(&(_, drive)) = system.motors.iter().find(|(other, _)| *other == row) {
+                held.place = asked(drive);
+            }
+            (part, held)
+        }
+        _ => (Part::Off, Held::default()),
     }
-    let motor = system.motors.iter().find(|(other, _)| *other == row);
-    let asked = |drive: usize| state.plan.timelines[drive].motion(state.time).position;
-    let place = motor.map_or(state.q[position], |&(_, drive)| asked(drive));
-    (Part::Hold(brake.capacity), (position, place))
 }
 
 /// Weight of everything that can move [N]; 1 where nothing weighs.
@@ -209,7 +244,7 @@ impl Potential {
         self.rounding = self.energy.abs();
         for (row, bearing) in bearings.iter().enumerate() {
             self.value[row] = match bearing.part {
-                Part::Hold(_) | Part::Resist(_) => self.q[bearing.held.0] - bearing.held.1,
+                Part::Hold(_) | Part::Resist(_) => bearing.held.value(&self.q),
                 _ => self.frame.value[row],
             };
             let (tension, energy, follows) = bearing.at(self.value[row]);

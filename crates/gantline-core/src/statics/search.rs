@@ -19,6 +19,7 @@
 use super::guard::Guard;
 use super::matrix::Matrix;
 use super::potential::{Bearing, Part, Potential};
+use crate::rope::seat::Winding;
 use crate::state::State;
 use crate::stepper::seats;
 use crate::system::System;
@@ -100,7 +101,7 @@ pub struct Search {
     tension: Vec<f64>,
     force: Vec<f64>,
     right: Vec<f64>,
-    wraps: Vec<f64>,
+    wraps: Vec<Winding>,
 }
 
 impl Search {
@@ -118,7 +119,7 @@ impl Search {
             tension: vec![0.0; rows],
             force: vec![0.0; size],
             right: vec![0.0; rows],
-            wraps: vec![0.0; system.sheaves.len()],
+            wraps: vec![Winding::default(); system.sheaves.len()],
         }
     }
 
@@ -209,9 +210,9 @@ impl Search {
         }
         let mut changed = false;
         seats::wraps(system, &self.here.frame.kinematics, state, &mut self.wraps);
-        for ((seat, &wrap), place) in state.seats.iter_mut().zip(&self.wraps).zip(&system.sheaves) {
-            changed |= place.may_lift_off && seats::has_crossed(seat, wrap);
-            (seat.is_off, seat.wrap) = (wrap < 0.0, wrap);
+        for ((seat, &wound), place) in state.seats.iter_mut().zip(&self.wraps).zip(&system.sheaves) {
+            changed |= place.may_lift_off && seats::has_crossed(seat, wound.wrap);
+            (seat.is_off, seat.wound) = (wound.wrap < 0.0, wound);
         }
         if changed {
             self.here.update(system, bearings, &state.memory, &state.seats);
