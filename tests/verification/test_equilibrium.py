@@ -330,6 +330,21 @@ def test_tilt_with_and_without_an_equalizer() -> None:
     assert straight == pytest.approx(math.degrees(math.atan(0.1 / 27.5)), rel=1e-3)
 
 
+def test_pinned_sheaves_share_by_length() -> None:
+    """With its moving sheaves pinned the reference lift hangs on its two short slings alone."""
+    text = (SCENARIOS / "equalizer" / "scenario.yaml").read_text(encoding="utf-8")
+    lift = Statics(parse_scenario(text.replace("locked: false", "locked: true")))
+    rest = lift.equilibrium()
+    for sling in lift.rig.slings:
+        angle = float(series.sling_angle(rest.recording, sling)[-1])
+        # Slings 1 and 5 are 23 m, the others 26 m: no stretch makes up for that.
+        share = 0.5 if sling.name in ("S1", "S5") else 0.0
+        assert rest.tension(sling.rope) * math.cos(angle) == pytest.approx(share * 300e3 * 9.81, rel=1e-9)
+    travel = rest.recording["sheave_travel"].values[-1]
+    # A row without compliance is left 1e-11 m.
+    assert np.abs(travel).max() <= 1e-11
+
+
 def test_nothing_holds_it() -> None:
     """What nothing holds falls without end, and is named."""
     with pytest.raises(RuntimeError) as caught:
