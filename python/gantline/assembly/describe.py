@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from gantline.assembly.catenary import end_mass
+from gantline.assembly.checked import bends, limits_and_rules, ratings
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -23,9 +24,6 @@ from gantline.scenario.rope_weight import rope_weight
 
 __all__ = ["rig", "scene"]
 
-#: Largest fleet angle where the lift file names none [rad]: 4 deg (1 : 15), by the notes on section 20 of
-#: DGUV Vorschrift 54; `docs/concepts/sheave.md` has more rules.
-FLEET_ANGLE = math.radians(4.0)
 #: Joints with translations of their own: a sheave on such a body is a moving sheave.
 _MOVING = ("slider", "point", "free")
 
@@ -47,7 +45,9 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "sheaves": _sheaves_with_flow(parts),
         "drums": _drums(scenario),
         "wrapped_sheaves": (wrapped := _wrapped_sheaves(parts)),
-        **_limits(scenario, has_sheaves=bool(wrapped)),
+        "ratings": ratings(scenario),
+        "bends": bends(scenario, parts),
+        **limits_and_rules(scenario, has_sheaves=bool(wrapped)),
         "plan": [_step(step) for step in scenario.plan],
     }
 
@@ -67,6 +67,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "name": load.name,
         "body": load.name,
         "weight": _force(scenario, body["mass"]),
+        "simulated_mass": load.weight.simulated,
         "calculated_mass": load.weight.calculated,
         "contingency": load.weight.contingency,
         "design_mass": load.weight.design,
@@ -75,10 +76,11 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "lugs": {
             name: {
                 "at": lifted.lugs[name],
-                "main_plate_normal": list(PLATE_NORMALS[lug.main_plate]),
-                "capacity": _force(scenario, lug.capacity),
+                "main_plate_normal": list(PLATE_NORMALS[kind.main_plate or "xz"]),
+                "capacity": _force(scenario, kind.capacity),
             }
             for name, lug in load.lugs.items()
+            for kind in [lug.or_of((scenario.lug_types or {}).get(lug.type or ""))]
         },
         "centre_of_gravity_from_datum": [float(part) for part in centre],
     }
@@ -116,6 +118,7 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
         "travel_up": equalizer.travel.up,
         "travel_down": equalizer.travel.down,
         "stops": equalizer.travel.stops,
+        "locked": equalizer.travel.locked,
         "rated_capacity": _force(scenario, equalizer.rated_capacity),
         "heading_joint": name,
     }
@@ -161,6 +164,7 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "name": name,
             "construction": kind.construction,
             "diameter": kind.diameter,
+            "axial_stiffness": kind.stiffness,
             "mass_per_length": weight.mass_per_length,
             "minimum_breaking_force": kind.breaking_force,
             "breaks_at": parting[name].breaks_at,
@@ -198,7 +202,14 @@ def _drums(scenario: Scenario) -> list[Json]:
 
 
 def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:
-    return {"name": name, "working_load_limit": _force(scenario, shackle.working_load_limit)}
+    return {
+        "name": name,
+        "working_load_limit": _force(scenario, shackle.working_load_limit),
+        "minimum_breaking_force": shackle.minimum_breaking_force,
+        "proof_load": shackle.proof_load,
+        "bow_diameter": shackle.bow_diameter,
+        "pin_diameter": shackle.pin_diameter,
+    }
 
 
 def _wrapped_sheaves(parts: Parts) -> list[Json]:
@@ -213,13 +224,6 @@ def _wrapped_sheaves(parts: Parts) -> list[Json]:
         for place, guide in enumerate(rope["route"])
         if guide["type"] == "sheave"
     ]
-
-
-def _limits(scenario: Scenario, *, has_sheaves: bool) -> Json:
-    """Limits of the lift file, and those that hold as warnings where it is silent."""
-    given = {} if scenario.limits is None else scenario.limits.model_dump(exclude_none=True)
-    assumed = {"fleet_angle": FLEET_ANGLE} if has_sheaves and "fleet_angle" not in given else {}
-    return {"limits": {**given, **assumed}, "assumed_limits": list(assumed)}
 
 
 def _step(step: Any) -> Json:

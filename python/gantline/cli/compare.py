@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import Setting, name_of, output_folder, prepare, quantity_of
+from gantline.cli.lift import (
+    Setting,
+    name_of,
+    opened,
+    output_folder,
+    prepare,
+    quantity_of,
+    recording_file,
+)
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, complain, stop, warn, writing
 from gantline.cli.progress import progress
 
@@ -31,7 +39,6 @@ _SETTINGS: dict[str, str] = {
     "adjusting_factor": "ratio",
 }
 _SWITCH = {"true": True, "false": False}
-_RECORDING = "recording.nc"
 
 _LIFT_HELP = "Lift file, its folder, the name of a lift that comes with gantline, or a recording (.nc)"
 _Changes = list[str] | None
@@ -136,29 +143,15 @@ def _side(
     """A lift made ready to run, or a recording read; what is wrong with either ends the program."""
     shown = ", ".join(f"{key}={text}" for key, (text, _) in own.items())
     side = _Side(letter, f"{lift}, {shown}" if shown else str(lift))
-    file = _recording_file(lift)
+    file = recording_file(lift)
     if file is None:
         overrides = {key: value for key, (_, value) in (both | own).items()}
         side.simulation = prepare(lift, overrides, f"{letter}: ")
         return side
     if both or own:
         stop(f"{letter}: {file} is a recording; the settings of a run that is over cannot be changed")
-    from gantline.results import open_recording
-
-    try:
-        side.recording = open_recording(file)
-    except (FileNotFoundError, ValueError) as problem:
-        stop(str(problem))
+    side.recording = opened(file)
     return side
-
-
-def _recording_file(lift: Path) -> Path | None:
-    """The recording that is meant: a file of that kind, or that in a folder which `gantline run` wrote."""
-    if lift.suffix == ".nc":
-        return lift
-    if lift.is_dir() and not (lift / "scenario.yaml").exists() and (lift / _RECORDING).is_file():
-        return lift / _RECORDING
-    return None
 
 
 def _simulate(side: _Side, folder: Path) -> None:

@@ -6,7 +6,8 @@
 - *quiet window*: the end of the recording over which static values are means. It begins when the last drive
   has
   come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the end. The mean is
-  weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift or lower it.
+  weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift or lower it. A
+  recording of one sample is an equilibrium: that sample is the window, whether the loads are clear or not.
 """
 
 from __future__ import annotations
@@ -72,8 +73,16 @@ def trailing(mask: BoolArray) -> BoolArray:
     return last
 
 
+def is_equilibrium(recording: Recording) -> bool:
+    """Whether a recording is one sample of a lift at rest, not of a run that ended early."""
+    ended_early = recording.attributes.get("status") in ("failed", "stopped")
+    return len(recording.time) == 1 and not ended_early
+
+
 def quiet_window(recording: Recording) -> BoolArray:
     """Samples over which static values are means, shape (time,); all false if the loads do not end clear."""
+    if is_equilibrium(recording):
+        return np.ones(1, dtype=np.bool_)
     window = trailing(is_clear(recording))
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
         work = recording.column("energy", "drive_work")

@@ -1,0 +1,85 @@
+"""Hook load, hoist load and dynamics of hooks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, Force, hook_force, kilonewton
+from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
+
+
+def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Hook load as simulated."""
+    for hook in recording.rig.hooks:
+        yield from extreme(recording, recording.column("hook_load", hook.name), during, hook.name)
+
+
+def static_hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Static hook load with the design weight."""
+    for hook in recording.rig.hooks:
+        force = hook_force(recording, [hook.name], "hook_load", during)
+        if force.static is None:
+            yield Missing(hook.name, NO_STATIC)
+        else:
+            yield Found(force.static, hook.name, formula=force.static_text)
+
+
+def dynamic_hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Dynamic hook load: static by the rule's factor, or the simulated peak."""
+    for hook in recording.rig.hooks:
+        force = hook_force(recording, [hook.name], "hook_load", during)
+        if force.dynamic is None:
+            yield Missing(hook.name, NO_DYNAMIC)
+        else:
+            yield Found(force.dynamic, hook.name, force.moment, force.text)
+
+
+def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Peak over static hook load, both as simulated."""
+    for hook in recording.rig.hooks:
+        force = recording.column("hook_load", hook.name)
+        static = series.static_value(recording, force)
+        if series.is_equilibrium(recording):
+            yield Missing(hook.name, "an equilibrium has no peak")
+        elif not static:
+            yield Missing(hook.name, "no static hook load: the load did not end clear of its supports")
+        else:
+            highest = float(force.max())
+            text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
+            for found in extreme(recording, force / static, during, hook.name):
+                yield replace(found, formula=text)
+
+
+def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Hoist load (or hook load, as the rating says) of hooks, trolleys and cranes over rated capacity."""
+    for rating in recording.rig.ratings:
+        element = rating.name if rating.level == "hook" else f"{rating.level} {rating.name}"
+        if not rating.rated_capacity:
+            yield Missing(element, "rated capacity not known")
+            continue
+        variable = "hoist_load" if rating.includes_hook_block else "hook_load"
+        force = hook_force(recording, rating.hooks, variable, during)
+        yield from over(force, rating.rated_capacity, element)
+
+
+def over(force: Force, strength: float, element: str, *, factor: float = 1.0) -> Iterator[Finding]:
+    """A force, times a factor, over what bears it; with a caution where only its static value is known.
+
+    Args:
+        force: The force.
+        strength: What bears it [N].
+        element: What it belongs to.
+        factor: Factor of the rule on the force [1].
+    """
+    if force.governing is None:
+        yield Missing(element, NO_STATIC)
+        return
+    if force.lacks_dynamics:
+        yield Caution(f"static only: {NO_DYNAMIC}")
+    more = f" x {factor:.4g}" if factor != 1.0 else ""
+    formula = f"{force.text}{more} / {kilonewton(strength)}"
+    yield Found(factor * force.governing / strength, element, force.moment, formula)

@@ -1,0 +1,55 @@
+"""Lugs: load over capacity, and slings out of the plane of the main plate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gantline.checks.forces import Force, factor, sling_forces
+from gantline.checks.hooks import over
+from gantline.checks.measure import Finding, Missing, carrying, extreme
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
+
+
+def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Angle between a carrying sling and the main plate of its lug."""
+    for sling in recording.rig.slings:
+        angle = series.out_of_plane_angle(recording, sling)
+        lug = f"{sling.to_load}.{sling.to_lug}"
+        if angle is None:
+            yield Missing(lug, "main plate not known")
+        else:
+            yield from extreme(recording, angle, carrying(recording, sling.rope, during), lug)
+
+
+def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Load of a lug over its capacity; forces of several slings at one lug add up, peaks as well."""
+    forces = sling_forces(recording, during)
+    loads: dict[tuple[str, str], Force] = {}
+    for sling in recording.rig.slings:
+        key = sling.to_load or "", sling.to_lug or ""
+        own = forces[sling.name]
+        loads[key] = own if key not in loads else _together(loads[key], own)
+    consequence = factor(recording, "lug_consequence_factor") or 1.0
+    for (load_name, lug_name), force in loads.items():
+        load = recording.rig.load(load_name)
+        lug = load.lugs.get(lug_name) if load is not None else None
+        if lug is None or not lug.capacity:
+            yield Missing(f"{load_name}.{lug_name}", "lug capacity not known")
+        else:
+            yield from over(force, lug.capacity, f"{load_name}.{lug_name}", factor=consequence)
+
+
+def _together(one: Force, other: Force) -> Force:
+    def total(a: float | None, b: float | None) -> float | None:
+        return None if a is None or b is None else a + b
+
+    return Force(
+        static=total(one.static, other.static),
+        static_text=f"({one.static_text} + {other.static_text})",
+        rule=total(one.rule, other.rule),
+        rule_text=f"({one.rule_text} + {other.rule_text})",
+        peak=total(one.peak, other.peak),
+        time=one.time if (one.peak or 0.0) >= (other.peak or 0.0) else other.time,
+    )
