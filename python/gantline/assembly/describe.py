@@ -19,7 +19,7 @@ from gantline.scenario.gear import Shackle
 from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.parting import partings
 from gantline.scenario.plan import Bound, HoldStep
-from gantline.scenario.rigging import SlingRigging
+from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import rope_weight
 
 __all__ = ["rig", "scene"]
@@ -114,14 +114,18 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
         "adjusting_factor": equalizer.adjusting_factor,
         "equalizing_rope": f"{name}.equalizing" if equalizer.has_sheaves else "",
         "slings": [f"sling.{sling.name}" for sling in sorted(hanging, key=lambda sling: sling.sheave or 0)],
-        "moving_sheaves": [f"{name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))],
+        "moving_sheaves": _sheaves_of(equalizer),
         "travel_up": equalizer.travel.up,
         "travel_down": equalizer.travel.down,
         "stops": equalizer.travel.stops,
-        "locked": equalizer.travel.locked,
+        "locked": _sheaves_of(equalizer) if equalizer.travel.locked else [],
         "rated_capacity": _force(scenario, equalizer.rated_capacity),
         "heading_joint": name,
     }
+
+
+def _sheaves_of(equalizer: EqualizerRigging) -> list[str]:
+    return [f"{equalizer.name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))]
 
 
 def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:

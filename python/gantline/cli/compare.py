@@ -37,6 +37,7 @@ _SETTINGS: dict[str, str] = {
     "paper": "switch",
     "geometric_stiffness": "switch",
     "adjusting_factor": "ratio",
+    "equalizers": "text",
 }
 _SWITCH = {"true": True, "false": False}
 
@@ -85,8 +86,9 @@ def compare(
     """Compare two variants of a lift: tension, motion, steps and stability side by side.
 
     Settings: integrator, step, tension_tolerance, position_tolerance, sample_interval, duration, paper and
-    geometric_stiffness (true or false), adjusting_factor. Each of --a, --b and --both may be given several
-    times. Ctrl-C stops, saves what there is and ends with code 130.
+    geometric_stiffness (true or false), adjusting_factor, and equalizers=locked, the lift without moving
+    sheaves. Each of --a, --b and --both may be given several times. Ctrl-C stops, saves what there is and
+    ends with code 130.
     """
     if second is None and not (changes_a or changes_b):
         stop("nothing to compare: name a second lift, or change a setting of one side with --a or --b")

@@ -104,7 +104,7 @@ class Equalizer(FromJson):
         heading_joint: Joint about which the frame turns under its hook.
         mechanism: `sheaves`, or `approximated`: no sheave moves, the lengths of its slings are adjusted.
         adjusting_factor: Of an approximated one, else None.
-        locked: Whether pins hold its moving sheaves where they start.
+        locked: Moving sheaves that pins hold at the start.
     """
 
     name: str
@@ -120,7 +120,7 @@ class Equalizer(FromJson):
     heading_joint: str | None = None
     mechanism: str = "sheaves"
     adjusting_factor: float | None = None
-    locked: bool = False
+    locked: Sequence[str] = ()
 
 
 @dataclass(frozen=True)

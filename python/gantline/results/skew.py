@@ -7,7 +7,7 @@ Both are taken where the load hangs; slings that share are taken together:
   force. An ideal equalizer has 1 whatever the lengths, one with losses has what they leave uneven;
 - under a hook the forces keep their sum on the hook, in three directions. Three slings have no choice. More
   share as their stiffnesses EA/L say, which is the least elastic energy;
-- under an equalizer whose sheaves do not move, slings count as parallel: what they keep is the sum of
+- under an equalizer whose sheaves do not all move, slings count as parallel: what they keep is the sum of
   vertical forces and its moments about the horizontal axes.
 
 With s = K^(-1/2) T and A = G K^(1/2), G the forces (and moments) of unit tensions, perfect lengths give
@@ -24,7 +24,7 @@ import numpy as np
 from gantline.results import series
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
-from gantline.results.rig import Sling
+from gantline.results.rig import Equalizer, Sling
 from gantline.results.variable import BoolArray, FloatArray
 
 #: Levers, and directions, below this share of the largest are none: lugs in one line, ropes in one plane.
@@ -94,7 +94,7 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
     if (unit[:, 2] <= _NO_LEVER).any() or tension.max(initial=0.0) <= 0.0:
         yield from _none(slings, tension, "its slings do not hang")
         return
-    if equalizer is not None and equalizer.mechanism == "sheaves" and not equalizer.locked:
+    if equalizer is not None and equalizer.mechanism == "sheaves" and not _pinned(recording, equalizer):
         perfect = np.mean(tension * unit[:, 2]) / unit[:, 2]
         yield from _all(slings, tension, perfect, lengths_decide=False)
         return
@@ -106,18 +106,42 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
         lever = lugs - lugs.mean(axis=0)
         size = np.sqrt(np.mean(lever**2)) or 1.0
         gradient = np.vstack([np.ones(len(slings)), lever.T / size]) * unit[:, 2]
-    rank = np.linalg.matrix_rank(gradient, tol=_NO_LEVER * np.linalg.norm(gradient, 2))
-    if rank == len(slings):
+    if np.linalg.matrix_rank(gradient, tol=_NO_LEVER * np.linalg.norm(gradient, 2)) == len(slings):
         yield from _all(slings, tension, tension, lengths_decide=False)
         return
     stiffness = _stiffness(recording, slings)
     if stiffness is None:
         yield from _none(slings, tension, "axial stiffness of its slings not known")
         return
+    yield from _all(slings, tension, perfect_forces(gradient, stiffness, tension), lengths_decide=True)
+
+
+def perfect_forces(gradient: FloatArray, stiffness: FloatArray, tension: FloatArray) -> FloatArray:
+    """Forces of slings of perfect lengths that do to the load what the given ones do.
+
+    Args:
+        gradient: What unit tensions do to the load, shape (n, slings).
+        stiffness: EA/L, shape (slings,) [N/m].
+        tension: Forces as they are, shape (slings,) [N].
+
+    Returns:
+        The forces of least elastic energy that gradient @ tension allows, shape (slings,) [N].
+    """
     root = np.sqrt(stiffness)
     forces = gradient * root
-    perfect = root * (np.linalg.pinv(forces, rcond=_NO_LEVER) @ forces @ (tension / root))
-    yield from _all(slings, tension, perfect, lengths_decide=True)
+    perfect: FloatArray = root * (np.linalg.pinv(forces, rcond=_NO_LEVER) @ forces @ (tension / root))
+    return perfect
+
+
+def _pinned(recording: Recording, equalizer: Equalizer) -> set[str]:
+    """Moving sheaves that pins hold at the end."""
+    pinned = set(equalizer.locked)
+    for _, kind, sheave in recording.events():
+        if kind == "pin_put_in" and sheave in equalizer.moving_sheaves:
+            pinned.add(sheave)
+        elif kind == "pin_pulled":
+            pinned.discard(sheave)
+    return pinned
 
 
 def _static(recording: Recording, window: BoolArray, values: FloatArray) -> float:
