@@ -234,7 +234,8 @@ def test_dynamic_load_of_a_shackle() -> None:
     )
     rig = shackled(proof_load=650e3)
     found = checked("shackle_dynamic_load_of_strength", rig)
-    assert (found.value, found.verdict) == (pytest.approx(PEAK / 650e3, rel=1e-6), Verdict.FAILED)
+    assert found.value == pytest.approx(PEAK / 650e3, rel=1e-6)
+    assert found.verdict == Verdict.FAILED
 
 
 def test_a_breaking_force_that_the_rule_asks_for_and_nobody_gives() -> None:
@@ -247,7 +248,8 @@ def test_a_breaking_force_that_the_rule_asks_for_and_nobody_gives() -> None:
 
 def test_load_of_a_lug() -> None:
     found = checked("lug_load_of_capacity", sample_rig())
-    assert (found.element, found.value) == ("block.L2", pytest.approx(PEAK / (80e3 * G), rel=1e-6))
+    assert found.element == "block.L2"
+    assert found.value == pytest.approx(PEAK / (80e3 * G), rel=1e-6)
     rig = sample_rig()
     rig["factors"] = factors(lug_consequence_factor=1.3)
     found = checked("lug_load_of_capacity", rig)
@@ -299,7 +301,8 @@ def test_an_equalizing_rope_bends_about_its_sheaves() -> None:
     rig["ropes"][0]["diameter"] = 0.046
     rig["bends"] = [{"rope": "e1.equalizing", "element": "e1.equalizing/sheave_1", "diameter": 0.8}]
     found = checked("sheave_bending_ratio", rig)
-    assert (found.value, found.element) == (pytest.approx(800 / 46), "e1.equalizing/sheave_1")
+    assert found.value == pytest.approx(800 / 46)
+    assert found.element == "e1.equalizing/sheave_1"
     used = values_of(ringing_lift(rig=rig), "rope_load_of_breaking_force")["e1.equalizing"]
     bending = 1 / (1 - 0.5 / math.sqrt(800 / 46))
     assert used == pytest.approx((300e3 + 50e3 * RINGING) * 2.535 * bending / 1476e3, rel=1e-6)
@@ -320,7 +323,8 @@ def test_an_equilibrium_goes_through_the_same_code() -> None:
     rig = sample_rig(static_hook_load=3.3e6, load_tilt=0.03)
     at_rest = equilibrium(rig)
     found = check(at_rest, "static_hook_load")
-    assert (found.value, found.verdict) == (pytest.approx(sum(STATIC) + RIGGING), Verdict.OK)
+    assert found.value == pytest.approx(sum(STATIC) + RIGGING)
+    assert found.verdict == Verdict.OK
     assert check(at_rest, "skew_load_factor").value is not None
     assert check(at_rest, "load_tilt").verdict is Verdict.OK
     assert {one.time for one in check_recording(at_rest)} == {None}
@@ -333,14 +337,16 @@ def test_an_equilibrium_has_no_dynamics_of_its_own() -> None:
         assert found.verdict is Verdict.NOT_CHECKED
         assert "an equilibrium has no peak" in found.remark
     found = check(at_rest, "lug_load_of_capacity")
-    assert (found.value, found.verdict) == (pytest.approx(606e3 / (80e3 * G)), Verdict.WARNING)
+    assert found.value == pytest.approx(606e3 / (80e3 * G))
+    assert found.verdict == Verdict.WARNING
     assert found.remark.startswith("static only: an equilibrium has no peak")
     rig = sample_rig(dynamic_hook_load=4e6)
     rig["factors"] = factors(dynamic_amplification_factor=1.1)
     at_rest = equilibrium(rig)
     assert check(at_rest, "dynamic_hook_load").value == pytest.approx(1.1 * (sum(STATIC) + RIGGING))
     found = check(at_rest, "lug_load_of_capacity")
-    assert (found.value, found.verdict) == (pytest.approx(1.1 * 606e3 / (80e3 * G)), Verdict.OK)
+    assert found.value == pytest.approx(1.1 * 606e3 / (80e3 * G))
+    assert found.verdict == Verdict.OK
 
 
 def test_an_equilibrium_may_stand_on_its_supports() -> None:

@@ -13,6 +13,9 @@ from hypothesis import strategies as st
 
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew, perfect_forces, skew_loads
+from gantline.scenario import parse_scenario
+from gantline.simulation import SettingError, Simulation
+from lift_text import BASE, MECHANICS
 from sample_lift import ALONG, HOOK, LENGTHS, LUGS, sample_recording, sample_rig
 
 Array = npt.NDArray[np.float64]
@@ -136,3 +139,13 @@ def test_perfect_forces_keep_their_sum_and_are_the_softest(
     *_, kernel = np.linalg.svd(gradient)
     for free in kernel[3:]:
         assert float(free @ (perfect / k)) == pytest.approx(0.0, abs=1e-9 * float(np.abs(perfect / k).sum()))
+
+
+def test_a_lift_with_all_its_equalizers_locked() -> None:
+    adaptive = BASE.replace("integrator: del, step: 1 ms", "integrator: adaptive")
+    simulation = Simulation(parse_scenario(adaptive), equalizers="locked")
+    assert simulation.assembly.rig["equalizers"][0]["locked"] == ["e1.1", "e1.2"]
+    with pytest.raises(SettingError, match="equalizers: 'free' is none; 'locked' pins all moving sheaves"):
+        Simulation(parse_scenario(adaptive), equalizers="free")
+    with pytest.raises(SettingError, match="no equalizer of this lift has moving sheaves to lock"):
+        Simulation(parse_scenario(MECHANICS), equalizers="locked")
