@@ -391,7 +391,15 @@ def test_the_verdict_names_what_governs() -> None:
     )
     assert " not checked, " in text and text.endswith(" without a limit")
     failed = check_recording(ringing_lift(rig=sample_rig(sling_factor_on_breaking_force=5.0)))
-    assert verdict_of(failed).startswith("NO-GO: 1 failed, sling_factor_on_breaking_force; nearest")
+    used = f"{5.0 * PEAK / 3039e3:.0%}".replace("%", " %")
+    assert verdict_of(failed).startswith(
+        f"NO-GO: 1 failed, sling_factor_on_breaking_force {used}; 0 warnings"
+    )
+    four = [Check(f"c{place}", Verdict.FAILED, "", value=1.0 + place, limit=1.0) for place in range(4)]
+    parted = Check("rope_parted", Verdict.FAILED, "")
+    assert verdict_of([*four, parted]).startswith(
+        "NO-GO: 5 failed, rope_parted, c3 400 %, c2 300 % and 2 more;"
+    )
 
 
 def test_utilisation_of_a_least_value() -> None:

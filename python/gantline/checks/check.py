@@ -10,6 +10,9 @@ from typing import Any
 
 from gantline.units import format_quantity
 
+#: Most checks that the verdict on a lift names.
+_MOST_NAMED = 3
+
 
 class Verdict(StrEnum):
     """Outcome of a check."""
@@ -89,25 +92,31 @@ def has_failed(checks: Sequence[Check]) -> bool:
 
 def verdict_of(checks: Sequence[Check]) -> str:
     """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked."""
-    failed = [check for check in checks if check.verdict is Verdict.FAILED]
-    used = [check for check in checks if check.utilisation is not None]
-    used = [check for check in used if check.verdict is not Verdict.NOT_CHECKED]
-    used.sort(key=lambda check: check.utilisation or 0.0, reverse=True)
+    done = [check for check in checks if check.verdict is not Verdict.NOT_CHECKED]
+    if not done:
+        return "NO VERDICT: nothing has been checked"
+    failed = [check for check in done if check.verdict is Verdict.FAILED]
+    if failed:
+        head = f"NO-GO: {len(failed)} failed, {_foremost(failed)}"
+    else:
+        nearest = _foremost([check for check in done if check.utilisation is not None])
+        head = f"GO; nearest to their limits: {nearest}" if nearest else "GO"
     warnings = sum(check.verdict is Verdict.WARNING for check in checks)
     without = sum(check.has_no_limit for check in checks)
-    open_ = sum(check.verdict is Verdict.NOT_CHECKED for check in checks) - without
-    if failed:
-        head = f"NO-GO: {len(failed)} failed, {', '.join(dict.fromkeys(check.name for check in failed))}"
-    elif not any(check.verdict in (Verdict.OK, Verdict.WARNING) for check in checks):
-        return "NO VERDICT: nothing has been checked"
-    else:
-        head = "GO"
-    nearest = ", ".join(f"{check.name} {check.utilisation:.0%}".replace("%", " %") for check in used[:3])
-    parts = [head]
-    if nearest:
-        parts.append(f"nearest to their limits: {nearest}")
-    parts.append(f"{_count(warnings, 'warning')}, {open_} not checked, {without} without a limit")
-    return "; ".join(parts)
+    rest = f"{len(checks) - len(done) - without} not checked, {without} without a limit"
+    return f"{head}; {_count(warnings, 'warning')}, {rest}"
+
+
+def _foremost(checks: Sequence[Check]) -> str:
+    """The checks that use most of their limits, each name once; those without a number first."""
+    used: dict[str, float] = {}
+    for check in checks:
+        share = math.inf if check.utilisation is None else check.utilisation
+        used[check.name] = max(share, used.get(check.name, 0.0))
+    order = sorted(used, key=lambda name: -used[name])[:_MOST_NAMED]
+    shares = ("" if math.isinf(used[name]) else f" {100.0 * used[name]:.0f} %" for name in order)
+    more = f" and {len(used) - _MOST_NAMED} more" if len(used) > _MOST_NAMED and has_failed(checks) else ""
+    return ", ".join(f"{name}{share}" for name, share in zip(order, shares, strict=True)) + more
 
 
 def _count(number: int, what: str) -> str:

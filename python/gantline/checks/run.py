@@ -28,16 +28,17 @@ def check_recording(recording: Recording) -> list[Check]:
         recording: Any recording.
 
     Returns:
-        One check for each quantity that has to be handed in or that the lift sets a limit for, in the order
-        of `LIMITS`; limits that are not known here; one check for each requirement of a step; and one that
-        failed for each rope that parted.
+        One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
+        with a load, hook or sling, in the order of `LIMITS`; limits that are not known here; one check for
+        each requirement of a step; and one that failed for each rope that parted.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
+    hands_in = bool(rig.loads or rig.hooks or rig.slings)
     found = [
         _check_limit(recording, key, measure, limits.get(key))
         for key, measure in LIMITS.items()
-        if key in limits or measure.is_listed
+        if key in limits or (measure.is_listed and hands_in)
     ]
     whole = [check for check in found if check is not None]
     unknown = [

@@ -51,7 +51,7 @@ def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fi
         if series.is_equilibrium(recording):
             yield Missing(sling.name, "an equilibrium has no peak")
         elif not static:
-            yield Missing(sling.name, NO_STATIC)
+            yield Missing(sling.name, NO_STATIC if static is None else "carries nothing at rest")
         else:
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
             yield Found(highest / static, sling.name, time, text)

@@ -4,10 +4,11 @@ The skew load factor of a sling is its static force over the force that it would
 Both are taken where the load hangs; slings that share are taken together:
 
 - under an equalizer whose sheaves move, perfect means that every moving sheave bears the same vertical
-  force. An ideal equalizer has 1 whatever the lengths, one with losses has what they leave uneven;
+  force. An ideal equalizer has 1 whatever the lengths, one with losses has what they leave uneven, one whose
+  lengths are adjusted instead what that has left;
 - under a hook the forces keep their sum on the hook, in three directions. Three slings have no choice. More
   share as their stiffnesses EA/L say, which is the least elastic energy;
-- under an equalizer whose sheaves do not all move, slings count as parallel: what they keep is the sum of
+- under an equalizer of which pins hold a sheave, slings count as parallel: what they keep is the sum of
   vertical forces and its moments about the horizontal axes.
 
 With s = K^(-1/2) T and A = G K^(1/2), G the forces (and moments) of unit tensions, perfect lengths give
@@ -94,7 +95,7 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
     if (unit[:, 2] <= _NO_LEVER).any() or tension.max(initial=0.0) <= 0.0:
         yield from _none(slings, tension, "its slings do not hang")
         return
-    if equalizer is not None and equalizer.mechanism == "sheaves" and not _pinned(recording, equalizer):
+    if equalizer is not None and not _pinned(recording, equalizer):
         perfect = np.mean(tension * unit[:, 2]) / unit[:, 2]
         yield from _all(slings, tension, perfect, lengths_decide=False)
         return

@@ -134,7 +134,7 @@ class Rules(Element):
     skew_load_factor: _Factor | None = Field(
         None,
         description="On static loads of slings whose lengths decide how they share: more than three at one "
-        "hook, or an equalizer whose sheaves do not move.",
+        "hook, or an equalizer of which pins hold a sheave.",
     )
     load_factor: _Factor | None = Field(None, description="On rope forces.")
     consequence_factor: _Factor | None = Field(None, description="On rope forces.")
