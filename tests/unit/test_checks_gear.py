@@ -330,6 +330,23 @@ def test_an_equilibrium_goes_through_the_same_code() -> None:
     assert {one.time for one in check_recording(at_rest)} == {None}
 
 
+def test_what_came_before_an_equilibrium_does_not_count() -> None:
+    """The first of two samples is the start, from which travel is counted; nothing else looks at it."""
+    travel = np.array([[0.0] * 5, [0.95, 0.0, -0.7, 0.0, 0.0]])
+    tension = np.array([[2e6] * 5, STATIC])
+    rig = sample_rig(dynamic_hook_load=4e6)
+    rig["factors"] = factors(dynamic_amplification_factor=1.1)
+    both = sample_recording(np.array([0.0, 40.0]), tension=tension, travel=travel, rig=rig)
+    both = Recording(both.variables, both.coordinates, {**both.attributes, "status": "at rest at 40 s"})
+    assert check(both, "dynamic_hook_load").value == pytest.approx(1.1 * (sum(STATIC) + RIGGING))
+    assert check(both, "equalizer_travel_used").value == pytest.approx(0.5)
+    assert check(both, "lug_load_of_capacity").value == pytest.approx(1.1 * 606e3 / (80e3 * G))
+    assert values_of(both, "hook_dynamic_factor") == {}
+    rig["limits"]["sling_factor_on_breaking_force"] = 4.0
+    both = Recording(both.variables, both.coordinates, {**both.attributes, "rig": rig})
+    assert check(both, "sling_factor_on_breaking_force").value == pytest.approx(3039 / 606)
+
+
 def test_an_equilibrium_has_no_dynamics_of_its_own() -> None:
     at_rest = equilibrium()
     for name in ("hook_dynamic_factor", "sling_dynamic_factor", "dynamic_hook_load"):

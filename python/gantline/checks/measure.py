@@ -128,7 +128,9 @@ def extreme(
 
 
 def everywhere(recording: Recording) -> BoolArray:
-    """The mask of all samples."""
+    """The mask of all samples that count: of an equilibrium the last one."""
+    if series.is_equilibrium(recording):
+        return series.last_sample(recording)
     return np.ones(len(recording.time), dtype=np.bool_)
 
 
