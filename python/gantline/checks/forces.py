@@ -7,11 +7,12 @@ dynamics: it is never multiplied by that factor, both are shown, and the larger 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gantline.checks.measure import Caution, Finding, Found, Missing
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -195,3 +196,22 @@ def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray)
 def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during: BoolArray) -> Force:
     highest = None if series.is_equilibrium(recording) else series.peak(recording, values, during)
     return force if highest is None else replace(force, peak=highest[0], time=highest[1])
+
+
+def over(force: Force, strength: float, element: str, *, factor: float = 1.0) -> Iterator[Finding]:
+    """A force, times a factor, over what bears it; with a caution where only its static value is known.
+
+    Args:
+        force: The force.
+        strength: What bears it [N].
+        element: What it belongs to.
+        factor: Factor of the rule on the force [1].
+    """
+    if force.governing is None:
+        yield Missing(element, NO_STATIC)
+        return
+    if force.lacks_dynamics:
+        yield Caution(f"static only: {NO_DYNAMIC}")
+    more = f" x {factor:.4g}" if factor != 1.0 else ""
+    formula = f"{force.text}{more} / {kilonewton(strength)}"
+    yield Found(factor * force.governing / strength, element, force.moment, formula)

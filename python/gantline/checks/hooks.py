@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, Force, hook_force, kilonewton
-from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
+from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, hook_force, kilonewton, over
+from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
@@ -64,22 +64,3 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
         variable = "hoist_load" if rating.includes_hook_block else "hook_load"
         force = hook_force(recording, rating.hooks, variable, during)
         yield from over(force, rating.rated_capacity, element)
-
-
-def over(force: Force, strength: float, element: str, *, factor: float = 1.0) -> Iterator[Finding]:
-    """A force, times a factor, over what bears it; with a caution where only its static value is known.
-
-    Args:
-        force: The force.
-        strength: What bears it [N].
-        element: What it belongs to.
-        factor: Factor of the rule on the force [1].
-    """
-    if force.governing is None:
-        yield Missing(element, NO_STATIC)
-        return
-    if force.lacks_dynamics:
-        yield Caution(f"static only: {NO_DYNAMIC}")
-    more = f" x {factor:.4g}" if factor != 1.0 else ""
-    formula = f"{force.text}{more} / {kilonewton(strength)}"
-    yield Found(factor * force.governing / strength, element, force.moment, formula)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gantline.checks.forces import Force, factor, sling_forces
-from gantline.checks.hooks import over
+from gantline.checks.forces import Force, factor, over, sling_forces
 from gantline.checks.measure import Finding, Missing, carrying, extreme
 from gantline.results import series
 from gantline.results.recording import Recording

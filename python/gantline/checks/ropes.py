@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gantline.checks.forces import Force, factor, kilonewton, rope_force, sling_forces
-from gantline.checks.hooks import over
+from gantline.checks.forces import Force, factor, kilonewton, over, rope_force, sling_forces
 from gantline.checks.measure import Finding, Found, Missing, Refused, carrying, extreme
 from gantline.checks.slings import bending_factor, bending_text, sling_bend
 from gantline.results import series

@@ -32,6 +32,7 @@ def remaining(chart: SideLoad, angle: float) -> float | None:
 def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Static load of a shackle over its working load limit, reduced for side load."""
     forces = sling_forces(recording, during)
+    window = series.quiet_window(recording)
     chart = recording.rig.shackle_side_load
     for sling, end, shackle in _shackles(recording):
         element, force = f"{sling.name} {end}", forces[sling.name]
@@ -40,7 +41,7 @@ def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         elif force.static is None:
             yield Missing(element, NO_STATIC)
         else:
-            angle = _static_angle(recording, sling, end)
+            angle = _static_angle(recording, window, sling, end)
             left = remaining(chart, angle)
             limit = shackle.working_load_limit
             if left is None:
@@ -57,6 +58,7 @@ def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     minimum breaking force over the rule's factor on it, and proof load; 0027/ND rev 11, 8.2.6.
     """
     forces = sling_forces(recording, during)
+    window = series.quiet_window(recording)
     for sling, end, shackle in _shackles(recording):
         element, force = f"{sling.name} {end}", forces[sling.name]
         if not shackle.working_load_limit:
@@ -64,18 +66,22 @@ def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         elif force.dynamic is None:
             yield Missing(element, NO_DYNAMIC)
         else:
-            yield from _dynamic(recording, during, sling, end, shackle, force)
+            moments = _moments(recording, during, window, sling, end, force)
+            yield from _dynamic(recording, element, shackle, force, moments)
 
 
-def _dynamic(
-    recording: Recording, during: BoolArray, sling: Sling, end: str, shackle: Shackle, force: Force
-) -> Iterator[Finding]:
-    element = f"{sling.name} {end}"
+#: A force [N], when it acts [s] (None by the rule), and its side load angle [rad].
+_Moment = tuple[float, float | None, float]
+
+
+def _moments(
+    recording: Recording, during: BoolArray, window: BoolArray, sling: Sling, end: str, force: Force
+) -> list[_Moment]:
+    """By the rule with the angle at rest; the peak; and the sample at which side load leaves least."""
     chart = recording.rig.shackle_side_load
-    found: list[Found] = []
-    moments: list[tuple[float, float | None, float]] = []
+    moments: list[_Moment] = []
     if force.rule is not None:
-        moments.append((force.rule, None, _static_angle(recording, sling, end)))
+        moments.append((force.rule, None, _static_angle(recording, window, sling, end)))
     if force.peak is not None and force.time is not None:
         angles = _angles(recording, sling, end)
         tension = series.sling_tension(recording, sling)
@@ -83,14 +89,25 @@ def _dynamic(
         near = int(np.argmin(np.abs(recording.time - force.time)))
         moments.append((force.peak, force.time, float(angles[near])))
         moments.append((float(tension[worst]), float(recording.time[worst]), float(angles[worst])))
+    return moments
+
+
+def _dynamic(
+    recording: Recording, element: str, shackle: Shackle, force: Force, moments: list[_Moment]
+) -> Iterator[Finding]:
+    found: list[Found] = []
     for load, time, angle in moments:
-        left = remaining(chart, angle)
+        left = remaining(recording.rig.shackle_side_load, angle)
         if left is None:
             yield from _beyond(element, angle)
             return
         strength, text = _strength(recording, shackle, left, angle)
-        said = force.rule_text if time is None else f"peak {kilonewton(load)}"
-        found.append(Found(load / strength, element, time, f"{said} / {text}"))
+        said, other = f"peak {kilonewton(load)}", force.rule_text
+        if time is None:
+            said = force.rule_text
+            other = "" if force.peak is None else f"peak {kilonewton(force.peak)}"
+        formula = f"{said} / {text}{f'; {other}' if other else ''}"
+        found.append(Found(load / strength, element, time, formula))
     yield max(found, key=lambda one: one.value)
     if factor(recording, _BREAKING) is not None and not shackle.minimum_breaking_force:
         yield Caution(f"minimum breaking force of {shackle.name} not known, which the rule asks for")
@@ -139,8 +156,8 @@ def _angles(recording: Recording, sling: Sling, end: str) -> FloatArray:
     return np.where(series.is_carrying(series.sling_tension(recording, sling)), aside, still)
 
 
-def _static_angle(recording: Recording, sling: Sling, end: str) -> float:
-    return series.static_value(recording, _angles(recording, sling, end)) or 0.0
+def _static_angle(recording: Recording, window: BoolArray, sling: Sling, end: str) -> float:
+    return series.static_value(recording, _angles(recording, sling, end), window) or 0.0
 
 
 def _shackles(recording: Recording) -> Iterator[tuple[Sling, str, Shackle]]:
