@@ -80,6 +80,7 @@ def test_what_the_lift_file_says_goes_before_the_preset() -> None:
 
 def test_limits_of_a_preset() -> None:
     of = rig("rules: {preset: example_yard}\nlimits: {load_tilt: 1 deg}")
+    assert of["limits"]["rule"] == "A yard's own rule, for example"
     assert of["limits"]["load_tilt"] == pytest.approx(math.radians(1.0))
     assert of["limits"]["lug_out_of_plane_angle"] == pytest.approx(math.radians(10.0))
     assert of["limit_sources"]["load_tilt"] == "lift file"

@@ -46,8 +46,9 @@ def limits_and_rules(scenario: Scenario, *, has_sheaves: bool) -> Json:
         assumed["fleet_angle"] = FLEET_ANGLE
         sources["fleet_angle"] = _FLEET_ANGLE_SOURCE
     sources |= {key: one.source for key, one in of_preset.items()}
+    named = {"rule": preset.title} if preset.title and "rule" not in given else {}
     return {
-        "limits": {**given, **{key: one.value for key, one in of_preset.items()}, **assumed},
+        "limits": {**named, **given, **{key: one.value for key, one in of_preset.items()}, **assumed},
         "assumed_limits": list(assumed),
         "limit_sources": sources,
         "factors": _factors(scenario, rules, preset, own),
