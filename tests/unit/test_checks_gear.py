@@ -280,6 +280,7 @@ def test_utilisation_of_a_rope() -> None:
     assert found.element == "sling.S2"
     assert found.value == pytest.approx(PEAK * 1.3 * 1.3 * 1.5 * bending / 3039e3, rel=1e-6)
     assert found.verdict is Verdict.OK  # 92.7 %
+    assert found.formula == f"peak {PEAK / 1e3:.1f} kN x 1.3 x 1.3 x 1.5 x bending 1.575 / 3039.0 kN"
     rig["factors"] = factors(**RULE, wear_factor=1.2)
     assert checked("rope_load_of_breaking_force", rig).verdict is Verdict.FAILED
 

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gantline.checks import values_of
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew, perfect_forces, skew_loads
 from gantline.scenario import parse_scenario
@@ -64,6 +65,19 @@ def test_locked_sheaves_let_lengths_decide() -> None:
     assert [skew.perfect for skew in skews] == pytest.approx(perfect, rel=1e-9)
     assert all(skew.lengths_decide for skew in skews)
     assert largest_skew(at_rest(uneven, locked_rig())) == pytest.approx((uneven / perfect).max(), rel=1e-9)
+
+
+def test_a_force_that_holds_its_own_skew_is_not_multiplied() -> None:
+    """The rule's factor is on the force with perfect lengths; the larger of both counts."""
+    x, y = np.array(LUGS).T
+    perfect = 200e6 / np.array(LENGTHS) * COSINE * (0.07 + 0.002 * x + 0.001 * y)
+    uneven = perfect + 300e3 * PATTERN / COSINE
+    rig = locked_rig()
+    rig["factors"] = {"skew_load_factor": {"value": 1.25, "source": "rule"}}
+    used = values_of(at_rest(uneven, rig), "lug_load_of_capacity")
+    assert uneven[0] > 1.25 * perfect[0] and uneven[1] < 1.25 * perfect[1]
+    expected = np.maximum(uneven, 1.25 * perfect) / (80e3 * 9.81)
+    assert [used[f"block.L{place}"] for place in range(1, 6)] == pytest.approx(expected, rel=1e-9)
 
 
 def test_pins_that_have_been_pulled_hold_no_longer() -> None:

@@ -2,7 +2,8 @@
 
 *Static* is the mean over the quiet window, raised from the weight that was simulated to the design weight.
 *By the rule* is static times the rule's dynamic amplification factor. A simulated peak already holds the
-dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked.
+dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked. So it is with
+skew: the rule's factor is on the force with perfect lengths, never on one that holds its own skew.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 DYNAMIC = "dynamic_amplification_factor"
+SKEW = "skew_load_factor"
 NO_STATIC = "no static force: the load did not end clear of its supports"
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
 
@@ -36,6 +38,7 @@ class Force:
         rule_text: The same in words.
         peak: Largest simulated force [N]; None for an equilibrium.
         time: When that was [s].
+        factors: Names of the rule's factors in it.
     """
 
     static: float | None
@@ -44,6 +47,7 @@ class Force:
     rule_text: str = ""
     peak: float | None = None
     time: float | None = None
+    factors: tuple[str, ...] = ()
 
     @property
     def dynamic(self) -> float | None:
@@ -101,16 +105,22 @@ def design_ratio(recording: Recording, load: Load | None) -> float:
 def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
     """Static and dynamic force of every sling, by name.
 
-    The rule's skew load factor raises the static force where lengths decide how slings share.
+    Where lengths decide how slings share, static is the larger of the simulated force and that with perfect
+    lengths times the rule's skew load factor (of the simulated one where that with perfect lengths is not
+    known).
     """
     window = series.quiet_window(recording)
-    by_length = {one.sling for one in skew_loads(recording) if one.lengths_decide}
+    by_length = {one.sling: one for one in skew_loads(recording) if one.lengths_decide}
+    rule = factor(recording, SKEW)
     forces = {}
     for sling in recording.rig.slings:
         static = series.static_value(recording, series.sling_tension(recording, sling), window)
         ratio = design_ratio(recording, recording.rig.load(sling.to_load))
-        skew = (factor(recording, "skew_load_factor") or 1.0) if sling.name in by_length else 1.0
-        force = _force(recording, static, ratio, skew)
+        force = _force(recording, static, ratio)
+        skew = by_length.get(sling.name)
+        if skew is not None and rule is not None:
+            perfect = skew.force if skew.perfect is None else skew.perfect
+            force = _with_skew(recording, force, perfect * ratio, rule)
         forces[sling.name] = _with_peak(recording, force, sling.rope, during)
     return forces
 
@@ -119,7 +129,7 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
     """Static and dynamic force of a rope that is no sling."""
     static = series.static_value(recording, recording.column("rope_tension", rope))
     ratios = [design_ratio(recording, load) for load in recording.rig.loads]
-    return _with_peak(recording, _force(recording, static, max(ratios, default=1.0), 1.0), rope, during)
+    return _with_peak(recording, _force(recording, static, max(ratios, default=1.0)), rope, during)
 
 
 def hook_force(recording: Recording, hooks: Iterable[str], variable: str, during: BoolArray) -> Force:
@@ -151,7 +161,7 @@ def hook_force(recording: Recording, hooks: Iterable[str], variable: str, during
 
 def sum_force(recording: Recording, values: FloatArray, load: Load | None, during: BoolArray) -> Force:
     """Static and dynamic force of a series that goes with the weight of a load, shape (time,) [N]."""
-    force = _force(recording, series.static_value(recording, values), design_ratio(recording, load), 1.0)
+    force = _force(recording, series.static_value(recording, values), design_ratio(recording, load))
     return _with_peak_of(recording, force, values, during)
 
 
@@ -167,20 +177,33 @@ def _hook_force(recording: Recording, static: float | None, more: float, falls: 
     if dynamic is None:
         return force
     rule = (static + more) * dynamic + falls
-    return replace(force, rule=rule, rule_text=f"{hanging} x {dynamic:.4g}{of_falls}")
+    text = f"{hanging} x {dynamic:.4g}{of_falls}"
+    return replace(force, rule=rule, rule_text=text, factors=(DYNAMIC,))
 
 
-def _force(recording: Recording, static: float | None, ratio: float, skew: float) -> Force:
+def _force(recording: Recording, static: float | None, ratio: float) -> Force:
     if static is None:
         return Force(None, "")
-    text = f"static {kilonewton(static)}"
-    for more in (ratio, skew):
-        text += f" x {more:.4g}" if more > 1.0 else ""
-    design = static * ratio * skew
+    more = f" x {ratio:.4g}" if ratio > 1.0 else ""
+    return _with_rule(recording, Force(static * ratio, f"static {kilonewton(static)}{more}"))
+
+
+def _with_rule(recording: Recording, force: Force) -> Force:
+    """With the static force times the rule's dynamic amplification factor, if it has one."""
     dynamic = factor(recording, DYNAMIC)
-    if dynamic is None:
-        return Force(design, text)
-    return Force(design, text, design * dynamic, f"{text} x {dynamic:.4g}")
+    if dynamic is None or force.static is None:
+        return force
+    text = f"{force.static_text} x {dynamic:.4g}"
+    return replace(force, rule=force.static * dynamic, rule_text=text, factors=(*force.factors, DYNAMIC))
+
+
+def _with_skew(recording: Recording, force: Force, perfect: float, rule: float) -> Force:
+    """With the larger of static force and that with perfect lengths [N] times the rule's skew load factor."""
+    if force.static is None:
+        return force
+    by_rule = f"{kilonewton(perfect)} with perfect lengths x {rule:.4g}"
+    text = f"max({force.static_text}, {by_rule})"
+    return _with_rule(recording, Force(max(force.static, perfect * rule), text, factors=(SKEW,)))
 
 
 def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray) -> Force:
@@ -198,20 +221,36 @@ def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during
     return force if highest is None else replace(force, peak=highest[0], time=highest[1])
 
 
-def over(force: Force, strength: float, element: str, *, factor: float = 1.0) -> Iterator[Finding]:
-    """A force, times a factor, over what bears it; with a caution where only its static value is known.
+@dataclass(frozen=True)
+class Raised:
+    """Factors of the rule on a force.
+
+    Attributes:
+        factor: Their product [1].
+        text: How it comes about.
+        names: Their names.
+    """
+
+    factor: float = 1.0
+    text: str = ""
+    names: tuple[str, ...] = ()
+
+
+def over(force: Force, strength: float, element: str, raised: Raised | None = None) -> Iterator[Finding]:
+    """A force, times factors, over what bears it; with a caution where only its static value is known.
 
     Args:
         force: The force.
         strength: What bears it [N].
         element: What it belongs to.
-        factor: Factor of the rule on the force [1].
+        raised: Factors of the rule on the force.
     """
+    raised = raised or Raised()
     if force.governing is None:
         yield Missing(element, NO_STATIC)
         return
     if force.lacks_dynamics:
         yield Caution(f"static only: {NO_DYNAMIC}")
-    more = f" x {factor:.4g}" if factor != 1.0 else ""
-    formula = f"{force.text}{more} / {kilonewton(strength)}"
-    yield Found(factor * force.governing / strength, element, force.moment, formula)
+    formula = f"{force.text}{raised.text} / {kilonewton(strength)}"
+    value = raised.factor * force.governing / strength
+    yield Found(value, element, force.moment, formula, (*force.factors, *raised.names))

@@ -35,7 +35,7 @@ def dynamic_hook_load(recording: Recording, during: BoolArray) -> Iterator[Findi
         if force.dynamic is None:
             yield Missing(hook.name, NO_DYNAMIC)
         else:
-            yield Found(force.dynamic, hook.name, force.moment, force.text)
+            yield Found(force.dynamic, hook.name, force.moment, force.text, force.factors)
 
 
 def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:

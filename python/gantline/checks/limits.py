@@ -7,11 +7,9 @@ held against. Those that everybody has to hand in are listed without a limit too
 from __future__ import annotations
 
 from gantline.checks import equalizers, hooks, loads, lugs, ropes, shackles, slings
-from gantline.checks.forces import DYNAMIC
 from gantline.checks.measure import Measure
 
 _ALL = "by definition"
-_SHACKLE_FACTORS = (DYNAMIC, "skew_load_factor", "shackle_breaking_factor")
 
 LIMITS: dict[str, Measure] = {
     "static_hook_load": Measure(
@@ -22,7 +20,6 @@ LIMITS: dict[str, Measure] = {
         "kN",
         1,
         hooks.dynamic_hook_load,
-        factors=(DYNAMIC,),
         is_listed=True,
     ),
     "hook_dynamic_factor": Measure(
@@ -40,7 +37,6 @@ LIMITS: dict[str, Measure] = {
         hooks.of_rated_capacity,
         by_definition=1.0,
         definition=_ALL,
-        factors=(DYNAMIC,),
         is_listed=True,
     ),
     "equalizer_load_of_rated_capacity": Measure(
@@ -136,16 +132,6 @@ LIMITS: dict[str, Measure] = {
         ropes.load_of_breaking_force,
         by_definition=1.0,
         definition=_ALL,
-        factors=(
-            DYNAMIC,
-            "skew_load_factor",
-            "load_factor",
-            "consequence_factor",
-            "material_factor",
-            "least_safety_factor",
-            "wear_factor",
-            "termination_factor",
-        ),
         is_listed=True,
     ),
     "sheave_bending_ratio": Measure(
@@ -170,7 +156,6 @@ LIMITS: dict[str, Measure] = {
         shackles.static_load,
         by_definition=1.0,
         definition="0027/ND rev 11, 8.2.4",
-        factors=("skew_load_factor",),
         is_listed=True,
     ),
     "shackle_dynamic_load_of_strength": Measure(
@@ -181,7 +166,6 @@ LIMITS: dict[str, Measure] = {
         shackles.dynamic_load,
         by_definition=1.0,
         definition="0027/ND rev 11, 8.2.6",
-        factors=_SHACKLE_FACTORS,
         is_listed=True,
     ),
     "lug_load_of_capacity": Measure(
@@ -191,7 +175,6 @@ LIMITS: dict[str, Measure] = {
         lugs.load_of_capacity,
         by_definition=1.0,
         definition=_ALL,
-        factors=(DYNAMIC, "skew_load_factor", "lug_consequence_factor"),
         is_listed=True,
     ),
     "lug_out_of_plane_angle": Measure(

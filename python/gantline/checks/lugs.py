@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gantline.checks.forces import Force, factor, over, sling_forces
+from gantline.checks.forces import Force, Raised, factor, over, sling_forces
 from gantline.checks.measure import Finding, Missing, carrying, extreme
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
+
+_CONSEQUENCE = "lug_consequence_factor"
 
 
 def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -30,14 +32,17 @@ def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Findin
         key = sling.to_load or "", sling.to_lug or ""
         own = forces[sling.name]
         loads[key] = own if key not in loads else _together(loads[key], own)
-    consequence = factor(recording, "lug_consequence_factor") or 1.0
+    consequence = factor(recording, _CONSEQUENCE)
+    raised = (
+        Raised() if consequence is None else Raised(consequence, f" x {consequence:.4g}", (_CONSEQUENCE,))
+    )
     for (load_name, lug_name), force in loads.items():
         load = recording.rig.load(load_name)
         lug = load.lugs.get(lug_name) if load is not None else None
         if lug is None or not lug.capacity:
             yield Missing(f"{load_name}.{lug_name}", "lug capacity not known")
         else:
-            yield from over(force, lug.capacity, f"{load_name}.{lug_name}", factor=consequence)
+            yield from over(force, lug.capacity, f"{load_name}.{lug_name}", raised)
 
 
 def _together(one: Force, other: Force) -> Force:
@@ -51,4 +56,5 @@ def _together(one: Force, other: Force) -> Force:
         rule_text=f"({one.rule_text} + {other.rule_text})",
         peak=total(one.peak, other.peak),
         time=one.time if (one.peak or 0.0) >= (other.peak or 0.0) else other.time,
+        factors=tuple(dict.fromkeys((*one.factors, *other.factors))),
     )

@@ -21,12 +21,14 @@ class Found:
         element: What it belongs to.
         time: When [s]; None if it belongs to no one time.
         formula: How it comes about, with numbers; empty if it was measured as it is.
+        factors: Names of the rule's factors in it.
     """
 
     value: float
     element: str
     time: float | None = None
     formula: str = ""
+    factors: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -84,7 +86,6 @@ class Measure:
         warns_up_to: A value over the limit but not over this one is a warning, not a failure.
         by_definition: Limit that holds where nobody sets one, such as all of a rated capacity.
         definition: Where that limit comes from.
-        factors: Factors of the rule that go into its values.
         is_listed: Whether it stands in the table without a limit too.
     """
 
@@ -97,7 +98,6 @@ class Measure:
     warns_up_to: float | None = None
     by_definition: float | None = None
     definition: str = ""
-    factors: tuple[str, ...] = ()
     is_listed: bool = False
 
 

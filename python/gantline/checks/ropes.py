@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gantline.checks.forces import Force, factor, kilonewton, over, rope_force, sling_forces
+from gantline.checks.forces import Force, Raised, factor, kilonewton, over, rope_force, sling_forces
 from gantline.checks.measure import Finding, Found, Missing, Refused, carrying, extreme
 from gantline.checks.slings import bending_factor, bending_text, sling_bend
 from gantline.results import series
@@ -14,6 +14,7 @@ from gantline.results.variable import BoolArray
 
 _NO_STRENGTH = "minimum breaking force not known"
 _NEEDED = ("load_factor", "consequence_factor", "material_factor", "termination_factor")
+_MAY_BE = ("least_safety_factor", "wear_factor")
 
 
 def sling_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -70,13 +71,27 @@ def _load(recording: Recording, rope: Rope, force: Force) -> Iterator[Finding]:
     if bending is None:
         yield Refused(rope.name, "bent so sharply that no strength is left")
         return
-    load, consequence, material, termination = (factor(recording, name) or 1.0 for name in _NEEDED)
-    partial = load * consequence * material
-    least = factor(recording, "least_safety_factor") or 1.0
-    ends = max(termination, bending)
-    safety = max(partial, least) * (factor(recording, "wear_factor") or 1.0) * ends
     assert rope.minimum_breaking_force is not None
-    yield from over(force, rope.minimum_breaking_force, rope.name, factor=safety)
+    yield from over(force, rope.minimum_breaking_force, rope.name, _safety(recording, bending))
+
+
+def _safety(recording: Recording, bending: float) -> Raised:
+    """max(load x consequence x material, least safety factor) x wear x max(termination, bending)."""
+    load, consequence, material, termination = (factor(recording, name) or 1.0 for name in _NEEDED)
+    least, wear = (factor(recording, name) or 1.0 for name in _MAY_BE)
+    names = [*_NEEDED[:3], *(name for name in _MAY_BE if factor(recording, name) is not None)]
+    text = f"{load:.4g} x {consequence:.4g} x {material:.4g}"
+    product = load * consequence * material
+    if least > product:
+        text = f"max({text}, {least:.4g})"
+    if wear > 1.0:
+        text += f" x wear {wear:.4g}"
+    if bending > termination:
+        text += f" x bending {bending:.3f}"
+    else:
+        text += f" x termination {termination:.4g}"
+        names.append(_NEEDED[3])
+    return Raised(max(product, least) * wear * max(termination, bending), f" x {text}", tuple(names))
 
 
 def _bending(recording: Recording, rope: Rope) -> float | str | None:

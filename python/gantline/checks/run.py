@@ -127,7 +127,8 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     nothing = found.worst is None and not found.refused
     if nothing and not found.missing and given is None:
         return None
-    check = replace(check, limit=limit, source=_with_factors(recording, measure, source))
+    factors = found.worst.factors if found.worst is not None else ()
+    check = replace(check, limit=limit, source=_with_factors(recording, source, factors))
     if found.refused:
         refused = "; ".join(f"{one.reason}: {one.element}" for one in found.refused)
         return replace(check, verdict=Verdict.FAILED, element=found.refused[0].element, remark=refused)
@@ -151,10 +152,10 @@ def _with_value(check: Check, found: Found) -> Check:
     return replace(check, value=found.value, element=found.element, time=found.time, formula=found.formula)
 
 
-def _with_factors(recording: Recording, measure: Measure, source: str) -> str:
-    """Source of a limit, and of the factors that went into its value."""
+def _with_factors(recording: Recording, source: str, factors: Iterable[str]) -> str:
+    """Source of a limit, and of the rule's factors in its value."""
     texts = [source] if source else []
-    for name in measure.factors:
+    for name in factors:
         factor = recording.rig.factors.get(name)
         if factor is not None:
             texts.append(f"{name} {factor.value:.4g}: {factor.source}")

@@ -48,7 +48,8 @@ def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
                 yield from _beyond(element, angle)
             else:
                 text = f"{force.static_text} / ({_limit(limit, left, angle)})"
-                yield Found(force.static / (limit * left), element, formula=text)
+                factors = tuple(name for name in force.factors if name != DYNAMIC)
+                yield Found(force.static / (limit * left), element, formula=text, factors=factors)
 
 
 def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -107,7 +108,8 @@ def _dynamic(
             said = force.rule_text
             other = "" if force.peak is None else f"peak {kilonewton(force.peak)}"
         formula = f"{said} / {text}{f'; {other}' if other else ''}"
-        found.append(Found(load / strength, element, time, formula))
+        factors = (*force.factors, *([_BREAKING] if "MBF" in text else []))
+        found.append(Found(load / strength, element, time, formula, factors))
     yield max(found, key=lambda one: one.value)
     if factor(recording, _BREAKING) is not None and not shackle.minimum_breaking_force:
         yield Caution(f"minimum breaking force of {shackle.name} not known, which the rule asks for")

@@ -27,7 +27,7 @@ __all__ = [
 FACTORS: Final[Mapping[str, str]] = MappingProxyType(
     {
         "dynamic_amplification_factor": "on static hook and sling loads, in place of a simulated peak",
-        "skew_load_factor": "on static loads of slings that share a hook so that lengths decide",
+        "skew_load_factor": "on forces with perfect lengths of slings that share so that lengths decide",
         "load_factor": "on rope forces",
         "consequence_factor": "on rope forces",
         "material_factor": "on rope forces",

@@ -133,8 +133,8 @@ class Rules(Element):
     )
     skew_load_factor: _Factor | None = Field(
         None,
-        description="On static loads of slings whose lengths decide how they share: more than three at one "
-        "hook, or an equalizer of which pins hold a sheave.",
+        description="On the force with perfect lengths of slings whose lengths decide how they share: more "
+        "than three at one hook, or an equalizer of which pins hold a sheave.",
     )
     load_factor: _Factor | None = Field(None, description="On rope forces.")
     consequence_factor: _Factor | None = Field(None, description="On rope forces.")
