@@ -37,8 +37,7 @@ def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[
                 series.sling_tension(recording, sling) * series.sling_direction(recording, sling)[:, 2]
                 for sling in slings
             ]
-            load = recording.rig.load(slings[0].to_load)
-            force = sum_force(recording, np.sum(vertical, axis=0), load, during)
+            force = sum_force(recording, np.sum(vertical, axis=0), slings[0].to_load, during)
             if force.static is None:
                 yield Missing(equalizer.name, NO_STATIC)
                 continue

@@ -16,7 +16,6 @@ import numpy as np
 from gantline.checks.measure import Caution, Finding, Found, Missing
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.rig import Load
 from gantline.results.skew import skew_loads
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
@@ -91,15 +90,18 @@ def factor(recording: Recording, name: str) -> float | None:
     return None if found is None else found.value
 
 
-def design_ratio(recording: Recording, load: Load | None) -> float:
-    """Design weight of a load over the simulated one, at least 1.
+def design_ratio(recording: Recording, load: str | None = None) -> float:
+    """Design weight of a load over the simulated one, at least 1; the largest of all loads if none is named.
 
     Recordings that do not tell the weight of the load alone have that with its slings and shackles.
     """
-    if load is None or load.design_mass is None:
-        return 1.0
-    simulated = load.simulated_mass or load.weight / recording.rig.gravity
-    return max(1.0, load.design_mass / simulated) if simulated > 0.0 else 1.0
+    rig = recording.rig
+    ratios = [1.0]
+    for one in rig.loads:
+        simulated = one.simulated_mass or one.weight / rig.gravity
+        if load in (None, one.name) and one.design_mass is not None and simulated > 0.0:
+            ratios.append(one.design_mass / simulated)
+    return max(ratios)
 
 
 def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
@@ -115,7 +117,7 @@ def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
     forces = {}
     for sling in recording.rig.slings:
         static = series.static_value(recording, series.sling_tension(recording, sling), window)
-        ratio = design_ratio(recording, recording.rig.load(sling.to_load))
+        ratio = design_ratio(recording, sling.to_load)
         force = _force(recording, static, ratio)
         skew = by_length.get(sling.name)
         if skew is not None and rule is not None:
@@ -128,8 +130,7 @@ def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
 def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
     """Static and dynamic force of a rope that is no sling."""
     static = series.static_value(recording, recording.column("rope_tension", rope))
-    ratios = [design_ratio(recording, load) for load in recording.rig.loads]
-    return _with_peak(recording, _force(recording, static, max(ratios, default=1.0)), rope, during)
+    return _with_peak(recording, _force(recording, static, design_ratio(recording)), rope, during)
 
 
 def hook_force(recording: Recording, hooks: Iterable[str], variable: str, during: BoolArray) -> Force:
@@ -152,14 +153,14 @@ def hook_force(recording: Recording, hooks: Iterable[str], variable: str, during
     for sling in (one for one in rig.slings if rig.hook_of(one) in names):
         up = series.sling_tension(recording, sling) * series.sling_direction(recording, sling)[:, 2]
         share = series.static_value(recording, up, window) or 0.0
-        more += (design_ratio(recording, rig.load(sling.to_load)) - 1.0) * share
+        more += (design_ratio(recording, sling.to_load) - 1.0) * share
     static = series.static_value(recording, hook_load, window)
     falls = series.static_value(recording, total - hook_load, window) or 0.0
     force = _hook_force(recording, static, more, falls)
     return _with_peak_of(recording, force, total, during)
 
 
-def sum_force(recording: Recording, values: FloatArray, load: Load | None, during: BoolArray) -> Force:
+def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:
     """Static and dynamic force of a series that goes with the weight of a load, shape (time,) [N]."""
     force = _force(recording, series.static_value(recording, values), design_ratio(recording, load))
     return _with_peak_of(recording, force, values, during)
