@@ -259,18 +259,26 @@ def _with_adjusting_factor(scenario: Scenario, factor: object) -> Scenario:
 
 
 def _with_locked_equalizers(scenario: Scenario, word: object) -> Scenario:
-    """The same lift with pins in all moving sheaves: its slings hang as from a rigid frame."""
+    """The same lift with pins in all moving sheaves throughout: its slings hang as from a rigid frame."""
     if word != "locked":
         raise SettingError(f"equalizers: {word!r} is none; 'locked' pins all moving sheaves where they start")
     given = scenario.equalizers or {}
     rigged = {name: one for name, one in resolve(scenario).equalizers.items() if one.has_sheaves}
     if not rigged:
         raise SettingError("equalizers: no equalizer of this lift has moving sheaves to lock")
+    rigid = [name for name, one in rigged.items() if one.rope.inextensible]
+    if rigid:
+        sentence = (
+            f"the rope of '{rigid[0]}' is inextensible, and pins in all its sheaves hold the same again"
+        )
+        raise SettingError(f"equalizers: {sentence}; give it an axial stiffness")
     locked = {
         name: given[name].model_copy(update={"travel": one.travel.model_copy(update={"locked": True})})
         for name, one in rigged.items()
     }
-    return scenario.model_copy(update={"equalizers": {**given, **locked}})
+    no_pins = {"pull_pins": (), "put_in_pins": ()}
+    plan = [step.model_copy(update=no_pins) for step in scenario.plan]
+    return scenario.model_copy(update={"equalizers": {**given, **locked}, "plan": plan})
 
 
 def _overridden(

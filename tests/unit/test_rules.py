@@ -149,3 +149,15 @@ def test_the_rig_tells_which_sheaves_are_locked() -> None:
     pinned = spoiled("travel: {up: 1 m, down: 1 m}", "travel: {up: 1 m, down: 1 m, locked: true}")
     adaptive = pinned.replace("integrator: del, step: 1 ms", "integrator: adaptive")
     assert rig(LIMITS, adaptive)["equalizers"][0]["locked"] == ["e1.1", "e1.2"]
+    for word in ("2", "[2]"):  # counted out, one sheave of two
+        some = adaptive.replace("locked: true", f"locked: {word}")
+        assert rig(LIMITS, some)["equalizers"][0]["locked"] == ["e1.2"]
+
+
+def test_the_bound_of_equalising_is_no_limit() -> None:
+    """It is a field of the rig, with a default of 5 %; whoever sets it gets no check of it."""
+    of = rig("limits: {equalised_below: 2 %, load_tilt: 1 deg}\n")
+    assert of["equalised_below"] == pytest.approx(0.02)
+    assert set(of["limits"]) == set(of["limit_sources"]) == {"load_tilt"}
+    assert Rig.from_json(of).equalised_below == pytest.approx(0.02)
+    assert Rig.from_json(rig("limits: {load_tilt: 1 deg}\n")).equalised_below == 0.05

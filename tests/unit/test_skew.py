@@ -155,11 +155,65 @@ def test_perfect_forces_keep_their_sum_and_are_the_softest(
         assert float(free @ (perfect / k)) == pytest.approx(0.0, abs=1e-9 * float(np.abs(perfect / k).sum()))
 
 
+def pins_of(simulation: Simulation) -> dict[str, bool | None]:
+    """Whether the pin of each moving sheave is in at the start; None without one."""
+    joints = {body["name"]: body["joint"] for body in simulation.assembly.document["bodies"]}
+    return {sheave: joints[sheave]["pin"] for sheave in ("e1.1", "e1.2")}
+
+
 def test_a_lift_with_all_its_equalizers_locked() -> None:
     adaptive = BASE.replace("integrator: del, step: 1 ms", "integrator: adaptive")
     simulation = Simulation(parse_scenario(adaptive), equalizers="locked")
     assert simulation.assembly.rig["equalizers"][0]["locked"] == ["e1.1", "e1.2"]
+    assert pins_of(simulation) == {"e1.1": True, "e1.2": True}
     with pytest.raises(SettingError, match="equalizers: 'free' is none; 'locked' pins all moving sheaves"):
         Simulation(parse_scenario(adaptive), equalizers="free")
     with pytest.raises(SettingError, match="no equalizer of this lift has moving sheaves to lock"):
         Simulation(parse_scenario(MECHANICS), equalizers="locked")
+
+
+def test_equalizers_that_are_locked_stay_so_whatever_the_plan_does_to_pins() -> None:
+    """By the plan sheave 2 is pinned, let go and sheave 1 pinned; locked, no step touches a pin."""
+    lift = BASE.replace("integrator: del, step: 1 ms", "integrator: adaptive")
+    lift = lift.replace("travel: {up: 1 m", "travel: {locked: [2], up: 1 m")
+    lift = lift.replace("hold: until_end}", "hold: until_end, pull_pins: e1.2, put_in_pins: e1.1}")
+    scenario = parse_scenario(lift)
+    free, locked = Simulation(scenario), Simulation(scenario, equalizers="locked")
+    assert pins_of(free) == {"e1.1": False, "e1.2": True}
+    assert [step.get("pulls") for step in free.assembly.document["plan"]][-1] == ["e1.2"]
+    assert pins_of(locked) == {"e1.1": True, "e1.2": True}
+    assert all(not {"pulls", "pins"} & set(step) for step in locked.assembly.document["plan"])
+    assert scenario.plan[-1].pull_pins == ("e1.2",)  # the lift itself is as it was
+
+
+def test_an_inextensible_rope_cannot_be_locked_as_well() -> None:
+    lift = BASE.replace("integrator: del, step: 1 ms", "integrator: adaptive")
+    rigid = lift.replace(
+        "thick: {axial_stiffness: 100 MN, damping_time: 2 ms}", "thick: {inextensible: true}"
+    )
+    with pytest.raises(SettingError, match="equalizers: the rope of 'e1' is inextensible, and pins in all"):
+        Simulation(parse_scenario(rigid), equalizers="locked")
+
+
+def test_a_sling_over_an_extension_sheave_shares_with_none() -> None:
+    """The other four share by length under the locked equalizer, so does all that follows one of them."""
+    rig = locked_rig()
+    rig["slings"][4]["over"] = "e1.5"
+    *four, over = skew_loads(at_rest(600e3 / COSINE, rig))
+    assert [skew.sling for skew in four] == ["S1", "S2", "S3", "S4"]
+    assert all(skew.lengths_decide and skew.perfect is not None for skew in four)
+    assert (over.sling, over.perfect, over.lengths_decide) == ("S5", None, True)
+    assert over.reason == "it follows the sling that its extension sheave hangs on"
+    assert over.force == pytest.approx(600e3 / COSINE[4])
+    rig["equalizers"][0]["locked"] = []
+    assert not any(skew.lengths_decide for skew in skew_loads(at_rest(600e3 / COSINE, rig)))
+
+
+def test_how_slings_share_is_not_known_with_extension_sheaves_below() -> None:
+    rig = locked_rig()
+    rig["slings"][1].update(to_load=None, to_lug=None, lugs=[None])
+    skews = skew_loads(at_rest(600e3 / COSINE, rig))
+    assert {skew.reason for skew in skews} == {"how they share depends on extension sheaves below them"}
+    assert all(skew.perfect is None and skew.lengths_decide for skew in skews)
+    rig["equalizers"][0]["locked"] = []  # sheaves that move share alike, whatever hangs below
+    assert [skew.factor for skew in skew_loads(at_rest(600e3 / COSINE, rig))] == pytest.approx([1.0] * 5)

@@ -37,7 +37,9 @@ def limits_and_rules(scenario: Scenario, *, has_sheaves: bool) -> Json:
     """
     rules = scenario.rules or Rules()
     preset = PRESETS[rules.preset] if rules.preset is not None else Preset("")
-    given = {} if scenario.limits is None else scenario.limits.model_dump(exclude_none=True)
+    given = {}
+    if scenario.limits is not None:  # the bound of equalising is no limit, but what a result is counted by
+        given = scenario.limits.model_dump(exclude_none=True, exclude={"equalised_below"})
     own = str(given.get("rule", _LIFT_FILE))
     sources = {key: own for key in given if key != "rule"}
     of_preset = {key: one for key, one in preset.limits.items() if key not in given}

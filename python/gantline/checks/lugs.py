@@ -16,12 +16,14 @@ _CONSEQUENCE = "lug_consequence_factor"
 def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Angle between a carrying sling and the main plate of its lug."""
     for sling in recording.rig.slings:
-        angle = series.out_of_plane_angle(recording, sling)
-        lug = f"{sling.to_load}.{sling.to_lug}"
-        if angle is None:
-            yield Missing(lug, "main plate not known")
-        else:
-            yield from extreme(recording, angle, carrying(recording, sling.rope, during), lug)
+        angles = series.out_of_plane_angles(recording, sling)
+        for lug in (one for one in sling.lugs if one is not None):
+            element = f"{sling.to_load}.{lug}"
+            if lug not in angles:
+                yield Missing(element, "main plate not known")
+            else:
+                inside = carrying(recording, sling.rope, during)
+                yield from extreme(recording, angles[lug], inside, element)
 
 
 def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -29,9 +31,10 @@ def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Findin
     forces = sling_forces(recording, during)
     loads: dict[tuple[str, str], Force] = {}
     for sling in recording.rig.slings:
-        key = sling.to_load or "", sling.to_lug or ""
         own = forces[sling.name]
-        loads[key] = own if key not in loads else _together(loads[key], own)
+        for lug_name in (one for one in sling.lugs if one is not None):
+            key = sling.to_load or "", lug_name
+            loads[key] = own if key not in loads else _together(loads[key], own)
     consequence = factor(recording, _CONSEQUENCE)
     raised = (
         Raised() if consequence is None else Raised(consequence, f" x {consequence:.4g}", (_CONSEQUENCE,))

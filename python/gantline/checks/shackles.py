@@ -1,7 +1,8 @@
 """Shackles: static load over working load limit, dynamic load over strength, both with side load.
 
 The shackle at a lug lies in the plane of its main plate, so its side load angle is the out-of-plane angle of
-the sling. The upper one hangs free and turns into the pull.
+the sling. One at the upper end, or below an extension sheave, hangs free and turns into the pull. A sling
+over an extension sheave has one at each lower end: what counts is the larger angle.
 """
 
 from __future__ import annotations
@@ -151,11 +152,12 @@ def _worst(chart: SideLoad, tension: FloatArray, angles: FloatArray, during: Boo
 
 def _angles(recording: Recording, sling: Sling, end: str) -> FloatArray:
     """Side load angle while the sling carries [rad], else 0, shape (time,)."""
-    aside = series.out_of_plane_angle(recording, sling) if end == "bottom" else None
+    aside = list(series.out_of_plane_angles(recording, sling).values()) if end == "bottom" else []
     still = np.zeros(len(recording.time))
-    if aside is None:
+    if not aside:
         return still
-    return np.where(series.is_carrying(series.sling_tension(recording, sling)), aside, still)
+    is_carrying = series.is_carrying(series.sling_tension(recording, sling))
+    return np.where(is_carrying, np.max(aside, axis=0), still)
 
 
 def _static_angle(recording: Recording, window: BoolArray, sling: Sling, end: str) -> float:

@@ -104,6 +104,8 @@ def sling_bend(recording: Recording, sling: Sling) -> tuple[float, str] | str:
         for end, shackle in sling.shackles.items()
         if shackle.bow_diameter is not None
     }
+    if sling.over is not None:
+        return "bends about an extension sheave, whose diameter counts in pictures only"
     if not sling.shackles:
         return "no shackles given"
     if len(known) < len(sling.shackles):

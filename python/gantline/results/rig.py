@@ -12,6 +12,9 @@ from typing import Any, Self
 
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
 
+#: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
+EQUALISED_BELOW = 0.05
+
 
 @dataclass(frozen=True)
 class Lug(FromJson):
@@ -125,14 +128,16 @@ class Equalizer(FromJson):
 
 @dataclass(frozen=True)
 class Sling(FromJson):
-    """A rope from a hook or a moving sheave to a lug.
+    """A rope from a hook or a moving sheave to a lug, or by extension sheaves to more of them.
 
     Attributes:
         name: Its name in the lift file.
         rope: Its name among the ropes, `sling.<name>`.
-        from_body: Where its upper end is made fast.
-        to_load: The load at its lower end.
-        to_lug: The lug at its lower end.
+        from_body: Where its upper end is made fast, or the extension sheave that it runs over.
+        to_load: The load at its lower end; None if extension sheaves hang there.
+        to_lug: The lug at its lower end, if that is the only one.
+        over: The extension sheave that it runs over, from end to end; None if it runs over none.
+        lugs: The lug at each lower end, one or two; None where an extension sheave hangs.
         length: Effective sling length [m].
         minimum_breaking_force: Of its rope [N]; None if not said.
         shackles: Shackles at `top` and `bottom`.
@@ -143,6 +148,8 @@ class Sling(FromJson):
     from_body: str = ""
     to_load: str | None = None
     to_lug: str | None = None
+    over: str | None = None
+    lugs: Sequence[str | None] = ()
     length: float | None = None
     minimum_breaking_force: float | None = None
     shackles: Mapping[str, Shackle] = field(default_factory=dict)
@@ -150,8 +157,16 @@ class Sling(FromJson):
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""
-        shackles = {end: Shackle.from_json(one) for end, one in (document.get("shackles") or {}).items()}
-        return super().from_json({"from_body": document.get("from", ""), **document, "shackles": shackles})
+        lug = document.get("to_lug")
+        parts = {
+            "from_body": document.get("from", ""),
+            "lugs": () if lug is None else (lug,),
+            **document,
+            "shackles": {
+                end: Shackle.from_json(one) for end, one in (document.get("shackles") or {}).items()
+            },
+        }
+        return super().from_json(parts)
 
 
 @dataclass(frozen=True)
@@ -196,7 +211,10 @@ class Sheave(FromJson):
             `<rope>/sheave_<n>` of a rope of `mechanics`, counted from 1 along the rope.
         rope: The rope over it.
         segments: Segments of the rope before and after it.
-        ratio: Largest ratio of the tensions on both sides, 1 without losses.
+        ratio: Largest ratio of the tensions on both sides that its bearing holds, 1 without losses, None
+            where it does not turn.
+        groove_friction: Coefficient of friction of a groove in which the rope may slip, None where it grips.
+        spins: Whether its spin is a coordinate of its own beside the rope over it.
         inertia: Mass that moves with the rope, moment of inertia over radius squared [kg].
         inertia_from: What that mass is, in words.
     """
@@ -204,9 +222,16 @@ class Sheave(FromJson):
     name: str
     rope: str
     segments: Sequence[str]
-    ratio: float = 1.0
+    ratio: float | None = 1.0
+    groove_friction: float | None = None
+    spins: bool = False
     inertia: float = 0.0
     inertia_from: str = ""
+
+    @property
+    def has_losses(self) -> bool:
+        """Whether it takes tension from the rope that passes."""
+        return self.ratio != 1.0 or self.groove_friction is not None
 
 
 @dataclass(frozen=True)
@@ -279,6 +304,7 @@ class Rig(FromJson):
         shackle_side_load: Chart of side loads on shackles.
         ratings: Rated capacities of hooks, trolleys and cranes.
         bends: The smallest sheave or drum of each rope.
+        equalised_below: Tension spread below which an equalizer has equalised [1].
         plan: Steps of the plan.
     """
 
@@ -302,6 +328,7 @@ class Rig(FromJson):
     shackle_side_load: SideLoad = field(default_factory=SideLoad)
     ratings: Sequence[Rating] = ()
     bends: Sequence[Bend] = ()
+    equalised_below: float = EQUALISED_BELOW
     plan: Sequence[Step] = ()
 
     @classmethod

@@ -11,6 +11,10 @@ Both are taken where the load hangs; slings that share are taken together:
 - under an equalizer of which pins hold a sheave, slings count as parallel: what they keep is the sum of
   vertical forces and its moments about the horizontal axes.
 
+A sling over an extension sheave shares with none: it follows the sling that its sheave hangs on, and has no
+factor of its own. How slings share that carry such sheaves, where lengths decide it, depends on all that
+hangs below and cannot be told.
+
 With s = K^(-1/2) T and A = G K^(1/2), G the forces (and moments) of unit tensions, perfect lengths give
 s = A+ A s. `docs/concepts/checks.md` derives it.
 """
@@ -69,7 +73,14 @@ def skew_loads(recording: Recording) -> list[Skew]:
         return []
     gone = {one.rope for one in partings(recording)}
     slings = [sling for sling in recording.rig.slings if sling.rope not in gone]
-    return [skew for group in _groups(recording, slings) for skew in _of_group(recording, window, group)]
+    sharing = [sling for sling in slings if sling.over is None]
+    skews = [skew for group in _groups(recording, sharing) for skew in _of_group(recording, window, group)]
+    over = [sling for sling in slings if sling.over is not None]
+    tension = np.array([_static(recording, window, series.sling_tension(recording, one)) for one in over])
+    # Lengths decide for it what they decide for the sling above; which one that is, recordings do not say.
+    decide = any(skew.lengths_decide for skew in skews)
+    reason = "it follows the sling that its extension sheave hangs on"
+    return [*skews, *_none(over, tension, reason, lengths_decide=decide)]
 
 
 def largest_skew(recording: Recording) -> float | None:
@@ -109,6 +120,9 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
         gradient = np.vstack([np.ones(len(slings)), lever.T / size]) * unit[:, 2]
     if np.linalg.matrix_rank(gradient, tol=_NO_LEVER * np.linalg.norm(gradient, 2)) == len(slings):
         yield from _all(slings, tension, tension, lengths_decide=False)
+        return
+    if any(lug is None for one in slings for lug in one.lugs):
+        yield from _none(slings, tension, "how they share depends on extension sheaves below them")
         return
     stiffness = _stiffness(recording, slings)
     if stiffness is None:
@@ -173,6 +187,8 @@ def _all(
             yield Skew(sling.name, float(force), None, lengths_decide, reason)
 
 
-def _none(slings: Sequence[Sling], tension: FloatArray, reason: str) -> Iterator[Skew]:
+def _none(
+    slings: Sequence[Sling], tension: FloatArray, reason: str, *, lengths_decide: bool = True
+) -> Iterator[Skew]:
     for sling, force in zip(slings, tension, strict=True):
-        yield Skew(sling.name, float(force), None, lengths_decide=True, reason=reason)
+        yield Skew(sling.name, float(force), None, lengths_decide, reason)

@@ -70,6 +70,11 @@ class Limits(Element):
     tension_spread_when_clear: Ratio | None = Field(
         None, description="(max - min)/mean of slings once clear."
     )
+    equalised_below: Annotated[float, Quantity("ratio", "positive")] | None = Field(
+        None,
+        description="Tension spread below which an equalizer counts as equalised, for its time to equalise; "
+        "5 % if not given. It is not checked.",
+    )
     skew_load_factor: _Factor | None = Field(
         None, description="Static force of a sling over its force with perfect lengths."
     )

@@ -159,6 +159,16 @@ class _AnyStep(Element):
     )
     require: Require | None = Field(None, description="What has to hold at its end.")
     cut: Names = Field((), description="Rope or ropes that are cut as it begins, like 'sling.S1'.")
+    pull_pins: Names = Field(
+        (),
+        description="Locking pins that are pulled as it begins: those of an equalizer, like 'e1', or of a "
+        "moving sheave, like 'e1.2'.",
+    )
+    put_in_pins: Names = Field(
+        (),
+        description="Locking pins that are put in as it begins, where their sheaves then are; they have to "
+        "be at rest.",
+    )
 
 
 class MovingStep(_AnyStep):

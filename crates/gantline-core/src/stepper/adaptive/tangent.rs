@@ -15,7 +15,7 @@ use glam::DVec3;
 use super::evaluation::{Evaluation, pull_of};
 use super::places::{Block, Places};
 use super::spins::Spins;
-use crate::constraint::brake::Brake;
+use crate::constraint::brake::{At, Brake};
 use crate::constraint::{AnyConstraint, Law, Placed};
 use crate::solver::complementarity::Mode;
 use crate::solver::layout::{Group, Layout};
@@ -267,6 +267,7 @@ impl TangentMatrix {
         let range = system.rows.start[row]..system.rows.start[row + 1];
         let (tau, compliance) = (law.damping_time(), law.compliance());
         let gradient = &here.frame.gradient;
+        let at = At { q: &state.q, kinematics: &here.frame.kinematics, seats: &state.seats };
         let diagonal = self.places.diagonal[row] as usize;
         self.values[diagonal] = match state.modes[row] {
             Mode::Acting if compliance == 0.0 => 0.0,
@@ -293,7 +294,7 @@ impl TangentMatrix {
                     let own = self.places.in_row[range.start + brake.own] as usize;
                     // d(bound · direction)/dv, the direction's square being 1.
                     self.values[own] -= kappa * brake.slope(driven);
-                    brake.add_slopes(&state.q, &here.tension, |entry, slope| {
+                    brake.add_slopes(at, &here.tension, |entry, slope| {
                         self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
                     });
                 }
@@ -331,7 +332,7 @@ impl TangentMatrix {
                     Law::Friction { coefficient, normal, .. } => {
                         coefficient * here.slip_direction(normal)[row - normal - 1]
                     }
-                    _ => brake.map_or(0.0, |brake| brake.weight(&state.q, to) * state.memory[row]),
+                    _ => brake.map_or(0.0, |brake| brake.weight(at, to) * state.memory[row]),
                 };
             }
         }
