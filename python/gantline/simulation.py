@@ -75,7 +75,8 @@ def simulate(
         overrides: Settings in place of those of the lift file: `integrator` ("adaptive", "del", "explicit"),
             `tension_tolerance` [N] and `position_tolerance` [m] of `adaptive`, `step` [s] of `del` and
             `explicit`, `paper` and `geometric_stiffness` of `del`, `duration` [s], `sample_interval` [s],
-            `adjusting_factor` of all equalizers that are approximated.
+            `adjusting_factor` of all equalizers that are approximated, `equalizers` ("locked" to pin all
+            moving sheaves where they start: the lift as it would be without equalizers).
 
     Returns:
         The recording.
@@ -105,6 +106,9 @@ class Simulation:
         factor = overrides.pop("adjusting_factor", None)
         if factor is not None:
             self.scenario = _with_adjusting_factor(self.scenario, factor)
+        equalizers = overrides.pop("equalizers", None)
+        if equalizers is not None:
+            self.scenario = _with_locked_equalizers(self.scenario, equalizers)
         self.assembly = assemble(self.scenario)
         self.settings = _overridden(self.scenario, self.assembly.settings, overrides)
         self.status = "ready"
@@ -252,6 +256,29 @@ def _with_adjusting_factor(scenario: Scenario, factor: object) -> Scenario:
         raise SettingError("adjusting_factor: no equalizer of this lift has 'mechanism: approximated'")
     changed = {name: given[name].model_copy(update={"adjusting_factor": factor}) for name in approximated}
     return scenario.model_copy(update={"equalizers": {**given, **changed}})
+
+
+def _with_locked_equalizers(scenario: Scenario, word: object) -> Scenario:
+    """The same lift with pins in all moving sheaves throughout: its slings hang as from a rigid frame."""
+    if word != "locked":
+        raise SettingError(f"equalizers: {word!r} is none; 'locked' pins all moving sheaves where they start")
+    given = scenario.equalizers or {}
+    rigged = {name: one for name, one in resolve(scenario).equalizers.items() if one.has_sheaves}
+    if not rigged:
+        raise SettingError("equalizers: no equalizer of this lift has moving sheaves to lock")
+    rigid = [name for name, one in rigged.items() if one.rope.inextensible]
+    if rigid:
+        sentence = (
+            f"the rope of '{rigid[0]}' is inextensible, and pins in all its sheaves hold the same again"
+        )
+        raise SettingError(f"equalizers: {sentence}; give it an axial stiffness")
+    locked = {
+        name: given[name].model_copy(update={"travel": one.travel.model_copy(update={"locked": True})})
+        for name, one in rigged.items()
+    }
+    no_pins = {"pull_pins": (), "put_in_pins": ()}
+    plan = [step.model_copy(update=no_pins) for step in scenario.plan]
+    return scenario.model_copy(update={"equalizers": {**given, **locked}, "plan": plan})
 
 
 def _overridden(

@@ -317,6 +317,10 @@ def test_the_rig_in_si_units() -> None:
     assert rig["slings"][0]["shackles"]["top"] == {
         "name": "wb75",
         "working_load_limit": pytest.approx(75e3 * G),
+        "minimum_breaking_force": None,
+        "proof_load": None,
+        "bow_diameter": 0.12,
+        "pin_diameter": 0.07,
     }
     assert rig["slings"][0]["tolerance"] == pytest.approx(0.0025)
     assert rig["loads"][0]["lugs"]["L1"]["main_plate_normal"] == [0, 1, 0]

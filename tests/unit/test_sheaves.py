@@ -117,7 +117,7 @@ def test_fleet_angle_is_held_against_its_limit(tmp_path: Path, limits: str, verd
     recording = run(tmp_path, start="[-8 m, 0.5 m, 7 m]", limits=limits)
     (check,) = [check for check in check_recording(recording) if check.name == "fleet_angle"]
     assert check.verdict is verdict
-    assert check.where == "r/sheave_1"
+    assert check.element == "r/sheave_1"
     assert check.value == pytest.approx(recording.metrics()["peak_fleet_angle"])
     assert 5.0 < math.degrees(check.value or 0.0) < 8.0
     if not limits:

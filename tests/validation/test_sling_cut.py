@@ -56,7 +56,7 @@ def test_what_parted_is_told(lift: gantline.Recording) -> None:
     assert np.all(start[after] == end[after])
     assert np.all(upwards(lift, "S1")[after] == 0.0)
     [check] = [one for one in check_recording(lift) if one.name == "rope_parted"]
-    assert (check.verdict, check.where, check.time) == (Verdict.FAILED, "sling.S1", CUT)
+    assert (check.verdict, check.element, check.time) == (Verdict.FAILED, "sling.S1", CUT)
 
 
 def test_the_others_and_the_stops(lift: gantline.Recording, stepped: gantline.Recording) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from gantline.assembly.catenary import end_mass
+from gantline.assembly.checked import bends, limits_and_rules, ratings
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -20,14 +21,11 @@ from gantline.scenario.gear import Shackle
 from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.parting import partings
 from gantline.scenario.plan import Bound, HoldStep
-from gantline.scenario.rigging import SlingRigging
+from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import rope_weight
 
 __all__ = ["rig", "scene"]
 
-#: Largest fleet angle where the lift file names none [rad]: 4 deg (1 : 15), by the notes on section 20 of
-#: DGUV Vorschrift 54; `docs/concepts/sheave.md` has more rules.
-FLEET_ANGLE = math.radians(4.0)
 #: Joints with translations of their own: a sheave on such a body is a moving sheave.
 _MOVING = ("slider", "point", "free")
 
@@ -49,7 +47,10 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "sheaves": _sheaves_with_flow(parts),
         "drums": _drums(scenario),
         "wrapped_sheaves": (wrapped := _wrapped_sheaves(parts)),
-        **_limits(scenario, has_sheaves=bool(wrapped)),
+        "ratings": ratings(scenario),
+        "bends": bends(scenario, parts),
+        **limits_and_rules(scenario, has_sheaves=bool(wrapped)),
+        **_equalised_below(scenario),
         "plan": [_step(step) for step in scenario.plan],
     }
 
@@ -69,6 +70,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "name": load.name,
         "body": load.name,
         "weight": _force(scenario, body["mass"]),
+        "simulated_mass": load.weight.simulated,
         "calculated_mass": load.weight.calculated,
         "contingency": load.weight.contingency,
         "design_mass": load.weight.design,
@@ -77,10 +79,11 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "lugs": {
             name: {
                 "at": lifted.lugs[name],
-                "main_plate_normal": list(PLATE_NORMALS[lug.main_plate]),
-                "capacity": _force(scenario, lug.capacity),
+                "main_plate_normal": list(PLATE_NORMALS[kind.main_plate or "xz"]),
+                "capacity": _force(scenario, kind.capacity),
             }
             for name, lug in load.lugs.items()
+            for kind in [lug.or_of((scenario.lug_types or {}).get(lug.type or ""))]
         },
         "centre_of_gravity_from_datum": [float(part) for part in centre],
     }
@@ -114,13 +117,26 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
         "adjusting_factor": equalizer.adjusting_factor,
         "equalizing_rope": f"{name}.equalizing" if equalizer.has_sheaves else "",
         "slings": [f"sling.{sling.name}" for sling in sorted(hanging, key=lambda sling: sling.sheave or 0)],
-        "moving_sheaves": [f"{name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))],
+        "moving_sheaves": _sheaves_of(equalizer),
         "travel_up": equalizer.travel.up,
         "travel_down": equalizer.travel.down,
         "stops": equalizer.travel.stops,
+        "locked": _locked(equalizer),
         "rated_capacity": _force(scenario, equalizer.rated_capacity),
         "heading_joint": name,
     }
+
+
+def _sheaves_of(equalizer: EqualizerRigging) -> list[str]:
+    return [f"{equalizer.name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))]
+
+
+def _locked(equalizer: EqualizerRigging) -> list[str]:
+    """Moving sheaves that pins hold at the start: all, none, or those that are counted out."""
+    locked = equalizer.travel.locked
+    if isinstance(locked, bool):
+        return _sheaves_of(equalizer) if locked else []
+    return [f"{equalizer.name}.{place}" for place in sorted(locked)]
 
 
 def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
@@ -167,6 +183,7 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "name": name,
             "construction": kind.construction,
             "diameter": kind.diameter,
+            "axial_stiffness": kind.stiffness,
             "mass_per_length": weight.mass_per_length,
             "minimum_breaking_force": kind.breaking_force,
             "breaks_at": parting[name].breaks_at,
@@ -213,7 +230,14 @@ def _drums(scenario: Scenario) -> list[Json]:
 
 
 def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:
-    return {"name": name, "working_load_limit": _force(scenario, shackle.working_load_limit)}
+    return {
+        "name": name,
+        "working_load_limit": _force(scenario, shackle.working_load_limit),
+        "minimum_breaking_force": shackle.minimum_breaking_force,
+        "proof_load": shackle.proof_load,
+        "bow_diameter": shackle.bow_diameter,
+        "pin_diameter": shackle.pin_diameter,
+    }
 
 
 def _wrapped_sheaves(parts: Parts) -> list[Json]:
@@ -230,13 +254,10 @@ def _wrapped_sheaves(parts: Parts) -> list[Json]:
     ]
 
 
-def _limits(scenario: Scenario, *, has_sheaves: bool) -> Json:
-    """Limits of the lift file, and those that hold as warnings where it is silent."""
-    given = {} if scenario.limits is None else scenario.limits.model_dump(exclude_none=True)
-    # No limit, but what a result is counted by.
-    bound = {key: given.pop(key) for key in ("equalised_below",) if key in given}
-    assumed = {"fleet_angle": FLEET_ANGLE} if has_sheaves and "fleet_angle" not in given else {}
-    return {"limits": {**given, **assumed}, "assumed_limits": list(assumed), **bound}
+def _equalised_below(scenario: Scenario) -> Json:
+    """The tension spread by which the time to equalise is counted, if the lift file says it; no limit."""
+    bound = None if scenario.limits is None else scenario.limits.equalised_below
+    return {} if bound is None else {"equalised_below": bound}
 
 
 def _step(step: Any) -> Json:

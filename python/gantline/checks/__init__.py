@@ -1,7 +1,16 @@
 """Limits of a lift held against its recording."""
 
-from gantline.checks.check import Check, Verdict
+from gantline.checks.check import Check, Verdict, has_failed, verdict_of
 from gantline.checks.limits import LIMITS
-from gantline.checks.run import check_recording, end_of_step, has_failed
+from gantline.checks.run import check_recording, end_of_step, values_of
 
-__all__ = ["LIMITS", "Check", "Verdict", "check_recording", "end_of_step", "has_failed"]
+__all__ = [
+    "LIMITS",
+    "Check",
+    "Verdict",
+    "check_recording",
+    "end_of_step",
+    "has_failed",
+    "values_of",
+    "verdict_of",
+]

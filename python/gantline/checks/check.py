@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
 from enum import StrEnum
+from typing import Any
 
 from gantline.units import format_quantity
+
+#: Most checks that the verdict on a lift names.
+_MOST_NAMED = 3
 
 
 class Verdict(StrEnum):
@@ -24,12 +30,15 @@ class Check:
     Attributes:
         name: Key of the limit in the lift file.
         verdict: The outcome.
-        formula: What is compared with what, in words.
+        meaning: What is compared with what, in words.
+        formula: The same with the numbers of the worst moment put in; empty without a value.
         value: Governing value [SI]; None if there was nothing to check.
-        limit: The limit [SI]; None if it is not a number.
+        limit: The limit [SI]; None if there is none.
+        at_least: Whether the limit is the smallest allowed value, not the largest.
+        source: Where the limit, and the factors in the formula, come from.
         unit: Unit in which people read both, of `gantline.units`.
         digits: Decimals with which people read both.
-        where: Sling, equalizer, load or hook that governs.
+        element: Sling, lug, equalizer, load or hook that governs.
         time: When it governs [s]; None where the value belongs to no one time.
         step: Step of the plan whose end was checked; empty for the whole lift.
         remark: Why there is no verdict, or what else to know.
@@ -37,12 +46,15 @@ class Check:
 
     name: str
     verdict: Verdict
-    formula: str
+    meaning: str
+    formula: str = ""
     value: float | None = None
     limit: float | None = None
+    at_least: bool = False
+    source: str = ""
     unit: str = ""
     digits: int = 2
-    where: str = ""
+    element: str = ""
     time: float | None = None
     step: str = ""
     remark: str = ""
@@ -50,3 +62,62 @@ class Check:
     def shown(self, number: float | None) -> str:
         """A value or limit of this check as people read it; empty for None."""
         return "" if number is None else format_quantity(number, self.unit, self.digits)
+
+    @property
+    def has_no_limit(self) -> bool:
+        """Whether there is a value and nothing to hold it against: its verdict is `not checked`."""
+        return self.value is not None and self.limit is None
+
+    @property
+    def utilisation(self) -> float | None:
+        """Value over limit, or limit over value where the limit is the smallest allowed.
+
+        None without both, or where that is no number (a limit of 0).
+        """
+        if self.value is None or self.limit is None:
+            return None
+        over, under = (self.limit, self.value) if self.at_least else (self.value, self.limit)
+        used = over / under if under > 0.0 else math.inf
+        return used if math.isfinite(used) else None
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units."""
+        return {**asdict(self), "verdict": self.verdict.value, "utilisation": self.utilisation}
+
+
+def has_failed(checks: Sequence[Check]) -> bool:
+    """Whether any check failed."""
+    return any(check.verdict is Verdict.FAILED for check in checks)
+
+
+def verdict_of(checks: Sequence[Check]) -> str:
+    """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked."""
+    done = [check for check in checks if check.verdict is not Verdict.NOT_CHECKED]
+    if not done:
+        return "NO VERDICT: nothing has been checked"
+    failed = [check for check in done if check.verdict is Verdict.FAILED]
+    if failed:
+        head = f"NO-GO: {len(failed)} failed, {_foremost(failed)}"
+    else:
+        nearest = _foremost([check for check in done if check.utilisation is not None])
+        head = f"GO; nearest to their limits: {nearest}" if nearest else "GO"
+    warnings = sum(check.verdict is Verdict.WARNING for check in checks)
+    without = sum(check.has_no_limit for check in checks)
+    rest = f"{len(checks) - len(done) - without} not checked, {without} without a limit"
+    return f"{head}; {_count(warnings, 'warning')}, {rest}"
+
+
+def _foremost(checks: Sequence[Check]) -> str:
+    """The checks that use most of their limits, each name once; those without a number first."""
+    used: dict[str, float] = {}
+    for check in checks:
+        share = math.inf if check.utilisation is None else check.utilisation
+        used[check.name] = max(share, used.get(check.name, 0.0))
+    order = sorted(used, key=lambda name: -used[name])[:_MOST_NAMED]
+    shares = ("" if math.isinf(used[name]) else f" {100.0 * used[name]:.0f} %" for name in order)
+    more = f" and {len(used) - _MOST_NAMED} more" if len(used) > _MOST_NAMED and has_failed(checks) else ""
+    return ", ".join(f"{name}{share}" for name, share in zip(order, shares, strict=True)) + more
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"

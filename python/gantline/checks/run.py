@@ -2,73 +2,174 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.limits import LIMITS, Candidate, Limit, everywhere, governing
+from gantline.checks.limits import LIMITS
+from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere
+from gantline.results import series
 from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 
+#: Most elements that a remark names.
+_MOST_NAMED = 3
+
 
 def check_recording(recording: Recording) -> list[Check]:
-    """Check every limit and every requirement of a recording.
+    """Check a recording: of a run, or of an equilibrium.
 
     Args:
         recording: Any recording.
 
     Returns:
-        One check for each limit of the rig, in the order of the lift file, one for each requirement of a
-        step, and one that failed for each rope that parted.
+        One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
+        with a load, hook or sling, in the order of `LIMITS`; limits that are not known here; one check for
+        each requirement of a step; and one that failed for each rope that parted.
     """
-    limits = {
-        key: limit for key, limit in recording.rig.limits.items() if key != "rule" and limit is not None
-    }
-    whole = [_check_limit(recording, key, limit) for key, limit in limits.items()]
-    steps = [check for step in recording.rig.plan for check in _check_step(recording, step)]
-    return whole + steps + [_parted(parting) for parting in partings(recording)]
+    rig = recording.rig
+    limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
+    hands_in = bool(rig.loads or rig.hooks or rig.slings)
+    found = [
+        _check_limit(recording, key, measure, limits.get(key))
+        for key, measure in LIMITS.items()
+        if key in limits or (measure.is_listed and hands_in)
+    ]
+    whole = [check for check in found if check is not None]
+    unknown = [
+        Check(key, Verdict.NOT_CHECKED, "", remark="this limit is not known here")
+        for key in limits
+        if key not in LIMITS
+    ]
+    steps = [check for step in rig.plan for check in _check_step(recording, step)]
+    every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
+    # An equilibrium has no moments to tell apart.
+    return [replace(one, time=None) for one in every] if series.is_equilibrium(recording) else every
 
 
-def has_failed(checks: list[Check]) -> bool:
-    """Whether any check failed."""
-    return any(check.verdict is Verdict.FAILED for check in checks)
+def values_of(recording: Recording, name: str) -> dict[str, float]:
+    """What a quantity of `LIMITS` comes to over the whole lift [SI], worst of each element.
+
+    Args:
+        recording: Any recording.
+        name: A key of `LIMITS`.
+    """
+    measure = LIMITS[name]
+    pick = min if measure.at_least else max
+    values: dict[str, float] = {}
+    during = everywhere(recording)
+    for found in measure.findings(recording, during) if during.any() else ():
+        if isinstance(found, Found):
+            values[found.element] = pick(found.value, values.get(found.element, found.value))
+    return values
 
 
-def _parted(parting: Parting) -> Check:
-    carried = format_quantity(parting.tension, "kN", 1)
-    return Check(
-        "rope_parted",
-        Verdict.FAILED,
-        "a rope was cut or broke",
-        where=parting.rope,
-        time=parting.time,
-        remark=f"{parting.kind}, it carried {carried}",
+@dataclass(frozen=True)
+class _Outcome:
+    """What a measure found: the governing value, and all that is not a value."""
+
+    worst: Found | None
+    refused: tuple[Refused, ...]
+    missing: str
+    cautions: str
+
+
+def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome:
+    inside = during & series.is_clear(recording) if measure.when_clear else during
+    findings = list(measure.findings(recording, inside)) if inside.any() else []
+    values = [one for one in findings if isinstance(one, Found)]
+    pick = min if measure.at_least else max
+    return _Outcome(
+        worst=pick(values, key=lambda one: one.value, default=None),
+        refused=tuple(one for one in findings if isinstance(one, Refused)),
+        missing=_reasons(one for one in findings if isinstance(one, Missing)),
+        cautions="; ".join(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
     )
 
 
-def _check_limit(recording: Recording, key: str, limit: object) -> Check:
-    kind = LIMITS.get(key)
-    if kind is None:
-        return Check(key, Verdict.NOT_CHECKED, "", remark="this limit is not known here")
-    if isinstance(limit, bool) or not isinstance(limit, int | float):
-        return Check(key, Verdict.NOT_CHECKED, kind.formula, remark=f"the limit is not a number: {limit!r}")
-    during = everywhere(recording)
-    found = governing(kind, recording, during)
-    if found is None:
-        return _without_value(key, kind, float(limit), recording)
-    verdict = _verdict(kind, found.value, float(limit))
-    if key in recording.rig.assumed_limits and verdict is Verdict.FAILED:
-        remark = "a limit of its own under 'limits' would make this a failure"
-        return replace(_check(key, kind, found, float(limit), Verdict.WARNING), remark=remark)
-    caution = kind.caution(recording) if kind.caution is not None else ""
-    if caution and verdict is Verdict.OK:
+def _reasons(missing: Iterable[Missing]) -> str:
+    """Why elements could not be checked, each reason once with the elements that it is true of."""
+    by_reason: dict[str, list[str]] = {}
+    for one in missing:
+        by_reason.setdefault(one.reason, []).append(one.element)
+    return "; ".join(f"{reason}: {_named(elements)}" for reason, elements in by_reason.items())
+
+
+def _named(elements: list[str]) -> str:
+    elements = list(dict.fromkeys(elements))
+    more = f" and {len(elements) - _MOST_NAMED} more" if len(elements) > _MOST_NAMED else ""
+    return f"{', '.join(elements[:_MOST_NAMED])}{more}"
+
+
+def _check_limit(recording: Recording, key: str, measure: Measure, given: object) -> Check | None:
+    """One check of the whole lift; None where the lift has nothing of the kind and sets no limit either."""
+    rig = recording.rig
+    check = Check(
+        key,
+        Verdict.NOT_CHECKED,
+        measure.meaning,
+        at_least=measure.at_least,
+        unit=measure.unit,
+        digits=measure.digits,
+    )
+    if given is not None and (isinstance(given, bool) or not isinstance(given, int | float)):
+        return replace(check, remark=f"the limit is not a number: {given!r}")
+    limit = measure.by_definition if given is None else float(given)
+    source = (
+        measure.definition if given is None else rig.limit_sources.get(key, str(rig.limits.get("rule", "")))
+    )
+    found = _look(measure, recording, everywhere(recording))
+    nothing = found.worst is None and not found.refused
+    if nothing and not found.missing and given is None:
+        return None
+    factors = found.worst.factors if found.worst is not None else ()
+    check = replace(check, limit=limit, source=_with_factors(recording, source, factors))
+    if found.refused:
+        refused = "; ".join(f"{one.reason}: {one.element}" for one in found.refused)
+        return replace(check, verdict=Verdict.FAILED, element=found.refused[0].element, remark=refused)
+    if found.worst is None:
+        return replace(check, remark=found.missing or _nothing(measure))
+    check = _with_value(check, found.worst)
+    remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
+    if limit is None:
+        return replace(check, remark=found.missing)
+    verdict = _verdict(measure, found.worst.value, limit)
+    if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
-    return replace(_check(key, kind, found, float(limit), verdict), remark=caution)
+        remarks.append("a limit of its own under 'limits' would make this a failure")
+    remark = _joined(remarks)
+    if remark and verdict is Verdict.OK:
+        verdict = Verdict.WARNING
+    return replace(check, verdict=verdict, remark=remark)
+
+
+def _with_value(check: Check, found: Found) -> Check:
+    return replace(check, value=found.value, element=found.element, time=found.time, formula=found.formula)
+
+
+def _with_factors(recording: Recording, source: str, factors: Iterable[str]) -> str:
+    """Source of a limit, and of the rule's factors in its value."""
+    texts = [source] if source else []
+    for name in factors:
+        factor = recording.rig.factors.get(name)
+        if factor is not None:
+            texts.append(f"{name} {factor.value:.4g}: {factor.source}")
+    return "; ".join(texts)
+
+
+def _joined(remarks: Iterable[str]) -> str:
+    return "; ".join(remark for remark in remarks if remark)
+
+
+def _nothing(measure: Measure) -> str:
+    if measure.when_clear:
+        return "the load never came clear of its supports"
+    return "the lift has nothing that it is about"
 
 
 def _check_step(recording: Recording, step: Step) -> Iterator[Check]:
@@ -78,20 +179,40 @@ def _check_step(recording: Recording, step: Step) -> Iterator[Check]:
 
 
 def _check_requirement(recording: Recording, step: Step, key: str, side: str, limit: float) -> Check:
-    kind = LIMITS.get(key)
-    if kind is None:
+    measure = LIMITS.get(key)
+    if measure is None:
         return Check(key, Verdict.NOT_CHECKED, "", step=step.step, remark="this quantity is not known here")
-    at_least = side == "above"
-    sided = replace(kind, at_least=at_least)
+    sided = replace(measure, at_least=side == "above")
+    check = Check(
+        key,
+        Verdict.NOT_CHECKED,
+        measure.meaning,
+        limit=limit,
+        at_least=sided.at_least,
+        source="plan",
+        unit=measure.unit,
+        digits=measure.digits,
+        step=step.step,
+    )
     during = end_of_step(recording, step.step)
     if during is None:
-        remark = "the recording ends before this step does"
-        return Check(key, Verdict.NOT_CHECKED, kind.formula, limit=limit, step=step.step, remark=remark)
-    found = governing(sided, recording, during)
-    if found is None:
-        remark = "nothing to check at the end of this step"
-        return Check(key, Verdict.NOT_CHECKED, kind.formula, limit=limit, step=step.step, remark=remark)
-    return _check(key, sided, found, limit, _verdict(sided, found.value, limit), step.step)
+        return replace(check, remark="the recording ends before this step does")
+    found = _look(sided, recording, during)
+    if found.worst is None:
+        return replace(check, remark=found.missing or "nothing to check at the end of this step")
+    return replace(_with_value(check, found.worst), verdict=_verdict(sided, found.worst.value, limit))
+
+
+def _parted(parting: Parting) -> Check:
+    carried = format_quantity(parting.tension, "kN", 1)
+    return Check(
+        "rope_parted",
+        Verdict.FAILED,
+        "a rope was cut or broke",
+        element=parting.rope,
+        time=parting.time,
+        remark=f"{parting.kind}, it carried {carried}",
+    )
 
 
 def end_of_step(recording: Recording, step: str) -> BoolArray | None:
@@ -113,37 +234,9 @@ def end_of_step(recording: Recording, step: str) -> BoolArray | None:
     return mask
 
 
-def _verdict(kind: Limit, value: float, limit: float) -> Verdict:
-    if value >= limit if kind.at_least else value <= limit:
+def _verdict(measure: Measure, value: float, limit: float) -> Verdict:
+    if value >= limit if measure.at_least else value <= limit:
         return Verdict.OK
-    if not kind.at_least and kind.warns_up_to is not None and value <= kind.warns_up_to:
+    if not measure.at_least and measure.warns_up_to is not None and value <= measure.warns_up_to:
         return Verdict.WARNING
     return Verdict.FAILED
-
-
-def _without_value(key: str, kind: Limit, limit: float, recording: Recording) -> Check:
-    remark = (
-        "the load never came clear of its supports"
-        if kind.when_clear
-        else "the lift has nothing that it is about"
-    )
-    if key == "hook_dynamic_factor" and recording.rig.hooks:
-        remark = "no static hook load: the load did not end clear of its supports"
-    elif kind.caution is not None:
-        remark = kind.caution(recording) or remark
-    return Check(key, Verdict.NOT_CHECKED, kind.formula, None, limit, kind.unit, kind.digits, remark=remark)
-
-
-def _check(key: str, kind: Limit, found: Candidate, limit: float, verdict: Verdict, step: str = "") -> Check:
-    return Check(
-        key,
-        verdict,
-        kind.formula,
-        value=found.value,
-        limit=limit,
-        unit=kind.unit,
-        digits=kind.digits,
-        where=found.where,
-        time=found.time,
-        step=step,
-    )

@@ -1,31 +1,104 @@
-"""`gantline check`: is this lift file right, and what does it describe?"""
+"""`gantline check`: is this lift file right, and does the lift keep its limits?"""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gantline.cli.messages import scenario_errors
+from gantline.cli.lift import opened, recording_file
+from gantline.cli.messages import (
+    CHECK_FAILED,
+    COULD_NOT_GO_ON,
+    DONE,
+    INTERRUPTED,
+    scenario_errors,
+    stop,
+    warn,
+)
+from gantline.cli.progress import progress
 
 if TYPE_CHECKING:
+    from gantline.results.recording import Recording
     from gantline.results.rig import Rig
+    from gantline.simulation import Simulation
 
 
 def check(
     lift: Annotated[
         Path,
         typer.Argument(
-            metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
+            metavar="LIFT|RECORDING",
+            help="Lift file, its folder, the name of a lift that comes with gantline; or a recording (.nc), "
+            "or a folder that `gantline run` wrote.",
         ),
     ],
+    simulate: Annotated[
+        bool, typer.Option("--simulate", help="Simulate the lift, and check its limits; nothing is written.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the checks as JSON.")] = False,
 ) -> None:
-    """Check a lift file without simulating it; nothing is written."""
+    """Check a recording, or a simulated lift, against its limits; or look a lift file over.
+
+    Ends with code 1 if a check failed. Nothing is written.
+    """
+    file = recording_file(lift)
+    if file is not None:
+        if simulate:
+            stop(f"{file} is a recording: its lift has been simulated already")
+        _check_limits(opened(file), as_json=as_json)
     with scenario_errors():
         from gantline.simulation import Simulation
 
         simulation = Simulation(lift)
+    if simulate:
+        _check_limits(_simulated(simulation), as_json=as_json)
+    if as_json:
+        stop("--json prints the checks of a recording, or of a lift with --simulate")
+    _look_over(simulation)
+
+
+def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
+    """Print the checks of a recording, and end with the code that says how they went."""
+    from gantline.checks import check_recording, has_failed
+    from gantline.cli.check_table import check_table, checks_json, width_of_terminal
+    from gantline.cli.summary import heading, weights
+
+    checks = check_recording(recording)
+    if as_json:
+        typer.echo(checks_json(recording, checks))
+    else:
+        rig = recording.rig
+        rule = str(rig.limits.get("rule") or "")
+        table = check_table(checks, rule, width=width_of_terminal(), full=True)
+        typer.echo("\n".join([*heading(rig), *weights(rig), "", *table]))
+    status = recording.attributes.get("status")
+    if status in ("stopped", "failed"):
+        end = f"{recording.time[-1]:.2f} s" if len(recording.time) else "its start"
+        ended = "was stopped" if status == "stopped" else "failed"
+        warn(f"this run {ended} at {end}: what would have come after is not checked")
+    if not checks:
+        warn("nothing to check: the lift sets no limits, and has nothing that is checked without")
+    raise typer.Exit(CHECK_FAILED if has_failed(checks) else DONE)
+
+
+def _simulated(simulation: Simulation) -> Recording:
+    from gantline.simulation import SimulationError
+
+    try:
+        with progress(simulation.duration, lambda: simulation.current_step) as report:
+            recording = simulation.run(on_progress=report)
+    except SimulationError as problem:
+        stop(str(problem), COULD_NOT_GO_ON)
+    if recording.attributes["status"] == "stopped":
+        warn(f"stopped at {recording.time[-1]:.2f} s of {simulation.duration:g} s")
+        raise typer.Exit(INTERRUPTED)
+    return recording
+
+
+def _look_over(simulation: Simulation) -> None:
+    """What a lift file describes, all of which has been found right."""
     from gantline.cli.summary import heading, show, weights
     from gantline.cli.table import table
     from gantline.results.rig import Rig

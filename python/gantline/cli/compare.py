@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import Setting, name_of, output_folder, prepare, quantity_of
+from gantline.cli.lift import (
+    Setting,
+    name_of,
+    opened,
+    output_folder,
+    prepare,
+    quantity_of,
+    recording_file,
+)
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, complain, stop, warn, writing
 from gantline.cli.progress import progress
 
@@ -29,9 +37,9 @@ _SETTINGS: dict[str, str] = {
     "paper": "switch",
     "geometric_stiffness": "switch",
     "adjusting_factor": "ratio",
+    "equalizers": "text",
 }
 _SWITCH = {"true": True, "false": False}
-_RECORDING = "recording.nc"
 
 _LIFT_HELP = "Lift file, its folder, the name of a lift that comes with gantline, or a recording (.nc)"
 _Changes = list[str] | None
@@ -78,8 +86,9 @@ def compare(
     """Compare two variants of a lift: tension, motion, steps and stability side by side.
 
     Settings: integrator, step, tension_tolerance, position_tolerance, sample_interval, duration, paper and
-    geometric_stiffness (true or false), adjusting_factor. Each of --a, --b and --both may be given several
-    times. Ctrl-C stops, saves what there is and ends with code 130.
+    geometric_stiffness (true or false), adjusting_factor, and equalizers=locked, the lift without moving
+    sheaves. Each of --a, --b and --both may be given several times. Ctrl-C stops, saves what there is and
+    ends with code 130.
     """
     if second is None and not (changes_a or changes_b):
         stop("nothing to compare: name a second lift, or change a setting of one side with --a or --b")
@@ -136,29 +145,15 @@ def _side(
     """A lift made ready to run, or a recording read; what is wrong with either ends the program."""
     shown = ", ".join(f"{key}={text}" for key, (text, _) in own.items())
     side = _Side(letter, f"{lift}, {shown}" if shown else str(lift))
-    file = _recording_file(lift)
+    file = recording_file(lift)
     if file is None:
         overrides = {key: value for key, (_, value) in (both | own).items()}
         side.simulation = prepare(lift, overrides, f"{letter}: ")
         return side
     if both or own:
         stop(f"{letter}: {file} is a recording; the settings of a run that is over cannot be changed")
-    from gantline.results import open_recording
-
-    try:
-        side.recording = open_recording(file)
-    except (FileNotFoundError, ValueError) as problem:
-        stop(str(problem))
+    side.recording = opened(file)
     return side
-
-
-def _recording_file(lift: Path) -> Path | None:
-    """The recording that is meant: a file of that kind, or that in a folder which `gantline run` wrote."""
-    if lift.suffix == ".nc":
-        return lift
-    if lift.is_dir() and not (lift / "scenario.yaml").exists() and (lift / _RECORDING).is_file():
-        return lift / _RECORDING
-    return None
 
 
 def _simulate(side: _Side, folder: Path) -> None:

@@ -26,6 +26,7 @@ _HEADLINES = (
     ("peak_equalizing_rope_tension", "peak equalizing rope tension", "kN", 1),
     ("peak_tension_spread_when_clear", "tension spread when clear", "%", 2),
     ("final_tension_spread", "tension spread at the end", "%", 2),
+    ("skew_load_factor", "skew load factor", "", 3),
     ("dynamic_amplification_factor", "dynamic amplification factor", "", 3),
     ("static_hook_load", "static hook load", "kN", 1),
     ("peak_hook_load", "dynamic hook load (peak)", "kN", 1),

@@ -11,7 +11,11 @@ from typing import TYPE_CHECKING
 from gantline.cli.messages import BAD_INPUT, scenario_errors, stop, writing
 
 if TYPE_CHECKING:
+    from gantline.results.recording import Recording
     from gantline.simulation import Simulation
+
+#: Name of the recording in a folder that `gantline run` wrote.
+RECORDING = "recording.nc"
 
 Setting = str | float | bool | None
 
@@ -43,6 +47,25 @@ def prepare(lift: Path, overrides: Mapping[str, Setting], side: str = "") -> Sim
             return Simulation(lift, **overrides)
         except SettingError as problem:
             stop(f"{side}{problem}", BAD_INPUT)
+
+
+def recording_file(lift: Path) -> Path | None:
+    """The recording that is meant: a file of that kind, or that in a folder which `gantline run` wrote."""
+    if lift.suffix == ".nc":
+        return lift
+    if lift.is_dir() and not (lift / "scenario.yaml").exists() and (lift / RECORDING).is_file():
+        return lift / RECORDING
+    return None
+
+
+def opened(file: Path) -> Recording:
+    """A recording read; what is wrong with it ends the program."""
+    from gantline.results import open_recording
+
+    try:
+        return open_recording(file)
+    except (FileNotFoundError, ValueError) as problem:
+        stop(str(problem))
 
 
 def name_of(lift: Path) -> str:

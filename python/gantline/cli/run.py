@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gantline.cli.lift import Setting, name_of, output_folder, prepare, quantity_of
+from gantline.cli.lift import RECORDING, Setting, name_of, output_folder, prepare, quantity_of
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
 
 if TYPE_CHECKING:
-    from gantline.checks import Verdict
     from gantline.results.recording import Recording
     from gantline.simulation import Simulation, SimulationError
 
@@ -52,6 +51,9 @@ def run(
     ] = None,
     plots: Annotated[bool, typer.Option("--plots/--no-plots", help="Draw pictures.")] = True,
     profile: Annotated[bool, typer.Option("--profile", help="Show where the time went.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the checks as JSON, and nothing else to standard output.")
+    ] = False,
 ) -> None:
     """Simulate a lift; write its recording and pictures into a folder and print its table.
 
@@ -73,16 +75,16 @@ def run(
     recording = _simulate(simulation, folder)
     clock.lap("simulate")
     with writing(folder):
-        written = recording.save(folder / "recording.nc")
+        written = recording.save(folder / RECORDING)
     clock.lap("save")
-    failed = _print_table(recording, simulation)
+    failed = _print_json(recording) if as_json else _print_table(recording, simulation)
     clock.lap("table")
-    typer.echo(f"Recording   {written}")
+    typer.echo(f"Recording   {written}", err=as_json)
     if plots:
-        _draw(recording, folder)
+        _draw(recording, folder, aside=as_json)
         clock.lap("pictures")
     if profile:
-        _print_profile(clock, simulation.stages(), recording)
+        _print_profile(clock, simulation.stages(), recording, aside=as_json)
     if recording.attributes["status"] == "stopped":
         warn(f"stopped at {recording.time[-1]:.2f} s of {simulation.duration:g} s")
         raise typer.Exit(INTERRUPTED)
@@ -114,7 +116,7 @@ def _simulate(simulation: Simulation, folder: Path) -> Recording:
 
 def _save_failure(problem: SimulationError, folder: Path) -> NoReturn:
     with writing(folder):
-        written = problem.recording.save(folder / "recording.nc")
+        written = problem.recording.save(folder / RECORDING)
         state = folder / "state.bin"
         state.write_bytes(problem.state)
     stop(f"{problem}\n  recording up to then: {written}\n  last good state: {state}", COULD_NOT_GO_ON)
@@ -123,10 +125,11 @@ def _save_failure(problem: SimulationError, folder: Path) -> NoReturn:
 def _print_table(recording: Recording, simulation: Simulation) -> bool:
     """Print the final table; the answer is whether a check failed."""
     from gantline.checks import check_recording, has_failed
+    from gantline.cli.check_table import styled, width_of_terminal
     from gantline.cli.summary import summary
 
     checks = check_recording(recording)
-    typer.echo("\n".join(summary(recording, checks, _styled)))
+    typer.echo("\n".join(summary(recording, checks, styled, width_of_terminal())))
     simulated = float(recording.time[-1])
     passed = simulation.integration_time
     speed = f", {simulated / passed:.3g} times real time" if passed > 0.0 else ""
@@ -134,31 +137,34 @@ def _print_table(recording: Recording, simulation: Simulation) -> bool:
     return has_failed(checks)
 
 
-def _styled(verdict: Verdict) -> str:
-    colours = {"ok": typer.colors.GREEN, "warning": typer.colors.YELLOW, "failed": typer.colors.RED}
-    text = verdict.value.upper() if verdict.value == "failed" else verdict.value
-    return f"  {typer.style(f'{text:<11}', fg=colours.get(verdict.value))}"
+def _print_json(recording: Recording) -> bool:
+    """Print the checks as JSON; the answer is whether one failed."""
+    from gantline.checks import check_recording, has_failed
+    from gantline.cli.check_table import checks_json
+
+    checks = check_recording(recording)
+    typer.echo(checks_json(recording, checks))
+    return has_failed(checks)
 
 
-def _draw(recording: Recording, folder: Path) -> None:
+def _draw(recording: Recording, folder: Path, *, aside: bool) -> None:
     from gantline.plot import save_pictures
 
     with writing(folder):
         paths = save_pictures(recording, folder)
     for index, path in enumerate(paths):
-        typer.echo(f"{'Pictures' if index == 0 else '':<12}{path}")
+        typer.echo(f"{'Pictures' if index == 0 else '':<12}{path}", err=aside)
 
 
-def _print_profile(clock: _Clock, stages: dict[str, float], recording: Recording) -> None:
-    typer.echo("\nWhere the time went")
-    for lap, passed in clock.laps:
-        typer.echo(f"  {lap:<22}{1e3 * passed:12.2f} ms")
+def _print_profile(clock: _Clock, stages: dict[str, float], recording: Recording, *, aside: bool) -> None:
+    lines = ["", "Where the time went"]
+    lines += [f"  {lap:<22}{1e3 * passed:12.2f} ms" for lap, passed in clock.laps]
     integration = {name: passed for name, passed in stages.items() if name != "recording"}
     whole = sum(integration.values())
-    typer.echo(f"Integrator{'':<14}{1e3 * whole:12.2f} ms")
+    lines.append(f"Integrator{'':<14}{1e3 * whole:12.2f} ms")
     for name, passed in sorted(integration.items(), key=lambda item: -item[1]):
-        typer.echo(f"  {name:<22}{1e3 * passed:12.2f} ms  {passed / max(whole, 1e-12):4.0%}")
-    typer.echo(f"Recording{'':<15}{1e3 * stages.get('recording', 0.0):12.2f} ms")
-    typer.echo("Counted")
-    for name, count in recording.attributes["counters"].items():
-        typer.echo(f"  {name:<22}{count:12,}")
+        lines.append(f"  {name:<22}{1e3 * passed:12.2f} ms  {passed / max(whole, 1e-12):4.0%}")
+    lines.append(f"Recording{'':<15}{1e3 * stages.get('recording', 0.0):12.2f} ms")
+    lines.append("Counted")
+    lines += [f"  {name:<22}{count:12,}" for name, count in recording.attributes["counters"].items()]
+    typer.echo("\n".join(lines), err=aside)

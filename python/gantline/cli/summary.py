@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from gantline.checks import Check, Verdict
+from gantline.checks import Check, Verdict, values_of
+from gantline.cli.check_table import check_table
 from gantline.cli.table import ABSENT, pairs, table
 from gantline.results import series
 from gantline.results.equalising import equalising
@@ -22,13 +23,16 @@ def show(value: float | None, unit: str, digits: int) -> str:
     return ABSENT if value is None else format_quantity(value, unit, digits)
 
 
-def summary(recording: Recording, checks: list[Check], style: Callable[[Verdict], str]) -> list[str]:
+def summary(
+    recording: Recording, checks: list[Check], style: Callable[[Verdict], str], width: int = 100
+) -> list[str]:
     """Lines of the final table.
 
     Args:
         recording: Of the lift.
         checks: What was checked.
         style: How a verdict is written (with colour on a terminal).
+        width: Columns that a line of the checks may have.
 
     Returns:
         The lines.
@@ -48,7 +52,7 @@ def summary(recording: Recording, checks: list[Check], style: Callable[[Verdict]
         _losses(recording),
         _drums(recording),
         _hold_points(recording),
-        _checks(rig, checks, style),
+        check_table(checks, str(rig.limits.get("rule") or ""), style=style, width=width, full=False),
         _trust(recording, metrics),
     ]
     return [line for part in parts if part for line in (*part, "")]
@@ -142,29 +146,21 @@ def _parted(recording: Recording) -> list[str]:
 
 def _used(recording: Recording) -> list[str]:
     """What each sling uses of its rope, shackles and lug."""
-    window = series.quiet_window(recording)
+    shackles = values_of(recording, "shackle_load_of_working_load_limit")
+    lugs = values_of(recording, "lug_load_of_capacity")
+    aside = values_of(recording, "lug_out_of_plane_angle")
     rows = []
     for sling in recording.rig.slings:
-        tension = series.sling_tension(recording, sling)
+        leads = [f"{sling.to_load}.{lug}" for lug in sling.lugs if lug is not None]
+        own = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
         force = series.rope_peak(recording, sling.rope)[0]
-        static = series.static_value(recording, tension, window)
-        limits = [s["working_load_limit"] for s in sling.shackles.values() if s.get("working_load_limit")]
-        load = recording.rig.load(sling.to_load)
-        lugs = [load.lugs[lug] for lug in sling.lugs if lug in load.lugs and lug] if load else []
-        capacity = min((lug.capacity for lug in lugs if lug.capacity), default=None)
-        aside = list(series.out_of_plane_angles(recording, sling).values())
-        carrying = series.is_carrying(tension)
         rows.append(
             (
                 sling.name,
                 show(_share(force, sling.minimum_breaking_force), "%", 1),
-                show(_share(static, min(limits, default=None)), "%", 1),
-                show(_share(force, capacity), "%", 1),
-                show(
-                    float(np.max(aside, axis=0)[carrying].max()) if aside and carrying.any() else None,
-                    "deg",
-                    1,
-                ),
+                show(max(own, default=None), "%", 1),
+                show(max((lugs[lug] for lug in leads if lug in lugs), default=None), "%", 1),
+                show(max((aside[lug] for lug in leads if lug in aside), default=None), "deg", 1),
             )
         )
     if not any(cell != ABSENT for row in rows for cell in row[1:]):
@@ -173,7 +169,7 @@ def _used(recording: Recording) -> list[str]:
         "Used",
         "of minimum breaking force (peak)",
         "of working load limit (static)",
-        "of lug capacity (peak)",
+        "of lug capacity",
         "out of plane",
     )
     return table(head, rows, "lrrrr")
@@ -282,6 +278,7 @@ def _travel(recording: Recording, equalizer: Equalizer, sign: float, stroke: flo
 
 def _hooks(recording: Recording) -> list[str]:
     window = series.quiet_window(recording)
+    shares = values_of(recording, "hoist_load_of_rated_capacity")
     rows = []
     for hook in recording.rig.hooks:
         for name in ("hook_load", "hoist_load"):
@@ -289,7 +286,7 @@ def _hooks(recording: Recording) -> list[str]:
             static = series.static_value(recording, force, window)
             highest, time = float(force.max()), float(recording.time[int(force.argmax())])
             is_rated_for = name == ("hoist_load" if hook.rating_includes_hook_block else "hook_load")
-            used = _share(highest, hook.rated_capacity) if is_rated_for else None
+            used = shares.get(hook.name) if is_rated_for else None
             rows.append(
                 (
                     hook.name if name == "hook_load" else "",
@@ -427,31 +424,6 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
     for name, label in names.items():
         if label:
             yield f"{name} {show(float(recording.column(variable, label)[sample]), unit, digits)}"
-
-
-def _checks(rig: Rig, checks: list[Check], style: Callable[[Verdict], str]) -> list[str]:
-    if not checks:
-        return []
-    rule = rig.limits.get("rule")
-    rows = [
-        (check.name, check.shown(check.value), check.shown(check.limit), _place(check)) for check in checks
-    ]
-    lines = table((f"Check ({rule})" if rule else "Check", "value", "limit", ""), rows, "lrrl")
-    lines[0] = f"{'':<13}{lines[0]}"
-    return [
-        lines[0],
-        *(f"{style(check.verdict)}{line}" for check, line in zip(checks, lines[1:], strict=True)),
-    ]
-
-
-def _place(check: Check) -> str:
-    parts = [
-        check.where,
-        f"at {check.time:.2f} s" if check.time is not None else "",
-        f"(end of '{check.step}')" if check.step else "",
-        f"({check.remark})" if check.remark else "",
-    ]
-    return " ".join(part for part in parts if part)
 
 
 def _trust(recording: Recording, metrics: dict[str, float]) -> list[str]:

@@ -15,6 +15,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `parting_time.<rope>` [s]: when that rope parted
 - `parting_tension.<rope>` [N]: what it carried then
 - `static_sling_tension.<sling rope>` [N]: its static tension
+- `skew_load_factor` [1]: largest static force of a sling over its force with perfect lengths, as
+  `gantline.results.skew` defines it
 - `least_sling_tension_when_clear` [N]: smallest tension of any sling while the loads are clear
 - `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling
 - `least_factor_on_breaking_force` [1]: smallest of minimum breaking force/peak tension of the same sling
@@ -59,6 +61,7 @@ from gantline.results import series
 from gantline.results.equalising import equalising
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
+from gantline.results.skew import largest_skew
 
 #: Energy remainder up to which the balance counts as closed, by integrator. A fixed step of first order
 #: cannot do better than a thousandth; an error-controlled one does far better unless something is wrong.
@@ -138,6 +141,7 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
         carrying = series.is_carrying(tension)
         if carrying.any():
             angles.append(float(series.sling_angle(recording, sling)[carrying].max()))
+    yield "skew_load_factor", largest_skew(recording)
     yield "least_sling_tension_when_clear", _smallest(least)
     yield "dynamic_amplification_factor", _largest(amplification)
     yield "least_factor_on_breaking_force", _smallest(factors)

@@ -7,25 +7,17 @@ All numbers are SI.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any, Self
+
+from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
 EQUALISED_BELOW = 0.05
 
 
-class _FromJson:
-    """Dataclasses that are made from a JSON object and pass over keys that they do not know."""
-
-    @classmethod
-    def from_json(cls, document: Mapping[str, Any]) -> Self:
-        """Make one from its JSON object."""
-        known = {f.name for f in fields(cls)}  # type: ignore[arg-type]
-        return cls(**{key: value for key, value in document.items() if key in known})
-
-
 @dataclass(frozen=True)
-class Lug(_FromJson):
+class Lug(FromJson):
     """Where a sling is made fast on a load.
 
     Attributes:
@@ -40,13 +32,14 @@ class Lug(_FromJson):
 
 
 @dataclass(frozen=True)
-class Load(_FromJson):
+class Load(FromJson):
     """What is lifted.
 
     Attributes:
         name: Its name.
         body: Name of its body.
         weight: As simulated [N], with what slings and shackles lump onto it.
+        simulated_mass: Mass of the load alone as simulated [kg].
         contacts: Names of the contact points on which it stands.
         contact_group: Name that events of these contacts carry.
         calculated_mass: Before contingency [kg].
@@ -60,6 +53,7 @@ class Load(_FromJson):
     weight: float
     contacts: Sequence[str] = ()
     contact_group: str | None = None
+    simulated_mass: float | None = None
     calculated_mass: float | None = None
     contingency: float | None = None
     design_mass: float | None = None
@@ -73,7 +67,7 @@ class Load(_FromJson):
 
 
 @dataclass(frozen=True)
-class Hook(_FromJson):
+class Hook(FromJson):
     """A crane's hook.
 
     Attributes:
@@ -96,7 +90,7 @@ class Hook(_FromJson):
 
 
 @dataclass(frozen=True)
-class Equalizer(_FromJson):
+class Equalizer(FromJson):
     """Frame, equalizing rope and moving sheaves under one hook.
 
     Attributes:
@@ -113,6 +107,7 @@ class Equalizer(_FromJson):
         heading_joint: Joint about which the frame turns under its hook.
         mechanism: `sheaves`, or `approximated`: no sheave moves, the lengths of its slings are adjusted.
         adjusting_factor: Of an approximated one, else None.
+        locked: Moving sheaves that pins hold at the start.
     """
 
     name: str
@@ -128,10 +123,11 @@ class Equalizer(_FromJson):
     heading_joint: str | None = None
     mechanism: str = "sheaves"
     adjusting_factor: float | None = None
+    locked: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
-class Sling(_FromJson):
+class Sling(FromJson):
     """A rope from a hook or a moving sheave to a lug, or by extension sheaves to more of them.
 
     Attributes:
@@ -156,24 +152,32 @@ class Sling(_FromJson):
     lugs: Sequence[str | None] = ()
     length: float | None = None
     minimum_breaking_force: float | None = None
-    shackles: Mapping[str, Any] = field(default_factory=dict)
+    shackles: Mapping[str, Shackle] = field(default_factory=dict)
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""
         lug = document.get("to_lug")
-        lugs = () if lug is None else (lug,)
-        return super().from_json({"from_body": document.get("from", ""), "lugs": lugs, **document})
+        parts = {
+            "from_body": document.get("from", ""),
+            "lugs": () if lug is None else (lug,),
+            **document,
+            "shackles": {
+                end: Shackle.from_json(one) for end, one in (document.get("shackles") or {}).items()
+            },
+        }
+        return super().from_json(parts)
 
 
 @dataclass(frozen=True)
-class Rope(_FromJson):
+class Rope(FromJson):
     """What is known of a rope beside its mechanics.
 
     Attributes:
         name: Its name among the ropes of the recording.
         construction: Its construction, such as `6x36 IWRC`; None if not said.
         diameter: Nominal diameter [m]; None if not said.
+        axial_stiffness: EA [N]; None if it does not stretch, or in an old recording.
         mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
         minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
         breaks_at: Tension at which it breaks in the simulation [N]; None if it never does.
@@ -187,6 +191,7 @@ class Rope(_FromJson):
     name: str
     construction: str | None = None
     diameter: float | None = None
+    axial_stiffness: float | None = None
     mass_per_length: float = 0.0
     minimum_breaking_force: float | None = None
     breaks_at: float | None = None
@@ -198,7 +203,7 @@ class Rope(_FromJson):
 
 
 @dataclass(frozen=True)
-class Sheave(_FromJson):
+class Sheave(FromJson):
     """A sheave with losses or inertia.
 
     Attributes:
@@ -230,7 +235,7 @@ class Sheave(_FromJson):
 
 
 @dataclass(frozen=True)
-class WrappedSheave(_FromJson):
+class WrappedSheave(FromJson):
     """A sheave that its rope touches along true tangents.
 
     Attributes:
@@ -245,7 +250,7 @@ class WrappedSheave(_FromJson):
 
 
 @dataclass(frozen=True)
-class Drum(_FromJson):
+class Drum(FromJson):
     """A drum of `mechanics`.
 
     Attributes:
@@ -258,7 +263,7 @@ class Drum(_FromJson):
 
 
 @dataclass(frozen=True)
-class Step(_FromJson):
+class Step(FromJson):
     """One step of the plan.
 
     Attributes:
@@ -275,7 +280,7 @@ class Step(_FromJson):
 
 
 @dataclass(frozen=True)
-class Rig(_FromJson):
+class Rig(FromJson):
     """The lift as results see it.
 
     Attributes:
@@ -294,6 +299,11 @@ class Rig(_FromJson):
         wrapped_sheaves: Sheaves with true tangents.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         assumed_limits: Those of them that the lift file does not name: going past one is a warning.
+        limit_sources: Where each limit comes from.
+        factors: Factors on loads and strengths by name, see `gantline.rule_data.FACTORS`.
+        shackle_side_load: Chart of side loads on shackles.
+        ratings: Rated capacities of hooks, trolleys and cranes.
+        bends: The smallest sheave or drum of each rope.
         equalised_below: Tension spread below which an equalizer has equalised [1].
         plan: Steps of the plan.
     """
@@ -313,6 +323,11 @@ class Rig(_FromJson):
     wrapped_sheaves: Sequence[WrappedSheave] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
     assumed_limits: Sequence[str] = ()
+    limit_sources: Mapping[str, str] = field(default_factory=dict)
+    factors: Mapping[str, Factor] = field(default_factory=dict)
+    shackle_side_load: SideLoad = field(default_factory=SideLoad)
+    ratings: Sequence[Rating] = ()
+    bends: Sequence[Bend] = ()
     equalised_below: float = EQUALISED_BELOW
     plan: Sequence[Step] = ()
 
@@ -332,8 +347,21 @@ class Rig(_FromJson):
             ),
             "plan": tuple(Step.from_json(d) for d in document.get("plan") or ()),
             "limits": document.get("limits") or {},
+            "factors": {name: Factor.from_json(one) for name, one in (document.get("factors") or {}).items()},
+            "shackle_side_load": SideLoad.from_json(document.get("shackle_side_load") or {}),
+            "ratings": _ratings(document),
+            "bends": tuple(Bend.from_json(d) for d in document.get("bends") or ()),
         }
         return super().from_json({**document, **parts})
+
+    def rope(self, name: str) -> Rope | None:
+        """The rope of that name, if something is known of it."""
+        return next((one for one in self.ropes if one.name == name), None)
+
+    def hook_of(self, sling: Sling) -> str:
+        """Name of the hook from which a sling hangs, by an equalizer or by itself."""
+        equalizer = self.equalizer_of(sling)
+        return equalizer.hook if equalizer is not None else sling.from_body
 
     def load(self, name: str | None) -> Load | None:
         """The load of that name, if there is one."""
@@ -341,8 +369,19 @@ class Rig(_FromJson):
 
     def minimum_breaking_force(self, rope: str) -> float | None:
         """Minimum breaking force of the rope of that name [N]; None if it is not known."""
-        return next((one.minimum_breaking_force for one in self.ropes if one.name == rope), None)
+        one = self.rope(rope)
+        return one.minimum_breaking_force if one is not None else None
 
     def equalizer_of(self, sling: Sling) -> Equalizer | None:
         """The equalizer from which a sling hangs, if any."""
         return next((e for e in self.equalizers if sling.rope in e.slings), None)
+
+
+def _ratings(document: Mapping[str, Any]) -> tuple[Rating, ...]:
+    """Rated capacities; in recordings that have none of their own those of the hooks."""
+    if "ratings" in document:
+        return tuple(Rating.from_json(d) for d in document["ratings"])
+    return tuple(
+        Rating(hook.name, "hook", (hook.name,), hook.rated_capacity, hook.rating_includes_hook_block)
+        for hook in (Hook.from_json(d) for d in document.get("hooks") or ())
+    )

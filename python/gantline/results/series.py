@@ -6,7 +6,8 @@
 - *quiet window*: the end of the recording over which static values are means. It begins when the last drive
   has
   come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the end. The mean is
-  weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift or lower it.
+  weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift or lower it. The
+  window of an equilibrium is its last sample, whether the loads are clear or not.
 """
 
 from __future__ import annotations
@@ -74,8 +75,28 @@ def trailing(mask: BoolArray) -> BoolArray:
     return last
 
 
+def is_equilibrium(recording: Recording) -> bool:
+    """Whether a recording is of a lift at rest: what counts is its last sample, and nothing is dynamic.
+
+    Its status says so. One sample alone is at rest too, unless it is what a run left that ended early; a
+    sample before the last is where the lift starts, from which travel is counted.
+    """
+    status = str(recording.attributes.get("status", ""))
+    alone = len(recording.time) == 1 and status not in ("failed", "stopped")
+    return bool(len(recording.time)) and (alone or status.startswith("at rest"))
+
+
+def last_sample(recording: Recording) -> BoolArray:
+    """The mask of the last sample alone, shape (time,)."""
+    mask = np.zeros(len(recording.time), dtype=np.bool_)
+    mask[-1:] = True
+    return mask
+
+
 def quiet_window(recording: Recording) -> BoolArray:
     """Samples over which static values are means, shape (time,); all false if the loads do not end clear."""
+    if is_equilibrium(recording):
+        return last_sample(recording)
     window = trailing(is_clear(recording))
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
         work = recording.column("energy", "drive_work")

@@ -6,7 +6,7 @@ from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
-from gantline.scenario.errors import ScenarioError
+from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
@@ -50,6 +50,7 @@ def check(scenario: Scenario) -> None:
         findings.add(("start",), f"{sentence}; write 'stands_on: ground' or 'start: as_given'")
     if scenario.mechanics is not None:
         check_mechanics(findings, scenario.mechanics)
+    _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)
     _check_simulation(findings)
@@ -85,6 +86,17 @@ def _check_names(findings: Findings) -> None:
                     f"'{name}' would be a moving sheave of '{equalizer}' too; {what} needs another name"
                 )
                 findings.add(path, sentence)
+
+
+def _check_hook_groups(findings: Findings) -> None:
+    cranes = findings.scenario.cranes or {}
+    for name, group in (findings.scenario.hook_groups or {}).items():
+        path = ("hook_groups", name, "hooks")
+        for place, hook in enumerate(group.hooks):
+            if hook not in cranes:
+                findings.add(path, f"'{hook}' is not a hook; {nearest(hook, cranes)}")
+            elif hook in group.hooks[:place]:
+                findings.add(path, f"'{hook}' is named twice; each hook counts once")
 
 
 def _check_simulation(findings: Findings) -> None:

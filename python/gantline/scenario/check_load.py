@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
 
@@ -20,7 +21,11 @@ def check_load(findings: Findings, load: Load) -> None:
     if abs(x) > length / 2 or abs(y) > breadth / 2 or not 0 <= z <= height:
         sentence = f"({x:g}, {y:g}, {z:g}) m is outside the load's box; {_FROM}"
         findings.add(("load", "centre_of_gravity", "at"), sentence)
+    types = findings.scenario.lug_types or {}
     for name, lug in load.lugs.items():
+        if lug.type is not None and lug.type not in types:
+            sentence = f"'{lug.type}' is not a name of 'lug_types'; {nearest(lug.type, types)}"
+            findings.add(("load", "lugs", name, "type"), sentence)
         beside = max(abs(lug.at[0]) - length / 2, abs(lug.at[1]) - breadth / 2)
         off = max(beside, -lug.at[2], lug.at[2] - height)
         if off > max(load.shape.box) / 2:

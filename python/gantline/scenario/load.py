@@ -21,7 +21,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.tree import MapNode
 
-__all__ = ["CentreOfGravity", "Load", "LoadInertia", "Lug", "Shape", "Weight"]
+__all__ = ["CentreOfGravity", "Load", "LoadInertia", "Lug", "LugType", "Shape", "Weight"]
 
 #: Directions that span the main plate of a lug, and the normal to them on the load.
 PLATE_NORMALS: dict[str, tuple[float, float, float]] = {
@@ -93,14 +93,32 @@ class CentreOfGravity(Element):
     envelope: Margins = Field((0.0, 0.0, 0.0), description="Plus and minus, along x, y, z.")
 
 
-class Lug(Element):
+class LugType(Element):
+    """What several lugs have in common."""
+
+    what: ClassVar[str] = "a lug type"
+
+    main_plate: Literal["xz", "yz", "xy"] | None = Field(
+        None, description="Plane of the lug's main plate; xz if nothing says so."
+    )
+    capacity: PositiveMass | None = Field(None, description="Capacity in the plane of the main plate.")
+
+    def or_of(self, kind: LugType | None) -> LugType:
+        """The same, with what is not said here taken from a type."""
+        plate = self.main_plate or (kind.main_plate if kind is not None else None)
+        capacity = self.capacity
+        if capacity is None and kind is not None:
+            capacity = kind.capacity
+        return LugType.model_construct(main_plate=plate or "xz", capacity=capacity)
+
+
+class Lug(LugType):
     """A lifting lug."""
 
     what: ClassVar[str] = "a lug"
 
+    type: Name | None = Field(None, description="A name of 'lug_types' that gives what is not said here.")
     at: Position = Field(description="Position of the hole from the datum, along the load's axes.")
-    main_plate: Literal["xz", "yz", "xy"] = Field("xz", description="Plane of the lug's main plate.")
-    capacity: PositiveMass | None = Field(None, description="Capacity in the plane of the main plate.")
 
 
 def _inertia_kind(value: Any) -> str:

@@ -12,9 +12,11 @@ from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.ground import Ground, LiftHead, SimulationSettings
-from gantline.scenario.load import Load
+from gantline.scenario.hook_group import HookGroup
+from gantline.scenario.limits import Limits, Rules
+from gantline.scenario.load import Load, LugType
 from gantline.scenario.mechanics import Mechanics
-from gantline.scenario.plan import Limits, Step
+from gantline.scenario.plan import Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
 from gantline.scenario.tree import MapNode, line_of
 
@@ -55,8 +57,12 @@ class Scenario(Element):
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
+    lug_types: Named[LugType] | None = Field(None, description="Types of lug by name.")
     load: Load | None = Field(None, description="The load.")
     cranes: Named[FixedHook] | None = Field(None, description="Cranes by name.")
+    hook_groups: Named[HookGroup] | None = Field(
+        None, description="Hooks that share a trolley or a crane, by name."
+    )
     equalizer_types: Named[EqualizerType] | None = Field(None, description="Types of equalizer by name.")
     equalizers: Named[Equalizer] | None = Field(None, description="Equalizers by name.")
     sling_defaults: SlingDefaults | None = Field(
@@ -68,6 +74,7 @@ class Scenario(Element):
     )
     plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
     limits: Limits | None = Field(None, description="Limits that the lift is checked against.")
+    rules: Rules | None = Field(None, description="Factors on loads and strengths for the checks.")
     simulation: SimulationSettings = Field(SimulationSettings(), description="How the lift is simulated.")
     mechanics: Mechanics | None = Field(None, description="Plain bodies, joints, sheaves and ropes.")
 

@@ -12,13 +12,10 @@ from gantline.scenario.base import Element
 from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import (
     Names,
-    Number,
     PositiveAcceleration,
-    PositiveAngle,
     PositiveLength,
     PositiveSpeed,
     Quantity,
-    Ratio,
     Reader,
     Text,
     Time,
@@ -37,7 +34,6 @@ __all__ = [
     "HoistStep",
     "HoldStep",
     "HookStep",
-    "Limits",
     "LowerStep",
     "MovingStep",
     "PayOutStep",
@@ -299,47 +295,3 @@ Step = Annotated[
         "'haul_in', 'pay_out' and 'hold'",
     ),
 ]
-
-
-class Limits(Element):
-    """Limits that the lift is checked against."""
-
-    what: ClassVar[str] = "limits"
-
-    rule: Text | None = Field(None, description="Rule and edition that the limits come from.")
-    load_tilt: PositiveAngle | None = Field(None, description="Tilt of the load.")
-    sling_angle_from_vertical: PositiveAngle | None = Field(
-        None, description="Angle of slings from the vertical."
-    )
-    lug_out_of_plane_angle: PositiveAngle | None = Field(
-        None, description="Angle of slings to the lug's plate."
-    )
-    fleet_angle: PositiveAngle | None = Field(
-        None,
-        description="Angle of a carrying rope to the plane of a sheave with true tangents; if not given, "
-        "more than 4 deg is a warning.",
-    )
-    sling_factor_on_breaking_force: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
-        None, description="Least factor of minimum breaking force over peak tension, of every sling."
-    )
-    rope_factor_on_breaking_force: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
-        None,
-        description="Least factor of minimum breaking force over peak tension, of every rope: slings, "
-        "equalizing ropes, ropes of 'mechanics'.",
-    )
-    smallest_sling_tension_when_clear: Annotated[float, Quantity("force", "not_negative")] | None = Field(
-        None, description="Least tension of any sling once the load is clear."
-    )
-    tension_spread_when_clear: Ratio | None = Field(
-        None, description="(max - min)/mean of slings once clear."
-    )
-    equalised_below: Annotated[float, Quantity("ratio", "positive")] | None = Field(
-        None,
-        description="Tension spread below which an equalizer counts as equalised, for its time to equalise; "
-        "5 % if not given. It is not checked.",
-    )
-    equalizer_travel_used: Ratio | None = Field(None, description="Travel used, of the stroke.")
-    hook_dynamic_factor: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(
-        None, description="Dynamic over static hook load."
-    )
-    hoist_load_of_rated_capacity: Ratio | None = Field(None, description="Hoist load of rated capacity.")

@@ -25,7 +25,12 @@ ropes:                               # kinds of rope: from the catalogue, or by 
   sling_44: {construction: 6x36 IWRC, grade: 1960, diameter: 44 mm, damping_time: 10 ms}
 
 shackles:
-  wb40: {working_load_limit: 40 t, mass: 21 kg, bow_diameter: 97 mm, pin_diameter: 51 mm}
+  wb40:
+    working_load_limit: 40 t
+    minimum_breaking_force: 1962 kN
+    mass: 21 kg
+    bow_diameter: 97 mm
+    pin_diameter: 51 mm
 
 load:
   name: block
@@ -66,6 +71,10 @@ plan:
   - {step: lift off,      hoist: hook, speed: 0.3 m/min, until: {supports: clear}}
   - {step: clear,         hoist: hook, speed: 0.3 m/min, by: 0.1 m}
   - {step: hold point,    hold: until_end, report: [hook_load], require: {load_tilt: below 2 deg}}
+
+rules:                               # factors on loads and strengths; each of your own goes before the preset
+  preset: nd_0027_onshore
+  termination_factor: 1.12           # steel ferrules
 
 limits:                              # example figures; name the rule and edition that you work to
   rule: example

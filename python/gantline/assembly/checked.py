@@ -1,0 +1,129 @@
+"""What checks need to know of a lift beside who carries whom: limits, rules, rated capacities, bends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from gantline.assembly.parts import Json, Parts
+from gantline.rule_data import (
+    FACTORS,
+    PRESETS,
+    SIDE_LOAD,
+    SIDE_LOAD_SOURCE,
+    Preset,
+    Sourced,
+    dynamic_factor,
+)
+from gantline.scenario import Scenario
+from gantline.scenario.limits import Rules
+
+__all__ = ["bends", "limits_and_rules", "ratings"]
+
+#: Largest fleet angle where the lift file names none [rad]: 4 deg (1 : 15), by the notes on section 20 of
+#: DGUV Vorschrift 54; `docs/concepts/sheave.md` has more rules.
+FLEET_ANGLE = math.radians(4.0)
+_FLEET_ANGLE_SOURCE = "DGUV Vorschrift 54, notes on section 20"
+_LIFT_FILE = "lift file"
+
+
+def limits_and_rules(scenario: Scenario, *, has_sheaves: bool) -> Json:
+    """Limits and factors of the lift file, then of its preset, each with its source.
+
+    Args:
+        scenario: the lift.
+        has_sheaves: whether a rope runs over sheaves with true tangents.
+    """
+    rules = scenario.rules or Rules()
+    preset = PRESETS[rules.preset] if rules.preset is not None else Preset("")
+    given = {}
+    if scenario.limits is not None:  # the bound of equalising is no limit, but what a result is counted by
+        given = scenario.limits.model_dump(exclude_none=True, exclude={"equalised_below"})
+    own = str(given.get("rule", _LIFT_FILE))
+    sources = {key: own for key in given if key != "rule"}
+    of_preset = {key: one for key, one in preset.limits.items() if key not in given}
+    assumed = {}
+    if has_sheaves and "fleet_angle" not in given and "fleet_angle" not in of_preset:
+        assumed["fleet_angle"] = FLEET_ANGLE
+        sources["fleet_angle"] = _FLEET_ANGLE_SOURCE
+    sources |= {key: one.source for key, one in of_preset.items()}
+    named = {"rule": preset.title} if preset.title and "rule" not in given else {}
+    return {
+        "limits": {**named, **given, **{key: one.value for key, one in of_preset.items()}, **assumed},
+        "assumed_limits": list(assumed),
+        "limit_sources": sources,
+        "factors": _factors(scenario, rules, preset, own),
+        "shackle_side_load": _side_load(rules, own),
+    }
+
+
+def _factors(scenario: Scenario, rules: Rules, preset: Preset, own: str) -> Json:
+    mass = scenario.load.weight.design if scenario.load is not None else None
+    of_preset: dict[str, Sourced | None] = {
+        **preset.factors,
+        "dynamic_amplification_factor": dynamic_factor(preset, mass),
+    }
+    found = {}
+    for key in FACTORS:
+        said = getattr(rules, key)
+        one = Sourced(said, own) if said is not None else of_preset.get(key)
+        if one is not None:
+            found[key] = {"value": one.value, "source": one.source}
+    return found
+
+
+def _side_load(rules: Rules, own: str) -> Json:
+    if rules.shackle_side_load is not None:
+        return {"rows": [[row.up_to, row.remains] for row in rules.shackle_side_load], "source": own}
+    return {"rows": [list(row) for row in SIDE_LOAD], "source": SIDE_LOAD_SOURCE}
+
+
+def ratings(scenario: Scenario) -> list[Json]:
+    """Rated capacities of hooks, trolleys and cranes [N]; None where a hook has none."""
+    gravity = scenario.simulation.gravity
+    found: list[Json] = []
+    for name, crane in (scenario.cranes or {}).items():
+        found.append(_rating(name, "hook", (name,), crane, gravity))
+    for name, group in (scenario.hook_groups or {}).items():
+        found.append(_rating(name, group.type, group.hooks, group, gravity))
+    return found
+
+
+def _rating(name: str, level: str, hooks: tuple[str, ...], rated: Any, gravity: float) -> Json:
+    capacity = rated.rated_capacity
+    return {
+        "name": name,
+        "level": level,
+        "hooks": list(hooks),
+        "rated_capacity": None if capacity is None else capacity * gravity,
+        "includes_hook_block": rated.rating_includes_hook_block,
+    }
+
+
+def bends(scenario: Scenario, parts: Parts) -> list[Json]:
+    """The smallest sheave or drum of every rope that runs over any; pitch diameters [m]."""
+    mechanics = scenario.mechanics
+    drums = {name: drum.diameter for name, drum in ((mechanics and mechanics.drums) or {}).items()}
+    found = []
+    for rope in parts.ropes:
+        over = [
+            bend
+            for place, guide in enumerate(rope["route"])
+            for bend in [_bend(f"{rope['name']}/sheave_{place}", guide, drums)]
+            if bend is not None
+        ]
+        if over:
+            diameter, element = min(over)
+            found.append({"rope": rope["name"], "element": element, "diameter": diameter})
+    return found
+
+
+def _bend(sheave: str, guide: Json, drums: Mapping[str, float]) -> tuple[float, str] | None:
+    """Pitch diameter [m] and name of what a guide bends the rope about; None for eyes and dead ends."""
+    if guide["type"] == "half_turn":
+        return math.dist(guide["enter"], guide["leave"]), guide.get("flow", sheave)
+    if guide["type"] == "sheave" and guide["radius"] > 0.0:
+        return 2 * guide["radius"], sheave
+    flow, rate = (guide["drum"]["flow"], guide["drum"]["rate"]) if "drum" in guide else ("", 0.0)
+    return (abs(rate) * drums[flow], flow) if flow in drums else None

@@ -1,0 +1,89 @@
+"""Equalizers: how evenly they share, how far their sheaves travel, what they bear."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from gantline.checks.forces import NO_STATIC, kilonewton, sum_force
+from gantline.checks.measure import Caution, Finding, Found, Missing, everywhere, extreme
+from gantline.results import series
+from gantline.results.parting import stops_met
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
+
+
+def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """(max - min)/mean over the slings of one equalizer."""
+    for equalizer in recording.rig.equalizers:
+        if equalizer.slings:
+            spread = series.tension_spread(recording, equalizer)
+            yield from extreme(recording, spread, during, equalizer.name)
+
+
+def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Static vertical force of all slings of an equalizer over its rated capacity below its moving sheaves.
+
+    It is lifting gear, rated like a shackle for what hangs still; the peak is shown.
+    """
+    for equalizer in recording.rig.equalizers:
+        slings = [sling for sling in recording.rig.slings if sling.rope in equalizer.slings]
+        if not equalizer.rated_capacity:
+            yield Missing(equalizer.name, "rated capacity not known")
+        elif slings:
+            vertical = [
+                series.sling_tension(recording, sling) * series.sling_direction(recording, sling)[:, 2]
+                for sling in slings
+            ]
+            force = sum_force(recording, np.sum(vertical, axis=0), slings[0].to_load, during)
+            if force.static is None:
+                yield Missing(equalizer.name, NO_STATIC)
+                continue
+            text = f"{force.static_text} / {kilonewton(equalizer.rated_capacity)}"
+            text += f" (peak {kilonewton(force.peak)})" if force.peak is not None else ""
+            yield Found(force.static / equalizer.rated_capacity, equalizer.name, formula=text)
+
+
+def travel_used(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Travel of a moving sheave over its stroke that way, once the load is clear."""
+    clear = during & series.is_clear(recording)
+    yield from _travel(recording, clear if clear.any() else during)
+    past = _past_stroke(recording)
+    if past:
+        yield Caution(past)
+
+
+def _past_stroke(recording: Recording) -> str:
+    """Where a sheave came to the end of its stroke at any time, clear or not; empty if none did."""
+    sheaves = {sheave for equalizer in recording.rig.equalizers for sheave in equalizer.moving_sheaves}
+    met = [one for one in stops_met(recording.events()) if one.joint in sheaves]
+    if met:
+        return ", ".join(f"{one.joint} met its stop at {one.time:.2f} s" for one in met)
+    furthest = max(_travel(recording, everywhere(recording)), key=lambda found: found.value, default=None)
+    if furthest is None or furthest.value <= 1.0:
+        return ""
+    when = "" if furthest.time is None else f" at {furthest.time:.2f} s"
+    place = f"{furthest.element} {100.0 * furthest.value:.1f} %{when}"
+    return f"{place}: it would have met its stop, which is not simulated"
+
+
+def _travel(recording: Recording, during: BoolArray) -> Iterator[Found]:
+    # Sheaves of an approximated equalizer do not travel: a limit of travel says nothing about it.
+    for equalizer in (one for one in recording.rig.equalizers if one.mechanism == "sheaves"):
+        for sheave in equalizer.moving_sheaves:
+            travel = recording.column("sheave_travel", sheave)
+            if equalizer.travel_up:
+                yield from _one_way(recording, during, -travel, equalizer.travel_up, f"{sheave} up")
+            if equalizer.travel_down:
+                yield from _one_way(recording, during, travel, equalizer.travel_down, f"{sheave} down")
+
+
+def _one_way(
+    recording: Recording, during: BoolArray, travel: FloatArray, stroke: float, element: str
+) -> Iterator[Found]:
+    def text(at: int) -> str:
+        return f"{format_quantity(float(travel[at]), 'm', 3)} / {format_quantity(stroke, 'm', 3)}"
+
+    yield from extreme(recording, travel / stroke, during, element, text)

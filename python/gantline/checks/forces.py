@@ -1,0 +1,257 @@
+"""Static and dynamic forces as rules want them.
+
+*Static* is the mean over the quiet window, raised from the weight that was simulated to the design weight.
+*By the rule* is static times the rule's dynamic amplification factor. A simulated peak already holds the
+dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked. So it is with
+skew: the rule's factor is on the force with perfect lengths, never on one that holds its own skew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from gantline.checks.measure import Caution, Finding, Found, Missing
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.skew import skew_loads
+from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
+
+DYNAMIC = "dynamic_amplification_factor"
+SKEW = "skew_load_factor"
+NO_STATIC = "no static force: the load did not end clear of its supports"
+NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
+
+
+@dataclass(frozen=True)
+class Force:
+    """A force of one element.
+
+    Attributes:
+        static: With the design weight [N]; None if the lift has no quiet window.
+        static_text: The same in words.
+        rule: Static force times the rule's factors [N]; None if there is none of both.
+        rule_text: The same in words.
+        peak: Largest simulated force [N]; None for an equilibrium.
+        time: When that was [s].
+        factors: Names of the rule's factors in it.
+    """
+
+    static: float | None
+    static_text: str
+    rule: float | None = None
+    rule_text: str = ""
+    peak: float | None = None
+    time: float | None = None
+    factors: tuple[str, ...] = ()
+
+    @property
+    def dynamic(self) -> float | None:
+        """The larger of rule and simulated peak [N]; None if there is neither."""
+        return max((force for force in (self.rule, self.peak) if force is not None), default=None)
+
+    @property
+    def governing(self) -> float | None:
+        """The dynamic force, or the static one where there is none [N]; None if there is neither."""
+        return self.static if self.dynamic is None else self.dynamic
+
+    @property
+    def moment(self) -> float | None:
+        """When the governing force acts [s]; None if it is static, or by the rule."""
+        return self.time if self.peak is not None and self.peak == self.dynamic else None
+
+    @property
+    def text(self) -> str:
+        """How the governing force comes about."""
+        parts = [self.rule_text] if self.rule is not None else []
+        if self.peak is not None:
+            parts.append(f"peak {kilonewton(self.peak)}")
+        if not parts:
+            return self.static_text
+        return parts[0] if len(parts) == 1 else f"max({', '.join(parts)})"
+
+    @property
+    def lacks_dynamics(self) -> bool:
+        """Whether the governing force is static for want of anything else."""
+        return self.static is not None and self.dynamic is None
+
+
+def kilonewton(force: float) -> str:
+    """A force as people read it."""
+    return format_quantity(force, "kN", 1)
+
+
+def factor(recording: Recording, name: str) -> float | None:
+    """A factor of the rule [1]; None if the rule has none."""
+    found = recording.rig.factors.get(name)
+    return None if found is None else found.value
+
+
+def design_ratio(recording: Recording, load: str | None = None) -> float:
+    """Design weight of a load over the simulated one, at least 1; the largest of all loads if none is named.
+
+    Recordings that do not tell the weight of the load alone have that with its slings and shackles.
+    """
+    rig = recording.rig
+    ratios = [1.0]
+    for one in rig.loads:
+        simulated = one.simulated_mass or one.weight / rig.gravity
+        if load in (None, one.name) and one.design_mass is not None and simulated > 0.0:
+            ratios.append(one.design_mass / simulated)
+    return max(ratios)
+
+
+def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
+    """Static and dynamic force of every sling, by name.
+
+    Where lengths decide how slings share, static is the larger of the simulated force and that with perfect
+    lengths times the rule's skew load factor (of the simulated one where that with perfect lengths is not
+    known).
+    """
+    window = series.quiet_window(recording)
+    by_length = {one.sling: one for one in skew_loads(recording) if one.lengths_decide}
+    rule = factor(recording, SKEW)
+    forces = {}
+    for sling in recording.rig.slings:
+        static = series.static_value(recording, series.sling_tension(recording, sling), window)
+        ratio = design_ratio(recording, sling.to_load)
+        force = _force(recording, static, ratio)
+        skew = by_length.get(sling.name)
+        if skew is not None and rule is not None:
+            perfect = skew.force if skew.perfect is None else skew.perfect
+            force = _with_skew(recording, force, perfect * ratio, rule)
+        forces[sling.name] = _with_peak(recording, force, sling.rope, during)
+    return forces
+
+
+def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
+    """Static and dynamic force of a rope that is no sling."""
+    static = series.static_value(recording, recording.column("rope_tension", rope))
+    return _with_peak(recording, _force(recording, static, design_ratio(recording)), rope, during)
+
+
+def hook_force(recording: Recording, hooks: Iterable[str], variable: str, during: BoolArray) -> Force:
+    """Static and dynamic hook load or hoist load of one or more hooks together.
+
+    Only what hangs in the hook is raised by the rule's factor, not hook block and falls.
+
+    Args:
+        recording: The recording.
+        hooks: Names of the hooks.
+        variable: `hook_load` or `hoist_load`.
+        during: Samples whose peak counts.
+    """
+    names = list(hooks)
+    rig = recording.rig
+    hook_load = np.sum([recording.column("hook_load", name) for name in names], axis=0)
+    total = np.sum([recording.column(variable, name) for name in names], axis=0)
+    window = series.quiet_window(recording)
+    more = 0.0
+    for sling in (one for one in rig.slings if rig.hook_of(one) in names):
+        up = series.sling_tension(recording, sling) * series.sling_direction(recording, sling)[:, 2]
+        share = series.static_value(recording, up, window) or 0.0
+        more += (design_ratio(recording, sling.to_load) - 1.0) * share
+    static = series.static_value(recording, hook_load, window)
+    falls = series.static_value(recording, total - hook_load, window) or 0.0
+    force = _hook_force(recording, static, more, falls)
+    return _with_peak_of(recording, force, total, during)
+
+
+def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:
+    """Static and dynamic force of a series that goes with the weight of a load, shape (time,) [N]."""
+    force = _force(recording, series.static_value(recording, values), design_ratio(recording, load))
+    return _with_peak_of(recording, force, values, during)
+
+
+def _hook_force(recording: Recording, static: float | None, more: float, falls: float) -> Force:
+    if static is None:
+        return Force(None, "")
+    hanging = f"static {kilonewton(static)}"
+    if more > 0.0:
+        hanging = f"({hanging} + {kilonewton(more)} to the design weight)"
+    of_falls = f" + hook block and falls {kilonewton(falls)}" if falls else ""
+    force = Force(static + more + falls, hanging + of_falls)
+    dynamic = factor(recording, DYNAMIC)
+    if dynamic is None:
+        return force
+    rule = (static + more) * dynamic + falls
+    text = f"{hanging} x {dynamic:.4g}{of_falls}"
+    return replace(force, rule=rule, rule_text=text, factors=(DYNAMIC,))
+
+
+def _force(recording: Recording, static: float | None, ratio: float) -> Force:
+    if static is None:
+        return Force(None, "")
+    more = f" x {ratio:.4g}" if ratio > 1.0 else ""
+    return _with_rule(recording, Force(static * ratio, f"static {kilonewton(static)}{more}"))
+
+
+def _with_rule(recording: Recording, force: Force) -> Force:
+    """With the static force times the rule's dynamic amplification factor, if it has one."""
+    dynamic = factor(recording, DYNAMIC)
+    if dynamic is None or force.static is None:
+        return force
+    text = f"{force.static_text} x {dynamic:.4g}"
+    return replace(force, rule=force.static * dynamic, rule_text=text, factors=(*force.factors, DYNAMIC))
+
+
+def _with_skew(recording: Recording, force: Force, perfect: float, rule: float) -> Force:
+    """With the larger of static force and that with perfect lengths [N] times the rule's skew load factor."""
+    if force.static is None:
+        return force
+    by_rule = f"{kilonewton(perfect)} with perfect lengths x {rule:.4g}"
+    text = f"max({force.static_text}, {by_rule})"
+    return _with_rule(recording, Force(max(force.static, perfect * rule), text, factors=(SKEW,)))
+
+
+def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray) -> Force:
+    """With the peak of a rope: over all steps if all samples count, else over these."""
+    values = recording.column("rope_tension", rope)
+    force = _with_peak_of(recording, force, values, during)
+    if force.peak is None or not during.all():
+        return force
+    highest = max(series.rope_peak(recording, rope), (force.peak, force.time or 0.0))
+    return replace(force, peak=highest[0], time=highest[1])
+
+
+def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during: BoolArray) -> Force:
+    highest = None if series.is_equilibrium(recording) else series.peak(recording, values, during)
+    return force if highest is None else replace(force, peak=highest[0], time=highest[1])
+
+
+@dataclass(frozen=True)
+class Raised:
+    """Factors of the rule on a force.
+
+    Attributes:
+        factor: Their product [1].
+        text: How it comes about.
+        names: Their names.
+    """
+
+    factor: float = 1.0
+    text: str = ""
+    names: tuple[str, ...] = ()
+
+
+def over(force: Force, strength: float, element: str, raised: Raised | None = None) -> Iterator[Finding]:
+    """A force, times factors, over what bears it; with a caution where only its static value is known.
+
+    Args:
+        force: The force.
+        strength: What bears it [N].
+        element: What it belongs to.
+        raised: Factors of the rule on the force.
+    """
+    raised = raised or Raised()
+    if force.governing is None:
+        yield Missing(element, NO_STATIC)
+        return
+    if force.lacks_dynamics:
+        yield Caution(f"static only: {NO_DYNAMIC}")
+    formula = f"{force.text}{raised.text} / {kilonewton(strength)}"
+    value = raised.factor * force.governing / strength
+    yield Found(value, element, force.moment, formula, (*force.factors, *raised.names))

@@ -1,0 +1,66 @@
+"""Hook load, hoist load and dynamics of hooks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, hook_force, kilonewton, over
+from gantline.checks.measure import Finding, Found, Missing, extreme
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
+
+
+def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Hook load as simulated."""
+    for hook in recording.rig.hooks:
+        yield from extreme(recording, recording.column("hook_load", hook.name), during, hook.name)
+
+
+def static_hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Static hook load with the design weight."""
+    for hook in recording.rig.hooks:
+        force = hook_force(recording, [hook.name], "hook_load", during)
+        if force.static is None:
+            yield Missing(hook.name, NO_STATIC)
+        else:
+            yield Found(force.static, hook.name, formula=force.static_text)
+
+
+def dynamic_hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Dynamic hook load: static by the rule's factor, or the simulated peak."""
+    for hook in recording.rig.hooks:
+        force = hook_force(recording, [hook.name], "hook_load", during)
+        if force.dynamic is None:
+            yield Missing(hook.name, NO_DYNAMIC)
+        else:
+            yield Found(force.dynamic, hook.name, force.moment, force.text, force.factors)
+
+
+def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Peak over static hook load, both as simulated."""
+    for hook in recording.rig.hooks:
+        force = recording.column("hook_load", hook.name)
+        static = series.static_value(recording, force)
+        if series.is_equilibrium(recording):
+            yield Missing(hook.name, "an equilibrium has no peak")
+        elif not static:
+            yield Missing(hook.name, "no static hook load: the load did not end clear of its supports")
+        else:
+            highest = float(force.max())
+            text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
+            for found in extreme(recording, force / static, during, hook.name):
+                yield replace(found, formula=text)
+
+
+def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Hoist load (or hook load, as the rating says) of hooks, trolleys and cranes over rated capacity."""
+    for rating in recording.rig.ratings:
+        element = rating.name if rating.level == "hook" else f"{rating.level} {rating.name}"
+        if not rating.rated_capacity:
+            yield Missing(element, "rated capacity not known")
+            continue
+        variable = "hoist_load" if rating.includes_hook_block else "hook_load"
+        force = hook_force(recording, rating.hooks, variable, during)
+        yield from over(force, rating.rated_capacity, element)

@@ -1,0 +1,139 @@
+"""What can be checked: a measure gives everything that its limit is held against, and what it cannot tell."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray, FloatArray
+
+
+@dataclass(frozen=True)
+class Found:
+    """A value that a limit is held against.
+
+    Attributes:
+        value: SI.
+        element: What it belongs to.
+        time: When [s]; None if it belongs to no one time.
+        formula: How it comes about, with numbers; empty if it was measured as it is.
+        factors: Names of the rule's factors in it.
+    """
+
+    value: float
+    element: str
+    time: float | None = None
+    formula: str = ""
+    factors: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Missing:
+    """An element that cannot be checked.
+
+    Attributes:
+        element: Its name.
+        reason: What is not known, or why it has no value.
+    """
+
+    element: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Refused:
+    """An element that fails without a number: what happens to it is not allowed at all.
+
+    Attributes:
+        element: Its name.
+        reason: What is not allowed.
+    """
+
+    element: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Caution:
+    """Something to warn of even within the limit.
+
+    Attributes:
+        text: What it is.
+    """
+
+    text: str
+
+
+Finding = Found | Missing | Refused | Caution
+Findings = Callable[[Recording, BoolArray], Iterator[Finding]]
+
+
+@dataclass(frozen=True)
+class Measure:
+    """One quantity that a limit can be set for.
+
+    Attributes:
+        meaning: What is compared with what, in words.
+        unit: Unit in which people read it.
+        digits: Decimals with which people read it.
+        findings: Gives the values within a mask of samples.
+        at_least: Whether the limit is the smallest allowed value, not the largest.
+        when_clear: Whether only samples count at which the loads are clear of their supports.
+        warns_up_to: A value over the limit but not over this one is a warning, not a failure.
+        by_definition: Limit that holds where nobody sets one, such as all of a rated capacity.
+        definition: Where that limit comes from.
+        is_listed: Whether it stands in the table without a limit too.
+    """
+
+    meaning: str
+    unit: str
+    digits: int
+    findings: Findings
+    at_least: bool = False
+    when_clear: bool = False
+    warns_up_to: float | None = None
+    by_definition: float | None = None
+    definition: str = ""
+    is_listed: bool = False
+
+
+def extreme(
+    recording: Recording,
+    values: FloatArray,
+    during: BoolArray,
+    element: str,
+    formula: Callable[[int], str] | None = None,
+    *,
+    smallest: bool = False,
+) -> Iterator[Found]:
+    """The largest (or smallest) of a series within a mask; nothing if the mask is empty.
+
+    Args:
+        recording: The recording.
+        values: Shape (time,).
+        during: Mask of samples.
+        element: What they belong to.
+        formula: The formula at a sample, if it needs more than the value.
+        smallest: Whether the smallest is looked for.
+    """
+    if not during.any():
+        return
+    at = int(np.argmax(np.where(during, -values if smallest else values, -np.inf)))
+    text = formula(at) if formula is not None else ""
+    yield Found(float(values[at]), element, float(recording.time[at]), text)
+
+
+def everywhere(recording: Recording) -> BoolArray:
+    """The mask of all samples that count: of an equilibrium the last one."""
+    if series.is_equilibrium(recording):
+        return series.last_sample(recording)
+    return np.ones(len(recording.time), dtype=np.bool_)
+
+
+def carrying(recording: Recording, rope: str, during: BoolArray) -> BoolArray:
+    """Samples of a mask at which a rope carries enough for its direction to mean something."""
+    return during & series.is_carrying(recording.column("rope_tension", rope))

@@ -1,0 +1,129 @@
+"""Ropes: minimum breaking force over tension, utilisation with the rule's factors, bends, fleet angles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gantline.checks.forces import Force, Raised, factor, kilonewton, over, rope_force, sling_forces
+from gantline.checks.measure import Finding, Found, Missing, Refused, carrying, extreme
+from gantline.checks.slings import bending_factor, bending_text, sling_bend
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.rig import Rope
+from gantline.results.variable import BoolArray
+
+_NO_STRENGTH = "minimum breaking force not known"
+_NEEDED = ("load_factor", "consequence_factor", "material_factor", "termination_factor")
+_MAY_BE = ("least_safety_factor", "wear_factor")
+
+
+def sling_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Minimum breaking force of a sling over its peak tension."""
+    for sling in recording.rig.slings:
+        yield from _factor(recording, during, sling.rope, sling.minimum_breaking_force, sling.name)
+
+
+def rope_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Minimum breaking force of a rope over its peak tension."""
+    for rope in recording.rig.ropes:
+        yield from _factor(recording, during, rope.name, rope.minimum_breaking_force, rope.name)
+
+
+def _factor(
+    recording: Recording, during: BoolArray, rope: str, strength: float | None, element: str
+) -> Iterator[Finding]:
+    if strength is None:
+        yield Missing(element, _NO_STRENGTH)
+        return
+    highest = series.peak(recording, recording.column("rope_tension", rope), during)
+    if during.all():
+        highest = max(series.rope_peak(recording, rope), highest or (0.0, 0.0))
+    if highest is not None and highest[0] > 0.0:
+        text = f"{kilonewton(strength)} / {kilonewton(highest[0])}"
+        yield Found(strength / highest[0], element, highest[1], text)
+
+
+def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Dynamic force times the rule's factors over minimum breaking force; 0027/ND rev 11, 7.2 and 7.3.
+
+    The factor is max(load x consequence x material factor, least safety factor) x wear factor x the larger of
+    termination and bending factor.
+    """
+    absent = [name for name in _NEEDED if factor(recording, name) is None]
+    forces = sling_forces(recording, during)
+    slings = {sling.rope: sling for sling in recording.rig.slings}
+    for rope in recording.rig.ropes:
+        if absent:
+            yield Missing(rope.name, f"the rules have no {', '.join(absent)}")
+        elif rope.minimum_breaking_force is None:
+            yield Missing(rope.name, _NO_STRENGTH)
+        elif rope.name in slings:
+            yield from _load(recording, rope, forces[slings[rope.name].name])
+        else:
+            yield from _load(recording, rope, rope_force(recording, rope.name, during))
+
+
+def _load(recording: Recording, rope: Rope, force: Force) -> Iterator[Finding]:
+    bending = _bending(recording, rope)
+    if isinstance(bending, str):
+        yield Missing(rope.name, bending)
+        return
+    if bending is None:
+        yield Refused(rope.name, "bent so sharply that no strength is left")
+        return
+    assert rope.minimum_breaking_force is not None
+    yield from over(force, rope.minimum_breaking_force, rope.name, _safety(recording, bending))
+
+
+def _safety(recording: Recording, bending: float) -> Raised:
+    """max(load x consequence x material, least safety factor) x wear x max(termination, bending)."""
+    load, consequence, material, termination = (factor(recording, name) or 1.0 for name in _NEEDED)
+    least, wear = (factor(recording, name) or 1.0 for name in _MAY_BE)
+    names = [*_NEEDED[:3], *(name for name in _MAY_BE if factor(recording, name) is not None)]
+    text = f"{load:.4g} x {consequence:.4g} x {material:.4g}"
+    product = load * consequence * material
+    if least > product:
+        text = f"max({text}, {least:.4g})"
+    if wear > 1.0:
+        text += f" x wear {wear:.4g}"
+    if bending > termination:
+        text += f" x bending {bending:.3f}"
+    else:
+        text += f" x termination {termination:.4g}"
+        names.append(_NEEDED[3])
+    return Raised(max(product, least) * wear * max(termination, bending), f" x {text}", tuple(names))
+
+
+def _bending(recording: Recording, rope: Rope) -> float | str | None:
+    """Bending factor of a rope, 1 where nothing bends it; why it is not known; None if nothing is left."""
+    sling = next((one for one in recording.rig.slings if one.rope == rope.name), None)
+    bend = next((one for one in recording.rig.bends if one.rope == rope.name), None)
+    diameter = bend.diameter if bend is not None else None
+    if sling is not None:
+        found = sling_bend(recording, sling)
+        if isinstance(found, str):
+            return found
+        diameter = found[0]
+    if diameter is None:
+        return 1.0
+    if not rope.diameter:
+        return "diameter not known"
+    return bending_factor(diameter / rope.diameter)
+
+
+def sheave_bending_ratio(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Pitch diameter of the smallest sheave or drum of a rope over its own."""
+    for bend in recording.rig.bends:
+        rope = recording.rig.rope(bend.rope)
+        if rope is None or not rope.diameter:
+            yield Missing(bend.rope, "diameter not known")
+        else:
+            text = bending_text(bend.diameter, rope.diameter)
+            yield Found(bend.diameter / rope.diameter, bend.element, formula=text)
+
+
+def fleet_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Angle of a carrying rope to the plane of a sheave."""
+    for sheave in recording.rig.wrapped_sheaves:
+        angle = series.fleet_angle(recording, sheave)
+        yield from extreme(recording, angle, carrying(recording, sheave.rope, during), sheave.name)

@@ -1,0 +1,170 @@
+"""Shackles: static load over working load limit, dynamic load over strength, both with side load.
+
+The shackle at a lug lies in the plane of its main plate, so its side load angle is the out-of-plane angle of
+the sling. One at the upper end, or below an extension sheave, hangs free and turns into the pull. A sling
+over an extension sheave has one at each lower end: what counts is the larger angle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from gantline.checks.forces import DYNAMIC, NO_DYNAMIC, NO_STATIC, Force, factor, kilonewton, sling_forces
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.rig import Sling
+from gantline.results.strength import Shackle, SideLoad
+from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
+
+_BREAKING = "shackle_breaking_factor"
+#: Angles that differ by less are one, so that a row of the chart ends where it says [rad].
+_SAME_ANGLE = 1e-9
+
+
+def remaining(chart: SideLoad, angle: float) -> float | None:
+    """What a side load angle [rad] leaves of a working load limit [1]; None beyond the chart."""
+    return next((row[1] for row in chart.rows if angle <= row[0] + _SAME_ANGLE), None)
+
+
+def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Static load of a shackle over its working load limit, reduced for side load."""
+    forces = sling_forces(recording, during)
+    window = series.quiet_window(recording)
+    chart = recording.rig.shackle_side_load
+    for sling, end, shackle in _shackles(recording):
+        element, force = f"{sling.name} {end}", forces[sling.name]
+        if not shackle.working_load_limit:
+            yield Missing(element, "working load limit not known")
+        elif force.static is None:
+            yield Missing(element, NO_STATIC)
+        else:
+            angle = _static_angle(recording, window, sling, end)
+            left = remaining(chart, angle)
+            limit = shackle.working_load_limit
+            if left is None:
+                yield from _beyond(element, angle)
+            else:
+                text = f"{force.static_text} / ({_limit(limit, left, angle)})"
+                factors = tuple(name for name in force.factors if name != DYNAMIC)
+                yield Found(force.static / (limit * left), element, formula=text, factors=factors)
+
+
+def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Dynamic load of a shackle over the least of its strengths.
+
+    These are working load limit times the rule's dynamic amplification factor (reduced for side load),
+    minimum breaking force over the rule's factor on it, and proof load; 0027/ND rev 11, 8.2.6.
+    """
+    forces = sling_forces(recording, during)
+    window = series.quiet_window(recording)
+    for sling, end, shackle in _shackles(recording):
+        element, force = f"{sling.name} {end}", forces[sling.name]
+        if not shackle.working_load_limit:
+            yield Missing(element, "working load limit not known")
+        elif force.dynamic is None:
+            yield Missing(element, NO_DYNAMIC)
+        else:
+            moments = _moments(recording, during, window, sling, end, force)
+            yield from _dynamic(recording, element, shackle, force, moments)
+
+
+#: A force [N], when it acts [s] (None by the rule), and its side load angle [rad].
+_Moment = tuple[float, float | None, float]
+
+
+def _moments(
+    recording: Recording, during: BoolArray, window: BoolArray, sling: Sling, end: str, force: Force
+) -> list[_Moment]:
+    """By the rule with the angle at rest; the peak; and the sample at which side load leaves least."""
+    chart = recording.rig.shackle_side_load
+    moments: list[_Moment] = []
+    if force.rule is not None:
+        moments.append((force.rule, None, _static_angle(recording, window, sling, end)))
+    if force.peak is not None and force.time is not None:
+        angles = _angles(recording, sling, end)
+        tension = series.sling_tension(recording, sling)
+        worst = _worst(chart, tension, angles, during)
+        near = int(np.argmin(np.abs(recording.time - force.time)))
+        moments.append((force.peak, force.time, float(angles[near])))
+        moments.append((float(tension[worst]), float(recording.time[worst]), float(angles[worst])))
+    return moments
+
+
+def _dynamic(
+    recording: Recording, element: str, shackle: Shackle, force: Force, moments: list[_Moment]
+) -> Iterator[Finding]:
+    found: list[Found] = []
+    for load, time, angle in moments:
+        left = remaining(recording.rig.shackle_side_load, angle)
+        if left is None:
+            yield from _beyond(element, angle)
+            return
+        strength, text = _strength(recording, shackle, left, angle)
+        said, other = f"peak {kilonewton(load)}", force.rule_text
+        if time is None:
+            said = force.rule_text
+            other = "" if force.peak is None else f"peak {kilonewton(force.peak)}"
+        formula = f"{said} / {text}{f'; {other}' if other else ''}"
+        factors = (*force.factors, *([_BREAKING] if "MBF" in text else []))
+        found.append(Found(load / strength, element, time, formula, factors))
+    yield max(found, key=lambda one: one.value)
+    if factor(recording, _BREAKING) is not None and not shackle.minimum_breaking_force:
+        yield Caution(f"minimum breaking force of {shackle.name} not known, which the rule asks for")
+
+
+def _strength(recording: Recording, shackle: Shackle, left: float, angle: float) -> tuple[float, str]:
+    """The least strength of a shackle against dynamic loads [N], and how it comes about."""
+    dynamic = factor(recording, DYNAMIC) or 1.0
+    limit = shackle.working_load_limit or 0.0
+    by_limit = _limit(limit, left, angle) + (f" x {dynamic:.4g}" if dynamic > 1.0 else "")
+    strengths = [(limit * left * dynamic, by_limit)]
+    breaking = factor(recording, _BREAKING)
+    if shackle.minimum_breaking_force and breaking is not None:
+        text = f"MBF {kilonewton(shackle.minimum_breaking_force)} / {breaking:.4g}"
+        strengths.append((shackle.minimum_breaking_force / breaking, text))
+    if shackle.proof_load:
+        strengths.append((shackle.proof_load, f"proof load {kilonewton(shackle.proof_load)}"))
+    least = min(strength for strength, _ in strengths)
+    texts = [text for _, text in strengths]
+    return least, f"({texts[0]})" if len(texts) == 1 else f"min({', '.join(texts)})"
+
+
+def _limit(limit: float, left: float, angle: float) -> str:
+    aside = f" x {left:.4g} at {format_quantity(angle, 'deg', 1)} aside" if left < 1.0 else ""
+    return f"WLL {kilonewton(limit)}{aside}"
+
+
+def _beyond(element: str, angle: float) -> Iterator[Finding]:
+    """The chart says nothing of so large an angle."""
+    yield Refused(element, f"pulled {format_quantity(angle, 'deg', 1)} aside, beyond the chart of side loads")
+
+
+def _worst(chart: SideLoad, tension: FloatArray, angles: FloatArray, during: BoolArray) -> int:
+    """Sample at which tension over what side load leaves is largest."""
+    bounds = np.array([row[0] + _SAME_ANGLE for row in chart.rows])
+    left = np.array([*(row[1] for row in chart.rows), 1e-12])
+    return int(np.argmax(np.where(during, tension / left[np.searchsorted(bounds, angles)], -np.inf)))
+
+
+def _angles(recording: Recording, sling: Sling, end: str) -> FloatArray:
+    """Side load angle while the sling carries [rad], else 0, shape (time,)."""
+    aside = list(series.out_of_plane_angles(recording, sling).values()) if end == "bottom" else []
+    still = np.zeros(len(recording.time))
+    if not aside:
+        return still
+    is_carrying = series.is_carrying(series.sling_tension(recording, sling))
+    return np.where(is_carrying, np.max(aside, axis=0), still)
+
+
+def _static_angle(recording: Recording, window: BoolArray, sling: Sling, end: str) -> float:
+    return series.static_value(recording, _angles(recording, sling, end), window) or 0.0
+
+
+def _shackles(recording: Recording) -> Iterator[tuple[Sling, str, Shackle]]:
+    for sling in recording.rig.slings:
+        for end, shackle in sling.shackles.items():
+            yield sling, end, shackle

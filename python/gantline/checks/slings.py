@@ -1,0 +1,127 @@
+"""Slings: skew, dynamics, angles, and how they bend about their shackles."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from gantline.checks.forces import NO_STATIC, kilonewton
+from gantline.checks.measure import Finding, Found, Missing, carrying, extreme
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.rig import Sling
+from gantline.results.skew import skew_loads
+from gantline.results.variable import BoolArray
+from gantline.units import format_quantity
+
+
+def sling_tension(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Tension as simulated."""
+    for sling in recording.rig.slings:
+        yield from extreme(recording, series.sling_tension(recording, sling), during, sling.name)
+
+
+def smallest_tension(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Smallest tension."""
+    for sling in recording.rig.slings:
+        tension = series.sling_tension(recording, sling)
+        yield from extreme(recording, tension, during, sling.name, smallest=True)
+
+
+def skew_load_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Static force of a sling over its force with perfect lengths."""
+    skews = skew_loads(recording)
+    if not skews:
+        yield from (Missing(sling.name, NO_STATIC) for sling in recording.rig.slings)
+    for skew in skews:
+        if skew.factor is None or skew.perfect is None:
+            yield Missing(skew.sling, skew.reason)
+        else:
+            text = f"static {kilonewton(skew.force)} / {kilonewton(skew.perfect)} with perfect lengths"
+            yield Found(skew.factor, skew.sling, formula=text)
+
+
+def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Peak over static tension of the same sling, both as simulated."""
+    window = series.quiet_window(recording)
+    for sling in recording.rig.slings:
+        static = series.static_value(recording, series.sling_tension(recording, sling), window)
+        highest, time = series.rope_peak(recording, sling.rope)
+        if series.is_equilibrium(recording):
+            yield Missing(sling.name, "an equilibrium has no peak")
+        elif not static:
+            yield Missing(sling.name, NO_STATIC if static is None else "carries nothing at rest")
+        else:
+            text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
+            yield Found(highest / static, sling.name, time, text)
+
+
+def angle_from_vertical(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Angle of a carrying sling from the vertical."""
+    for sling in recording.rig.slings:
+        angle = series.sling_angle(recording, sling)
+        yield from extreme(recording, angle, carrying(recording, sling.rope, during), sling.name)
+
+
+def angle_from_horizontal(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Angle of a carrying sling from the horizontal."""
+    for sling in recording.rig.slings:
+        angle = series.sling_angle(recording, sling)
+
+        def text(at: int, angle: np.ndarray = angle) -> str:
+            return f"90 deg - {format_quantity(float(angle[at]), 'deg', 1)} from the vertical"
+
+        inside = carrying(recording, sling.rope, during)
+        yield from extreme(recording, math.pi / 2 - angle, inside, sling.name, text, smallest=True)
+
+
+def bending_factor(ratio: float) -> float | None:
+    """What bending about a diameter of `ratio` rope diameters takes of a rope's strength.
+
+    It is a factor on the force, 1/(1 - 0.5/sqrt(D/d)): 0027/ND rev 11, 7.8.1, after IMCA M 179.
+
+    Returns:
+        The factor; None where nothing is left (D/d up to 0.25).
+    """
+    left = 1.0 - 0.5 / math.sqrt(ratio)
+    return 1.0 / left if left > 0.0 else None
+
+
+def bending_text(diameter: float, rope: float) -> str:
+    """D/d and its bending factor in words."""
+    ratio = diameter / rope
+    factor = bending_factor(ratio)
+    said = "no strength left" if factor is None else f"bending factor {factor:.3f}"
+    return f"{format_quantity(diameter, 'mm', 0)} / {format_quantity(rope, 'mm', 0)}, {said}"
+
+
+def sling_bend(recording: Recording, sling: Sling) -> tuple[float, str] | str:
+    """Smallest diameter about which the eyes of a sling bend [m] and its place; or why it is not known."""
+    known = {
+        end: shackle.bow_diameter
+        for end, shackle in sling.shackles.items()
+        if shackle.bow_diameter is not None
+    }
+    if sling.over is not None:
+        return "bends about an extension sheave, whose diameter counts in pictures only"
+    if not sling.shackles:
+        return "no shackles given"
+    if len(known) < len(sling.shackles):
+        return "bow diameter not known"
+    end = min(known, key=lambda one: known[one])
+    return known[end], f"{sling.name} {end}"
+
+
+def sling_bending_ratio(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Diameter of a shackle's bow over the diameter of the sling that bends about it."""
+    for sling in recording.rig.slings:
+        rope = recording.rig.rope(sling.rope)
+        bend = sling_bend(recording, sling)
+        if isinstance(bend, str):
+            yield Missing(sling.name, bend)
+        elif rope is None or not rope.diameter:
+            yield Missing(sling.name, "diameter not known")
+        else:
+            yield Found(bend[0] / rope.diameter, bend[1], formula=bending_text(bend[0], rope.diameter))

@@ -1,0 +1,194 @@
+"""Skew load factors: what errors of length, and losses of sheaves, add to the static force of a sling.
+
+The skew load factor of a sling is its static force over the force that it would have with perfect lengths.
+Both are taken where the load hangs; slings that share are taken together:
+
+- under an equalizer whose sheaves move, perfect means that every moving sheave bears the same vertical
+  force. An ideal equalizer has 1 whatever the lengths, one with losses has what they leave uneven, one whose
+  lengths are adjusted instead what that has left;
+- under a hook the forces keep their sum on the hook, in three directions. Three slings have no choice. More
+  share as their stiffnesses EA/L say, which is the least elastic energy;
+- under an equalizer of which pins hold a sheave, slings count as parallel: what they keep is the sum of
+  vertical forces and its moments about the horizontal axes.
+
+A sling over an extension sheave shares with none: it follows the sling that its sheave hangs on, and has no
+factor of its own. How slings share that carry such sheaves, where lengths decide it, depends on all that
+hangs below and cannot be told.
+
+With s = K^(-1/2) T and A = G K^(1/2), G the forces (and moments) of unit tensions, perfect lengths give
+s = A+ A s. `docs/concepts/checks.md` derives it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.parting import partings
+from gantline.results.recording import Recording
+from gantline.results.rig import Equalizer, Sling
+from gantline.results.variable import BoolArray, FloatArray
+
+#: Levers, and directions, below this share of the largest are none: lugs in one line, ropes in one plane.
+_NO_LEVER = 1e-3
+#: A sling that would carry less than this share of the largest has no factor.
+_SLACK = 1e-3
+
+
+@dataclass(frozen=True)
+class Skew:
+    """A sling and its skew load factor.
+
+    Attributes:
+        sling: Its name.
+        force: Its static force [N].
+        perfect: The same with perfect lengths [N]; None if that cannot be told.
+        lengths_decide: Whether lengths decide how it shares with others.
+        reason: Why it cannot be told.
+    """
+
+    sling: str
+    force: float
+    perfect: float | None
+    lengths_decide: bool
+    reason: str = ""
+
+    @property
+    def factor(self) -> float | None:
+        """The skew load factor [1]; None if it cannot be told."""
+        return None if self.perfect is None else self.force / self.perfect
+
+
+def skew_loads(recording: Recording) -> list[Skew]:
+    """Skew of every sling, in groups of those that share; none where there is no static force.
+
+    Args:
+        recording: Of any lift.
+    """
+    window = series.quiet_window(recording)
+    if not window.any():
+        return []
+    gone = {one.rope for one in partings(recording)}
+    slings = [sling for sling in recording.rig.slings if sling.rope not in gone]
+    sharing = [sling for sling in slings if sling.over is None]
+    skews = [skew for group in _groups(recording, sharing) for skew in _of_group(recording, window, group)]
+    over = [sling for sling in slings if sling.over is not None]
+    tension = np.array([_static(recording, window, series.sling_tension(recording, one)) for one in over])
+    # Lengths decide for it what they decide for the sling above; which one that is, recordings do not say.
+    decide = any(skew.lengths_decide for skew in skews)
+    reason = "it follows the sling that its extension sheave hangs on"
+    return [*skews, *_none(over, tension, reason, lengths_decide=decide)]
+
+
+def largest_skew(recording: Recording) -> float | None:
+    """Largest skew load factor of a lift [1]; None if there is none."""
+    factors = [one.factor for one in skew_loads(recording)]
+    return max((factor for factor in factors if factor is not None), default=None)
+
+
+def _groups(recording: Recording, slings: Sequence[Sling]) -> Iterator[list[Sling]]:
+    """Slings of one equalizer, or of one hook without any."""
+    groups: dict[str, list[Sling]] = {}
+    for sling in slings:
+        equalizer = recording.rig.equalizer_of(sling)
+        groups.setdefault(sling.from_body if equalizer is None else equalizer.name, []).append(sling)
+    yield from groups.values()
+
+
+def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) -> Iterator[Skew]:
+    equalizer = recording.rig.equalizer_of(slings[0])
+    tension = np.array([_static(recording, window, series.sling_tension(recording, one)) for one in slings])
+    directions = [series.sling_direction(recording, one) for one in slings]
+    unit = np.array([[_static(recording, window, part) for part in one.T] for one in directions])
+    if (unit[:, 2] <= _NO_LEVER).any() or tension.max(initial=0.0) <= 0.0:
+        yield from _none(slings, tension, "its slings do not hang")
+        return
+    if equalizer is not None and not _pinned(recording, equalizer):
+        perfect = np.mean(tension * unit[:, 2]) / unit[:, 2]
+        yield from _all(slings, tension, perfect, lengths_decide=False)
+        return
+    if equalizer is None:
+        gradient = unit.T
+    else:
+        ends = [series.rope_ends(recording, one.rope)[1] for one in slings]
+        lugs = np.array([[_static(recording, window, part) for part in one[:, :2].T] for one in ends])
+        lever = lugs - lugs.mean(axis=0)
+        size = np.sqrt(np.mean(lever**2)) or 1.0
+        gradient = np.vstack([np.ones(len(slings)), lever.T / size]) * unit[:, 2]
+    if np.linalg.matrix_rank(gradient, tol=_NO_LEVER * np.linalg.norm(gradient, 2)) == len(slings):
+        yield from _all(slings, tension, tension, lengths_decide=False)
+        return
+    if any(lug is None for one in slings for lug in one.lugs):
+        yield from _none(slings, tension, "how they share depends on extension sheaves below them")
+        return
+    stiffness = _stiffness(recording, slings)
+    if stiffness is None:
+        yield from _none(slings, tension, "axial stiffness of its slings not known")
+        return
+    yield from _all(slings, tension, perfect_forces(gradient, stiffness, tension), lengths_decide=True)
+
+
+def perfect_forces(gradient: FloatArray, stiffness: FloatArray, tension: FloatArray) -> FloatArray:
+    """Forces of slings of perfect lengths that do to the load what the given ones do.
+
+    Args:
+        gradient: What unit tensions do to the load, shape (n, slings).
+        stiffness: EA/L, shape (slings,) [N/m].
+        tension: Forces as they are, shape (slings,) [N].
+
+    Returns:
+        The forces of least elastic energy that gradient @ tension allows, shape (slings,) [N].
+    """
+    root = np.sqrt(stiffness)
+    forces = gradient * root
+    perfect: FloatArray = root * (np.linalg.pinv(forces, rcond=_NO_LEVER) @ forces @ (tension / root))
+    return perfect
+
+
+def _pinned(recording: Recording, equalizer: Equalizer) -> set[str]:
+    """Moving sheaves that pins hold at the end."""
+    pinned = set(equalizer.locked)
+    for _, kind, sheave in recording.events():
+        if kind == "pin_put_in" and sheave in equalizer.moving_sheaves:
+            pinned.add(sheave)
+        elif kind == "pin_pulled":
+            pinned.discard(sheave)
+    return pinned
+
+
+def _static(recording: Recording, window: BoolArray, values: FloatArray) -> float:
+    found = series.static_value(recording, values, window)
+    return 0.0 if found is None else found
+
+
+def _stiffness(recording: Recording, slings: Sequence[Sling]) -> FloatArray | None:
+    """EA/L of each sling [N/m]; None if one is not known."""
+    found = []
+    for sling in slings:
+        rope = recording.rig.rope(sling.rope)
+        if rope is None or not rope.axial_stiffness or not sling.length:
+            return None
+        found.append(rope.axial_stiffness / sling.length)
+    return np.array(found)
+
+
+def _all(
+    slings: Sequence[Sling], tension: FloatArray, perfect: FloatArray, *, lengths_decide: bool
+) -> Iterator[Skew]:
+    least = _SLACK * float(perfect.max())
+    for sling, force, of in zip(slings, tension, perfect, strict=True):
+        if of > least:
+            yield Skew(sling.name, float(force), float(of), lengths_decide)
+        else:
+            reason = "with perfect lengths it would be slack"
+            yield Skew(sling.name, float(force), None, lengths_decide, reason)
+
+
+def _none(
+    slings: Sequence[Sling], tension: FloatArray, reason: str, *, lengths_decide: bool = True
+) -> Iterator[Skew]:
+    for sling, force in zip(slings, tension, strict=True):
+        yield Skew(sling.name, float(force), None, lengths_decide, reason)

@@ -1,0 +1,178 @@
+"""Limits that a lift is checked against, and the rules by which loads and strengths are reckoned for that."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Annotated, ClassVar
+
+from pydantic import Field, model_validator
+
+from gantline.rule_data import PRESETS
+from gantline.scenario.base import Element
+from gantline.scenario.quantities import (
+    Number,
+    PositiveAngle,
+    PositiveForce,
+    Quantity,
+    Ratio,
+    Text,
+    Word,
+    refuse,
+)
+
+__all__ = ["Limits", "Rules", "SideLoad"]
+
+_Factor = Annotated[float, Number(least=1.0, most=100.0)]
+
+
+class Limits(Element):
+    """Limits that the lift is checked against."""
+
+    what: ClassVar[str] = "limits"
+
+    rule: Text | None = Field(None, description="Rule and edition that the limits come from.")
+    load_tilt: PositiveAngle | None = Field(None, description="Tilt of the load.")
+    sling_angle_from_vertical: PositiveAngle | None = Field(
+        None, description="Angle of slings from the vertical."
+    )
+    sling_angle_from_horizontal: PositiveAngle | None = Field(
+        None, description="Least angle of slings from the horizontal."
+    )
+    lug_out_of_plane_angle: PositiveAngle | None = Field(
+        None, description="Angle of slings to the lug's plate."
+    )
+    fleet_angle: PositiveAngle | None = Field(
+        None,
+        description="Angle of a carrying rope to the plane of a sheave with true tangents; if not given, "
+        "more than 4 deg is a warning.",
+    )
+    sling_factor_on_breaking_force: _Factor | None = Field(
+        None, description="Least factor of minimum breaking force over peak tension, of every sling."
+    )
+    rope_factor_on_breaking_force: _Factor | None = Field(
+        None,
+        description="Least factor of minimum breaking force over peak tension, of every rope: slings, "
+        "equalizing ropes, ropes of 'mechanics'.",
+    )
+    rope_load_of_breaking_force: Ratio | None = Field(
+        None,
+        description="Rope force times the factors of 'rules', of minimum breaking force; 100 % if not given.",
+    )
+    sling_bending_ratio: _Factor | None = Field(
+        None, description="Least diameter of the shackle where a sling bends, over that of the sling."
+    )
+    sheave_bending_ratio: _Factor | None = Field(
+        None, description="Least diameter of sheaves and drums over that of their rope."
+    )
+    smallest_sling_tension_when_clear: Annotated[float, Quantity("force", "not_negative")] | None = Field(
+        None, description="Least tension of any sling once the load is clear."
+    )
+    tension_spread_when_clear: Ratio | None = Field(
+        None, description="(max - min)/mean of slings once clear."
+    )
+    equalised_below: Annotated[float, Quantity("ratio", "positive")] | None = Field(
+        None,
+        description="Tension spread below which an equalizer counts as equalised, for its time to equalise; "
+        "5 % if not given. It is not checked.",
+    )
+    skew_load_factor: _Factor | None = Field(
+        None, description="Static force of a sling over its force with perfect lengths."
+    )
+    equalizer_travel_used: Ratio | None = Field(
+        None, description="Travel used, of the stroke; 100 % if not given."
+    )
+    equalizer_load_of_rated_capacity: Ratio | None = Field(
+        None,
+        description="Static load of all slings of an equalizer, of its rated capacity; 100 % if not given.",
+    )
+    hook_dynamic_factor: _Factor | None = Field(None, description="Dynamic over static hook load.")
+    sling_dynamic_factor: _Factor | None = Field(
+        None, description="Peak over static tension of the same sling."
+    )
+    static_hook_load: PositiveForce | None = Field(
+        None, description="Static hook load with the design weight, of every hook."
+    )
+    dynamic_hook_load: PositiveForce | None = Field(
+        None, description="Larger of static hook load times the rule's factor, and simulated peak."
+    )
+    hoist_load_of_rated_capacity: Ratio | None = Field(
+        None,
+        description="Hoist load of rated capacity, of hooks and of 'hook_groups'; 100 % if not given.",
+    )
+    lug_load_of_capacity: Ratio | None = Field(
+        None, description="Load of a lug of its capacity; 100 % if not given."
+    )
+    shackle_load_of_working_load_limit: Ratio | None = Field(
+        None,
+        description="Static load of a shackle of its working load limit, reduced for side load; 100 % if "
+        "not given.",
+    )
+    shackle_dynamic_load_of_strength: Ratio | None = Field(
+        None,
+        description="Dynamic load of a shackle of the least of working load limit times dynamic "
+        "amplification factor, minimum breaking force over its factor, and proof load; 100 % if not given.",
+    )
+
+
+class SideLoad(Element):
+    """One row of a chart of side loads on shackles."""
+
+    what: ClassVar[str] = "a row of shackle_side_load"
+
+    up_to: PositiveAngle = Field(description="Largest side load angle of the row.")
+    remains: Annotated[float, Quantity("ratio", "positive")] = Field(
+        description="What remains of the working load limit."
+    )
+
+
+class Rules(Element):
+    """Factors by which loads are raised and strengths lowered for the checks."""
+
+    what: ClassVar[str] = "rules"
+
+    preset: Annotated[str, Word(tuple(PRESETS))] | None = Field(
+        None, description="Rule that gives what is said neither here nor under 'limits'."
+    )
+    dynamic_amplification_factor: _Factor | None = Field(
+        None, description="On static hook and sling loads, beside the simulated peak, never upon it."
+    )
+    skew_load_factor: _Factor | None = Field(
+        None,
+        description="On the force with perfect lengths of slings whose lengths decide how they share: more "
+        "than three at one hook, or an equalizer of which pins hold a sheave.",
+    )
+    load_factor: _Factor | None = Field(None, description="On rope forces.")
+    consequence_factor: _Factor | None = Field(None, description="On rope forces.")
+    material_factor: _Factor | None = Field(None, description="On rope forces.")
+    wear_factor: _Factor | None = Field(None, description="On rope forces.")
+    termination_factor: _Factor | None = Field(
+        None, description="On rope forces for their end terminations, unless bending takes more."
+    )
+    least_safety_factor: _Factor | None = Field(
+        None, description="Least product of load, consequence and material factor."
+    )
+    lug_consequence_factor: _Factor | None = Field(
+        None, description="On lug loads, where a lug's capacity does not hold it already."
+    )
+    shackle_breaking_factor: _Factor | None = Field(
+        None, description="Least factor of a shackle's minimum breaking force over its dynamic load."
+    )
+    shackle_side_load: list[SideLoad] | None = Field(
+        None,
+        description="What side load leaves of a shackle's working load limit, in place of Crosby's chart; "
+        "beyond its last row no side load is allowed.",
+        min_length=1,
+    )
+
+    @model_validator(mode="after")
+    def _rows_in_order(self) -> Rules:
+        rows = self.shackle_side_load or []
+        for before, after in pairwise(rows):
+            if after.up_to <= before.up_to or after.remains > before.remains:
+                sentence = "its rows go from small angles to large ones, and what remains falls"
+                raise refuse(f"the chart is not in order; {sentence}", "shackle_side_load")
+        for row in rows:
+            if row.remains > 1:
+                sentence = f"{row.remains * 100:g} % is more than all of the working load limit"
+                raise refuse(f"{sentence}; 100 % or less is right", "shackle_side_load")
+        return self
