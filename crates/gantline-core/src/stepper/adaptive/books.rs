@@ -87,6 +87,12 @@ impl Adaptive {
                 *loss_kind(system, ledger, row) += duration * law.damping_time() / compliance * rate * rate;
             }
         }
+        for (index, place) in system.coils.iter().enumerate() {
+            let flow = probe.frame.coil_flow(system, index, v[place.dof]);
+            ledger.friction += duration * flow.friction;
+            // What the coils then come to hold is taken off again: see [`crate::stepper::coils::remember`].
+            ledger.method += duration * flow.held;
+        }
         // Where a contact slides, its anchor takes T α̇ and what is left of the motion stretches spring and damper.
         for (anchor_rate, &row) in probe.anchor_rate.iter().zip(&system.friction) {
             if state.modes[row] == Mode::Slipping {

@@ -15,11 +15,12 @@ use super::rodas::Increment;
 use crate::clock::Stage;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
 use crate::plan::drive::Timeline;
+use crate::rope::coil::Coil;
 use crate::rope::route::Attachment;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
-use crate::stepper::frame::Frame;
+use crate::stepper::frame::{Frame, Remembered};
 use crate::system::System;
 use crate::tree::Body;
 use crate::tree::bias::NewtonEuler;
@@ -69,7 +70,7 @@ impl Evaluation {
             q: vec![0.0; system.tree.positions],
             frame: Frame::new(system),
             dynamics: NewtonEuler::new(&system.tree),
-            phi_rate: vec![0.0; size],
+            phi_rate: vec![0.0; system.tree.increments()],
             rate: vec![0.0; rows],
             trial: vec![0.0; rows],
             tension: vec![0.0; rows],
@@ -89,7 +90,7 @@ impl Evaluation {
         self.place(system, at);
         system.clock.time(Stage::Assembly, || {
             self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
-            self.locate(system, at);
+            self.locate(system, at, modes);
             self.tensions(system, at, modes);
         });
     }
@@ -102,7 +103,7 @@ impl Evaluation {
 
     fn add_forces(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.locate(system, at);
+        self.locate(system, at, modes);
         self.tensions(system, at, modes);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
@@ -118,6 +119,10 @@ impl Evaluation {
             let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
             system.constraints[index].feed(tension, lines, &mut self.imbalance);
         }
+        for (index, place) in system.coils.iter().enumerate() {
+            let pull = self.frame.passing[index].supply * self.frame.feeding[index];
+            self.imbalance[place.dof] += self.tension[place.row] * pull;
+        }
     }
 
     /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
@@ -128,7 +133,7 @@ impl Evaluation {
 
     fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.frame.rows(system, &self.q, at.memory, at.seats);
+        self.frame.rows(system, &self.q, &at.remembered(modes));
         self.move_anchors(system, at);
         for (row, rate) in self.rate.iter_mut().enumerate() {
             *rate = system.rows.rate(&self.frame.gradient, row, at.v);
@@ -154,7 +159,7 @@ impl Evaluation {
     }
 
     /// Values and rates of the rows from the motion of the bodies.
-    fn locate(&mut self, system: &System, at: &Point) {
+    fn locate(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.frame.value.copy_from_slice(at.memory);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
@@ -164,6 +169,11 @@ impl Evaluation {
             let moving = Moving { kinematics, twists, q: &self.q, v: at.v, seats: at.seats };
             let value = &mut self.frame.value[own.clone()];
             constraint.locate(&moving, value, &mut self.rate[own], lines);
+        }
+        self.frame.pass(system, &self.q, &at.remembered(modes));
+        for (index, place) in system.coils.iter().enumerate() {
+            let pull = self.frame.passing[index].supply * self.frame.feeding[index];
+            self.rate[place.row] += pull * at.v[place.dof];
         }
         self.move_anchors(system, at);
         self.follow(system, at);
@@ -257,7 +267,12 @@ impl Evaluation {
                 self.pull[index] -= timelines[drive].acceleration(from, time).0;
             }
         }
-        self.phi_rate.copy_from_slice(at.v);
+        let (joints, supplies) = self.phi_rate.split_at_mut(at.v.len());
+        joints.copy_from_slice(at.v);
+        for (index, (place, rate)) in system.coils.iter().zip(supplies).enumerate() {
+            *rate = self.frame.feeding[index] * at.v[place.dof];
+            self.imbalance[place.dof] -= self.frame.coil_force(system, index);
+        }
         for &first in &self.rotations {
             let range = first..first + 3;
             let phi = DVec3::from_slice(&at.phi[range.clone()]);
@@ -309,7 +324,9 @@ pub struct Point<'a> {
     pub memory: &'a [f64],
     /// How ropes lie on their sheaves.
     pub seats: &'a [Seat],
-    /// φ.
+    /// What drums have wound.
+    pub coils: &'a [Coil],
+    /// φ, with the supplies of drums.
     pub phi: &'a [f64],
     /// v.
     pub v: &'a [f64],
@@ -325,8 +342,12 @@ impl<'a> Point<'a> {
     /// At an increment from `state`, where a step starts, `elapsed` [s] later.
     pub fn of(state: &'a State, by: &'a Increment, elapsed: f64) -> Self {
         let Increment { phi, v, a, rigid, anchor } = by;
-        let State { q: base, memory, seats, .. } = state;
-        Self { schedule: Schedule::after(state, elapsed), base, memory, seats, phi, v, a, rigid, anchor }
+        let State { q: base, memory, seats, coils, .. } = state;
+        Self { schedule: Schedule::after(state, elapsed), base, memory, seats, coils, phi, v, a, rigid, anchor }
+    }
+
+    fn remembered(&self, modes: &'a [Mode]) -> Remembered<'a> {
+        Remembered { memory: self.memory, seats: self.seats, coils: self.coils, modes }
     }
 }
 

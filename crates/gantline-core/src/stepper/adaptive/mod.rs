@@ -20,7 +20,7 @@ mod switching;
 mod tableau;
 pub mod tangent;
 
-use super::flows;
+use super::{coils, flows};
 use super::frame::Frame;
 use super::{StepError, StepReport, parting, seats};
 use crate::audit::Flows;
@@ -242,8 +242,13 @@ impl Adaptive {
             state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
             state.v[dof] = timeline.motion(state.time).velocity;
         }
+        self.current &= !coils::turn(system, state);
         loop {
             self.settle_forces(system, state, frame)?;
+            if coils::turn(system, state) {
+                self.current = false;
+                self.settle_forces(system, state, frame)?;
+            }
             // What the forces are now may break a rope, and that change the forces.
             if !parting::break_ropes(system, state, frame, log) {
                 break;
@@ -307,10 +312,11 @@ impl Adaptive {
         let here = &mut self.rodas.here;
         state.q.copy_from_slice(&here.q);
         // There φ counts from here: φ̇ = v.
-        here.phi_rate.copy_from_slice(&state.v);
+        here.phi_rate[..state.v.len()].copy_from_slice(&state.v);
         self.current = true;
         self.book_springs(system, state, 1.0);
         state.ledger.flows += std::mem::take(&mut self.flows);
+        coils::remember(system, state, &self.rodas.here.frame);
         self.note_taut(system, state);
         self.rate.v.copy_from_slice(&state.v);
         if self.follow_seats(system, state, log, (start, length)) {

@@ -142,7 +142,8 @@ impl TangentMatrix {
         let (size, tension, law) = (dofs.len(), here.tension[*row], &system.rows.laws[*row]);
         let curvature = &mut self.curvature[..size * size];
         let kinematics = &here.frame.kinematics;
-        let at = Placed { tree: &system.tree, kinematics, q: &state.q, seats: &state.seats };
+        let feeding = &here.frame.feeding;
+        let at = Placed { tree: &system.tree, kinematics, q: &state.q, seats: &state.seats, feeding };
         let value = here.frame.value[*row];
         system.constraints[*constraint].curvature(&at, value, *number, &mut self.columns, curvature);
         for (place, value) in places.iter().zip(&*curvature) {
@@ -293,7 +294,7 @@ impl TangentMatrix {
                     let own = self.places.in_row[range.start + brake.own] as usize;
                     // d(bound · direction)/dv, the direction's square being 1.
                     self.values[own] -= kappa * brake.slope(driven);
-                    brake.add_slopes(&state.q, &here.tension, |entry, slope| {
+                    brake.add_slopes(&state.q, &here.frame.feeding, &here.tension, |entry, slope| {
                         self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
                     });
                 }
