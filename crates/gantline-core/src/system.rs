@@ -4,8 +4,8 @@ use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::drive::Timeline;
-use crate::rope::coil::Layers;
 use crate::plan::{Cut, Step};
+use crate::rope::coil::Layers;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
 
@@ -131,6 +131,11 @@ impl CoilPlace {
     /// Wound rope let go per unit of the flow.
     pub fn rate_at(&self, q: &[f64]) -> f64 {
         self.rate * self.layers.map_or(1.0, |layers| layers.ratio(self.turned(q)))
+    }
+
+    /// How that changes with the coordinate of the flow [1/m].
+    pub fn rate_slope(&self, q: &[f64]) -> f64 {
+        self.layers.map_or(0.0, |layers| -self.rate * self.rate * layers.slope(self.turned(q)))
     }
 }
 

@@ -88,13 +88,7 @@ impl Brake {
     }
 
     /// How the bound answers to the flows, by entry of the row: they change the lengths of the spans, ∂w/∂L = −w/2L.
-    pub fn add_slopes(
-        &self,
-        q: &[f64],
-        feeding: &[f64],
-        force: &[f64],
-        mut add: impl FnMut(usize, f64),
-    ) {
+    pub fn add_slopes(&self, q: &[f64], feeding: &[f64], force: &[f64], mut add: impl FnMut(usize, f64)) {
         for (row, span) in &self.spans {
             let slope = -0.5 * self.share * force[*row].max(0.0) * span.scale(q) / span.unstretched(q);
             for feed in &span.feeds {

@@ -59,6 +59,19 @@ impl Coil {
         below.checked_sub(1).map_or(self.laid, |index| self.pieces[index].strain)
     }
 
+    /// Unstretched rope let go where `wound` [m] lie on the drum and it has paid out since it last remembered [m].
+    pub fn let_go_at(&self, wound: f64) -> f64 {
+        let (mut let_go, mut from) = (self.let_go, self.wound);
+        for piece in self.pieces.iter().rev() {
+            let_go += (from - piece.from.max(wound)) / (1.0 + piece.strain);
+            if piece.from <= wound {
+                return let_go;
+            }
+            from = piece.from;
+        }
+        let_go + (from - wound) / (1.0 + self.laid)
+    }
+
     /// Brings the coil to `wound` [m], where rope of the mean strain `strain` has come on if that is more than before;
     /// returns by how much ½ ε² times its unstretched length has grown [m]: what it holds, over EA.
     pub fn bring_to(&mut self, wound: f64, strain: f64) -> f64 {
@@ -148,6 +161,12 @@ impl Layers {
     pub fn ratio(&self, turned: f64) -> f64 {
         let turns = self.turns_at(turned);
         1.0 + self.growth * self.sum(turns, |over| over.clamp(0.0, 1.0))
+    }
+
+    /// By how much that ratio grows with what the drum turns [1/m].
+    pub fn slope(&self, turned: f64) -> f64 {
+        let climbs = self.sum(self.turns_at(turned), |over| if over < 1.0 { 1.0 } else { 0.0 });
+        self.growth * climbs / (CLIMB * std::f64::consts::TAU * self.radius)
     }
 
     /// Rope wound up since the start, where the drum has turned by so much rope on the first layer [m].

@@ -1,7 +1,7 @@
 //! Everything that follows from a configuration: poses, mass matrix, rows and their gradients.
 
-use crate::clock::Stage;
 use super::coils::Passing;
+use crate::clock::Stage;
 use crate::constraint::Placed;
 use crate::rope::coil::Coil;
 use crate::rope::seat::Seat;

@@ -203,9 +203,9 @@ pub fn moved(system: &System, state: &State, direction: &[f64], scale: f64) -> (
     let mut frame = Frame::new(system);
     frame.update(system, &state);
     // What drums let go moves along with them.
-    increment.extend(system.coils.iter().zip(&frame.feeding).map(|(coil, feeding)| {
-        scale * feeding * direction[coil.dof]
-    }));
+    increment.extend(
+        system.coils.iter().zip(&frame.feeding).map(|(coil, feeding)| scale * feeding * direction[coil.dof]),
+    );
     system.tree.advance(&mut state.q, &increment);
     frame.update(system, &state);
     (state, frame)

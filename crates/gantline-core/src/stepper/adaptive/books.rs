@@ -10,6 +10,7 @@ use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
+use crate::stepper::coils;
 use crate::system::System;
 
 /// Weights of the Gauss points among [`LOOKS`].
@@ -106,6 +107,7 @@ impl Adaptive {
         for (defect, phi_rate) in self.rate.phi.iter_mut().zip(&probe.phi_rate) {
             *defect -= phi_rate;
         }
+        coils::follow(system, &state.coils, &probe.frame.feeding, &mut self.rate.phi);
         probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
         probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
         let anchors = self.rate.anchor.iter().zip(&probe.anchor_rate);
@@ -134,5 +136,6 @@ impl Adaptive {
             power -= body.mass * system.tree.gravity.dot(twist.at(*lever));
         }
         ledger.method -= duration * power;
+        self.look_at_coils(system, duration);
     }
 }

@@ -20,6 +20,7 @@ use crate::rope::route::Attachment;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
+use crate::stepper::coils;
 use crate::stepper::frame::{Frame, Remembered};
 use crate::system::System;
 use crate::tree::Body;
@@ -154,6 +155,7 @@ impl Evaluation {
         system.clock.time(Stage::Kinematics, || {
             self.q.copy_from_slice(at.base);
             system.tree.advance(&mut self.q, at.phi);
+            coils::place(system, at.coils, &mut self.q);
             self.frame.kinematics.update(&system.tree, &self.q);
         });
     }
@@ -343,7 +345,18 @@ impl<'a> Point<'a> {
     pub fn of(state: &'a State, by: &'a Increment, elapsed: f64) -> Self {
         let Increment { phi, v, a, rigid, anchor } = by;
         let State { q: base, memory, seats, coils, .. } = state;
-        Self { schedule: Schedule::after(state, elapsed), base, memory, seats, coils, phi, v, a, rigid, anchor }
+        Self {
+            schedule: Schedule::after(state, elapsed),
+            base,
+            memory,
+            seats,
+            coils,
+            phi,
+            v,
+            a,
+            rigid,
+            anchor,
+        }
     }
 
     fn remembered(&self, modes: &'a [Mode]) -> Remembered<'a> {

@@ -19,10 +19,11 @@ mod spins;
 mod switching;
 mod tableau;
 pub mod tangent;
+mod winding;
 
-use super::{coils, flows};
 use super::frame::Frame;
 use super::{StepError, StepReport, parting, seats};
+use super::{coils, flows};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -36,6 +37,7 @@ use crate::tree::kinematics::Twist;
 use evaluation::{Evaluation, Point};
 use looks::Looks;
 use rodas::{Increment, Rodas};
+use winding::Paid;
 
 /// What an error may be in one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,6 +100,8 @@ pub struct Adaptive {
     /// or came back.
     wraps: Vec<f64>,
     crossings: Vec<f64>,
+    /// What the looks see of the drums, by [`System::coils`].
+    paid: Vec<Paid>,
     /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
     taut: Vec<bool>,
     /// True while `rodas.here` belongs to the state.
@@ -130,6 +134,7 @@ impl Adaptive {
             defect: vec![Twist::default(); system.tree.bodies.len()],
             wraps: vec![0.0; system.sheaves.len()],
             crossings: vec![0.0; system.sheaves.len()],
+            paid: vec![Paid::default(); system.coils.len()],
             taut: Vec::with_capacity(system.rigid.len()),
             current: false,
             made: 1.0,
@@ -309,6 +314,7 @@ impl Adaptive {
         }
         // The last look was at the end of the step: it is the start of the next.
         std::mem::swap(&mut self.next, &mut self.rodas.here);
+        self.book_pieces(system, state);
         let here = &mut self.rodas.here;
         state.q.copy_from_slice(&here.q);
         // There φ counts from here: φ̇ = v.

@@ -37,6 +37,7 @@ use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
+use crate::stepper::coils;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 
@@ -60,7 +61,13 @@ impl Increment {
     pub fn zero(system: &System) -> Self {
         let size = system.tree.velocities;
         let (rigid, anchor) = (vec![0.0; system.rigid.len()], vec![0.0; system.friction.len()]);
-        Self { phi: vec![0.0; system.tree.increments()], v: vec![0.0; size], a: vec![0.0; size], rigid, anchor }
+        Self {
+            phi: vec![0.0; system.tree.increments()],
+            v: vec![0.0; size],
+            a: vec![0.0; size],
+            rigid,
+            anchor,
+        }
     }
 
     fn set(&mut self, weights: &[f64], terms: &[Self], base: &Self) {
@@ -265,10 +272,8 @@ impl Rodas {
             for (tension, &row) in k.rigid.iter_mut().zip(&system.rigid) {
                 *tension = self.matrix.row_solution(row) / kappa;
             }
-            let supplies = k.phi[self.x.len()..].iter_mut().zip(&self.r[self.x.len()..]);
-            for ((supply, r), (place, feeding)) in supplies.zip(system.coils.iter().zip(&self.here.frame.feeding)) {
-                *supply = kappa * (r + feeding * k.v[place.dof]);
-            }
+            let Increment { phi, v, .. } = k;
+            self.matrix.coils.increments(system, &self.here.frame, kappa, (phi, v, &self.r));
             self.slide(system, state, stage, kappa);
         }
         self.finish(h);
@@ -285,6 +290,7 @@ impl Rodas {
             add(&mut self.r, weight / h, &k.phi);
             add(&mut self.rho, weight / h, &k.v);
         }
+        coils::follow(system, &state.coils, &self.here.frame.feeding, &mut self.r);
         for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let dof = drive.dof;
             let (now, _) = timeline.acceleration(state.time, state.time + TIMES[stage] * h);
@@ -310,11 +316,11 @@ impl Rodas {
             };
         }
         for (index, place) in system.coils.iter().enumerate() {
-            let (law, passing) = (&system.rows.laws[place.row], &self.here.frame.passing[index]);
             if state.modes[place.row] == Mode::Acting {
                 let feeding = self.here.frame.feeding[index];
                 let beside = self.r[self.sum.len() + index] - feeding * self.r[place.dof];
-                self.rows[place.row] -= kappa * passing.supply * beside / (kappa + law.damping_time());
+                let known = (kappa, beside);
+                self.rows[place.row] -= self.matrix.coils.known(system, &self.here.frame, index, known);
             }
         }
         for (index, &row) in system.friction.iter().enumerate() {
