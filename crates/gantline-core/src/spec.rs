@@ -401,6 +401,20 @@ pub struct MoveSpec {
     /// Course of the ramps.
     #[serde(default)]
     pub shape: RampShape,
+    /// A step that ends by an emergency stop.
+    #[serde(default)]
+    pub emergency: Option<EmergencySpec>,
+}
+
+/// An emergency stop of a drive.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EmergencySpec {
+    /// Acceleration with which it is asked to stop [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// What the brake holds from then on, until the drive moves again [N]; none is the motor's capacity.
+    #[serde(default)]
+    pub brake: Option<f64>,
 }
 
 /// What ends a step; moving drives then brake to rest.

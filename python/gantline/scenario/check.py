@@ -6,12 +6,14 @@ from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
+from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.errors import ScenarioError
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
 from gantline.scenario.model import Scenario
 from gantline.scenario.parting import check_partings
+from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
 from gantline.scenario.sheave import taken_together
 
@@ -36,6 +38,8 @@ def check(scenario: Scenario) -> None:
             check_equalizer(findings, equalizer, slings)
     except ScenarioError as error:
         findings.problems.extend(error.problems)
+    for name, crane in (scenario.cranes or {}).items():
+        check_reeving(findings, name, crane)
     if scenario.load is not None:
         check_load(findings, scenario.load)
     elif scenario.mechanics is None:
@@ -56,6 +60,11 @@ def _check_names(findings: Findings) -> None:
     scenario = findings.scenario
     named: list[tuple[str, str, Path]] = []
     named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
+    named += [
+        (hoist_drum(name), "the drum of a hook", ("cranes", name, "drum"))
+        for name, crane in (scenario.cranes or {}).items()
+        if crane.reeving is not None
+    ]
     named += [(name, "an equalizer", ("equalizers", name)) for name in scenario.equalizers or {}]
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
@@ -116,6 +125,9 @@ def _has_friction(scenario: Scenario) -> bool:
         hinge = given.hinge or (kind and kind.hinge)
         travel = given.travel or (kind and kind.travel)
         found |= bool(hinge and hinge.friction) or bool(travel and travel.locked)
+    for crane in (scenario.cranes or {}).values():
+        found |= crane.reeving is not None and crane.reeving.words.bearing_efficiency < 1
+        found |= crane.hoist.capacity is not None
     if scenario.mechanics is not None:
         guides = [guide for rope in (scenario.mechanics.ropes or {}).values() for guide in rope.route]
         found |= any(isinstance(guide, HalfTurn) and guide.bearing_efficiency < 1 for guide in guides)

@@ -5,4 +5,4 @@ pub mod drive;
 pub mod operation;
 
 pub use cut::{Cut, Due};
-pub use operation::{Move, PlanState, Step, Until};
+pub use operation::{Emergency, Move, PlanState, Step, Until};

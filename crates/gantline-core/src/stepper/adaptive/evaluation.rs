@@ -53,6 +53,8 @@ pub struct Evaluation {
     pub bound: Vec<f64>,
     /// Velocity that the drive of a motor asks for, by the row of its brake [m/s]; 0 for other rows.
     pub asked: Vec<f64>,
+    /// What a brake holds in place of a motor, by its row [N].
+    pub held: Vec<Option<f64>>,
     /// α̇ of the anchors of sliding contacts [m/s], by [`System::friction`].
     pub anchor_rate: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
@@ -79,6 +81,7 @@ impl Evaluation {
             pull: vec![0.0; system.rigid.len()],
             bound: vec![0.0; rows],
             asked: vec![0.0; rows],
+            held: vec![None; rows],
             anchor_rate: vec![0.0; system.friction.len()],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
@@ -184,7 +187,9 @@ impl Evaluation {
     /// Rates of motors against what their drives ask for.
     fn follow(&mut self, system: &System, at: &Point) {
         for &(row, drive) in &system.motors {
-            self.asked[row] = at.schedule.timelines[drive].motion(at.schedule.time).velocity;
+            let timeline = &at.schedule.timelines[drive];
+            self.asked[row] = timeline.motion(at.schedule.time).velocity;
+            self.held[row] = timeline.braked(at.schedule.time);
             self.rate[row] -= self.asked[row];
         }
     }
@@ -232,7 +237,9 @@ impl Evaluation {
             if let AnyConstraint::Brake(brake) = constraint {
                 let slips = modes[row] == Mode::Slipping;
                 let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
-                self.bound[row] = brake.bound(&self.q, &self.tension, -direction * at.v[brake.dof]);
+                let driven = -direction * at.v[brake.dof];
+                self.bound[row] =
+                    self.held[row].unwrap_or_else(|| brake.bound(&self.q, &self.tension, driven));
                 self.tension[row] = if slips { self.bound[row] * direction } else { self.trial[row] };
             }
         }

@@ -342,7 +342,7 @@ impl Rodas {
             self.rows[row] += kappa * h * D[stage] * jerk;
         }
         for &(row, _) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Slipping) {
-            if let Some(brake) = brake_of(system, row) {
+            if let (Some(brake), None) = (brake_of(system, row), self.here.held[row]) {
                 let driven = -state.memory[row] * state.v[brake.dof];
                 self.rows[row] = -kappa * brake.slope(driven) * self.r[brake.dof];
             }

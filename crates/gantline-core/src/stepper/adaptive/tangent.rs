@@ -299,7 +299,9 @@ impl TangentMatrix {
                     let driven = -state.memory[row] * state.v[brake.dof];
                     let own = self.places.in_row[range.start + brake.own] as usize;
                     // d(bound · direction)/dv, the direction's square being 1.
-                    self.values[own] -= kappa * brake.slope(driven);
+                    if here.held[row].is_none() {
+                        self.values[own] -= kappa * brake.slope(driven);
+                    }
                     brake.add_slopes(&state.q, &here.frame.feeding, &here.tension, |entry, slope| {
                         self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
                     });
