@@ -69,7 +69,7 @@ def _accelerations(scenario: Scenario, step: MovingStep) -> list[float]:
 def _emergencies(scenario: Scenario, step: MovingStep) -> list[Json | None]:
     """How each drive that a step moves is stopped in an emergency; None in a step without."""
     if step.emergency_stop_at is None:
-        return [None for _ in moved_drives(step)]
+        return [None for _ in _accelerations(scenario, step)]
     brakes: list[float | None] = []
     if isinstance(step, HookStep):
         for name in step.hooks:
