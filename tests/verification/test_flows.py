@@ -235,7 +235,8 @@ def test_chinese_windlass_turned() -> None:
     work = run.energy("drive_work")[steady]
     weight = 3000.0 * G
     assert (work[-1] - work[0]) / (way[-1] - way[0]) / weight == pytest.approx(WINDLASS, rel=3e-6)
-    # What winds up is stretched by ε = W/2EA, what comes off had been wound without stretch and gets longer by it.
+    # What winds up is stretched by ε = W/2EA, what comes off had been wound without stretch and gets longer
+    # by it.
     stretched = (LARGE - SMALL * (1 + weight / 2 / STIFF)) / (2 * LARGE)
     assert (height[-1] - height[0]) / (way[-1] - way[0]) == pytest.approx(stretched, rel=1e-8)
 

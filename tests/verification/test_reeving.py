@@ -34,7 +34,9 @@ CRANE = """
     type: fixed_hook
     at: [{x} m, 0 m, 10 m]
     block: {{mass: 6 t, height: 2 m}}
-    reeving: {{ropes: {ropes}, parts_each: {parts}, rope: hoist, sheave_diameter_ratio: 20, {sheaves}upper_sheaves_at: 40 m}}
+    reeving:
+      {{ropes: {ropes}, parts_each: {parts}, rope: hoist, {sheaves}sheave_diameter_ratio: 20,
+       upper_sheaves_at: 40 m}}
     drum: {{diameter: 1.6 m, {drum}}}
     hoist: {{speed: 60 m/min, acceleration: 0.5 m/s^2{motor}}}
 """
@@ -91,7 +93,8 @@ def test_lead_line_of_hooks_with_1_to_20_parts(factor: float, verb: str) -> None
     counts = list(range(1, 21))
     recording = lift(
         counts,
-        f"  - {{{{step: move, {verb}: [{{hooks}}], speed: 0.6 m/min, acceleration: 0.02 m/s^2, brake_from: 39 s}}}}",
+        f"  - {{{{step: move, {verb}: [{{hooks}}], speed: 0.6 m/min, "
+        "acceleration: 0.02 m/s^2, brake_from: 39 s}}",
         duration=30.0 + 10.0,
         sheaves=f"sheaves: {{efficiency: {1 / factor!r}, rotating_mass: 10 kg}}, ",
         stiffness=1e6,
@@ -113,8 +116,8 @@ def test_lead_line_of_hooks_with_1_to_20_parts(factor: float, verb: str) -> None
 def test_speed_of_the_hook_is_that_of_the_rope_over_its_parts(ropes: int) -> None:
     """v_hook = v_rope/p, to the way; both ropes of a hook carry W/2p in each part; books close.
 
-    With ropes that stretch by 2 per mille: what winds up takes its stretch along, so that the hook goes as fast as the
-    drum, and not 1.002 times that.
+    With ropes that stretch by 2 per mille: what winds up takes its stretch along, so that the hook goes as
+    fast as the drum, and not 1.002 times that.
     """
     plan = "  - {{step: up, hoist: [{hooks}], speed: 30 m/min, by: 8 m}}"
     recording = lift([1, 2, 7, 8], plan, duration=40.0, ropes=ropes, stiffness=500.0 / ropes)
@@ -143,7 +146,7 @@ def test_a_hook_starts_at_rest_in_its_ropes() -> None:
 
 
 def test_a_motor_that_is_too_weak_lets_the_hook_down() -> None:
-    """a = (W − p F)/(m + p² I/r²): the drum goes p times as fast as the hook, and its inertia counts p² times."""
+    """a = (W − p F)/(m + p² I/r²): the drum goes p times as fast as the hook, with p² of its inertia."""
     pull, count = 0.8 * WEIGHT / 4, 4
     plan = "  - {{step: up, hoist: [{hooks}], speed: 6 m/min, brake_from: 1.9 s}}"
     recording = lift([count], plan, duration=2.0, motor=f", capacity: {pull / 1e3!r} kN")
@@ -181,7 +184,8 @@ def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_are_a_warning() -> 
     turns = 8.0 + 8 * 4.0 / (np.pi * 1.6)
     assert recording.variables["drum_wraps"].values[-1, 0] == pytest.approx(turns, abs=1e-9)
     assert recording.variables["drum_layer"].values[[0, -1], 0].tolist() == [1.0, 2.0]
-    # Two turns in the first layer, the rest in the second, whose radius is sin 60° of the rope's diameter larger.
+    # Two turns in the first layer, the rest in the second, whose radius is sin 60° of the rope's diameter
+    # larger.
     step = np.sin(np.pi / 3) * 0.042
     wound = np.pi * (2.0 * 1.6 + (turns - 10.0) * (1.6 + 2 * step))
     assert -recording.variables["rope_paid_out"].values[-1, 0] == pytest.approx(wound, abs=1e-9)

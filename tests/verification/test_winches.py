@@ -77,8 +77,8 @@ def test_a_motor_that_is_too_weak_lets_the_load_down() -> None:
     expected = (WEIGHT - force) / (MASS + INERTIA)
     assert slope(run, 0.5, 3.0) == pytest.approx(expected, rel=5e-6)
     assert run.tension("fall")[-1] == pytest.approx(MASS * (G - expected), rel=5e-6)
-    # What the brake takes is its force times its way. The rope on the drum had been wound under the weight, and comes
-    # off under less: it slips on the drum and loses EA (ε − ε_d)²/2 per length, here 5e-7 of it.
+    # What the brake takes is its force times its way. The rope on the drum had been wound under the weight,
+    # and comes off under less: it slips on the drum and loses EA (ε − ε_d)²/2 per length, here 5e-7 of it.
     way = run.joint("drum")[-1]
     slipped = (WEIGHT - MASS * (G - expected)) ** 2 / (2 * EA) * way
     # While it rings, in the first 1 % of the way, it slips a little more.

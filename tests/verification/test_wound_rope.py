@@ -1,4 +1,4 @@
-"""Drums that remember the strain of what they wound, and their layers: closed forms of docs/concepts/winch.md."""
+"""Drums that remember the strain of what they wound, and their layers, by docs/concepts/winch.md."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def hoist(
     depth: float = 110.0,
     **end_of: Json,
 ) -> Json:
-    """A load at rest on one fall under a drum; `ramps` are (start [s], duration [s], velocity [m/s], down positive)."""
+    """A load at rest on one fall under a drum; `ramps` are (start [s], duration [s], velocity [m/s])."""
     end_of_rope = drum(None, (0, 0, 0), "winch")
     end_of_rope["drum"] |= {"laid_under": laid_under, **end_of}
     bodies = [body("load", slider(), MASS, position=(0, 0, -depth)), flow("winch", 500.0, drive="winch")]
@@ -50,7 +50,8 @@ def test_a_load_rises_as_fast_as_the_rim_and_comes_back_to_where_it_was() -> Non
     speed = run.body("load", "body_velocity")[steady, 2]
     assert speed == pytest.approx(np.full(speed.shape, 2.0), abs=2e-5)
     at_rest = (run.time > 24.5) & (run.time < 25.0)
-    # Hauling with the acceleration a winds ∫ (ε − ε₀) of the way more stretch: ε a/g over 1 m, 2e-4 m at most.
+    # Hauling with the acceleration a winds ∫ (ε − ε₀) of the way more stretch: ε a/g over 1 m, 2e-4 m at
+    # most.
     assert height[at_rest] + 110.0 == pytest.approx(-way[at_rest], abs=3e-4)
     assert height[-1] == pytest.approx(-110.0, abs=1e-5)
     assert way[-1] == pytest.approx(0.0, abs=1e-9)
@@ -70,13 +71,14 @@ def test_rope_wound_under_little_comes_off_and_stretches() -> None:
     expected = 2.0 * (1 + STRAIN) / (1 + 0.5 * STRAIN)
     assert speed == pytest.approx(np.full(speed.shape, expected), rel=1e-6)
     way = np.ptp(run.joint("winch")[steady])
-    # The damper answers to g, whose rate is ε L̇/2 where rope of a steady strain comes in: it has τ L̇/2L of the tension.
+    # The damper answers to g, whose rate is ε L̇/2 where rope of a steady strain comes in: it has τ L̇/2L
+    # of the tension.
     length = -run.body("load")[:, 2]
     strain = STRAIN * (1 - TAU * 2.0 / (2 * length[steady]))
     lost = EA * (strain - 0.5 * STRAIN) ** 2 / 2 * 2.0 / (1 + 0.5 * STRAIN)
     # To first order in strain, 1e-3, and in τ L̇/L, 5e-3 at most.
-    expected = np.trapezoid(lost, run.time[steady])
-    assert np.ptp(run.energy("friction")[steady]) == pytest.approx(expected, rel=1e-4)
+    slipped = np.trapezoid(lost, run.time[steady])
+    assert np.ptp(run.energy("friction")[steady]) == pytest.approx(slipped, rel=1e-4)
     work = np.ptp(run.energy("drive_work")[steady])
     assert work == pytest.approx(WEIGHT * way, rel=1e-6)
     assert run.energy_remainder < 1e-10
@@ -89,8 +91,8 @@ def test_work_of_hoisting_is_weight_times_way_at_the_rim() -> None:
     way = -np.ptp(run.joint("winch")[steady])
     work = np.ptp(run.energy("drive_work")[steady])
     assert work == pytest.approx(-WEIGHT * way, rel=1e-6)
-    # What the drum holds grows by EA ε²/2 of its unstretched length, and the fall gets that much shorter: of 5.5 kJ
-    # together only what the damper holds changes, 2 τ v/2L of the fall's, L from 80 to 30 m.
+    # What the drum holds grows by EA ε²/2 of its unstretched length, and the fall gets that much shorter:
+    # of 5.5 kJ together only what the damper holds changes, 2 τ v/2L of the fall's, L from 80 to 30 m.
     assert np.ptp(run.energy("elastic")[steady]) < 2 * TAU * 2.0 / (2 * 30.0) * EA * STRAIN**2 / 2 * 80.0
     assert abs(run.energy("friction")[-1]) < 1e-6
 
@@ -146,7 +148,7 @@ def layered(turns: float, speed: float, **motor: float) -> Run:
 
 
 def test_length_on_each_layer() -> None:
-    """Rope of n turns in layer k is n π (D + 2 (k − 1) δ): 15 turns of the first, 20 of the second, 5 of the third.
+    """Rope of n turns in layer k is n π (D + 2 (k − 1) δ): 15 turns of the first, 20 of the second, 5 more.
 
     Ends stand well inside a layer, so that the climb from one to the next counts half on either side.
     """
@@ -155,7 +157,8 @@ def test_length_on_each_layer() -> None:
         2 * math.pi * (0.5 + 0.04 * layer) * turns for layer, turns in ((0, 15.0), (1, 20.0), (2, 5.0))
     )
     assert run.joint("winch")[-1] == pytest.approx(-40 * TURN, abs=1e-9)
-    # Under 98 kN of 1e11 N the rope has 1e-6 of stretch; the load starts that of 300 m lower, from rope without.
+    # Under 98 kN of 1e11 N the rope has 1e-6 of stretch; the load starts that of 300 m lower, from rope
+    # without.
     assert run.body("load")[-1, 2] + 300.0 == pytest.approx(wound, abs=1e-3)
     assert run.energy_remainder < 1e-8
 
@@ -174,12 +177,14 @@ def test_speed_of_the_rope_grows_with_the_layers() -> None:
 def test_pull_at_constant_torque_falls_with_the_layers() -> None:
     """A motor of the torque M hauls T = M/r_k: 1.12 m g on the first layer are too little for the third.
 
-    δ/r = 0.08: the radii are as 1, 1.08, 1.16, and within half a turn about turn 40 it goes from 1.08 to 1.16. From
-    1.12 on, at turn 40, the load brakes the drum: ½ m (ρ v)² + ½ I v² = m g ∫ (ρ − 1.12) dx, ρ = r/r₁, v = 1 m/s.
+    δ/r = 0.08: the radii are as 1, 1.08, 1.16, and within half a turn about turn 40 it goes from 1.08 to
+    1.16. From 1.12 on, at turn 40, the load brakes the drum:
+    ½ m (ρ v)² + ½ I v² = m g ∫ (ρ − 1.12) dx, ρ = r/r₁, v = 1 m/s.
     """
     slope = 0.08 / (0.5 * TURN)
     run = layered(40.0, 1.0, capacity=1.12 * WEIGHT)
-    # The climb itself speeds the rope up by v² dρ/dx, so that the motor is at its limit a little before turn 40.
+    # The climb itself speeds the rope up by v² dρ/dx, so that the motor is at its limit a little before
+    # turn 40.
     limit = 1.12 / (1 + slope / G)
     energy = 0.5 * MASS * limit**2 + 0.5 * 500.0
     climbed = (0.04**2 - (1.12 - limit) ** 2) / (2 * slope)

@@ -1,9 +1,9 @@
 """Reeving of a hook into mechanics: both blocks with all their sheaves, ropes and drum.
 
 Every part of line is plumb. Block sheaves stand side by side along y, the upper ones above the gaps between
-them: a rope comes down at x = -r of a sheave of the hook block, goes up at x = +r, and over an upper sheave to
-the next. Its dead end is above where its parts are even and on the hook block where they are odd. The lead line
-goes from the last upper sheave down to the drum.
+them: a rope comes down at x = -r of a sheave of the hook block, goes up at x = +r, and over an upper sheave
+to the next. Its dead end is above where its parts are even and on the hook block where they are odd. The
+lead line goes from the last upper sheave down to the drum.
 
 The flow of the drum counts what the hook rises, as the drive of a hook without reeving does.
 """

@@ -42,7 +42,7 @@ def lower_lump(sling: SlingRigging) -> float:
 
 
 def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
-    """Each hook is a vertical slider, driven or hung in ropes; slings right under it lump their mass on it."""
+    """Each hook is a vertical slider, driven or hung in ropes; slings under it lump their mass on it."""
     reeved = {hook.name: hook for hook in reeved_hooks(scenario)}
     for name, crane in (scenario.cranes or {}).items():
         direct = [

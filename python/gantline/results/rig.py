@@ -238,8 +238,8 @@ class Drum(_FromJson):
     Attributes:
         name: Its name, also that of its flow.
         diameter: Pitch diameter on which its rope is counted [m]; of the first layer.
-        paid_out: Rope paid out in the first layer per unit of its flow; of a hook's drum, which counts what the
-            hook rises, less than 0.
+        paid_out: Rope paid out in the first layer per unit of its flow; of a hook's drum, which counts what
+            the hook rises, less than 0.
         wraps_at_start: Turns on it at the start; None where that is not known.
         wraps_per_layer: Turns in a full layer; None of one layer without end.
         layers: Layers that fit on it.

@@ -48,8 +48,8 @@ class Reeving(Element):
         1, description="Ropes side by side, all on one drum."
     )
     parts_each: Annotated[int, Number(least=1, most=40, whole=True)] = Field(
-        description="Parts of line of each rope. Its dead end is above where they are even, on the hook block "
-        "where they are odd."
+        description="Parts of line of each rope. Its dead end is above where they are even, on the hook "
+        "block where they are odd."
     )
     rope: Name = Field(description="Kind of rope, a name of 'ropes'.")
     sheave_diameter: PositiveLength | None = Field(
@@ -63,8 +63,8 @@ class Reeving(Element):
     )
     sheaves: SheaveWords | None = Field(
         None,
-        description="Losses and inertia of each sheave. Inertia if none is given: of a disc of steel as thick "
-        "as the rope.",
+        description="Losses and inertia of each sheave. Inertia if none is given: of a disc of steel as "
+        "thick as the rope.",
     )
     upper_sheaves_at: Length = Field(description="Height of the upper sheaves' centres.")
     lead_line: PositiveLength = Field(5.0, description="Rope from the last upper sheave down to the drum.")
@@ -110,7 +110,7 @@ class Reeving(Element):
         return taken_together([own, self.sheaves])
 
     def losses(self, rope_diameter: float | None, rope_mass: float) -> SheaveLosses:
-        """What each sheave does to the rope; `rope_diameter` [m] and `rope_mass` [kg/m] where they are known."""
+        """What each sheave does to the rope, of the diameter [m] and mass [kg/m] that are known of it."""
         diameter = self.diameter(rope_diameter)
         own = None if rope_diameter is None else _STEEL * math.pi / 4 * diameter**2 * rope_diameter
         return sheave_losses(self.words, diameter / 2, rope_mass, own)
