@@ -10,8 +10,8 @@ from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
 from mechanics import G
 
-BLOCK, LOAD = 6e3, 94e3
-WEIGHT = (BLOCK + LOAD) * G
+HOOK_BLOCK, LOAD = 6e3, 94e3
+WEIGHT = (HOOK_BLOCK + LOAD) * G
 
 LIFT = """
 format: 1
@@ -56,7 +56,7 @@ def lift(
     stiffness: float = 1e4,
     tolerance: float = 1.0,
 ) -> Recording:
-    """Hooks h<p> of p parts each with 94 t under a block of 6 t; `plan` moves them."""
+    """Hooks h<p> of p parts each with 94 t under a hook block of 6 t; `plan` moves them."""
     names = [f"h{count}" for count in parts]
     cranes = [
         CRANE.format(
@@ -87,8 +87,8 @@ def segments(recording: Recording, rope: str) -> list[float]:
 def test_lead_line_of_hooks_with_1_to_20_parts(factor: float, verb: str) -> None:
     """Raising F/W = (K − 1)/(1 − K⁻ᴺ), lowering (K − 1)/(K (Kᴺ − 1)), W the weight on the hook block.
 
-    N parts carry the block over N sheaves, of which the last sends the lead line to the drum. The ropes have
-    strains of 1e-4 at most, which change the ratio at a sheave by 1e-5 of a per mille of it (F8).
+    N parts carry the hook block over N sheaves, of which the last sends the lead line to the drum. The ropes
+    have strains of 1e-6, which change the ratio at a sheave by as much (F8).
     """
     counts = list(range(1, 21))
     recording = lift(
@@ -153,7 +153,7 @@ def test_a_motor_that_is_too_weak_lets_the_hook_down() -> None:
     speed = recording.variables["body_velocity"].values[:, list(recording.coordinates["body"]).index("h4"), 2]
     within = recording.variables["time"].values > 0.5
     slope = np.polyfit(recording.variables["time"].values[within], speed[within], 1)[0]
-    expected = -(WEIGHT - count * pull) / (BLOCK + LOAD + count**2 * 500.0)
+    expected = -(WEIGHT - count * pull) / (HOOK_BLOCK + LOAD + count**2 * 500.0)
     assert slope == pytest.approx(expected, rel=1e-4)
 
 
@@ -169,7 +169,7 @@ def test_an_emergency_stop_slips_until_the_hook_rests(brake: str, holds: float) 
     height = recording.variables["body_position"].values[
         :, list(recording.coordinates["body"]).index("h4"), 2
     ]
-    slipped = 0.5 * speed**2 * (BLOCK + LOAD + count**2 * 500.0) / ((holds - 1.0) * WEIGHT)
+    slipped = 0.5 * speed**2 * (HOOK_BLOCK + LOAD + count**2 * 500.0) / ((holds - 1.0) * WEIGHT)
     # 1 s of acceleration at 0.5 m/s², then 7 s at speed; within 1 ms the motor is asked to stop.
     expected = 0.25 + 7.0 * speed + slipped
     assert height[0] - height[-1] == pytest.approx(expected, abs=5e-4)
@@ -200,6 +200,7 @@ def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_are_a_warning() -> 
 
 
 def test_a_drum_without_room_is_refused() -> None:
+    """28 turns do not go on two layers of 10."""
     drum = "layers: 2, wraps_per_layer: 10, wraps_at_start: 28, rotating_mass: 500 kg"
     with pytest.raises(ScenarioError, match="28 wraps do not go on a drum that has room for 20"):
         lift([2], "  - {{step: wait, hold: 1 s}}", drum=drum)

@@ -12,7 +12,7 @@ from gantline.assembly.catenary import end_mass
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.reeving import reeved_hooks, upper_block
+from gantline.assembly.reeving import reeved_hooks, upper_sheaves
 from gantline.assembly.spatial import Array
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
@@ -98,7 +98,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
     if reeved is not None:
         gravity = scenario.simulation.gravity
         hung = reeved.reeving.parts_each
-        above = parts.bodies[upper_block(name)]["mass"] * gravity
+        above = parts.bodies[upper_sheaves(name)]["mass"] * gravity
         falls = {
             "falls": [f"{rope}/{part}" for rope in reeved.ropes for part in range(hung)],
             "falls_weight_above": above,
@@ -318,7 +318,7 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = {"type": "box", "size": size, "centre": [0.0, 0.0, -frame.centre_of_gravity_below_hook]}
     elif name in (scenario.cranes or {}):
         kind = "hook"
-    elif name in map(upper_block, scenario.cranes or {}):
+    elif name in map(upper_sheaves, scenario.cranes or {}):
         kind = "body"
     elif plain is None:
         kind = "sheave"

@@ -42,7 +42,7 @@ def _operation(scenario: Scenario, step: Step, place: int, weight: float) -> Jso
             "velocity": step.direction * step.speed,
             "acceleration": step.acceleration if step.acceleration is not None else most,
             "shape": "linear",
-            "emergency": emergency,
+            **emergency,
         }
         for drive, most, emergency in zip(
             moved_drives(step), _accelerations(scenario, step), _emergencies(scenario, step), strict=True
@@ -66,10 +66,10 @@ def _accelerations(scenario: Scenario, step: MovingStep) -> list[float]:
     return [drive.acceleration for drive in drives if drive is not None]
 
 
-def _emergencies(scenario: Scenario, step: MovingStep) -> list[Json | None]:
-    """How each drive that a step moves is stopped in an emergency; None in a step without."""
+def _emergencies(scenario: Scenario, step: MovingStep) -> list[Json]:
+    """How each drive that a step moves is stopped in an emergency; nothing in a step without."""
     if step.emergency_stop_at is None:
-        return [None for _ in _accelerations(scenario, step)]
+        return [{} for _ in _accelerations(scenario, step)]
     brakes: list[float | None] = []
     if isinstance(step, HookStep):
         for name in step.hooks:
@@ -80,7 +80,8 @@ def _emergencies(scenario: Scenario, step: MovingStep) -> list[Json | None]:
         assert scenario.mechanics is not None  # checked when the file was read
         drives = [(scenario.mechanics.drums or {})[drum].drive for drum in step.drums]
         brakes = [drive.brake for drive in drives if drive is not None]
-    return [{"acceleration": step.speed / _AT_ONCE, "brake": brake} for brake in brakes]
+    at_once = step.speed / _AT_ONCE
+    return [{"emergency": {"acceleration": at_once, "brake": brake}} for brake in brakes]
 
 
 def _until(scenario: Scenario, step: MovingStep, weight: float) -> Json:

@@ -213,10 +213,13 @@ def end(
         body: what holds the end.
         at: its place in the body's axes [m].
         drum: flow of the drum that pays out here and the rope paid out per unit of it; None is a dead end.
-        rest: of a drum `laid_under` [N] and `layers`.
+        rest: of a drum `laid_under` [N] and `layers`, where they are not None.
     """
     guide = {"type": "end", "body": body, "at": list(at)}
-    return guide if drum is None else {**guide, "drum": {"flow": drum[0], "rate": drum[1], **rest}}
+    if drum is None:
+        return guide
+    said = {key: value for key, value in rest.items() if value is not None}
+    return {**guide, "drum": {"flow": drum[0], "rate": drum[1], **said}}
 
 
 def drum_layers(drum: RopeOnDrum, diameter: float, rope_diameter: float | None) -> Json | None:

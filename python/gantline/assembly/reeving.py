@@ -1,9 +1,9 @@
-"""Reeving of a hook into mechanics: both blocks with all their sheaves, ropes and drum.
+"""Reeving of a hook into mechanics: hook block and upper sheaves, ropes and drum.
 
-Every part of line is plumb. Block sheaves stand side by side along y, the upper ones above the gaps between
-them: a rope comes down at x = -r of a sheave of the hook block, goes up at x = +r, and over an upper sheave
-to the next. Its dead end is above where its parts are even and on the hook block where they are odd. The
-lead line goes from the last upper sheave down to the drum.
+Every part of line is plumb. Sheaves of the hook block stand side by side along y, the upper ones above the
+gaps between them: a rope comes down at x = -r of a sheave of the hook block, goes up at x = +r, and over an
+upper sheave to the next. Its dead end is above where its parts are even and on the hook block where they are
+odd. The lead line goes from the last upper sheave down to the drum.
 
 The flow of the drum counts what the hook rises, as the drive of a hook without reeving does.
 """
@@ -21,7 +21,7 @@ from gantline.scenario.crane import FixedHook
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving, hoist_drum, hoist_ropes
 from gantline.scenario.rope_weight import rope_weight
 
-__all__ = ["ReevedHook", "add_reeved_hook", "hang_in_ropes", "reeved_hooks", "upper_block"]
+__all__ = ["ReevedHook", "add_reeved_hook", "hang_in_ropes", "reeved_hooks", "upper_sheaves"]
 
 #: Mass that moves with the rope of a drum whose motion is prescribed and whose inertia nobody says [kg].
 _DRIVEN = 1.0
@@ -36,12 +36,12 @@ class ReevedHook:
     Attributes:
         name: name of the hook.
         crane: what the lift file says.
-        block, reeving, drum: its parts.
+        hook_block, reeving, drum: its parts.
     """
 
     name: str
     crane: FixedHook
-    block: HookBlock
+    hook_block: HookBlock
     reeving: Reeving
     drum: HoistDrum
 
@@ -54,33 +54,33 @@ class ReevedHook:
 def reeved_hooks(scenario: Scenario) -> list[ReevedHook]:
     """Hooks that hang in ropes, in the order of the lift file."""
     return [
-        ReevedHook(name, crane, crane.block, crane.reeving, crane.drum)
+        ReevedHook(name, crane, crane.hook_block, crane.reeving, crane.drum)
         for name, crane in (scenario.cranes or {}).items()
-        if crane.reeving is not None and crane.block is not None and crane.drum is not None
+        if crane.reeving is not None and crane.hook_block is not None and crane.drum is not None
     ]
 
 
-def upper_block(hook: str) -> str:
+def upper_sheaves(hook: str) -> str:
     """Name of the body with the upper sheaves of a hook; with a stroke, which no name of a lift file has."""
-    return f"{hook}/upper_block"
+    return f"{hook}/upper_sheaves"
 
 
 def add_reeved_hook(parts: Parts, scenario: Scenario, hook: ReevedHook, drive: str, own_mass: float) -> None:
-    """Add hook block, upper block, drum and ropes of a hook.
+    """Add hook block, upper sheaves, drum and ropes of a hook.
 
     Args:
         parts: the system so far.
         scenario: the lift.
         hook: the hook.
         drive: name of the drive that hoists it.
-        own_mass: mass that hangs on it beside the block, of shackles and slings [kg].
+        own_mass: mass that hangs on it beside the hook block, of shackles and slings [kg].
     """
     guided = {"type": "slider", "axis": [0.0, 0.0, 1.0], "position": 0.0, "velocity": 0.0, "damping": 0.0}
     guided |= {"friction": 0.0, "drive": None, "stops": None}
     x, y, _ = hook.crane.at
-    parts.add_body(hook.name, guided, position=hook.crane.at, mass=hook.block.mass + own_mass)
+    parts.add_body(hook.name, guided, position=hook.crane.at, mass=hook.hook_block.mass + own_mass)
     top = (x, y, hook.reeving.upper_sheaves_at)
-    parts.add_body(upper_block(hook.name), {"type": "fixed"}, position=top)
+    parts.add_body(upper_sheaves(hook.name), {"type": "fixed"}, position=top)
     parts.add_drive(drive)
     _add_drum(parts, hook, drive)
     kind = (scenario.ropes or {})[hook.reeving.rope]
@@ -121,23 +121,23 @@ def _on_drum(hook: ReevedHook, at: list[float], rope_diameter: float | None) -> 
 
 def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
     """Dead end, sheaves in turn, and the place of the drum as an end on the world."""
-    count, above = hook.reeving.parts_each, upper_block(hook.name)
+    count, above = hook.reeving.parts_each, upper_sheaves(hook.name)
     spacing = _SPACING * radius
     # Each rope takes as many places along the axle as it has sheaves below; mirrored from one to the next.
     width = spacing * (count // 2 + 1)
     middle = width * (rope - (hook.reeving.ropes - 1) / 2)
     mirror = -1.0 if rope % 2 else 1.0
     rows = [(k // 2 - (count // 2) / 2) * spacing * mirror + middle for k in range(count + 2)]
-    low = hook.block.height
+    low = hook.hook_block.height
     guides: list[Json] = []
     if count % 2:
         guides.append(end(hook.name, (0.0, rows[0], low)))
-        enter, row, on_block = 0.0, 0, False
+        enter, row, is_below = 0.0, 0, False
     else:
         guides.append(end(above, (-radius, rows[0], 0.0)))
-        enter, row, on_block = -radius, 0, True
+        enter, row, is_below = -radius, 0, True
     for _ in range(count):
-        if on_block:
+        if is_below:
             guides.append(
                 half_turn(hook.name, (enter, rows[2 * row], low), (radius, rows[2 * row], low), (0, 0, -1))
             )
@@ -148,7 +148,7 @@ def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
                 half_turn(above, (enter, rows[2 * row], 0.0), (leave, rows[2 * row + 2], 0.0), (0, 0, 1))
             )
             enter, row = leave, row + 1
-        on_block = not on_block
+        is_below = not is_below
     x, y, _ = hook.crane.at
     lead = (x + enter, y + rows[2 * row], hook.reeving.upper_sheaves_at - hook.reeving.lead_line)
     return [*guides, end(None, lead)]

@@ -179,7 +179,7 @@ def _hook_loads(columns: Columns, names: Names, rig: Rig) -> _Derived:
 
 
 def _hoist_load(columns: Columns, names: Names, hook: Hook, hook_load: FloatArray) -> FloatArray:
-    """What the upper block sees of a hook that hangs in ropes; else hook load, hook block and falls."""
+    """What the upper sheaves see of a hook that hangs in ropes; else hook load, hook block and falls."""
     if not hook.falls:
         return hook_load + hook.hoist_weight_extra
     segments = list(names["segment"])

@@ -82,7 +82,7 @@ class Hook(_FromJson):
         rating_includes_hook_block: Whether the rated capacity is for the hoist load.
         hoist_weight_extra: Hook block and hanging falls [N] that are no part of the mechanics.
         falls: Segments of rope in which a hook with reeving hangs; empty for a hook without.
-        falls_weight_above: What the upper block bears of the weight of the falls [N].
+        falls_weight_above: What the upper sheaves bear of the weight of the falls [N].
         direct_weight: Weight of what `direct_slings` have lumped on the hook [N]; of a hook with reeving.
     """
 

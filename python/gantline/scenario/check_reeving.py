@@ -56,8 +56,8 @@ def check_reeving(findings: Findings, name: str, crane: FixedHook) -> None:
 
 def _check_room(findings: Findings, name: str, crane: FixedHook, reeving: Reeving, diameter: float) -> None:
     """The hook block has to start below the upper sheaves, and the hook has something to lift."""
-    assert crane.block is not None
-    sheaves = crane.at[2] + crane.block.height
+    assert crane.hook_block is not None
+    sheaves = crane.at[2] + crane.hook_block.height
     if reeving.upper_sheaves_at < sheaves + diameter:
         sentence = f"the sheaves of the hook block start at {sheaves:g} m, and the upper ones at "
         sentence += f"{reeving.upper_sheaves_at:g} m, not a sheave's diameter above"

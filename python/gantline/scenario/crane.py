@@ -99,7 +99,9 @@ class FixedHook(Element):
     hook_block_mass: Mass = Field(
         0.0, description="Mass of hook block and hanging falls; counts in the hoist load."
     )
-    block: HookBlock | None = Field(None, description="Hook block; of a hook with 'reeving'.")
+    hook_block: HookBlock | None = Field(
+        None, alias="block", description="Hook block; of a hook with 'reeving'."
+    )
     reeving: Reeving | None = Field(
         None, description="Ropes that the hook hangs in; without it the hook moves up and down as told."
     )
@@ -108,9 +110,10 @@ class FixedHook(Element):
 
     @model_validator(mode="after")
     def _reeving_is_whole(self) -> FixedHook:
+        parts = {"block": self.hook_block, "drum": self.drum}
         if self.reeving is None:
-            for key in ("block", "drum"):
-                if getattr(self, key) is not None:
+            for key, given in parts.items():
+                if given is not None:
                     raise refuse(f"'{key}' is given without 'reeving', the ropes that the hook hangs in", key)
             if self.hoist.capacity is not None:
                 sentence = (
@@ -118,8 +121,8 @@ class FixedHook(Element):
                 )
                 raise refuse(sentence, "hoist")
             return self
-        for key in ("block", "drum"):
-            if getattr(self, key) is None:
+        for key, given in parts.items():
+            if given is None:
                 right = {"block": "{mass: 12 t, height: 3 m}", "drum": "{diameter: 1.6 m}"}[key]
                 raise refuse(f"'{key}' is missing; reeving needs it, such as '{key}: {right}'", "reeving")
         if self.hook_block_mass > 0:

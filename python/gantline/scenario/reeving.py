@@ -1,4 +1,4 @@
-"""Reeving of a hook: hook block, ropes between upper block and hook block, their drum."""
+"""Reeving of a hook: hook block, ropes between upper sheaves and hook block, their drum."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _STEEL: Final = 7850.0
 
 
 class HookBlock(Element):
-    """The block from which a hook hangs in its ropes."""
+    """A hook block: it hangs in the ropes, and the hook under it."""
 
     what: ClassVar[str] = "a hook block"
 
@@ -40,7 +40,7 @@ class HookBlock(Element):
 
 
 class Reeving(Element):
-    """Ropes between the upper block and the hook block."""
+    """Ropes between the upper sheaves and the hook block."""
 
     what: ClassVar[str] = "reeving"
 
@@ -48,12 +48,12 @@ class Reeving(Element):
         1, description="Ropes side by side, all on one drum."
     )
     parts_each: Annotated[int, Number(least=1, most=40, whole=True)] = Field(
-        description="Parts of line of each rope. Its dead end is above where they are even, on the hook "
-        "block where they are odd."
+        description="Parts of line of each rope. Its dead end is above where they are even, on the "
+        "hook block where they are odd."
     )
     rope: Name = Field(description="Kind of rope, a name of 'ropes'.")
     sheave_diameter: PositiveLength | None = Field(
-        None, description="Pitch diameter of the sheaves of both blocks, to the centre line of the rope."
+        None, description="Pitch diameter of the sheaves above and below, to the centre line of the rope."
     )
     sheave_diameter_ratio: Annotated[float, Number(least=5.0, most=100.0)] | None = Field(
         None, description="The same over the diameter of the rope, D/d, in place of 'sheave_diameter'."
@@ -70,8 +70,8 @@ class Reeving(Element):
     lead_line: PositiveLength = Field(5.0, description="Rope from the last upper sheave down to the drum.")
     rope_weight: RopeWeightWord | None = Field(
         None,
-        description="How the weight of the ropes acts: 'none', or 'lumped' to both blocks. If not given: "
-        "'lumped' where the mass per length of the rope is known, else 'none'.",
+        description="How the weight of the ropes acts: 'none', or 'lumped' to hook block and upper sheaves. "
+        "If not given: 'lumped' where the mass per length of the rope is known, else 'none'.",
     )
 
     @model_validator(mode="after")
