@@ -318,8 +318,8 @@ def test_variables_of_sheaves_and_drums(tackle: Recording) -> None:
     assert np.array_equal(
         tackle.column("rope_passed", sheaves[1]), tackle.column("joint_position", sheaves[1])
     )
-    # Hauled in by 1 m, a part of line is 0.25 m shorter: what three of them were longer, unstretched, has passed
-    # the third sheave. Half turns of 0.3 m belong to the parts on either side, half each.
+    # Hauled in by 1 m, a part of line is 0.25 m shorter: what three of them were longer, unstretched, has
+    # passed the third sheave. Half turns of 0.3 m belong to the parts on either side, half each.
     passed = 0.0
     for part, arcs in enumerate((0.5, 1.0, 1.0)):
         length = tackle.column("segment_length", f"fall/{part}") + arcs * math.pi * 0.3
@@ -372,3 +372,16 @@ def test_reference_lift_with_losses() -> None:
     table = summary(recording, [], str)
     assert any("tension spread" in line for line in table)
     assert any(line.startswith("Rope with losses") for line in table)
+
+
+def test_layers_need_the_thickness_of_the_rope() -> None:
+    many = "layers: 2, wraps_per_layer: 20, wraps_at_start: 5, "
+    text = TACKLE.replace("winch: {diameter", "winch: {" + many + "diameter")
+    with pytest.raises(
+        ScenarioError, match="the diameter of rope 'hoist' is not known, which says how thick"
+    ):
+        parse_scenario(text, "tackle.yaml")
+    known = text.replace("layers: 2", "layers: 2, layer_step: 30 mm, wound_under: 20 kN")
+    given = assembled(known).document["ropes"][0]["route"][-1]["drum"]
+    assert given["layers"] == {"radius": 0.4, "step": 0.03, "turns": 20.0, "start": 5.0}
+    assert given["laid_under"] == 20e3

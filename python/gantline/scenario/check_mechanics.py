@@ -213,6 +213,9 @@ def _check_flows(findings: Findings, path: Path, rope: MechanicsRope, drums: Map
         elif kind.inextensible:
             sentence = f"rope '{rope.rope}' is inextensible, and a rope on a drum has to stretch"
             add("drum", f"{sentence}; give it an axial stiffness")
+        elif drums[guide.drum].layers > 1 and drums[guide.drum].layer_step is None and kind.diameter is None:
+            sentence = f"the diameter of rope '{rope.rope}' is not known, which says how thick a layer is"
+            add("drum", f"{sentence}; give the drum a 'layer_step', such as 'layer_step: 36 mm'")
         elif rope.rope_weight == "distributed":
             add("drum", "a rope with nodes cannot be paid out by a drum; 'rope_weight: lumped' is right here")
 
