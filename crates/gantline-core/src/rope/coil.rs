@@ -42,11 +42,12 @@ impl Coil {
         Self { laid, wound: 0.0, let_go: 0.0, pieces: Vec::with_capacity(MOST_PIECES), winds: false }
     }
 
-    /// Takes over another coil; does not allocate.
+    /// Takes over another coil; does not allocate once there has been room.
     pub fn copy_from(&mut self, other: &Self) {
         (self.laid, self.wound, self.let_go) = (other.laid, other.wound, other.let_go);
         self.winds = other.winds;
         self.pieces.clear();
+        self.pieces.reserve_exact(MOST_PIECES);
         self.pieces.extend_from_slice(&other.pieces);
     }
 
