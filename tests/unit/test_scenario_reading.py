@@ -96,7 +96,7 @@ def test_names_with_dots(text: str, owners: list[str], split: tuple[str, str] | 
 
 def test_lugs_and_slings_with_dots() -> None:
     text = BASE.replace("    L1:", "    U1.1:").replace("block.L1", "block.U1.1").replace("  S1:", "  U1.1:")
-    assert resolve(parse_scenario(text)).slings["U1.1"].lug == "U1.1"
+    assert resolve(parse_scenario(text)).slings["U1.1"].lugs == ("U1.1",)
 
 
 def test_types_and_defaults_say_once_what_many_share() -> None:

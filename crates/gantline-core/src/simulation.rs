@@ -257,7 +257,9 @@ impl Simulation {
             | EventKind::Stick
             | EventKind::Slip
             | EventKind::StopHit
-            | EventKind::StopLeft => self.system.constraints[event.subject].name().to_owned(),
+            | EventKind::StopLeft
+            | EventKind::PinPulled
+            | EventKind::PinPutIn => self.system.constraints[event.subject].name().to_owned(),
             EventKind::LiftOff | EventKind::SetDown => self.system.groups[event.subject].name.clone(),
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => self.system.sheave_name(event.subject),
             EventKind::StepBegin | EventKind::StepEnd => self.system.plan[event.subject].name.clone(),

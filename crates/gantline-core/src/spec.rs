@@ -156,6 +156,9 @@ pub struct AxisJointSpec {
     /// Where its motion ends; without them nowhere.
     #[serde(default)]
     pub stops: Option<StopsSpec>,
+    /// Whether its locking pin is in at the start; none has no pin.
+    #[serde(default)]
+    pub pin: Option<bool>,
 }
 
 /// Stops of a hinge or slider.
@@ -239,9 +242,12 @@ pub enum GuideSpec {
         /// Name of the flow of rope over the sheave, towards the end of the route; none passes tension on as it is.
         #[serde(default)]
         flow: Option<String>,
-        /// Largest ratio of the tensions on both sides, 1 without losses; only with a flow.
+        /// Largest ratio of the tensions on both sides that its bearing holds, 1 without losses; only with a flow.
         #[serde(default = "one")]
         ratio: f64,
+        /// What its groove holds; none is all.
+        #[serde(default)]
+        groove: Option<GrooveSpec>,
     },
     /// A sheave with true tangents and the wrap that results.
     Sheave {
@@ -256,6 +262,15 @@ pub enum GuideSpec {
         /// True where the rope may leave it and run straight past; else leaving it is an event and no more.
         #[serde(default)]
         may_lift_off: bool,
+        /// Name of the flow of rope over the sheave, as of half a turn.
+        #[serde(default)]
+        flow: Option<String>,
+        /// Largest ratio of the tensions on both sides that its bearing holds, as of half a turn.
+        #[serde(default = "one")]
+        ratio: f64,
+        /// What its groove holds; none is all.
+        #[serde(default)]
+        groove: Option<GrooveSpec>,
     },
     /// An eye or a shackle: a point that the rope slides through without friction.
     Eye {
@@ -264,6 +279,18 @@ pub enum GuideSpec {
         /// Point [m] in the body frame.
         at: [f64; 3],
     },
+}
+
+/// A groove in which the rope slips.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GrooveSpec {
+    /// Coefficient of friction between rope and sheave.
+    pub friction: f64,
+    /// Name of the flow that stands for the spin of the sheave, radius times angle; none is a sheave that does not
+    /// turn.
+    #[serde(default)]
+    pub spin: Option<String>,
 }
 
 /// A drum, or whatever pays out rope at an end.
@@ -386,6 +413,12 @@ pub struct StepSpec {
     /// Names of ropes that are cut as it begins.
     #[serde(default)]
     pub cuts: Vec<String>,
+    /// Names of bodies whose pins are pulled as it begins.
+    #[serde(default)]
+    pub pulls: Vec<String>,
+    /// Names of bodies whose pins are put in as it begins.
+    #[serde(default)]
+    pub pins: Vec<String>,
 }
 
 /// One drive in a step.

@@ -4,7 +4,7 @@ use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::drive::Timeline;
-use crate::plan::{Cut, Step};
+use crate::plan::{Cut, Pinning, Step};
 use crate::rope::coil::Layers;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
@@ -155,7 +155,7 @@ pub struct Adjuster {
 pub struct System {
     /// Bodies and joints.
     pub tree: Tree,
-    /// Ropes first, contacts after them, then stops, then brakes.
+    /// Ropes first, contacts after them, then stops, then pins, then brakes.
     pub constraints: Vec<AnyConstraint>,
     /// How many of the constraints are ropes.
     pub rope_count: usize,
@@ -167,13 +167,15 @@ pub struct System {
     pub fragile: Vec<(usize, f64)>,
     /// Ropes that are cut.
     pub cuts: Vec<Cut>,
+    /// Locking pins.
+    pub pins: Vec<Pinning>,
     /// Rows of inextensible ropes.
     pub inextensible: Vec<usize>,
-    /// Those and the rows of brakes: rows without compliance, whose force is an unknown of its own.
+    /// Those and the rows of pins and brakes: rows without compliance, whose force is an unknown of its own.
     pub rigid: Vec<usize>,
     /// Tangential rows of contacts.
     pub friction: Vec<usize>,
-    /// Constraints that act on degrees of freedom by themselves: with flows, stops and brakes.
+    /// Constraints that act on degrees of freedom by themselves: with flows, stops, pins and brakes.
     pub fed: Vec<usize>,
     /// First constraint that is a brake; brakes come last, and each has one row.
     pub first_brake: usize,
@@ -202,7 +204,7 @@ impl System {
     pub fn ropes(&self) -> impl Iterator<Item = &Rope> {
         self.constraints.iter().filter_map(|constraint| match constraint {
             AnyConstraint::Rope(rope) => Some(rope),
-            AnyConstraint::Contact(_) | AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => None,
+            _ => None,
         })
     }
 

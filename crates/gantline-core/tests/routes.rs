@@ -106,6 +106,9 @@ fn random_route(random: &mut Random) -> SystemSpec {
                 axis: random.direction().to_array(),
                 radius: 10.0_f64.powf(random.between(-1.0, 0.0)),
                 may_lift_off: random.between(0.0, 1.0) < 0.3,
+                flow: None,
+                ratio: 1.0,
+                groove: None,
             }
         });
         let step = match random.next() % 3 {
@@ -183,7 +186,7 @@ fn check_route(random: &mut Random) -> Outcome {
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     let finite = frame.value.iter().chain(&frame.gradient).all(|value| value.is_finite());
-    assert!(finite && state.seats.iter().all(|seat| seat.wrap.is_finite()));
+    assert!(finite && state.seats.iter().all(|seat| seat.wound.wrap.is_finite()));
     let rope = system.ropes().next().unwrap();
     let guides = &rope.route.guides;
     let touched: Vec<usize> =

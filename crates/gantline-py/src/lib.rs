@@ -95,7 +95,7 @@ impl Simulation {
         let events: Vec<f64> = self.inner.events().iter().map(|event| event.0).collect();
         let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
         let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
-        let all: [(&str, Vec<f64>, Vec<usize>); 21] = [
+        let all: [(&str, Vec<f64>, Vec<usize>); 22] = [
             ("time", samples.time.clone(), vec![count]),
             ("rope_tension", columns.rope_tension, vec![count, ropes]),
             ("rope_lengthening", columns.rope_lengthening, vec![count, adjusted]),
@@ -111,6 +111,7 @@ impl Simulation {
             ("joint_position", columns.joint_position, vec![count, names.joint.len()]),
             ("joint_force", columns.joint_force, vec![count, bodies, 3]),
             ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
+            ("pin_force", columns.pin_force, vec![count, names.pin.len()]),
             ("energy", samples.energy.clone(), vec![count, kinds]),
             ("constraint_residual", columns.constraint_residual, vec![count]),
             ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),
@@ -144,6 +145,7 @@ impl Simulation {
         out.set_item("body", names.body)?;
         out.set_item("joint", names.joint)?;
         out.set_item("contact", names.contact)?;
+        out.set_item("pin", names.pin)?;
         out.set_item("energy_kind", gantline_core::audit::KINDS.to_vec())?;
         out.set_item("event_kind", events.iter().map(|event| event.1).collect::<Vec<_>>())?;
         out.set_item("event_name", events.iter().map(|event| event.2.as_str()).collect::<Vec<_>>())?;

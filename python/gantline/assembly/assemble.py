@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gantline.assembly.describe import rig, scene
+from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.operations import operations
 from gantline.assembly.parting import add_partings
@@ -16,6 +17,7 @@ from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Scenario, resolve
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
+from gantline.scenario.pins import pins_of
 
 __all__ = ["Assembly", "assemble", "integrator_settings"]
 
@@ -60,17 +62,21 @@ def assemble(scenario: Scenario) -> Assembly:
     rigging = resolve(scenario)
     parts = Parts()
     add_hooks(parts, scenario, rigging)
-    add_equalizers(parts, rigging)
+    pins = pins_of(scenario, rigging)
+    add_equalizers(parts, rigging, pins.at_start)
     lifted: LiftedLoad | None = None
     if scenario.load is not None:
         lifted = lifted_load(scenario.load, rigging)
         add_load(parts, scenario, scenario.load, lifted)
+        add_extension_sheaves(parts, scenario, rigging, lifted.lugs)
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
     parts.plan.extend(operations(scenario, mass * scenario.simulation.gravity))
+    for step, pulled, put_in in zip(parts.plan, pins.pulled, pins.put_in, strict=True):
+        step |= {key: names for key, names in (("pulls", pulled), ("pins", put_in)) if names}
     add_partings(parts, scenario)
     return Assembly(
         document=parts.document(scenario.simulation.gravity),

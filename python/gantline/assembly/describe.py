@@ -13,10 +13,12 @@ from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import reeved_hooks, upper_sheaves
+from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.drum import Drum
+from gantline.scenario.extension import lugs_below
 from gantline.scenario.gear import Shackle
 from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.mechanics import RopeEnd
@@ -144,12 +146,16 @@ def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
     assert scenario.load is not None
     equalizer = None if sling.equalizer is None else rigging.equalizers[sling.equalizer]
     hangs_from_frame = equalizer is not None and not equalizer.has_sheaves
+    # A sling to one lug is the rule; others say to which lugs they go, if to any.
+    is_plain = sling.over is None and len(sling.lugs) == 1
+    others = {} if is_plain else {"over": sling.over, "lugs": [end.lug for end in sling.ends]}
     return {
         "name": sling.name,
         "rope": f"sling.{sling.name}",
         "from": sling.equalizer if hangs_from_frame else sling.upper_body,
-        "to_load": scenario.load.name,
-        "to_lug": sling.lug,
+        "to_load": scenario.load.name if sling.lugs else None,
+        "to_lug": sling.lugs[0] if is_plain else None,
+        **others,
         "length": sling.length,
         "tolerance": sling.tolerance,
         "minimum_breaking_force": sling.rope.breaking_force,
@@ -205,14 +211,23 @@ def _sheaves_with_flow(parts: Parts) -> list[Json]:
             "name": guide["flow"],
             "rope": rope["name"],
             "segments": [f"{rope['name']}/{place - 1}", f"{rope['name']}/{place}"],
-            "ratio": guide["ratio"],
-            "inertia": parts.flows[guide["flow"]]["joint"]["inertia"],
+            "ratio": guide.get("ratio"),
+            "groove_friction": guide["groove"]["friction"] if "groove" in guide else None,
+            "spins": spin_of(guide["flow"]) in parts.flows,
+            "inertia": _inertia_of(parts, guide["flow"]),
             "inertia_from": parts.inertia_from[guide["flow"]],
         }
         for rope in parts.ropes
         for place, guide in enumerate(rope["route"])
         if "flow" in guide
     ]
+
+
+def _inertia_of(parts: Parts, flow: str) -> float:
+    """Mass of what turns with the rope over a sheave, or moves with it over one that does not turn [kg]."""
+    spin = spin_of(flow)
+    inertia: float = parts.flows[spin if spin in parts.flows else flow]["joint"]["inertia"]
+    return inertia
 
 
 def _drums(scenario: Scenario) -> list[Json]:
@@ -265,8 +280,10 @@ def _wrapped_sheaves(parts: Parts) -> list[Json]:
 def _limits(scenario: Scenario, *, has_sheaves: bool) -> Json:
     """Limits of the lift file, and those that hold as warnings where it is silent."""
     given = {} if scenario.limits is None else scenario.limits.model_dump(exclude_none=True)
+    # No limit, but what a result is counted by.
+    bound = {key: given.pop(key) for key in ("equalised_below",) if key in given}
     assumed = {"fleet_angle": FLEET_ANGLE} if has_sheaves and "fleet_angle" not in given else {}
-    return {"limits": {**given, **assumed}, "assumed_limits": list(assumed)}
+    return {"limits": {**given, **assumed}, "assumed_limits": list(assumed), **bound}
 
 
 def _step(step: Any) -> Json:
@@ -294,7 +311,7 @@ def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts
             for body in parts.bodies.values()
             if body["name"] not in parts.nodes
         ],
-        "sheaves": _sheaves(parts),
+        "sheaves": [*_sheaves(parts), *_extension_sheaves(scenario, rigging, lifted, parts)],
         "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.rope_names],
         "ground": None if scenario.ground is None else {"level": scenario.ground.level},
         "axes": None,
@@ -340,6 +357,25 @@ def _sheaves(parts: Parts) -> list[Json]:
             axis = np.cross(guide["bulge"], leave - enter)
             centre, radius = (enter + leave) / 2, math.dist(guide["enter"], guide["leave"]) / 2
             found.append(_sheave(parts, guide["body"], centre, axis / np.linalg.norm(axis), radius))
+    return found
+
+
+def _extension_sheaves(
+    scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts
+) -> list[Json]:
+    """Extension sheaves, each in the upright plane of the lugs that it serves."""
+    found = []
+    for name, extension in rigging.extensions.items():
+        assert scenario.load is not None and lifted is not None  # slings have been checked to lead to lugs
+        one, other = (
+            np.mean([lifted.lugs[lug] for lug in lugs_below(end, rigging.extensions, rigging.slings)], axis=0)
+            for end in rigging.slings[extension.carries].ends
+        )
+        way = parts.pose(scenario.load.name)[1] @ (other - one)
+        across = np.array([-way[1], way[0], 0.0])
+        size = float(np.linalg.norm(across))
+        axis = across / size if size > 0 else np.array([0.0, 1.0, 0.0])
+        found.append(_sheave(parts, name, np.zeros(3), axis, extension.pitch_diameter / 2))
     return found
 
 

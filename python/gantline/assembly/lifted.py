@@ -52,7 +52,11 @@ def lifted_load(load: Load, rigging: Rigging) -> LiftedLoad:
     """Mass, centre of gravity and inertia of the load with lower shackles and lower halves of slings."""
     own = load.weight.simulated
     middle = np.array(load.centre_of_gravity.at)
-    lumps = [(lower_lump(sling), np.array(load.lugs[sling.lug].at)) for sling in rigging.slings.values()]
+    lumps = [
+        (lower_lump(sling), np.array(load.lugs[lug].at))
+        for sling in rigging.slings.values()
+        for lug in sling.lugs
+    ]
     lumps = [(mass, at) for mass, at in lumps if mass > 0]
     mass = own + sum(lump for lump, _ in lumps)
     centre = middle

@@ -241,7 +241,7 @@ def half_turn(
     enter: Sequence[float],
     leave: Sequence[float],
     bulge: Sequence[float],
-    passing: tuple[str, float] | None = None,
+    passing: Json | None = None,
 ) -> Json:
     """Half a turn over a sheave.
 
@@ -250,7 +250,7 @@ def half_turn(
         enter: where the rope comes on, body axes [m].
         leave: where it goes off [m].
         bulge: side on which it lies.
-        passing: flow of the rope over the sheave and the largest ratio of tensions; None is an ideal sheave.
+        passing: what it says of the flow of the rope over the sheave; nothing of an ideal one.
     """
     guide = {
         "type": "half_turn",
@@ -259,11 +259,16 @@ def half_turn(
         "leave": list(leave),
         "bulge": unit(bulge),
     }
-    return guide if passing is None else {**guide, "flow": passing[0], "ratio": passing[1]}
+    return guide | (passing or {})
 
 
 def sheave(
-    body: str | None, at: Sequence[float], axis: Sequence[float], radius: float, *, may_lift_off: bool = False
+    body: str | None,
+    at: Sequence[float],
+    axis: Sequence[float],
+    radius: float,
+    *,
+    may_lift_off: bool = False,
 ) -> Json:
     """A sheave with true tangents; `axis` in body axes, the rope runs about it."""
     return {

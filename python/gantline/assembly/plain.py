@@ -7,7 +7,7 @@ from typing import Any
 
 from gantline.assembly.parts import Json, Parts, drum_layers, end, eye, half_turn, material, sheave
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
-from gantline.assembly.route import route_length
+from gantline.assembly.route import route_length, route_lengths
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import IDENTITY, about_axis
 from gantline.scenario import Scenario
@@ -19,6 +19,7 @@ from gantline.scenario.mechanics import (
     BodyInertia,
     Eye,
     Fixed,
+    HalfTurn,
     HingeJoint,
     HingeStops,
     Joint,
@@ -219,13 +220,16 @@ def _route(
             route.append(_end(body, guide, drums, kind))
         elif isinstance(guide, Sheave):
             lifts = guide.may_lift_off
-            route.append(sheave(body, guide.at, guide.axis, guide.diameter / 2, may_lift_off=lifts))
+            route.append(sheave(body, guide.at, guide.axis, guide.radius, may_lift_off=lifts))
         elif isinstance(guide, Eye):
             route.append(eye(body, guide.at))
         else:
-            losses = sheave_losses(guide, guide.radius, kind.mass_per_length)
-            passing = add_sheave_flow(parts, f"{name}/sheave_{len(route)}", losses)
-            route.append(half_turn(guide.body, guide.enter, guide.leave, guide.bulge, passing))
+            route.append(half_turn(guide.body, guide.enter, guide.leave, guide.bulge))
+    _, arcs = route_lengths(parts, route)
+    for place, guide in enumerate(rope.route):
+        if isinstance(guide, HalfTurn | Sheave):
+            losses = sheave_losses(guide, guide.radius, kind.mass_per_length, wrap=arcs[place] / guide.radius)
+            route[place] |= add_sheave_flow(parts, f"{name}/sheave_{place}", losses)
     return route
 
 

@@ -3,27 +3,35 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from gantline.assembly.parts import Json, Parts, end, half_turn, material
+from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
 from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
 from gantline.assembly.route import route_length
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario
+from gantline.scenario.extension import SlingEnd
 from gantline.scenario.rigging import EqualizerRigging, Rigging, SlingRigging
 
-__all__ = ["add_equalizers", "add_hooks", "add_slings", "hoist_drive", "lower_lump", "upper_lump"]
+__all__ = [
+    "add_equalizers",
+    "add_hooks",
+    "add_slings",
+    "hoist_drive",
+    "lower_end",
+    "lower_lump",
+    "upper_end",
+    "upper_lump",
+]
 
 #: A load that has settled hangs in slack slings: they may be too short by this much at most [m].
 _TAUT = 1e-6
 #: Largest stretch of a sling at the start of a lift that is not at rest.
 _MOST_STRAIN = 0.02
-#: What a locking pin holds [N]: more than any lift has.
-PIN = 1e12
 
 
 def hoist_drive(hook: str) -> str:
@@ -37,8 +45,9 @@ def upper_lump(sling: SlingRigging) -> float:
 
 
 def lower_lump(sling: SlingRigging) -> float:
-    """Mass at the lug of a sling: the lower shackle and what the end carries of the rope [kg]."""
-    return mass_at_end(sling.weight, sling.length) + (sling.bottom[1].mass if sling.bottom else 0.0)
+    """Mass at a lower end of a sling: the lower shackle and what the end carries of the rope [kg]."""
+    rope = mass_at_end(sling.weight, sling.length) / len(sling.ends)
+    return rope + (sling.bottom[1].mass if sling.bottom else 0.0)
 
 
 def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
@@ -62,8 +71,10 @@ def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
         )
 
 
-def add_equalizers(parts: Parts, rigging: Rigging) -> None:
+def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> None:
     """Frames on a vertical hinge under their hooks, moving sheaves as sliders in them, equalizing ropes.
+
+    `pins`: moving sheaves that have locking pins, and whether they are in at the start.
 
     Where lengths are adjusted instead, the sheaves are masses on the frame and there is no equalizing rope.
     """
@@ -75,7 +86,6 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
             if sling.equalizer == equalizer.name
         }
         sheaves = equalizer.moving_sheaves
-        held_by = PIN if equalizer.travel.locked else 0.0
         if not equalizer.has_sheaves:
             for place in range(1, len(sheaves.along) + 1):
                 mass = sheaves.mass + carried.get(place, 0.0)
@@ -88,7 +98,10 @@ def add_equalizers(parts: Parts, rigging: Rigging) -> None:
         for place, along in enumerate(sheaves.along, start=1):
             parts.add_body(
                 f"{equalizer.name}.{place}",
-                _slider((0.0, 0.0, -1.0), None, held_by, _travel_stops(equalizer)),  # travel down is positive
+                {  # travel down is positive
+                    **_slider((0.0, 0.0, -1.0), None, _travel_stops(equalizer)),
+                    "pin": pins.get(f"{equalizer.name}.{place}"),
+                },
                 parent=equalizer.name,
                 position=(along, 0.0, -sheaves.below_hook),
                 mass=sheaves.mass + carried.get(place, 0.0),
@@ -106,8 +119,10 @@ def sheave_place(equalizer: EqualizerRigging, sheave: int) -> tuple[float, float
     return sheaves.along[sheave - 1], 0.0, -sheaves.below_hook
 
 
-def _upper_end(rigging: Rigging, sling: SlingRigging) -> Json:
-    """Upper end of a sling: its moving sheave, or the frame where that would be, or the hook."""
+def upper_end(rigging: Rigging, sling: SlingRigging) -> Json:
+    """Top of a sling: its moving sheave, or the frame where that would be, the hook, or what it runs over."""
+    if sling.over is not None:
+        return eye(sling.over, ORIGIN)
     if sling.equalizer is not None and sling.sheave is not None:
         equalizer = rigging.equalizers[sling.equalizer]
         if not equalizer.has_sheaves:
@@ -128,16 +143,14 @@ def _travel_stops(equalizer: EqualizerRigging) -> Json | None:
     }
 
 
-def _slider(
-    axis: Sequence[float], drive: str | None, friction: float = 0.0, stops: Json | None = None
-) -> Json:
+def _slider(axis: Sequence[float], drive: str | None, stops: Json | None = None) -> Json:
     return {
         "type": "slider",
         "axis": list(axis),
         "position": 0.0,
         "velocity": 0.0,
         "damping": 0.0,
-        "friction": friction,
+        "friction": 0.0,
         "drive": drive,
         "stops": stops,
     }
@@ -195,13 +208,16 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     if scenario.load is None:
         return
     for sling in rigging.slings.values():
-        route = [_upper_end(rigging, sling), end(scenario.load.name, lugs[sling.lug])]
+        ends = [lower_end(scenario.load.name, lugs, one) for one in sling.ends]
+        top = upper_end(rigging, sling)
+        route = [top, *ends] if sling.over is None else [ends[0], top, ends[1]]
         distance = route_length(parts, route)
         short = distance - sling.length
-        allowed = _TAUT if scenario.starts_at_rest or sling.rope.inextensible else _MOST_STRAIN * sling.length
+        # One that an extension sheave hangs on stretches under its weight.
+        at_rest = scenario.starts_at_rest and sling.lugs
+        allowed = _TAUT if at_rest or sling.rope.inextensible else _MOST_STRAIN * sling.length
         if short > allowed:
-            lug = f"{scenario.load.name}.{sling.lug}"
-            apart = f"from '{sling.upper_body}' to '{lug}' it is {_not_shorter(distance, sling.length)} m"
+            apart = f"{_way(scenario.load.name, sling)} it is {_not_shorter(distance, sling.length)} m"
             sentence = f"the sling is {sling.length:g} m, but {apart} at the start; "
             advice = "lower the hook or make the sling longer"
             if scenario.starts_at_rest and short <= _MOST_STRAIN * sling.length:
@@ -212,6 +228,22 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         if sling.weight.mass_per_length > 0:  # lumped where hook, sheaves and load are made
             parts.rope_mass[rope] = sling.weight.mass_per_length * sling.length, 0.0
         add_free_rope(parts, scenario, path, rope, sling.rope, sling.weight, sling.length, route)
+
+
+def lower_end(load: str, lugs: Mapping[str, Sequence[float]], end_of_sling: SlingEnd) -> Json:
+    """A lower end of a sling: a lug of the load, or an extension sheave."""
+    if end_of_sling.extension is not None:
+        return end(end_of_sling.extension)
+    assert end_of_sling.lug is not None  # each end is at one of the two
+    return end(load, lugs[end_of_sling.lug])
+
+
+def _way(load: str, sling: SlingRigging) -> str:
+    """From where to where a sling goes, in words."""
+    names = [f"'{one.extension or f'{load}.{one.lug}'}'" for one in sling.ends]
+    if sling.over is None:
+        return f"from '{sling.upper_body}' to {names[0]}"
+    return f"from {names[0]} over '{sling.over}' to {names[1]}"
 
 
 def _not_shorter(distance: float, length: float) -> str:

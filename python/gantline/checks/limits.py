@@ -78,10 +78,9 @@ def _sling_angle(recording: Recording, during: BoolArray) -> Iterator[Candidate]
 
 def _out_of_plane(recording: Recording, during: BoolArray) -> Iterator[Candidate]:
     for sling in recording.rig.slings:
-        angle = series.out_of_plane_angle(recording, sling)
         carrying = during & series.is_carrying(series.sling_tension(recording, sling))
-        if angle is not None:
-            yield from _extreme(recording, angle, carrying, f"{sling.to_load}.{sling.to_lug}")
+        for lug, angle in series.out_of_plane_angles(recording, sling).items():
+            yield from _extreme(recording, angle, carrying, f"{sling.to_load}.{lug}")
 
 
 def _fleet_angle(recording: Recording, during: BoolArray) -> Iterator[Candidate]:

@@ -75,15 +75,20 @@ def _sheaves(rig: Rig) -> list[str]:
     from gantline.cli.summary import show
     from gantline.cli.table import table
 
-    head = ("Sheave", "rope", "slips at a ratio of", "moves with the rope", "")
+    head = ("Sheave", "rope", "turns at a ratio of", "groove friction", "moves with the rope", "")
+
+    def turns_at(ratio: float | None) -> str:
+        return "never" if ratio is None else f"{ratio:.4f}" if ratio > 1.0 else "-"
+
     rows = [
         (
             sheave.name,
             sheave.rope,
-            f"{sheave.ratio:.4f}" if sheave.ratio > 1.0 else "-",
+            turns_at(sheave.ratio),
+            "-" if sheave.groove_friction is None else f"{sheave.groove_friction:g}",
             show(sheave.inertia, "kg", 1),
             sheave.inertia_from,
         )
         for sheave in rig.sheaves
     ]
-    return table(head, rows, "llrrl") if rows else []
+    return table(head, rows, "llrrrl") if rows else []

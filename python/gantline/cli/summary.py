@@ -9,6 +9,7 @@ import numpy as np
 from gantline.checks import Check, Verdict
 from gantline.cli.table import ABSENT, pairs, table
 from gantline.results import series
+from gantline.results.equalising import equalising
 from gantline.results.metrics import energy_bound, metrics_of
 from gantline.results.parting import partings, stops_met
 from gantline.results.recording import Recording
@@ -149,17 +150,20 @@ def _used(recording: Recording) -> list[str]:
         static = series.static_value(recording, tension, window)
         limits = [s["working_load_limit"] for s in sling.shackles.values() if s.get("working_load_limit")]
         load = recording.rig.load(sling.to_load)
-        lug = load.lugs.get(sling.to_lug or "") if load else None
-        aside = series.out_of_plane_angle(recording, sling)
+        lugs = [load.lugs[lug] for lug in sling.lugs if lug in load.lugs and lug] if load else []
+        capacity = min((lug.capacity for lug in lugs if lug.capacity), default=None)
+        aside = list(series.out_of_plane_angles(recording, sling).values())
         carrying = series.is_carrying(tension)
         rows.append(
             (
                 sling.name,
                 show(_share(force, sling.minimum_breaking_force), "%", 1),
                 show(_share(static, min(limits, default=None)), "%", 1),
-                show(_share(force, lug.capacity if lug else None), "%", 1),
+                show(_share(force, capacity), "%", 1),
                 show(
-                    float(aside[carrying].max()) if aside is not None and carrying.any() else None, "deg", 1
+                    float(np.max(aside, axis=0)[carrying].max()) if aside and carrying.any() else None,
+                    "deg",
+                    1,
                 ),
             )
         )
@@ -201,6 +205,8 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
         rows.append(
             ("tension spread", f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end")
         )
+    rows += _equalising(recording, equalizer)
+    rows += _pins(recording, equalizer)
     met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
     rows += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{_again(one.times)}") for one in met]
     rows += [
@@ -209,6 +215,34 @@ def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
         if stroke and equalizer.moving_sheaves and equalizer.mechanism == "sheaves"
     ]
     return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
+
+
+def _equalising(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
+    """How long it took until the slings carry alike, where all of them have ever been taut."""
+    found = equalising(recording, equalizer)
+    if not equalizer.slings:
+        return []
+    bound = show(recording.rig.equalised_below, "%", 0 if recording.rig.equalised_below >= 0.01 else 2)
+    if found is None:
+        return [("time to equalise", f"{ABSENT}, the spread does not end below {bound} with all slings taut")]
+    text = f"{show(found.time, 's', 2)} to a spread below {bound}, from {show(found.begin, 's', 2)} on"
+    return [("time to equalise", text)]
+
+
+def _pins(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
+    """What its locking pins held, and when they were pulled and put in."""
+    pins = [pin for pin in recording.coordinates.get("pin", ()) if pin in equalizer.moving_sheaves]
+    if not pins:
+        return []
+    force = {pin: np.abs(recording.column("pin_force", pin)) for pin in pins}
+    pin = max(pins, key=lambda name: float(force[name].max()))
+    time = float(recording.time[int(force[pin].argmax())])
+    text = f"{show(float(force[pin].max()), 'kN', 1)} at most ({pin} at {show(time, 's', 2)})"
+    for kind, words in (("pin_pulled", "pulled"), ("pin_put_in", "put in")):
+        times = sorted({when for when, _, name in recording.events(kind) if name in pins})
+        if times:
+            text += f", {words} at {' and '.join(show(when, 's', 2) for when in times)}"
+    return [("locking pins", text)]
 
 
 def _again(times: int) -> str:
@@ -308,7 +342,7 @@ def _wraps(recording: Recording) -> list[str]:
 
 def _losses(recording: Recording) -> list[str]:
     """What losses of sheaves do to each rope: its worst sheave, and how far its segments differ."""
-    lossy = [sheave for sheave in recording.rig.sheaves if sheave.ratio > 1.0]
+    lossy = [sheave for sheave in recording.rig.sheaves if sheave.has_losses]
     rows = []
     for rope in dict.fromkeys(sheave.rope for sheave in lossy):
         own = [sheave for sheave in lossy if sheave.rope == rope]
@@ -321,7 +355,7 @@ def _losses(recording: Recording) -> list[str]:
             (
                 rope,
                 f"{float(ratio.max()):.4f}",
-                f"{worst.ratio:.4f}",
+                f"{float(series.slip_ratio(recording, worst)[int(ratio.argmax())]):.4f}",
                 worst.name,
                 show(float(recording.time[int(ratio.argmax())]), "s", 2),
                 show(float(force.min()), unit, digits),

@@ -71,6 +71,12 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "m or rad",
         "position of a slider or hinge; rope that passed a sheave or left a drum",
     ),
+    "pin_force": (
+        "pin_force",
+        ("time", "pin"),
+        "N",
+        "force that a locking pin takes, positive where its sheave is pulled down; 0 while it is out",
+    ),
     "contact_force": ("contact_force", ("time", "contact"), "N", "normal force of a contact point"),
     "energy": (
         "energy",
@@ -94,7 +100,7 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
     "rope_peak_time": ("rope_peak_time", ("rope",), "s", "time of the largest tension of a rope"),
     "event_time": ("event_time", ("event",), "s", "time of an event"),
 }
-_NAMED = ("rope", "segment", "wrapped_sheave", "body", "joint", "contact", "energy_kind")
+_NAMED = ("rope", "segment", "wrapped_sheave", "body", "joint", "contact", "pin", "energy_kind")
 # name in the recording, name among the names, dimension, description
 _TEXTS = (
     ("rope_of_point", "rope_point", "rope_point", "rope to which a drawn point belongs"),

@@ -39,6 +39,20 @@ def rope_flows(
             "m",
             "rope that has passed a sheave, towards the last end of its route",
         )
+        if any(sheave.groove_friction is not None for sheave in rig.sheaves):
+            passed = columns["joint_position"][:, at]
+            turned = passed.copy()
+            for place, sheave in enumerate(rig.sheaves):
+                if sheave.spins:
+                    turned[:, place] = columns["joint_position"][:, joints.index(f"{sheave.name}/spin")]
+                elif sheave.ratio is None:
+                    turned[:, place] = 0.0
+            variables["groove_slip"] = Variable(
+                ("time", "sheave"),
+                passed - turned,
+                "m",
+                "rope that has slipped in the groove of a sheave, towards the last end of its route",
+            )
         variables["sheave_tension"] = Variable(
             ("time", "sheave", "side"),
             columns["segment_tension"][:, sides],

@@ -20,6 +20,9 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `least_factor_on_breaking_force` [1]: smallest of minimum breaking force/peak tension of the same sling
 - `peak_tension_spread_when_clear` [1]: largest (max - min)/mean over one equalizer's slings while clear
 - `final_tension_spread` [1]: the same at the last sample
+- `time_to_equalise.<equalizer>` [s]: from when all its slings are taut and its pins out until its tension
+  spread stays below `Rig.equalised_below`; absent where it never does, see `gantline.results.equalising`
+- `peak_pin_force` [N]: largest magnitude of the force on any locking pin at any sample
 - `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
 - `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
 - `lift_off_time` [s]: when the last contact force under the last load became zero
@@ -55,6 +58,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
+from gantline.results.equalising import equalising
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
 
@@ -148,10 +152,15 @@ def _spread(recording: Recording) -> Iterator[_Metric]:
     if clear.any():
         yield "peak_tension_spread_when_clear", _largest(float(spread[clear].max()) for spread in spreads)
     yield "final_tension_spread", _largest(float(spread[-1]) for spread in spreads)
+    for equalizer in recording.rig.equalizers:
+        found = equalising(recording, equalizer)
+        yield f"time_to_equalise.{equalizer.name}", found.time if found is not None else None
+    if "pin_force" in recording:
+        yield "peak_pin_force", float(np.abs(recording["pin_force"].values).max())
 
 
 def _sheaves(recording: Recording) -> Iterator[_Metric]:
-    lossy = [sheave for sheave in recording.rig.sheaves if sheave.ratio > 1.0]
+    lossy = [sheave for sheave in recording.rig.sheaves if sheave.has_losses]
     ratios = [series.tension_ratio(recording, sheave) for sheave in lossy]
     yield "peak_sheave_tension_ratio", _largest(float(ratio.max()) for ratio in ratios)
     yield "final_sheave_tension_ratio", _largest(float(ratio[-1]) for ratio in ratios)

@@ -10,6 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, Self
 
+#: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
+EQUALISED_BELOW = 0.05
+
 
 class _FromJson:
     """Dataclasses that are made from a JSON object and pass over keys that they do not know."""
@@ -135,14 +138,16 @@ class Equalizer(_FromJson):
 
 @dataclass(frozen=True)
 class Sling(_FromJson):
-    """A rope from a hook or a moving sheave to a lug.
+    """A rope from a hook or a moving sheave to a lug, or by extension sheaves to more of them.
 
     Attributes:
         name: Its name in the lift file.
         rope: Its name among the ropes, `sling.<name>`.
-        from_body: Where its upper end is made fast.
-        to_load: The load at its lower end.
-        to_lug: The lug at its lower end.
+        from_body: Where its upper end is made fast, or the extension sheave that it runs over.
+        to_load: The load at its lower end; None if extension sheaves hang there.
+        to_lug: The lug at its lower end, if that is the only one.
+        over: The extension sheave that it runs over, from end to end; None if it runs over none.
+        lugs: The lug at each lower end, one or two; None where an extension sheave hangs.
         length: Effective sling length [m].
         minimum_breaking_force: Of its rope [N]; None if not said.
         shackles: Shackles at `top` and `bottom`.
@@ -153,6 +158,8 @@ class Sling(_FromJson):
     from_body: str = ""
     to_load: str | None = None
     to_lug: str | None = None
+    over: str | None = None
+    lugs: Sequence[str | None] = ()
     length: float | None = None
     minimum_breaking_force: float | None = None
     shackles: Mapping[str, Any] = field(default_factory=dict)
@@ -160,7 +167,9 @@ class Sling(_FromJson):
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""
-        return super().from_json({"from_body": document.get("from", ""), **document})
+        lug = document.get("to_lug")
+        lugs = () if lug is None else (lug,)
+        return super().from_json({"from_body": document.get("from", ""), "lugs": lugs, **document})
 
 
 @dataclass(frozen=True)
@@ -203,7 +212,10 @@ class Sheave(_FromJson):
             `<rope>/sheave_<n>` of a rope of `mechanics`, counted from 1 along the rope.
         rope: The rope over it.
         segments: Segments of the rope before and after it.
-        ratio: Largest ratio of the tensions on both sides, 1 without losses.
+        ratio: Largest ratio of the tensions on both sides that its bearing holds, 1 without losses, None
+            where it does not turn.
+        groove_friction: Coefficient of friction of a groove in which the rope may slip, None where it grips.
+        spins: Whether its spin is a coordinate of its own beside the rope over it.
         inertia: Mass that moves with the rope, moment of inertia over radius squared [kg].
         inertia_from: What that mass is, in words.
     """
@@ -211,9 +223,16 @@ class Sheave(_FromJson):
     name: str
     rope: str
     segments: Sequence[str]
-    ratio: float = 1.0
+    ratio: float | None = 1.0
+    groove_friction: float | None = None
+    spins: bool = False
     inertia: float = 0.0
     inertia_from: str = ""
+
+    @property
+    def has_losses(self) -> bool:
+        """Whether it takes tension from the rope that passes."""
+        return self.ratio != 1.0 or self.groove_friction is not None
 
 
 @dataclass(frozen=True)
@@ -294,6 +313,7 @@ class Rig(_FromJson):
         wrapped_sheaves: Sheaves with true tangents.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         assumed_limits: Those of them that the lift file does not name: going past one is a warning.
+        equalised_below: Tension spread below which an equalizer has equalised [1].
         plan: Steps of the plan.
     """
 
@@ -312,6 +332,7 @@ class Rig(_FromJson):
     wrapped_sheaves: Sequence[WrappedSheave] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
     assumed_limits: Sequence[str] = ()
+    equalised_below: float = EQUALISED_BELOW
     plan: Sequence[Step] = ()
 
     @classmethod

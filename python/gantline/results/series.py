@@ -11,6 +11,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from gantline.results.recording import Recording
@@ -123,12 +125,15 @@ def rope_ends(recording: Recording, rope: str) -> tuple[FloatArray, FloatArray]:
     return points[:, at[0]], points[:, at[-1]]
 
 
-def sling_direction(recording: Recording, sling: Sling) -> FloatArray:
-    """Unit vectors along a sling from its lower to its upper end, world axes, shape (time, 3).
+def sling_direction(recording: Recording, sling: Sling, end: int = 0) -> FloatArray:
+    """Unit vectors along a sling from a lower end upwards, world axes, shape (time, 3).
 
-    Zero once it has parted.
+    Zero once it has parted. `end` counts the lower ends of one that runs over an extension sheave, 0 and 1.
     """
-    upper, lower = rope_ends(recording, sling.rope)
+    first, last = rope_ends(recording, sling.rope)
+    upper, lower = first, last
+    if sling.over is not None:
+        upper, lower = recording.column("body_position", sling.over), (first, last)[end]
     along = upper - lower
     length = np.linalg.norm(along, axis=1, keepdims=True)
     unit: FloatArray = np.divide(along, length, out=np.zeros_like(along), where=length > 0.0)
@@ -136,23 +141,28 @@ def sling_direction(recording: Recording, sling: Sling) -> FloatArray:
 
 
 def sling_angle(recording: Recording, sling: Sling) -> FloatArray:
-    """Angle of a sling from the vertical [rad], shape (time,)."""
-    unit = sling_direction(recording, sling)
-    angle: FloatArray = np.arctan2(np.hypot(unit[:, 0], unit[:, 1]), unit[:, 2])
-    return angle
+    """Angle of a sling from the vertical [rad], shape (time,); the larger one of two legs."""
+    angles = []
+    for end in range(1 if sling.over is None else 2):
+        unit = sling_direction(recording, sling, end)
+        angles.append(np.arctan2(np.hypot(unit[:, 0], unit[:, 1]), unit[:, 2]))
+    largest: FloatArray = np.max(angles, axis=0)
+    return largest
 
 
-def out_of_plane_angle(recording: Recording, sling: Sling) -> FloatArray | None:
-    """Angle between a sling and the main plate of its lug [rad], shape (time,); None without a plate."""
+def out_of_plane_angles(recording: Recording, sling: Sling) -> dict[str, FloatArray]:
+    """Angles between a sling and the main plates of its lugs [rad], shape (time,), by lugs that have one."""
     load = recording.rig.load(sling.to_load)
-    lug = load.lugs.get(sling.to_lug or "") if load else None
-    if load is None or lug is None or lug.main_plate_normal is None:
-        return None
-    body = axes(recording.column("body_orientation", load.body))
-    normal = body @ np.asarray(lug.main_plate_normal, dtype=np.float64)
-    across = np.sum(normal * sling_direction(recording, sling), axis=1)
-    angle: FloatArray = np.abs(np.arcsin(np.clip(across, -1.0, 1.0)))
-    return angle
+    found: dict[str, FloatArray] = {}
+    for end, lug in enumerate(sling.lugs):
+        plate = load.lugs.get(lug) if load is not None and lug is not None else None
+        if load is None or lug is None or plate is None or plate.main_plate_normal is None:
+            continue
+        body = axes(recording.column("body_orientation", load.body))
+        normal = body @ np.asarray(plate.main_plate_normal, dtype=np.float64)
+        across = np.sum(normal * sling_direction(recording, sling, end), axis=1)
+        found[lug] = np.abs(np.arcsin(np.clip(across, -1.0, 1.0)))
+    return found
 
 
 def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
@@ -184,6 +194,19 @@ def tension_ratio(recording: Recording, sheave: Sheave) -> FloatArray:
     if clear.any():
         counts &= clear
     ratio: FloatArray = np.divide(high, low, out=np.ones_like(high), where=counts)
+    return ratio
+
+
+def slip_ratio(recording: Recording, sheave: Sheave) -> FloatArray:
+    """Ratio of tensions from which rope passes a sheave, by bearing or groove [1], shape (time,)."""
+    bearing = math.inf if sheave.ratio is None else sheave.ratio
+    if sheave.groove_friction is None:
+        return np.full(recording.time.shape, bearing)
+    is_wrapped = any(other.name == sheave.name for other in recording.rig.wrapped_sheaves)
+    wrap = (
+        recording.column("wrap_angle", sheave.name) if is_wrapped else np.full(recording.time.shape, math.pi)
+    )
+    ratio: FloatArray = np.minimum(bearing, np.exp(sheave.groove_friction * wrap))
     return ratio
 
 

@@ -13,6 +13,7 @@ from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
 from gantline.scenario.model import Scenario
 from gantline.scenario.parting import check_partings
+from gantline.scenario.pins import check_pins, pins_of
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
 from gantline.scenario.sheave import taken_together
@@ -36,6 +37,10 @@ def check(scenario: Scenario) -> None:
         for name, equalizer in rigging.equalizers.items():
             slings = [sling for sling in rigging.slings.values() if sling.equalizer == name]
             check_equalizer(findings, equalizer, slings)
+        check_pins(findings, rigging)
+        if scenario.simulation.integrator == "explicit" and pins_of(scenario, rigging).at_start:
+            sentence = "'explicit' knows no pins; 'adaptive' or 'del' is right"
+            findings.add(("simulation", "integrator"), sentence)
     except ScenarioError as error:
         findings.problems.extend(error.problems)
     for name, crane in (scenario.cranes or {}).items():
@@ -56,7 +61,7 @@ def check(scenario: Scenario) -> None:
 
 
 def _check_names(findings: Findings) -> None:
-    """Cranes, equalizers, their moving sheaves, the load, plain bodies and drums share one set of names."""
+    """Cranes, equalizers, all sheaves that move, the load, plain bodies and drums share one set of names."""
     scenario = findings.scenario
     named: list[tuple[str, str, Path]] = []
     named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
@@ -66,6 +71,10 @@ def _check_names(findings: Findings) -> None:
         if crane.reeving is not None
     ]
     named += [(name, "an equalizer", ("equalizers", name)) for name in scenario.equalizers or {}]
+    named += [
+        (name, "an extension sheave", ("extension_sheaves", name))
+        for name in scenario.extension_sheaves or {}
+    ]
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
     if scenario.mechanics is not None:
@@ -98,7 +107,7 @@ def _check_simulation(findings: Findings) -> None:
             sentence = f"'{key}' belongs to {' and '.join(kinds)}, this lift has '{settings.integrator}'"
             findings.add(("simulation", key), f"{sentence}; leave it out or name the other integrator")
     if settings.integrator != "adaptive" and _has_friction(findings.scenario):
-        sentence = f"'{settings.integrator}' knows no friction of sheaves and joints, no brakes and no pins"
+        sentence = f"'{settings.integrator}' knows no friction of sheaves and joints and no brakes"
         findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' is right here")
     if settings.step > duration:
         sentence = (
@@ -115,7 +124,7 @@ def _check_simulation(findings: Findings) -> None:
 
 
 def _has_friction(scenario: Scenario) -> bool:
-    """Whether a sheave has losses, a drum a brake, a joint friction, or moving sheaves are pinned."""
+    """Whether a sheave has losses, a drum a brake, or a joint friction."""
     found = False
     for name, given in (scenario.equalizers or {}).items():
         for key in SHEAVES:
@@ -123,8 +132,7 @@ def _has_friction(scenario: Scenario) -> bool:
             found |= taken_together(words).bearing_efficiency < 1
         kind = (scenario.equalizer_types or {}).get(given.type or "")
         hinge = given.hinge or (kind and kind.hinge)
-        travel = given.travel or (kind and kind.travel)
-        found |= bool(hinge and hinge.friction) or bool(travel and travel.locked)
+        found |= bool(hinge and hinge.friction)
     for crane in (scenario.cranes or {}).values():
         found |= crane.reeving is not None and crane.reeving.words.bearing_efficiency < 1
         found |= crane.hoist.capacity is not None

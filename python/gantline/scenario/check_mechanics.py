@@ -203,9 +203,12 @@ def _check_flows(findings: Findings, path: Path, rope: MechanicsRope, drums: Map
         def add(key: str, sentence: str, at: Path = at) -> None:
             findings.add((*at, key) if key else at, sentence)
 
-        if isinstance(guide, HalfTurn):
+        if isinstance(guide, HalfTurn | Sheave):
             losses = sheave_losses(guide, guide.radius, kind.mass_per_length)
             check_losses(add, guide, losses, rope.rope, kind.inextensible)
+            if isinstance(guide, Sheave) and guide.may_lift_off and not losses.is_ideal:
+                sentence = "a rope does not leave a sheave with losses or inertia"
+                add("may_lift_off", f"{sentence}; leave this out, or the losses")
         elif not isinstance(guide, RopeEnd) or guide.drum is None:
             continue
         elif guide.drum not in drums:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
+from pydantic.json_schema import JsonSchemaValue
 
 from gantline.scenario.base import Element
 from gantline.scenario.errors import nearest
@@ -25,6 +27,7 @@ from gantline.scenario.quantities import (
     PositiveSpeed,
     PositiveStiffness,
     Ratio,
+    Reader,
     RotationalDamping,
     Time,
     Torque,
@@ -211,6 +214,35 @@ class MovingSheaves(FixedSheaves):
     guided: Literal["vertical"] = Field("vertical", description="How the frame guides them.")
 
 
+@dataclass(frozen=True)
+class LockedReader(Reader):
+    """Reads ``true``, ``false`` or the moving sheaves that are locked, counted from 1."""
+
+    def read(self, value: object) -> bool | tuple[int, ...]:
+        """All, none or some."""
+        if value in ("true", "false"):
+            return value == "true"
+        items = [str(item) for item in (value if isinstance(value, list) else [value])]
+        if not items or not all(item.isascii() and item.isdigit() for item in items):
+            right = "'true', 'false' or moving sheaves such as [1, 5]"
+            raise refuse(f"found {found(value)}; {right} is needed")
+        places = tuple(int(item) for item in items)
+        if len(set(places)) < len(places):
+            raise refuse("names a moving sheave twice; each stands once")
+        return places
+
+    def shown(self) -> JsonSchemaValue:
+        """A truth value or a list of whole numbers."""
+        number: JsonSchemaValue = {"type": "integer", "minimum": 1}
+        return {
+            "anyOf": [
+                {"enum": [True, False, "true", "false"]},
+                number,
+                {"type": "array", "items": number, "minItems": 1},
+            ]
+        }
+
+
 class Travel(Element):
     """How far moving sheaves may travel from where they start."""
 
@@ -218,7 +250,11 @@ class Travel(Element):
 
     up: NotNegativeLength = Field(description="Travel up from the start.")
     down: NotNegativeLength = Field(description="Travel down from the start.")
-    locked: Flag = Field(False, description="true: locking pins hold all moving sheaves where they start.")
+    locked: Annotated[bool | tuple[int, ...], LockedReader()] = Field(
+        False,
+        description="true: locking pins hold all moving sheaves where they start; a list such as [1, 5]: "
+        "those of these sheaves. Steps of the plan pull them.",
+    )
     stops: Flag = Field(
         False, description="true: stops end the travel; false: sheaves may go past it, which is only checked."
     )

@@ -16,6 +16,7 @@ from gantline.scenario.quantities import (
     Flag,
     Mass,
     Name,
+    Names,
     NotNegativeForce,
     PositiveForce,
     PositiveLength,
@@ -228,13 +229,27 @@ class SlingDefaults(Element):
 
 
 class Sling(SlingDefaults):
-    """A sling from an equalizer's moving sheave, or from a hook, to a lug of the load."""
+    """A sling from a moving sheave or a hook to a lug, or over an extension sheave to two lugs."""
 
     what: ClassVar[str] = "a sling"
 
-    from_: Name = Field(
-        alias="from", description="Where its upper end is: a moving sheave like 'e1.3', or a hook."
+    from_: Name | None = Field(
+        None, alias="from", description="Where its upper end is: a moving sheave like 'e1.3', or a hook."
     )
-    to: Name = Field(description="The lug it holds, like 'block.L3'.")
+    over: Name | None = Field(
+        None, description="In place of 'from': the extension sheave that it runs over, from end to end."
+    )
+    to: Names = Field(
+        description="The lug it holds, like 'block.L3', or the extension sheave that hangs on it; with "
+        "'over' the two of them."
+    )
     cut_at: Time | None = Field(None, description=CUT_SHOWN)
     remark: Text | None = Field(None, description="A remark for people.")
+
+    @model_validator(mode="after")
+    def _one_top(self) -> Sling:
+        if self.from_ is None and self.over is None:
+            raise refuse("'from' is missing; a sling hangs 'from' something or runs 'over' a sheave")
+        if self.from_ is not None and self.over is not None:
+            raise refuse("'from' and 'over' stand together; a sling has one of them", "over")
+        return self

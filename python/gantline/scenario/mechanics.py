@@ -42,7 +42,6 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.rope_weight import NODES_SHOWN, WEIGHT_SHOWN, RopeNodes, RopeWeightWord
 from gantline.scenario.sheave import SheaveWords
-from gantline.scenario.tree import MapNode
 
 __all__ = [
     "Ball",
@@ -262,7 +261,7 @@ class HalfTurn(SheaveWords):
         return math.dist(self.enter, self.leave) / 2
 
 
-class Sheave(Element):
+class Sheave(SheaveWords):
     """A sheave as it is: the rope touches it along true tangents and wraps it as far as it must."""
 
     what: ClassVar[str] = "a sheave"
@@ -276,13 +275,10 @@ class Sheave(Element):
         False, description="Whether the rope may leave it and run straight past; else that is a warning."
     )
 
-    @classmethod
-    def refuse_early(cls, data: MapNode) -> None:
-        """Losses of such a sheave: say that they are for half turns, not that the word is not known."""
-        for key in SheaveWords.model_fields:
-            if key in data:
-                sentence = "losses and inertia of a sheave with true tangents cannot be simulated yet"
-                raise refuse(f"{sentence}; those of a 'half_turn' can", key)
+    @property
+    def radius(self) -> float:
+        """Pitch radius [m]."""
+        return self.diameter / 2
 
 
 class Eye(Element):

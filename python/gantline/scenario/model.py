@@ -9,6 +9,7 @@ from pydantic import Field, PrivateAttr
 from gantline.scenario.base import Element, Named
 from gantline.scenario.crane import Equalizer, EqualizerType, FixedHook
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
+from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.ground import Ground, LiftHead, SimulationSettings
 from gantline.scenario.load import Load
@@ -61,6 +62,9 @@ class Scenario(Element):
         None, description="What slings have unless they say otherwise."
     )
     slings: Named[Sling] | None = Field(None, description="Slings by name.")
+    extension_sheaves: Named[ExtensionSheave] | None = Field(
+        None, description="Sheaves that hang on slings and serve two lugs each, by name."
+    )
     plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
     limits: Limits | None = Field(None, description="Limits that the lift is checked against.")
     simulation: SimulationSettings = Field(SimulationSettings(), description="How the lift is simulated.")

@@ -163,6 +163,16 @@ class _AnyStep(Element):
     )
     require: Require | None = Field(None, description="What has to hold at its end.")
     cut: Names = Field((), description="Rope or ropes that are cut as it begins, like 'sling.S1'.")
+    pull_pins: Names = Field(
+        (),
+        description="Locking pins that are pulled as it begins: those of an equalizer, like 'e1', or of a "
+        "moving sheave, like 'e1.2'.",
+    )
+    put_in_pins: Names = Field(
+        (),
+        description="Locking pins that are put in as it begins, where their sheaves then are; they have to "
+        "be at rest.",
+    )
 
 
 class MovingStep(_AnyStep):
@@ -328,6 +338,11 @@ class Limits(Element):
     )
     tension_spread_when_clear: Ratio | None = Field(
         None, description="(max - min)/mean of slings once clear."
+    )
+    equalised_below: Annotated[float, Quantity("ratio", "positive")] | None = Field(
+        None,
+        description="Tension spread below which an equalizer counts as equalised, for its time to equalise; "
+        "5 % if not given. It is not checked.",
     )
     equalizer_travel_used: Ratio | None = Field(None, description="Travel used, of the stroke.")
     hook_dynamic_factor: Annotated[float, Number(least=1.0, most=100.0)] | None = Field(

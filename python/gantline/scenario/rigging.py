@@ -16,6 +16,13 @@ from gantline.scenario.crane import (
     Travel,
 )
 from gantline.scenario.errors import nearest
+from gantline.scenario.extension import (
+    ExtensionRigging,
+    SlingEnd,
+    check_sling_over,
+    extensions_of,
+    sling_ends,
+)
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.gear import RopeMaterial, Shackle, SlingDefaults
 from gantline.scenario.model import Scenario
@@ -32,6 +39,8 @@ __all__ = [
     "split_reference",
 ]
 
+#: Hook, equalizer and moving sheave from which a sling hangs.
+_Upper = tuple[str, str | None, int | None]
 #: Keys of an equalizer's sheaves.
 SHEAVES = ("fixed_sheaves", "moving_sheaves")
 
@@ -71,13 +80,22 @@ class EqualizerRigging:
 
 @dataclass(frozen=True)
 class SlingRigging:
-    """A sling between a moving sheave (or a hook) and a lug; `sheave` counts from 1."""
+    """A sling from a moving sheave or a hook to a lug or an extension sheave, or over one of these.
+
+    Attributes:
+        hook: hook under which it hangs; empty for a sling over an extension sheave.
+        equalizer: equalizer from which it hangs; None for none.
+        sheave: the moving sheave there, counted from 1.
+        over: extension sheave that it runs over, from end to end.
+        ends: its lower ends: one, or two if it runs over a sheave.
+    """
 
     name: str
     hook: str
     equalizer: str | None
     sheave: int | None
-    lug: str
+    over: str | None
+    ends: tuple[SlingEnd, ...]
     length: float
     tolerance: float
     rope: RopeMaterial
@@ -87,16 +105,24 @@ class SlingRigging:
 
     @property
     def upper_body(self) -> str:
-        """Name of the body that holds the upper end."""
+        """Name of the body that holds the upper end, or of the extension sheave that it runs over."""
+        if self.over is not None:
+            return self.over
         return self.hook if self.equalizer is None else f"{self.equalizer}.{self.sheave}"
+
+    @property
+    def lugs(self) -> tuple[str, ...]:
+        """Lugs at its lower ends."""
+        return tuple(end.lug for end in self.ends if end.lug is not None)
 
 
 @dataclass(frozen=True)
 class Rigging:
-    """All equalizers and slings of a lift."""
+    """All equalizers, slings and extension sheaves of a lift."""
 
     equalizers: dict[str, EqualizerRigging]
     slings: dict[str, SlingRigging]
+    extensions: dict[str, ExtensionRigging]
 
 
 def resolve(scenario: Scenario) -> Rigging:
@@ -124,8 +150,9 @@ def resolve(scenario: Scenario) -> Rigging:
             )
             findings.add(("slings", name, "from"), f"{sentence}; each moving sheave carries one sling")
         holders.setdefault(sling.upper_body, name)
+    extensions = extensions_of(findings, scenario.slings or {}, slings)
     findings.raise_any()
-    return Rigging(equalizers, slings)
+    return Rigging(equalizers, slings, extensions)
 
 
 def split_reference(text: str, owners: Iterable[str]) -> tuple[str, str] | None:
@@ -248,8 +275,11 @@ def _sling(findings: Findings, name: str) -> SlingRigging | None:
     defaults = findings.scenario.sling_defaults or SlingDefaults()
     path = ("slings", name)
     before = len(findings.problems)
-    upper = _upper_end(findings, given.from_, (*path, "from"))
-    lug = _lug(findings, given.to, (*path, "to"))
+    upper: _Upper | None = "", None, None
+    if given.from_ is not None:
+        upper = _upper_end(findings, given.from_, (*path, "from"))
+    words = sling_ends(findings, given, path)
+    ends = [_lower_end(findings, word, (*path, "to")) for word in words or ()]
     length = given.length if given.length is not None else defaults.length
     if length is None:
         findings.add(path, "'length' is missing; a sling needs it (effective length, unloaded)")
@@ -262,17 +292,20 @@ def _sling(findings: Findings, name: str) -> SlingRigging | None:
         rope = _material(findings, rope_name, where)
     shackles = given.shackles if given.shackles is not None else defaults.shackles
     base = (*path, "shackles") if given.shackles is not None else ("sling_defaults", "shackles")
-    top = _shackle(findings, shackles.top if shackles else None, (*base, "top"))
+    top = None
+    if given.over is None:  # what all slings have at their tops is none of a sling that runs over a sheave
+        top = _shackle(findings, shackles.top if shackles else None, (*base, "top"))
     bottom = _shackle(findings, shackles.bottom if shackles else None, (*base, "bottom"))
     tolerance = given.tolerance if given.tolerance is not None else defaults.tolerance
     weight = _sling_weight(findings, name, str(rope_name), rope)
-    if len(findings.problems) > before or upper is None or lug is None or length is None:
-        return None
-    if rope is None or weight is None:
+    if rope is not None and weight is not None:
+        check_sling_over(findings, given, rope, weight, path)
+    if len(findings.problems) > before or upper is None or length is None or rope is None or weight is None:
         return None
     hook, equalizer, sheave = upper
+    lower = tuple(end for end in ends if end is not None)
     return SlingRigging(
-        name, hook, equalizer, sheave, lug, length, tolerance or 0.0, rope, weight, top, bottom
+        name, hook, equalizer, sheave, given.over, lower, length, tolerance or 0.0, rope, weight, top, bottom
     )
 
 
@@ -295,7 +328,7 @@ def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial |
     return rope_weight(kind, way, nodes)
 
 
-def _upper_end(findings: Findings, text: str, path: Path) -> tuple[str, str | None, int | None] | None:
+def _upper_end(findings: Findings, text: str, path: Path) -> _Upper | None:
     cranes, equalizers = findings.scenario.cranes or {}, findings.scenario.equalizers or {}
     if text in cranes:
         return text, None, None
@@ -329,6 +362,13 @@ def _count_of_moving_sheaves(scenario: Scenario, name: str) -> int | None:
     return None if sheaves is None else len(sheaves.along)
 
 
+def _lower_end(findings: Findings, text: str, path: Path) -> SlingEnd | None:
+    if text in (findings.scenario.extension_sheaves or {}):
+        return SlingEnd(None, text)
+    lug = _lug(findings, text, path)
+    return None if lug is None else SlingEnd(lug, None)
+
+
 def _lug(findings: Findings, text: str, path: Path) -> str | None:
     load = findings.scenario.load
     if load is None:
@@ -337,7 +377,7 @@ def _lug(findings: Findings, text: str, path: Path) -> str | None:
     split = split_reference(text, [load.name])
     if split is not None and split[1] in load.lugs:
         return split[1]
-    known = [f"{load.name}.{lug}" for lug in load.lugs]
+    known = [*(f"{load.name}.{lug}" for lug in load.lugs), *(findings.scenario.extension_sheaves or {})]
     findings.add(path, f"'{text}' is not a lug; {nearest(text, known)}")
     return None
 

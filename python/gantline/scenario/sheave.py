@@ -96,21 +96,38 @@ class SheaveLosses:
     """One sheave as the rope over it meets it.
 
     Attributes:
-        ratio: largest ratio of the tensions on both sides, 1 without losses.
-        inertia: mass that moves with the rope, I/r^2 [kg]; 0 where there is none or it is not known.
+        bearing: largest ratio of the tensions on both sides that its bearing holds, 1 without losses,
+            infinite where it does not turn.
+        groove: coefficient of friction of a groove in which the rope may slip, None where it grips.
+        inertia: mass of what turns, I/r^2 [kg]; 0 where there is none or it is not known.
         inertia_from: what that mass is, in words.
-        turns: whether the bearing gives way before the groove does.
+        on_sheave: mass of the rope that lies on it and moves where the groove slips [kg]; 0 if not known.
     """
 
-    ratio: float = 1.0
+    bearing: float = 1.0
+    groove: float | None = None
     inertia: float = 0.0
     inertia_from: str = ""
-    turns: bool = True
+    on_sheave: float = 0.0
+
+    def ratio(self, wrap: float = math.pi) -> float:
+        """Largest ratio of the tensions on both sides at a wrap [rad], by bearing or groove."""
+        return min(self.bearing, math.inf if self.groove is None else math.exp(self.groove * wrap))
 
     @property
     def is_ideal(self) -> bool:
         """Whether the sheave passes tension on as it is."""
-        return self.ratio == 1.0 and self.inertia == 0.0
+        return self.ratio() == 1.0 and (self.inertia == 0.0 or self.groove == 0.0)
+
+    @property
+    def turns(self) -> bool:
+        """Whether the sheave turns."""
+        return self.bearing < math.inf
+
+    @property
+    def slips(self) -> bool:
+        """Whether rope may slip in the groove: what then moves has to have a mass."""
+        return self.groove is not None and self.on_sheave > 0 and (self.inertia > 0 or not self.turns)
 
 
 def taken_together(levels: Sequence[SheaveWords | None]) -> SheaveWords:
@@ -138,36 +155,36 @@ def said_twice(first: SheaveWords | None, second: SheaveWords | None) -> Iterato
 
 
 def sheave_losses(
-    words: SheaveWords, radius: float, rope_mass: float, own_mass: float | None = None
+    words: SheaveWords, radius: float, rope_mass: float, own_mass: float | None = None, wrap: float = math.pi
 ) -> SheaveLosses:
-    """What the losses and the inertia of a sheave come to, for half a turn of rope on it.
+    """What the losses and the inertia of a sheave come to.
 
     Bearing and groove are in series: the rope passes as soon as the weaker of them gives way, at the ratio
-    of tensions min(1/efficiency, e^(mu pi)). Where that is the bearing, the sheave turns with the rope and
-    its I/r^2 moves with it. Otherwise the sheave stands still, and only the rope that lies on it moves.
+    of tensions min(1/efficiency, e^(mu wrap)). While the groove holds, the sheave turns with the rope and
+    its I/r^2 moves with it; where it slips, only the rope that lies on it does.
 
     Args:
         words: what the lift file says.
         radius: pitch radius [m].
         rope_mass: mass per length of the rope, 0 if not known [kg/m].
         own_mass: mass of the sheave where words say nothing of inertia, None if not known [kg].
+        wrap: angle of the rope on it at the start [rad].
     """
     efficiency = words.bearing_efficiency
-    of_bearing = 1 / efficiency if efficiency > 0 else math.inf
-    of_groove = math.inf if words.groove_friction is None else math.exp(words.groove_friction * math.pi)
-    ratio = min(of_bearing, of_groove)
-    if of_groove < of_bearing:
-        on_arc = rope_mass * math.pi * radius if ratio > 1 else 0.0
-        return SheaveLosses(ratio, on_arc, "the rope that lies on it", turns=False)
-    if words.rotating_mass is not None:
-        return SheaveLosses(ratio, words.rotating_mass, "as given")
-    if words.moment_of_inertia is not None:
-        return SheaveLosses(ratio, words.moment_of_inertia / radius**2, "moment of inertia over r^2")
-    if words.sheave_mass is not None:
-        return SheaveLosses(ratio, words.sheave_mass / 2, "half of its mass")
-    if ratio > 1 and own_mass is not None:
-        return SheaveLosses(ratio, own_mass / 2, f"half of {own_mass:g} kg")
-    return SheaveLosses(ratio)
+    bearing = 1 / efficiency if efficiency > 0 else math.inf
+    on_sheave = rope_mass * wrap * radius
+    inertia, source = 0.0, ""
+    if bearing == math.inf:
+        source = "the rope that lies on it"
+    elif words.rotating_mass is not None:
+        inertia, source = words.rotating_mass, "as given"
+    elif words.moment_of_inertia is not None:
+        inertia, source = words.moment_of_inertia / radius**2, "moment of inertia over r^2"
+    elif words.sheave_mass is not None:
+        inertia, source = words.sheave_mass / 2, "half of its mass"
+    elif bearing > 1 and own_mass is not None:
+        inertia, source = own_mass / 2, f"half of {own_mass:g} kg"
+    return SheaveLosses(bearing, words.groove_friction, inertia, source, on_sheave)
 
 
 def check_losses(
@@ -186,11 +203,16 @@ def check_losses(
     if efficiency == 0 and words.groove_friction is None:
         sentence = "the rope slips in the groove of a seized sheave"
         add("bearing", f"{sentence}; 'groove_friction' is missing, such as 'groove_friction: 0.1'")
-    elif efficiency == 1 and words.groove_friction is not None:
-        sentence = "groove friction alone holds nothing, since an ideal bearing always turns"
+    elif efficiency == 1 and words.groove_friction is not None and losses.inertia == 0:
+        sentence = "groove friction alone holds nothing, since an ideal bearing without inertia always turns"
         add("groove_friction", f"{sentence}; say a 'bearing' too: 'roller', 'plain' or 'seized'")
-    elif losses.ratio > 1 and losses.inertia == 0:
-        _add_missing_inertia(add, words, losses, rope)
+    elif losses.ratio() > 1 and losses.inertia == 0 and losses.turns:
+        _add_missing_inertia(add, words)
+    elif losses.groove is not None and losses.ratio() < losses.bearing and losses.on_sheave == 0:
+        sentence = (
+            f"where the groove slips the mass of the rope on the sheave moves; that of '{rope}' is not known"
+        )
+        add("", f"{sentence}, so give the rope a 'construction' or its mass, such as 'mass: 9 kg/m'")
     elif not losses.is_ideal and inextensible:
         sentence = (
             f"rope '{rope}' is inextensible, and over sheaves with losses or inertia a rope has to stretch"
@@ -198,15 +220,7 @@ def check_losses(
         add("", f"{sentence}; give it an axial stiffness")
 
 
-def _add_missing_inertia(
-    add: Callable[[str, str], None], words: SheaveWords, losses: SheaveLosses, rope: str
-) -> None:
-    if not losses.turns:
-        sentence = (
-            f"where the sheave stands still the mass of the rope on it moves; that of '{rope}' is not known"
-        )
-        add("", f"{sentence}, so give the rope a 'construction' or its mass, such as 'mass: 9 kg/m'")
-        return
+def _add_missing_inertia(add: Callable[[str, str], None], words: SheaveWords) -> None:
     said = next((key for key in _OF_INERTIA if getattr(words, key) is not None), None)
     if said is None:
         ways = "'sheave_mass', 'moment_of_inertia' or 'rotating_mass'"

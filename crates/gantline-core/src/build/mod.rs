@@ -1,6 +1,7 @@
 //! From a document to a checked [`System`] and its first [`State`].
 
 mod adjusters;
+mod brakes;
 mod coils;
 mod plan;
 mod rows;
@@ -27,7 +28,7 @@ use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use adjusters::build_adjusters;
 use coils::places_of_coils;
-use plan::{build_cuts, build_drives, build_fragile, build_step};
+use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_step};
 use rows::{Built, build_constraints};
 use tree::{build_tree, start_of_joint};
 
@@ -76,15 +77,16 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     tree.positions += coils.len();
     q.resize(tree.positions, 0.0);
     let rigid: Vec<usize> = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
-    let is_brake_row = |row: &usize| matches!(rows.laws[*row], Law::Brake { .. });
-    let inextensible = rigid.iter().copied().filter(|row| !is_brake_row(row)).collect();
+    let is_rope_row = |row: &usize| matches!(rows.laws[*row], Law::Unilateral { .. });
+    let inextensible = rigid.iter().copied().filter(is_rope_row).collect();
     let adjusters = build_adjusters(spec, &constraints, &rows)?;
     let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
     let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
+    let pins = build_pinnings(spec, &constraints)?;
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
     let feeds = |constraint: &AnyConstraint| match constraint {
         AnyConstraint::Rope(rope) => is_fed(rope),
-        AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => true,
+        AnyConstraint::Stop(_) | AnyConstraint::Pin(_) | AnyConstraint::Brake(_) => true,
         AnyConstraint::Contact(_) => false,
     };
     let fed = (0..constraints.len()).filter(|&index| feeds(&constraints[index])).collect();
@@ -111,6 +113,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         inextensible,
         fragile,
         cuts,
+        pins,
         rigid,
         friction,
         fed,
@@ -243,6 +246,7 @@ fn first_state(
                 state.modes[row] = state.modes[normal];
                 continue;
             }
+            Law::Pin => continue,
             Law::Brake { .. } => {
                 let speed = system.rows.rate(&frame.gradient, row, &state.v);
                 state.modes[row] = if speed == 0.0 { Mode::Acting } else { Mode::Slipping };
@@ -263,6 +267,9 @@ fn first_state(
         if state.trial[row] > 0.0 || (compliance == 0.0 && e >= -1e-9) {
             state.modes[row] = Mode::Acting;
         }
+    }
+    for pinning in system.pins.iter().filter(|pinning| pinning.starts_in) {
+        state.modes[system.rows.first[pinning.pin]] = Mode::Acting;
     }
     if !system.coils.is_empty() {
         frame.update(system, &state);

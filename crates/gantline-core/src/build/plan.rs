@@ -1,8 +1,9 @@
 //! Drives and the steps of the plan.
 
 use super::{BuildError, at_least_zero, error, finite, positive};
-use crate::plan::{Cut, Due, Emergency, Move, Step, Until};
-use crate::spec::{BodySpec, EmergencySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
+use crate::constraint::AnyConstraint;
+use crate::plan::{Cut, Due, Emergency, Move, Pinning, Step, Until};
+use crate::spec::{AxisJointSpec, BodySpec, EmergencySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
 use crate::system::{ContactGroup, DriveJoint};
 use crate::tree::Tree;
 
@@ -125,4 +126,42 @@ pub(super) fn build_cuts(spec: &SystemSpec) -> Result<Vec<Cut>, BuildError> {
         }
     }
     Ok(cuts)
+}
+
+/// Locking pins, with the steps of the plan that pull them and put them in.
+pub(super) fn build_pinnings(
+    spec: &SystemSpec,
+    constraints: &[AnyConstraint],
+) -> Result<Vec<Pinning>, BuildError> {
+    let starts_in = |name: &str| {
+        let body = spec.bodies.iter().find(|body| body.name == name)?;
+        let (JointSpec::Hinge(AxisJointSpec { pin, .. }) | JointSpec::Slider(AxisJointSpec { pin, .. })) =
+            &body.joint
+        else {
+            return None;
+        };
+        *pin
+    };
+    let mut pinnings: Vec<Pinning> = Vec::new();
+    for (index, constraint) in constraints.iter().enumerate() {
+        if let AnyConstraint::Pin(pin) = constraint {
+            let starts_in = starts_in(&pin.name) == Some(true);
+            pinnings.push(Pinning { pin: index, starts_in, changes: Vec::new() });
+        }
+    }
+    for (index, step) in spec.plan.iter().enumerate() {
+        for (names, is_in) in [(&step.pulls, false), (&step.pins, true)] {
+            for name in names {
+                let own = |pinning: &&mut Pinning| constraints[pinning.pin].name() == name;
+                let Some(pinning) = pinnings.iter_mut().find(own) else {
+                    return error(&step.name, format!("there is no pin of `{name}`"));
+                };
+                if pinning.changes.last().is_some_and(|&(last, _)| last == index) {
+                    return error(&step.name, format!("it moves the pin of `{name}` twice; once is right"));
+                }
+                pinning.changes.push((index, is_in));
+            }
+        }
+    }
+    Ok(pinnings)
 }

@@ -1,12 +1,13 @@
-//! Ropes, contacts, stops and brakes.
+//! Ropes, contacts, stops and pins.
 
-use glam::DVec3;
+use glam::{DMat3, DQuat, DVec3};
 
+use super::brakes::build_brakes;
 use super::coils::check_drum;
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
-use crate::constraint::brake::{Brake, share_of_ratio};
 use crate::constraint::contact::Contact;
+use crate::constraint::pin::Pin;
 use crate::constraint::rope::Rope;
 use crate::constraint::rope::span::{Feed, Span};
 use crate::constraint::stop::Stop;
@@ -15,17 +16,15 @@ use crate::rope::material::Material;
 use crate::rope::route::{Attachment, Guide, Route};
 use crate::rope::seat::Seat;
 use crate::spec::{
-    BodySpec, ContactSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, StopsSpec, SystemSpec,
+    BodySpec, ContactSpec, GrooveSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, StopsSpec, SystemSpec,
 };
 use crate::system::ContactGroup;
-use crate::tree::Tree;
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
+use crate::tree::{Body, Tree};
 
 /// Largest stretch of a rope over sheaves at the start: more is a mistake in its length.
 const MOST_STRAIN: f64 = 0.02;
-/// A joint with dry friction that turns back as slowly as this [m/s or rad/s] is as good as held.
-const SLOW: f64 = 1e-4;
 
 fn body_index(element: &str, tree: &Tree, name: Option<&String>) -> Result<Option<usize>, BuildError> {
     let Some(name) = name else { return Ok(None) };
@@ -68,85 +67,20 @@ pub(super) fn build_constraints(
     for (index, given) in spec.bodies.iter().enumerate() {
         constraints.extend(build_stops(given, index, tree)?.into_iter().map(AnyConstraint::Stop));
     }
+    constraints.extend(build_pins(spec, tree)?.into_iter().map(AnyConstraint::Pin));
     constraints.extend(brakes);
     Ok(Built { constraints, groups, seats })
 }
 
-/// Friction of all flows and joints that no drive prescribes: of pins, of the sheave that rope passes, and of brakes.
-fn build_brakes(
-    spec: &SystemSpec,
-    tree: &Tree,
-    ropes: &[AnyConstraint],
-) -> Result<Vec<AnyConstraint>, BuildError> {
-    let mut brakes = Vec::new();
-    for (index, given) in spec.bodies.iter().enumerate() {
-        if let JointSpec::Hinge(joint) | JointSpec::Slider(joint) = &given.joint {
-            at_least_zero(&given.name, "the joint's friction", joint.friction)?;
-            if joint.friction > 0.0 && joint.drive.is_none() {
-                let dof = tree.bodies[index].first_velocity;
-                let limits = [joint.friction, 0.0, joint.friction / SLOW, f64::INFINITY];
-                brakes.push(AnyConstraint::Brake(Brake::new(given.name.clone(), dof, limits, Vec::new())));
-            }
-        }
+/// The flow of that name.
+pub(super) fn flow_named<'a>(element: &str, tree: &'a Tree, name: &str) -> Result<&'a Body, BuildError> {
+    let Some(body) = tree.bodies.iter().find(|body| body.name == name) else {
+        return error(element, format!("there is no flow `{name}`"));
+    };
+    if !matches!(body.joint, Joint::Flow(_)) {
+        return error(element, format!("`{name}` is a body; only a flow passes rope"));
     }
-    for (index, given) in spec.bodies.iter().enumerate() {
-        let JointSpec::Flow { brake, capacity, power, drive, .. } = &given.joint else { continue };
-        at_least_zero(&given.name, "its brake", *brake)?;
-        let limit = match capacity {
-            Some(capacity) => {
-                positive(&given.name, "the capacity of its drive", *capacity)?;
-                if drive.is_none() || *brake > 0.0 {
-                    return error(
-                        &given.name,
-                        "a capacity is that of a drive, which takes the place of a brake",
-                    );
-                }
-                *capacity
-            }
-            None => *brake,
-        };
-        let power = power.unwrap_or(f64::INFINITY);
-        if power <= 0.0 || power.is_nan() || power.is_finite() && capacity.is_none() {
-            return error(
-                &given.name,
-                "the power of a drive is more than zero and stands beside its capacity",
-            );
-        }
-        let dof = tree.bodies[index].first_velocity;
-        let built = ropes.iter().filter_map(|constraint| match constraint {
-            AnyConstraint::Rope(rope) => Some(rope),
-            _ => None,
-        });
-        let rows = built.flat_map(|rope| rope.spans.iter().map(|span| (span, rope.material))).enumerate();
-        let (mut spans, mut stiffness, mut damping) = (Vec::new(), 0.0, 0.0);
-        for (row, (span, material)) in rows {
-            if span.feeds.iter().any(|feed| feed.dof == dof) {
-                let own = 1.0 / material.compliance(span.length);
-                stiffness += own;
-                damping += own * material.damping_time;
-                spans.push((row, span.clone()));
-            }
-        }
-        let impedance = damping + (stiffness * tree.armature[dof]).sqrt();
-        if spans.is_empty() {
-            return error(&given.name, "no rope passes this flow");
-        }
-        let ratios = spec.ropes.iter().flat_map(|rope| &rope.route).filter_map(|guide| match guide {
-            GuideSpec::HalfTurn { flow: Some(flow), ratio, .. } if *flow == given.name => Some(*ratio),
-            _ => None,
-        });
-        let share = share_of_ratio(ratios.fold(1.0, f64::max));
-        if share > 0.0 && spans.len() != 2 {
-            let problem =
-                format!("a flow with losses passes one sheave of one rope, not {} spans", spans.len());
-            return error(&given.name, problem);
-        }
-        if capacity.is_some() || (share > 0.0 || limit > 0.0) && drive.is_none() {
-            let brake = Brake::new(given.name.clone(), dof, [limit, share, impedance, power], spans);
-            brakes.push(AnyConstraint::Brake(brake));
-        }
-    }
-    Ok(brakes)
+    Ok(body)
 }
 
 /// What feeds the spans on both sides of a guide.
@@ -180,15 +114,8 @@ fn build_guide<'a>(
             };
             (Guide::End(Attachment { body, at: DVec3::from_array(*at) }), feed)
         }
-        GuideSpec::HalfTurn { body, enter, leave, bulge, flow, ratio } => {
-            if *ratio < 1.0 || ratio.is_nan() || *ratio > 1.0 && flow.is_none() {
-                return error(
-                    name,
-                    format!(
-                        "the ratio of tensions at a sheave is {ratio}; it must be 1 without a flow, else 1 or more"
-                    ),
-                );
-            }
+        GuideSpec::HalfTurn { body, enter, leave, bulge, flow, ratio, groove } => {
+            check_losses(name, flow.is_some(), *ratio, groove.as_ref())?;
             finite(name, "a point of its route", &[*enter, *leave].concat())?;
             let body = body_index(name, tree, body.as_ref())?;
             let guide = Guide::HalfTurn {
@@ -203,16 +130,70 @@ fn build_guide<'a>(
             let body = body_index(name, tree, body.as_ref())?;
             (Guide::Eye(Attachment { body, at: DVec3::from_array(*at) }), None)
         }
-        GuideSpec::Sheave { body, at, axis, radius, may_lift_off } => {
+        GuideSpec::Sheave { body, at, axis, radius, may_lift_off, flow, ratio, groove } => {
+            check_losses(name, flow.is_some(), *ratio, groove.as_ref())?;
+            if *may_lift_off && flow.is_some() {
+                return error(
+                    name,
+                    "a rope does not leave a sheave with losses or inertia, over which it flows",
+                );
+            }
             finite(name, "a point of its route", at)?;
             positive(name, "the radius of a sheave", *radius)?;
             let body = body_index(name, tree, body.as_ref())?;
             let centre = Attachment { body, at: DVec3::from_array(*at) };
             let axis = unit(name, "the axis of a sheave", *axis)?;
             let (radius, may_lift_off) = (*radius, *may_lift_off);
-            (Guide::Sheave { centre, axis, radius, seat, may_lift_off }, None)
+            let guide = Guide::Sheave { centre, axis, radius, seat, may_lift_off, mark: None };
+            (guide, flow.as_ref().map(|flow| FeedSpec { flow, rates: [-1.0, 1.0], coil: None }))
         }
     })
+}
+
+/// Whether losses of a sheave are any.
+fn check_losses(
+    name: &str,
+    has_flow: bool,
+    ratio: f64,
+    groove: Option<&GrooveSpec>,
+) -> Result<(), BuildError> {
+    let is_lossy = ratio > 1.0 || groove.is_some();
+    if ratio < 1.0 || ratio.is_nan() || is_lossy && !has_flow {
+        let problem = "it must be 1 without a flow, else 1 or more, and a groove needs a flow";
+        return error(name, format!("the ratio of tensions at a sheave is {ratio}; {problem}"));
+    }
+    let Some(groove) = groove else { return Ok(()) };
+    at_least_zero(name, "the friction of a groove", groove.friction)?;
+    if groove.spin.is_none() && ratio > 1.0 {
+        return error(name, "a sheave that does not turn has no bearing to lose anything");
+    }
+    Ok(())
+}
+
+/// Marks the sheaves at which a rope's spans meet, in the middle of the arc at the start.
+fn mark_sheaves(
+    name: &str,
+    route: &mut Route,
+    feeds: &[Option<FeedSpec>],
+    start: &Kinematics,
+    seats: &[Seat],
+) -> Result<(), BuildError> {
+    let mut arrivals = vec![DVec3::ZERO; route.parts.len()];
+    route.length(start, seats, |part, straight| arrivals[part] = straight.radial[1]);
+    for (index, guide) in route.guides.iter_mut().enumerate() {
+        let (Guide::Sheave { centre, axis, seat, mark, .. }, Some(_)) = (guide, &feeds[index]) else {
+            continue;
+        };
+        let wrap = seats[*seat].wound.wrap;
+        if wrap <= 0.0 {
+            return error(name, "it does not lie on a sheave with losses or inertia at the start");
+        }
+        let about = start.turn(centre.body, *axis);
+        let middle = DQuat::from_axis_angle(about, 0.5 * wrap) * arrivals[index - 1];
+        let turned = centre.body.map_or(DMat3::IDENTITY, |body| start.pose[body].rotation.transpose());
+        *mark = Some(turned * middle);
+    }
+    Ok(())
 }
 
 /// The spans between the guides that feed rope, with the length of the route shared out by what lies in each.
@@ -224,12 +205,7 @@ fn build_spans(
     (tree, start, seats): (&Tree, &Kinematics, &[Seat]),
 ) -> Result<Vec<Span>, BuildError> {
     let feed = |given: &FeedSpec, rate: f64| {
-        let Some(body) = tree.bodies.iter().find(|body| &body.name == given.flow) else {
-            return error(name, format!("there is no flow `{}`", given.flow));
-        };
-        if !matches!(body.joint, Joint::Flow(_)) {
-            return error(name, format!("`{}` is a body; only a flow passes rope", given.flow));
-        }
+        let body = flow_named(name, tree, given.flow)?;
         let (dof, coil) = (body.first_velocity, given.coil);
         let position = coil.map_or(body.first_position, |coil| tree.positions + coil);
         let increment = coil.map_or(dof, |coil| tree.velocities + coil);
@@ -285,10 +261,10 @@ fn take_seats(route: &Route, start: &Kinematics, seats: &mut [Seat]) {
     // Passing one sheave straight changes the wrap of the next: each round settles one more at least.
     for _ in 0..route.guides.len() {
         let before = seats.to_vec();
-        route.wraps(start, &before, |seat, wrap| seats[seat].wrap = wrap);
+        route.wraps(start, &before, |seat, wound| seats[seat].wound = wound);
         for guide in &route.guides {
             if let Guide::Sheave { seat, may_lift_off: true, .. } = *guide {
-                seats[seat].is_off |= seats[seat].wrap < 0.0;
+                seats[seat].is_off |= seats[seat].wound.wrap < 0.0;
             }
         }
         if seats.iter().zip(&before).all(|(now, before)| now.is_off == before.is_off) {
@@ -319,13 +295,14 @@ fn build_rope(
     if guides.len() < 2 || !ends.iter().all(|guide| matches!(guide, Some(Guide::End(_)))) {
         return error(name, "its route must start and finish with an end");
     }
-    let route = Route::new(guides);
+    let mut route = Route::new(guides);
     check_parts(name, &route, start)?;
     take_seats(&route, start, seats);
     // Past a sheave that the rope has left the sheaves before and after it may be in each other's way.
     if let Some((index, reason)) = route.refusal(start, seats) {
         return error(name, format!("its part {} at the start: {reason}", index + 1));
     }
+    mark_sheaves(name, &mut route, &feeds, start, seats)?;
     let routed = route.length(start, seats, |_, _| {});
     let length = given.length.unwrap_or(routed);
     positive(name, "its length", length)?;
@@ -389,6 +366,29 @@ fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>,
         });
     }
     Ok(stops)
+}
+
+/// The locking pins of all joints that have one.
+fn build_pins(spec: &SystemSpec, tree: &Tree) -> Result<Vec<Pin>, BuildError> {
+    let mut pins = Vec::new();
+    for (given, body) in spec.bodies.iter().zip(&tree.bodies) {
+        let (JointSpec::Hinge(joint) | JointSpec::Slider(joint)) = &given.joint else { continue };
+        let Some(starts_in) = joint.pin else { continue };
+        if joint.drive.is_some() {
+            return error(&given.name, "its joint has a drive and a pin; what is driven has no pin");
+        }
+        if joint.friction > 0.0 {
+            return error(
+                &given.name,
+                "its joint has friction and a pin, which hold the same; one of them only",
+            );
+        }
+        if starts_in && joint.velocity != 0.0 {
+            return error(&given.name, "its pin is in at the start and its joint moves; one of them only");
+        }
+        pins.push(Pin { name: given.name.clone(), dof: body.first_velocity });
+    }
+    Ok(pins)
 }
 
 fn build_contact(given: &ContactSpec, group: usize, tree: &Tree) -> Result<Contact, BuildError> {

@@ -5,6 +5,7 @@
 
 pub mod brake;
 pub mod contact;
+pub mod pin;
 pub mod rope;
 pub mod stop;
 
@@ -16,6 +17,7 @@ use crate::tree::bias::Wrench;
 use crate::tree::kinematics::{Kinematics, Twist};
 use brake::Brake;
 use contact::Contact;
+use pin::Pin;
 use rope::Rope;
 use stop::Stop;
 
@@ -47,6 +49,8 @@ pub enum Law {
         /// What a velocity does to the forces that act on it [N s/m or N m s/rad].
         impedance: f64,
     },
+    /// A joint that is held where it is, while the row acts.
+    Pin,
 }
 
 impl Law {
@@ -54,14 +58,14 @@ impl Law {
     pub fn compliance(&self) -> f64 {
         match self {
             Self::Unilateral { compliance, .. } | Self::Friction { compliance, .. } => *compliance,
-            Self::Brake { .. } => 0.0,
+            Self::Brake { .. } | Self::Pin => 0.0,
         }
     }
 
     /// Rows whose forces the bound of this one depends on.
     pub fn bounded_by(&self) -> impl Iterator<Item = usize> + use<> {
         let (first, second) = match *self {
-            Self::Unilateral { .. } => (None, None),
+            Self::Unilateral { .. } | Self::Pin => (None, None),
             Self::Friction { normal, .. } => (Some(normal), None),
             Self::Brake { rows: [one, other], .. } => (one, other),
         };
@@ -72,7 +76,7 @@ impl Law {
     pub fn damping_time(&self) -> f64 {
         match self {
             Self::Unilateral { damping_time, .. } | Self::Friction { damping_time, .. } => *damping_time,
-            Self::Brake { .. } => 0.0,
+            Self::Brake { .. } | Self::Pin => 0.0,
         }
     }
 }
@@ -176,6 +180,8 @@ pub enum AnyConstraint {
     Contact(Contact),
     /// An end of the stroke of a joint.
     Stop(Stop),
+    /// A locking pin of a joint.
+    Pin(Pin),
     /// Friction on a flow.
     Brake(Brake),
 }
@@ -188,6 +194,7 @@ impl std::ops::Deref for AnyConstraint {
             Self::Rope(rope) => rope,
             Self::Contact(contact) => contact,
             Self::Stop(stop) => stop,
+            Self::Pin(pin) => pin,
             Self::Brake(brake) => brake,
         }
     }

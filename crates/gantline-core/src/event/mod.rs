@@ -29,6 +29,10 @@ pub enum EventKind {
     StopHit,
     /// A joint leaves a stop.
     StopLeft,
+    /// A locking pin has been pulled.
+    PinPulled,
+    /// A locking pin has been put in.
+    PinPutIn,
     /// A step of the plan begins.
     StepBegin,
     /// A step of the plan ends.
@@ -51,6 +55,8 @@ impl EventKind {
             Self::RopeOnSheave => "rope_on_sheave",
             Self::StopHit => "stop_hit",
             Self::StopLeft => "stop_left",
+            Self::PinPulled => "pin_pulled",
+            Self::PinPutIn => "pin_put_in",
             Self::StepBegin => "step_begin",
             Self::StepEnd => "step_end",
         }
@@ -79,6 +85,12 @@ impl EventLog {
     /// An empty log with room for a usual lift.
     pub fn new() -> Self {
         Self { events: Vec::with_capacity(4096) }
+    }
+
+    /// When a step of the plan began [s].
+    pub fn begin_of(&self, step: usize) -> Option<f64> {
+        let begins = |event: &&Event| event.kind == EventKind::StepBegin && event.subject == step;
+        self.events.iter().rev().find(begins).map(|event| event.time)
     }
 
     /// Adds an event.

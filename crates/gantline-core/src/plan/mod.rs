@@ -3,6 +3,8 @@
 pub mod cut;
 pub mod drive;
 pub mod operation;
+pub mod pinning;
 
 pub use cut::{Cut, Due};
 pub use operation::{Emergency, Move, PlanState, Step, Until};
+pub use pinning::Pinning;

@@ -48,6 +48,8 @@ pub struct Columns {
     pub joint_force: Vec<f64>,
     /// (contact) normal force [N].
     pub contact_force: Vec<f64>,
+    /// (pin) force that it holds, or moment, positive where that would move the joint forwards [N or N m].
+    pub pin_force: Vec<f64>,
     /// Largest e of an inextensible rope beyond its length [m].
     pub constraint_residual: Vec<f64>,
 }
@@ -104,6 +106,7 @@ impl Columns {
             joint_position: room(names.joint.len()),
             joint_force: room(3 * bodies),
             contact_force: room(names.contact.len()),
+            pin_force: room(names.pin.len()),
             constraint_residual: room(1),
         }
     }
@@ -184,6 +187,7 @@ impl Sampled {
                     }
                 }
                 AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => {}
+                AnyConstraint::Pin(_) => columns.pin_force.push(tension[row]),
                 AnyConstraint::Contact(contact) => {
                     self.add_contact(contact, [0, 1, 2].map(|k| tension[row + k]), columns)
                 }

@@ -21,6 +21,8 @@ pub struct Names {
     pub joint: Vec<String>,
     /// Contacts.
     pub contact: Vec<String>,
+    /// Bodies whose joints have locking pins.
+    pub pin: Vec<String>,
 }
 
 impl Names {
@@ -39,6 +41,7 @@ impl Names {
                 .collect(),
             joint: bodies.iter().filter(|body| body.joint.has_axis()).map(|body| body.name.clone()).collect(),
             contact: Vec::new(),
+            pin: Vec::new(),
         };
         for constraint in &system.constraints {
             match constraint {
@@ -50,6 +53,7 @@ impl Names {
                     names.rope.push(rope.name.clone());
                 }
                 AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => {}
+                AnyConstraint::Pin(pin) => names.pin.push(pin.name.clone()),
                 AnyConstraint::Contact(contact) => names.contact.push(contact.name.clone()),
             }
         }

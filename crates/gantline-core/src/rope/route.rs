@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::seat::{Seat, fleet_angle, wrap_angle};
+use super::seat::{Seat, Winding, fleet_angle, wrap_angle};
 use super::tangency::{Circle, NoTangent, common_tangent};
 use crate::tree::kinematics::Kinematics;
 
@@ -52,6 +52,9 @@ pub enum Guide {
         seat: usize,
         /// True where the rope runs straight past once it is off; else it is followed as if the arc were negative.
         may_lift_off: bool,
+        /// Unit radius in the body frame at which one span of the rope ends and the next begins: with losses or
+        /// inertia, the middle of the arc at the start.
+        mark: Option<DVec3>,
     },
 }
 
@@ -118,8 +121,34 @@ impl Guide {
             Self::HalfTurn { .. } => PI,
             Self::Sheave { centre, axis, seat, .. } => {
                 let axis = kinematics.turn(centre.body, *axis);
-                wrap_angle(axis, before.radial[1], after.radial[0], seats[*seat].wrap)
+                wrap_angle(axis, before.radial[1], after.radial[0], seats[*seat].wound.wrap)
             }
+        }
+    }
+
+    /// Rope on a sheave before its mark, where the part `before` arrives, or after it, where `after` leaves [m]; 0
+    /// where no span begins. The mark does not move on its body, so with the point of tangency these arcs change as
+    /// those of whole wraps do.
+    fn arc_to_mark(&self, kinematics: &Kinematics, seats: &[Seat], side: ArcSide) -> f64 {
+        let Self::Sheave { centre, axis, radius, seat, mark: Some(mark), .. } = self else { return 0.0 };
+        let [axis, mark] = [*axis, *mark].map(|arm| kinematics.turn(centre.body, arm));
+        let Winding { wrap, arrived } = seats[*seat].wound;
+        radius
+            * match side {
+                ArcSide::Before(part) => wrap_angle(axis, part.radial[1], mark, arrived),
+                ArcSide::After(part) => wrap_angle(axis, mark, part.radial[0], wrap - arrived),
+            }
+    }
+
+    /// What is wound on a sheave between two parts.
+    fn wound(&self, kinematics: &Kinematics, seats: &[Seat], before: &Straight, after: &Straight) -> Winding {
+        let wrap = self.wrap(kinematics, seats, before, after);
+        match self {
+            Self::Sheave { radius, mark: Some(_), .. } => {
+                let arrived = self.arc_to_mark(kinematics, seats, ArcSide::Before(before)) / radius;
+                Winding { wrap, arrived }
+            }
+            _ => Winding { wrap, arrived: 0.5 * wrap },
         }
     }
 
@@ -169,6 +198,12 @@ impl Guide {
             Self::HalfTurn { .. } | Self::Sheave { .. } => samples + 1,
         }
     }
+}
+
+/// One of the two arcs that meet at the mark of a sheave, with the straight part that it goes on from.
+enum ArcSide<'a> {
+    Before(&'a Straight),
+    After(&'a Straight),
 }
 
 /// Points at equal angles from `first` on towards `second`, both seen from the centre and of the circle's radius.
@@ -277,7 +312,8 @@ impl Route {
         self.arcs + self.length_of(0..self.parts.len(), kinematics, seats, each)
     }
 
-    /// Length of some parts [m] and of the wraps between them, without half turns.
+    /// Length of some parts [m] and of the wraps between them, to the marks of the sheaves at their ends, without half
+    /// turns.
     pub fn length_of(
         &self,
         parts: Range<usize>,
@@ -291,10 +327,17 @@ impl Route {
         while index < parts.end {
             let next = self.next_seated(index, parts.end, seats);
             let straight = self.between(index, next).locate(kinematics);
-            if let (Some(before), Guide::Sheave { radius, .. }) = (&before, self.guides[index]) {
-                length += radius * self.guides[index].wrap(kinematics, seats, before, &straight);
-            }
+            length += match (&before, &self.guides[index]) {
+                (Some(before), Guide::Sheave { radius, .. }) => {
+                    radius * self.guides[index].wrap(kinematics, seats, before, &straight)
+                }
+                (None, guide) => guide.arc_to_mark(kinematics, seats, ArcSide::After(&straight)),
+                _ => 0.0,
+            };
             length += straight.length;
+            if next == parts.end {
+                length += self.guides[next].arc_to_mark(kinematics, seats, ArcSide::Before(&straight));
+            }
             if next == index + 1 {
                 each(index, &straight);
             } else {
@@ -350,25 +393,27 @@ impl Route {
         }
     }
 
-    /// Wrap angles of the sheaves as the parts lie, or would lie if a sheave that has been left were touched; `each`
-    /// sees every seat with its wrap. A sheave that a tangent cannot reach keeps its wrap.
-    pub fn wraps(&self, kinematics: &Kinematics, seats: &[Seat], mut each: impl FnMut(usize, f64)) {
-        let last = self.guides.len() - 1;
-        let mut touched = 0;
+    /// What is wound on the sheaves as the parts lie, or would be if a sheave that has been left were touched; `each`
+    /// sees every seat with it. A sheave that a tangent cannot reach keeps its wrap.
+    pub fn wraps(&self, kinematics: &Kinematics, seats: &[Seat], mut each: impl FnMut(usize, Winding)) {
         for (index, guide) in self.guides.iter().enumerate() {
-            let Guide::Sheave { seat, .. } = *guide else {
-                touched = index;
-                continue;
-            };
-            let next = self.next_seated(index, last, seats);
-            let tangent = |from, to| self.between(from, to).tangent(kinematics, |_, circle| circle);
-            if let (Ok(before), Ok(after)) = (tangent(touched, index), tangent(index, next)) {
-                each(seat, guide.wrap(kinematics, seats, &before, &after));
-            }
-            if !guide.is_lifted(seats) {
-                touched = index;
+            if let Guide::Sheave { seat, .. } = *guide
+                && let Some(wound) = self.wound(index, kinematics, seats)
+            {
+                each(seat, wound);
             }
         }
+    }
+
+    /// What is wound on the sheave at `index` of the guides, as [`Route::wraps`] says; none where a tangent cannot
+    /// reach it.
+    pub fn wound(&self, index: usize, kinematics: &Kinematics, seats: &[Seat]) -> Option<Winding> {
+        let last = self.guides.len() - 1;
+        let touched = (1..index).rev().find(|&before| !self.guides[before].is_lifted(seats)).unwrap_or(0);
+        let next = self.next_seated(index, last, seats);
+        let tangent = |from, to| self.between(from, to).tangent(kinematics, |_, circle| circle).ok();
+        let (before, after) = (tangent(touched, index)?, tangent(index, next)?);
+        Some(self.guides[index].wound(kinematics, seats, &before, &after))
     }
 
     /// The first part without a tangent as the rope lies, and why.

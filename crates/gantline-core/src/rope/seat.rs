@@ -12,17 +12,25 @@ pub const FIRST_WRAP: f64 = FRAC_PI_2;
 /// What the state remembers of a sheave with true tangents.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Seat {
-    /// Wrap angle at the end of the last step [rad]: of all angles that differ by whole turns the next is the
-    /// closest to it.
-    pub wrap: f64,
+    /// What was wound at the end of the last step: of all angles that differ by whole turns the next is the closest.
+    pub wound: Winding,
     /// True where the wrap has gone below zero: the rope is off the sheave.
     pub is_off: bool,
 }
 
 impl Default for Seat {
     fn default() -> Self {
-        Self { wrap: FIRST_WRAP, is_off: false }
+        Self { wound: Winding { wrap: FIRST_WRAP, arrived: 0.5 * FIRST_WRAP }, is_off: false }
     }
+}
+
+/// How far a rope is wound on a sheave.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Winding {
+    /// Wrap angle [rad].
+    pub wrap: f64,
+    /// The part of it before the sheave's mark, where two spans meet [rad]; half of it on a sheave without.
+    pub arrived: f64,
 }
 
 /// Angle on a sheave from where the rope arrives to where it leaves [rad], about its axis; within half a turn of

@@ -4,7 +4,7 @@
 //! - a joint goes after the joints that hang on it, which keeps the mass matrix free of fill;
 //! - a row without compliance goes after all of its joints, or after one that no other such row is coupled to: its
 //!   pivot is −G M⁻¹ Gᵀ over the joints that are gone, and two rows that share the only one of them would look as
-//!   if they repeated one another; that of a brake goes after the flow that it holds;
+//!   if they repeated one another; that of a brake or a pin goes after what it holds;
 //! - among those allowed the one with the fewest unknowns around it goes first; a row of which no joint has gone
 //!   counts double, since eliminating it divides by its compliance; so does that of an inextensible rope.
 //!

@@ -31,10 +31,11 @@
 
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
-use super::{StepError, StepReport, adjust, coils, parting, seats};
+use super::{StepError, StepReport, adjust, coils, parting, pinning, seats};
 use crate::clock::Stage;
 use crate::event::EventLog;
 use crate::record::Sample;
+use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
 use crate::solver::complementarity::{Complementarity, Problem};
 use crate::solver::kkt::Kkt;
@@ -68,7 +69,7 @@ pub struct Del {
     v: Vec<f64>,
     increment: Vec<f64>,
     support: Vec<f64>,
-    wraps: Vec<f64>,
+    wraps: Vec<Winding>,
 }
 
 impl Del {
@@ -89,7 +90,7 @@ impl Del {
             v: zeros.clone(),
             increment: zeros,
             support: vec![0.0; system.groups.len()],
-            wraps: vec![0.0; system.sheaves.len()],
+            wraps: vec![Winding::default(); system.sheaves.len()],
         }
     }
 
@@ -127,6 +128,7 @@ impl Del {
         state.plan.advance(&system.plan, state.time, end, &self.support, log);
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);
+        pinning::act(system, state, frame, log)?;
 
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
         system.clock.time(Stage::Assembly, || {

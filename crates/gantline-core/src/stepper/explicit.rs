@@ -92,6 +92,9 @@ impl Explicit {
         let row = *system.rigid.first()?;
         let name = system.constraint_of_row(row).name();
         Some(match system.rows.laws[row] {
+            Law::Pin => {
+                format!("the integrator explicit knows no pins, such as that of {name}; use adaptive or del")
+            }
             Law::Brake { .. } => format!(
                 "the integrator explicit knows no friction of sheaves and drums, such as that of {name}; use adaptive"
             ),

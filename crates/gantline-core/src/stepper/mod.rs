@@ -8,6 +8,7 @@ pub mod explicit;
 mod flows;
 pub mod frame;
 mod parting;
+mod pinning;
 pub mod seats;
 
 use thiserror::Error;

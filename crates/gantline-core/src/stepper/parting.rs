@@ -24,7 +24,7 @@ pub fn cut(system: &System, state: &mut State, frame: &Frame, to: f64, log: &mut
         if is_due && is_whole(system, state, cut.rope) {
             let time = match cut.due {
                 Due::At(time) => time,
-                Due::Step(step) => begin(log, step).unwrap_or(state.time),
+                Due::Step(step) => log.begin_of(step).unwrap_or(state.time),
             };
             log.push(time, EventKind::Cut, cut.rope);
             part(system, state, frame, cut.rope);
@@ -65,12 +65,6 @@ fn tension(system: &System, state: &State, rope: usize) -> f64 {
     let spans = system.ropes().nth(rope).into_iter().flat_map(|rope| &rope.spans);
     let forces = spans.zip(&state.tension[system.rows.first[rope]..]);
     forces.map(|(span, force)| span.scale(&state.q) * force).fold(0.0, f64::max)
-}
-
-/// When a step of the plan began.
-fn begin(log: &EventLog, step: usize) -> Option<f64> {
-    let begins = |event: &&crate::event::Event| event.kind == EventKind::StepBegin && event.subject == step;
-    log.events.iter().rev().find(begins).map(|event| event.time)
 }
 
 fn part(system: &System, state: &mut State, frame: &Frame, rope: usize) {

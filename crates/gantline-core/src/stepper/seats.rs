@@ -3,7 +3,7 @@
 use super::StepError;
 use crate::constraint::rope::Rope;
 use crate::event::{EventKind, EventLog};
-use crate::rope::seat::Seat;
+use crate::rope::seat::{Seat, Winding};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
@@ -12,14 +12,14 @@ use crate::tree::kinematics::Kinematics;
 /// How far ahead a failed step looks for what stopped it [s].
 const AHEAD: [f64; 3] = [1e-9, 1e-6, 1e-3];
 
-/// Wrap angles of all sheaves at the poses, each closest to what its seat in `state` remembers; what a rope that has
-/// parted left stays.
-pub fn wraps(system: &System, kinematics: &Kinematics, state: &State, out: &mut [f64]) {
-    for (wrap, seat) in out.iter_mut().zip(&state.seats) {
-        *wrap = seat.wrap;
+/// What is wound on all sheaves at the poses, each closest to what its seat in `state` remembers; what a rope that
+/// has parted left stays.
+pub fn wraps(system: &System, kinematics: &Kinematics, state: &State, out: &mut [Winding]) {
+    for (wound, seat) in out.iter_mut().zip(&state.seats) {
+        *wound = seat.wound;
     }
     for rope in whole_ropes(system, state).filter(|rope| !rope.route.is_plain) {
-        rope.route.wraps(kinematics, &state.seats, |seat, wrap| out[seat] = wrap);
+        rope.route.wraps(kinematics, &state.seats, |seat, wound| out[seat] = wound);
     }
 }
 
@@ -39,19 +39,19 @@ pub fn has_crossed(seat: &Seat, wrap: f64) -> bool {
 pub fn follow(
     system: &System,
     state: &mut State,
-    wraps: &[f64],
+    wraps: &[Winding],
     log: &mut EventLog,
     mut time: impl FnMut(usize, f64, f64) -> f64,
 ) -> bool {
     let mut any = false;
-    for (index, (seat, &wrap)) in state.seats.iter_mut().zip(wraps).enumerate() {
-        if has_crossed(seat, wrap) {
+    for (index, (seat, &wound)) in state.seats.iter_mut().zip(wraps).enumerate() {
+        if has_crossed(seat, wound.wrap) {
             seat.is_off = !seat.is_off;
             let kind = if seat.is_off { EventKind::RopeOffSheave } else { EventKind::RopeOnSheave };
-            log.push(time(index, seat.wrap, wrap), kind, index);
+            log.push(time(index, seat.wound.wrap, wound.wrap), kind, index);
             any |= system.sheaves[index].may_lift_off;
         }
-        seat.wrap = wrap;
+        seat.wound = wound;
     }
     any
 }

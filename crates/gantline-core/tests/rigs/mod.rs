@@ -72,6 +72,7 @@ fn joint(draw: &mut Draw, kind: usize) -> JointSpec {
         friction: 0.0,
         drive: None,
         stops: None,
+        pin: None,
     };
     match kind {
         0 => JointSpec::Fixed {},
@@ -166,6 +167,7 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
         bulge: [0.0, 0.0, 1.0],
         flow: Some("sheave".into()),
         ratio: 1.0,
+        groove: None,
     };
     let mut route = vec![GuideSpec::End { body: body(draw), at: draw.scaled(4.0), drum: None }];
     if index == 0 {
@@ -292,9 +294,20 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
     spec
 }
 
+/// How the rope of [`sheave_rig`] passes its first sheaves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Passage {
+    /// In their grooves, wherever that leads.
+    Seated,
+    /// Straight past those that it does not touch.
+    LiftsOff,
+    /// The first with a flow, at which two spans meet.
+    Feeds,
+}
+
 /// A rope over two real sheaves on random bodies and through an eye, from an end to a drum; none where some part has no
 /// tangent. Where it may lift off it lies on none of the sheaves that it does not touch.
-pub fn sheave_rig(seeds: &[f64], may_lift_off: bool) -> Option<(System, State, Frame)> {
+pub fn sheave_rig(seeds: &[f64], passage: Passage) -> Option<(System, State, Frame)> {
     let mut spec = rig(seeds);
     let mut draw = Draw::new(&seeds[200..]);
     let sheave = |draw: &mut Draw, shift: f64| GuideSpec::Sheave {
@@ -305,11 +318,19 @@ pub fn sheave_rig(seeds: &[f64], may_lift_off: bool) -> Option<(System, State, F
         },
         axis: draw.direction(),
         radius: 0.3 + 0.2 * draw.number(),
-        may_lift_off,
+        may_lift_off: passage == Passage::LiftsOff,
+        flow: None,
+        ratio: 1.0,
+        groove: None,
     };
+    let start = GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None };
+    let mut first = sheave(&mut draw, 8.0);
+    if let (GuideSpec::Sheave { flow, .. }, Passage::Feeds) = (&mut first, passage) {
+        *flow = Some("sheave".into());
+    }
     let route = vec![
-        GuideSpec::End { body: body(&mut draw), at: draw.scaled(3.0), drum: None },
-        sheave(&mut draw, 8.0),
+        start,
+        first,
         sheave(&mut draw, -8.0),
         GuideSpec::Eye { body: body(&mut draw), at: draw.scaled(3.0) },
         GuideSpec::End {
@@ -327,8 +348,8 @@ pub fn sheave_rig(seeds: &[f64], may_lift_off: bool) -> Option<(System, State, F
         breaking_force: None,
         cut_at: None,
     }];
-    // No rope passes this flow of the rig now, which would be refused.
-    spec.bodies.retain(|body| body.name != "sheave");
+    // Without rope over it this flow of the rig would be refused.
+    spec.bodies.retain(|body| passage == Passage::Feeds || body.name != "sheave");
     let built = build(&spec);
     if let Err(refused) = &built {
         assert!(refused.problem.contains("at the start"), "{refused}");

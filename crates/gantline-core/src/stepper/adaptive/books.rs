@@ -47,7 +47,7 @@ impl Adaptive {
                 (_, Mode::Parted) => 0.0,
                 (Law::Unilateral { .. }, Mode::Acting) => spring_energy(law, -value),
                 (Law::Unilateral { .. }, _) => -spring_energy(law, value),
-                (Law::Friction { .. } | Law::Brake { .. }, _) => 0.0,
+                (Law::Friction { .. } | Law::Brake { .. } | Law::Pin, _) => 0.0,
             };
             *loss_kind(system, &mut self.flows, row) += sign * lost;
         }
@@ -124,7 +124,7 @@ impl Adaptive {
                 Law::Unilateral { .. } => e.max(0.0),
                 Law::Friction { .. } if state.modes[row] == Mode::Slack => 0.0,
                 Law::Friction { .. } => e,
-                Law::Brake { .. } => 0.0,
+                Law::Brake { .. } | Law::Pin => 0.0,
             };
             if law.compliance() > 0.0 {
                 power += self.rows[row] * stretch / law.compliance();

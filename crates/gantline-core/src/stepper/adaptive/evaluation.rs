@@ -13,6 +13,7 @@ use glam::DVec3;
 
 use super::rodas::Increment;
 use crate::clock::Stage;
+use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
 use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;
@@ -237,9 +238,11 @@ impl Evaluation {
             if let AnyConstraint::Brake(brake) = constraint {
                 let slips = modes[row] == Mode::Slipping;
                 let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
+                let (q, kinematics, seats) = (self.q.as_slice(), &self.frame.kinematics, at.seats);
                 let driven = -direction * at.v[brake.dof];
+                let at_here = At { q, kinematics, seats };
                 self.bound[row] =
-                    self.held[row].unwrap_or_else(|| brake.bound(&self.q, &self.tension, driven));
+                    self.held[row].unwrap_or_else(|| brake.bound(at_here, &self.tension, driven));
                 self.tension[row] = if slips { self.bound[row] * direction } else { self.trial[row] };
             }
         }
@@ -266,7 +269,8 @@ impl Evaluation {
         }
         for (pull, &row) in self.pull.iter_mut().zip(&system.rigid) {
             *pull = match system.constraint_of_row(row) {
-                AnyConstraint::Brake(brake) => at.a[brake.dof],
+                AnyConstraint::Brake(brake) => brake.along(at.a),
+                AnyConstraint::Pin(pin) => at.a[pin.dof],
                 _ => pull_of(system, &self.frame, &self.dynamics, row),
             };
         }

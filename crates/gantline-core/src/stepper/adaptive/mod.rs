@@ -22,13 +22,13 @@ pub mod tangent;
 mod winding;
 
 use super::frame::Frame;
-use super::{StepError, StepReport, parting, seats};
-use super::{coils, flows};
+use super::{StepError, StepReport, coils, flows, parting, pinning, seats};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::event::EventLog;
 use crate::record::Sample;
+use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
@@ -96,12 +96,14 @@ pub struct Adaptive {
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
-    /// Wrap angles of all sheaves at the end of the part that is made, and the share of it at which a rope left one
+    /// What is wound on all sheaves at the end of the part that is made, and the share of it at which a rope left one
     /// or came back.
-    wraps: Vec<f64>,
+    wraps: Vec<Winding>,
     crossings: Vec<f64>,
     /// What the looks see of the drums, by [`System::coils`].
     paid: Vec<Paid>,
+    /// What was wound a moment ago.
+    unwound: Vec<Winding>,
     /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
     taut: Vec<bool>,
     /// True while `rodas.here` belongs to the state.
@@ -132,7 +134,8 @@ impl Adaptive {
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
-            wraps: vec![0.0; system.sheaves.len()],
+            wraps: vec![Winding::default(); system.sheaves.len()],
+            unwound: vec![Winding::default(); system.sheaves.len()],
             crossings: vec![0.0; system.sheaves.len()],
             paid: vec![Paid::default(); system.coils.len()],
             taut: Vec::with_capacity(system.rigid.len()),
@@ -184,6 +187,7 @@ impl Adaptive {
         let soon = state.time + 1e-12 * (1.0 + state.time);
         state.plan.advance(&system.plan, state.time, soon, &self.support, log);
         state.restart |= parting::cut(system, state, frame, soon, log);
+        state.restart |= pinning::act(system, state, frame, log)?;
         self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;
         let stop = state.plan.next_time(&system.plan, soon).min(parting::next_cut(system, soon)).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };

@@ -2,6 +2,7 @@
 
 use super::Adaptive;
 use crate::event::EventLog;
+use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::seats;
@@ -22,7 +23,7 @@ impl Adaptive {
         if state.seats.is_empty() {
             return f64::INFINITY;
         }
-        let mut change = |time: f64, into: &mut Vec<f64>| {
+        let mut change = |time: f64, into: &mut Vec<Winding>| {
             let motion = state.v.iter().zip(&state.acceleration);
             for (phi, (v, a)) in self.point.phi.iter_mut().zip(motion) {
                 *phi = time * (v + 0.5 * time * a);
@@ -33,15 +34,20 @@ impl Adaptive {
             seats::wraps(system, &self.probe.frame.kinematics, state, into);
         };
         change(GLANCE, &mut self.wraps);
-        change(-GLANCE, &mut self.crossings);
-        let wraps = self.wraps.iter().zip(&self.crossings).zip(&state.seats);
+        change(-GLANCE, &mut self.unwound);
+        let wraps = self.wraps.iter().zip(&self.unwound).zip(&state.seats);
         let limit = |after: f64, before: f64, now: f64| {
             let rate = (after - before).abs() / (2.0 * GLANCE);
             let bend = (after - 2.0 * now + before).abs() / (GLANCE * GLANCE);
             // h β̇ + h² β̈/2 is no more than the most.
             2.0 * MOST_WOUND / (rate + (rate * rate + 2.0 * MOST_WOUND * bend).sqrt())
         };
-        wraps.map(|((&after, &before), seat)| limit(after, before, seat.wrap)).fold(f64::INFINITY, f64::min)
+        let limits = wraps.map(|((after, before), seat)| {
+            let angles = |wound: &Winding| [wound.wrap, wound.arrived];
+            let [after, before, now] = [after, before, &seat.wound].map(angles);
+            limit(after[0], before[0], now[0]).min(limit(after[1], before[1], now[1]))
+        });
+        limits.fold(f64::INFINITY, f64::min)
     }
 
     /// The share at which a rope first leaves a sheave that it may leave, or touches it again, or `made`: there its
@@ -52,7 +58,7 @@ impl Adaptive {
             let seats = system.sheaves.iter().zip(&state.seats).zip(&self.wraps);
             seats
                 .into_iter()
-                .any(|((sheave, seat), &wrap)| sheave.may_lift_off && seats::has_crossed(seat, wrap))
+                .any(|((sheave, seat), wound)| sheave.may_lift_off && seats::has_crossed(seat, wound.wrap))
         };
         if !system.sheaves.iter().any(|sheave| sheave.may_lift_off) || !crossed(made) {
             return made;
@@ -67,14 +73,14 @@ impl Adaptive {
         }
         seats::wraps(system, &self.next.frame.kinematics, state, &mut self.wraps);
         for index in 0..state.seats.len() {
-            let end = self.wraps[index];
+            let end = self.wraps[index].wrap;
             if !seats::has_crossed(&state.seats[index], end) {
                 continue;
             }
             let made = self.made;
             self.crossings[index] = halve(1.0, |share| {
                 self.probe_wraps(system, state, share * made);
-                seats::has_crossed(&state.seats[index], self.wraps[index])
+                seats::has_crossed(&state.seats[index], self.wraps[index].wrap)
             });
             seats::wraps(system, &self.next.frame.kinematics, state, &mut self.wraps);
         }

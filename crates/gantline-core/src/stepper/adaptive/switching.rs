@@ -5,6 +5,7 @@ use super::evaluation::{Evaluation, Point};
 use super::winding::Paid;
 use super::{Adaptive, LOOKS, SWITCHING};
 use crate::audit::Flows;
+use crate::constraint::brake::Brake;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
 use crate::solver::complementarity::Mode;
@@ -71,8 +72,21 @@ impl Adaptive {
             self.end.phi[drive.dof] = motion.position - position;
             self.end.v[drive.dof] = motion.velocity;
         }
+        self.hold_pins(system, state);
         let point = Point::of(state, &self.end, self.made * self.rodas.course.h);
         self.next.all(system, &point, &state.modes);
+    }
+
+    /// Keeps what pins hold exactly where it is, so that rounding does not add up there either.
+    fn hold_pins(&mut self, system: &System, state: &State) {
+        for pinning in &system.pins {
+            let row = system.rows.first[pinning.pin];
+            if state.modes[row] == Mode::Acting {
+                for (dof, _) in system.rows.entries(&self.next.frame.gradient, row) {
+                    (self.end.phi[dof], self.end.v[dof]) = (0.0, 0.0);
+                }
+            }
+        }
     }
 
     /// Share of the step at which a row reaches the switching tolerance before the look `index`.
@@ -135,7 +149,7 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
-            (_, Mode::Parted) => 0.0,
+            (_, Mode::Parted) | (Law::Pin, _) => 0.0,
             // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
             (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
                 at.trial[row] - self.looks.start(row).max(0.0)
@@ -170,7 +184,8 @@ impl Adaptive {
         for (index, constraint) in system.constraints.iter().enumerate() {
             match constraint {
                 AnyConstraint::Rope(_) => any |= self.switch_rope(system, state, log, index, (start, length)),
-                AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake.dof),
+                AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake),
+                AnyConstraint::Pin(_) => {}
                 AnyConstraint::Stop(_) => {
                     if let Some((hit, crossing)) = self.turn_over(system, state, system.rows.first[index]) {
                         any = true;
@@ -234,7 +249,7 @@ impl Adaptive {
     }
 
     /// Holding and slipping of the brake `index`.
-    fn switch_brake(&self, system: &System, state: &mut State, index: usize, dof: usize) -> bool {
+    fn switch_brake(&self, system: &System, state: &mut State, index: usize, brake: &Brake) -> bool {
         let row = system.rows.first[index];
         if self.distance(system, state, row, &self.rodas.here) <= 0.0 {
             return false;
@@ -242,8 +257,8 @@ impl Adaptive {
         if state.modes[row] == Mode::Slipping {
             state.modes[row] = Mode::Acting;
             // So slow that it makes no difference to what moves along; the books see to its energy.
-            let asked = self.rodas.here.asked[row];
-            state.v[dof] = asked;
+            let spin = brake.spin.map_or(0.0, |spin| state.v[spin]);
+            state.v[brake.dof] = self.rodas.here.asked[row] + spin;
         } else {
             state.modes[row] = Mode::Slipping;
             state.memory[row] = self.rodas.here.trial[row].signum();
@@ -261,7 +276,7 @@ impl Adaptive {
             let slips = match state.modes[row] {
                 Mode::Slipping => {
                     let resting = here.rate[row] * state.memory[row] <= 0.0;
-                    !(resting && self.lag(system, state, row, brake.dof) * state.memory[row] < 0.0)
+                    !(resting && self.lag(system, state, row, brake) * state.memory[row] < 0.0)
                 }
                 _ => here.trial[row].abs() > here.bound[row],
             };
@@ -282,10 +297,10 @@ impl Adaptive {
     }
 
     /// Acceleration of a flow against what the drive of its motor asks for [m/s²].
-    fn lag(&self, system: &System, state: &State, row: usize, dof: usize) -> f64 {
+    fn lag(&self, system: &System, state: &State, row: usize, brake: &Brake) -> f64 {
         let motor = system.motors.iter().find(|(other, _)| *other == row);
         let asked = |drive: usize| state.plan.timelines[drive].acceleration(state.time, state.time).0;
-        state.acceleration[dof] - motor.map_or(0.0, |&(_, drive)| asked(drive))
+        brake.along(&state.acceleration) - motor.map_or(0.0, |&(_, drive)| asked(drive))
     }
 
     /// Sticking and sliding of the contact `index`.

@@ -15,7 +15,7 @@ use glam::DVec3;
 use super::evaluation::{Evaluation, pull_of};
 use super::places::{Block, Places};
 use super::spins::Spins;
-use crate::constraint::brake::Brake;
+use crate::constraint::brake::{At, Brake};
 use crate::constraint::{AnyConstraint, Law, Placed};
 use crate::solver::complementarity::Mode;
 use crate::solver::layout::{Group, Layout};
@@ -274,6 +274,7 @@ impl TangentMatrix {
         let range = system.rows.start[row]..system.rows.start[row + 1];
         let (tau, compliance) = (law.damping_time(), law.compliance());
         let gradient = &here.frame.gradient;
+        let at = At { q: &state.q, kinematics: &here.frame.kinematics, seats: &state.seats };
         let diagonal = self.places.diagonal[row] as usize;
         self.values[diagonal] = match state.modes[row] {
             Mode::Acting if compliance == 0.0 => 0.0,
@@ -302,7 +303,7 @@ impl TangentMatrix {
                     if here.held[row].is_none() {
                         self.values[own] -= kappa * brake.slope(driven);
                     }
-                    brake.add_slopes(&state.q, &here.frame.feeding, &here.tension, |entry, slope| {
+                    brake.add_slopes(at, &here.frame.feeding, &here.tension, |entry, slope| {
                         self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
                     });
                 }
@@ -340,7 +341,7 @@ impl TangentMatrix {
                     Law::Friction { coefficient, normal, .. } => {
                         coefficient * here.slip_direction(normal)[row - normal - 1]
                     }
-                    _ => brake.map_or(0.0, |brake| brake.weight(&state.q, to) * state.memory[row]),
+                    _ => brake.map_or(0.0, |brake| brake.weight(at, to) * state.memory[row]),
                 };
             }
         }

@@ -1,0 +1,145 @@
+//! What holds flows and joints: brakes, motors of limited force, dry friction, bearings and grooves of sheaves.
+
+use std::f64::consts::PI;
+
+use super::rows::flow_named;
+use super::{BuildError, at_least_zero, error, positive};
+use crate::constraint::AnyConstraint;
+use crate::constraint::brake::{Brake, Grip, share_of_ratio};
+use crate::spec::{GrooveSpec, GuideSpec, JointSpec, SystemSpec};
+use crate::tree::Tree;
+
+/// A joint with dry friction that turns back as slowly as this [m/s or rad/s] is as good as held.
+const SLOW: f64 = 1e-4;
+
+/// Friction of all flows and joints that no drive prescribes: of joints, of the sheave that rope passes, and of brakes.
+pub(super) fn build_brakes(
+    spec: &SystemSpec,
+    tree: &Tree,
+    ropes: &[AnyConstraint],
+) -> Result<Vec<AnyConstraint>, BuildError> {
+    let mut brakes = Vec::new();
+    for (index, given) in spec.bodies.iter().enumerate() {
+        if let JointSpec::Hinge(joint) | JointSpec::Slider(joint) = &given.joint {
+            at_least_zero(&given.name, "the joint's friction", joint.friction)?;
+            if joint.friction > 0.0 && joint.drive.is_none() {
+                let dof = tree.bodies[index].first_velocity;
+                let (limits, none) =
+                    ([joint.friction, joint.friction / SLOW, f64::INFINITY], Grip::Share(0.0));
+                let brake = Brake::new(given.name.clone(), (dof, None), limits, none, Vec::new());
+                brakes.push(AnyConstraint::Brake(brake));
+            }
+        }
+    }
+    for (index, given) in spec.bodies.iter().enumerate() {
+        let JointSpec::Flow { brake, capacity, power, drive, .. } = &given.joint else { continue };
+        at_least_zero(&given.name, "its brake", *brake)?;
+        let limit = match capacity {
+            Some(capacity) => {
+                positive(&given.name, "the capacity of its drive", *capacity)?;
+                if drive.is_none() || *brake > 0.0 {
+                    return error(
+                        &given.name,
+                        "a capacity is that of a drive, which takes the place of a brake",
+                    );
+                }
+                *capacity
+            }
+            None => *brake,
+        };
+        let power = power.unwrap_or(f64::INFINITY);
+        if power <= 0.0 || power.is_nan() || power.is_finite() && capacity.is_none() {
+            return error(
+                &given.name,
+                "the power of a drive is more than zero and stands beside its capacity",
+            );
+        }
+        let dof = tree.bodies[index].first_velocity;
+        let passing = Passing::of(spec, &given.name);
+        // What spins moves no rope by itself: the tensions on its bearing are those of the flow over it.
+        let passes = match &passing {
+            Some(passing) => flow_named(&given.name, tree, passing.flow)?.first_velocity,
+            None => dof,
+        };
+        let built = ropes.iter().filter_map(|constraint| match constraint {
+            AnyConstraint::Rope(rope) => Some(rope),
+            _ => None,
+        });
+        let rows = built.flat_map(|rope| rope.spans.iter().map(|span| (span, rope.material))).enumerate();
+        let (mut spans, mut stiffness, mut damping) = (Vec::new(), 0.0, 0.0);
+        for (row, (span, material)) in rows {
+            if span.feeds.iter().any(|feed| feed.dof == passes) {
+                let own = 1.0 / material.compliance(span.length);
+                stiffness += own;
+                damping += own * material.damping_time;
+                spans.push((row, span.clone()));
+            }
+        }
+        let impedance = damping + (stiffness * tree.armature[dof]).sqrt();
+        if spans.is_empty() {
+            return error(&given.name, "no rope passes this flow");
+        }
+        let grip = passing.as_ref().map_or(Grip::Share(0.0), |passing| passing.grip(&given.name, ropes));
+        let is_lossy = !grip.is_none();
+        if is_lossy && spans.len() != 2 {
+            let problem =
+                format!("a flow with losses passes one sheave of one rope, not {} spans", spans.len());
+            return error(&given.name, problem);
+        }
+        if capacity.is_some() || (is_lossy || limit > 0.0) && drive.is_none() {
+            let spin = passing.and_then(|passing| passing.groove?.spin.as_ref());
+            let spin = match spin.filter(|spin| **spin != given.name) {
+                Some(spin) => Some(flow_named(&given.name, tree, spin)?.first_velocity),
+                None => None,
+            };
+            let limits = [limit, impedance, power];
+            let brake = Brake::new(given.name.clone(), (dof, spin), limits, grip, spans);
+            brakes.push(AnyConstraint::Brake(brake));
+        }
+    }
+    Ok(brakes)
+}
+
+/// A sheave that rope passes with a flow.
+struct Passing<'a> {
+    /// Number of the rope, and of the guide on its route.
+    rope: usize,
+    place: usize,
+    flow: &'a String,
+    ratio: f64,
+    groove: Option<&'a GrooveSpec>,
+}
+
+impl<'a> Passing<'a> {
+    /// The sheave of which `name` is the flow or the spin.
+    fn of(spec: &'a SystemSpec, name: &str) -> Option<Self> {
+        let guides = spec.ropes.iter().enumerate().flat_map(|(rope, given)| {
+            given.route.iter().enumerate().map(move |(place, guide)| (rope, place, guide))
+        });
+        let mut passings = guides.filter_map(|(rope, place, guide)| match guide {
+            GuideSpec::HalfTurn { flow: Some(flow), ratio, groove, .. }
+            | GuideSpec::Sheave { flow: Some(flow), ratio, groove, .. } => {
+                Some(Self { rope, place, flow, ratio: *ratio, groove: groove.as_ref() })
+            }
+            _ => None,
+        });
+        let spins =
+            |groove: Option<&GrooveSpec>| groove.is_some_and(|groove| groove.spin.as_deref() == Some(name));
+        passings.find(|passing| passing.flow == name || spins(passing.groove))
+    }
+
+    /// What holds the flow or the spin `name`: the groove the flow, the bearing the spin; where nothing slips in the
+    /// groove there is only the flow.
+    fn grip(&self, name: &str, ropes: &[AnyConstraint]) -> Grip {
+        match (self.groove, &ropes[self.rope]) {
+            (Some(groove), AnyConstraint::Rope(rope)) if self.flow == name => {
+                let friction = groove.friction;
+                if rope.route.guides[self.place].is_sheave() {
+                    return Grip::Groove { friction, route: rope.route.clone(), place: self.place };
+                }
+                Grip::Share((0.5 * friction * PI).tanh())
+            }
+            _ => Grip::Share(share_of_ratio(self.ratio)),
+        }
+    }
+}

@@ -1,0 +1,136 @@
+"""Locking pins of moving sheaves: which there are, which are in, and what steps of the plan do to them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from gantline.scenario.errors import nearest
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.model import Scenario
+from gantline.scenario.rigging import EqualizerRigging, Rigging
+
+__all__ = ["Pins", "check_pins", "pins_of"]
+
+#: Keys of a step that move pins, with what becomes of a pin: in or not.
+_KEYS = {"pull_pins": False, "put_in_pins": True}
+
+_Note = Callable[[Path, str], None]
+
+
+@dataclass
+class Pins:
+    """Locking pins by the names of their moving sheaves, such as `e1.2`.
+
+    Attributes:
+        at_start: whether a pin is in at the start; a sheave whose pin is never in has none.
+        pulled: by step of the plan the sheaves whose pins are pulled as it begins.
+        put_in: by step of the plan the sheaves whose pins are put in as it begins.
+    """
+
+    at_start: dict[str, bool] = field(default_factory=dict)
+    pulled: list[list[str]] = field(default_factory=list)
+    put_in: list[list[str]] = field(default_factory=list)
+
+
+def check_pins(findings: Findings, rigging: Rigging) -> None:
+    """Note locked sheaves that are not there, and steps that pull or put in what they cannot."""
+    _follow(findings.scenario, rigging, findings.add)
+
+
+def pins_of(scenario: Scenario, rigging: Rigging) -> Pins:
+    """All pins of a scenario that has been checked."""
+    return _follow(scenario, rigging, lambda _path, _sentence: None)
+
+
+def _follow(scenario: Scenario, rigging: Rigging, note: _Note) -> Pins:
+    equalizers = rigging.equalizers
+    is_in: dict[str, bool] = {}
+    for name, equalizer in equalizers.items():
+        locked = _locked(scenario, equalizer, note)
+        is_in |= {f"{name}.{place}": place in locked for place in _places(equalizer)}
+        _check_rope(equalizer, is_in, _locked_path(scenario, equalizer), note)
+    pins, moved, start = Pins(), set[str](), dict(is_in)
+    for place, step in enumerate(scenario.plan):
+        before = dict(is_in)
+        for key, wanted in _KEYS.items():
+            changed = []
+            for word in getattr(step, key):
+                for sheave in _named(word, wanted, before, equalizers, (("plan", place, key), note)):
+                    changed.append(sheave)
+                    is_in[sheave] = wanted
+            if len(set(changed)) < len(changed):
+                note(("plan", place, key), "names a pin twice; each pin stands once")
+            (pins.put_in if wanted else pins.pulled).append(changed)
+            if wanted and changed:
+                for equalizer in equalizers.values():
+                    _check_rope(equalizer, is_in, ("plan", place, key), note)
+            moved |= set(changed)
+    pins.at_start = {sheave: locked for sheave, locked in start.items() if locked or sheave in moved}
+    return pins
+
+
+def _places(equalizer: EqualizerRigging) -> range:
+    return range(1, len(equalizer.moving_sheaves.along) + 1)
+
+
+def _locked_path(scenario: Scenario, equalizer: EqualizerRigging) -> Path:
+    given = (scenario.equalizers or {})[equalizer.name]
+    own = given.travel is not None
+    base = ("equalizers", equalizer.name) if own else ("equalizer_types", str(given.type))
+    return (*base, "travel", "locked")
+
+
+def _check_rope(equalizer: EqualizerRigging, is_in: Mapping[str, bool], path: Path, note: _Note) -> None:
+    """An equalizing rope that does not stretch and pins that all are in would hold the same twice."""
+    if not equalizer.rope.inextensible or not equalizer.has_sheaves:
+        return
+    if all(is_in[f"{equalizer.name}.{place}"] for place in _places(equalizer)):
+        sentence = f"all pins of '{equalizer.name}' are in, and its rope is inextensible"
+        note(path, f"{sentence}; leave one out, or give the rope an axial stiffness")
+
+
+def _locked(scenario: Scenario, equalizer: EqualizerRigging, note: _Note) -> tuple[int, ...]:
+    """Moving sheaves, counted from 1, whose pins are in at the start."""
+    path, locked, places = _locked_path(scenario, equalizer), equalizer.travel.locked, _places(equalizer)
+    if locked and not equalizer.has_sheaves:
+        note(path, f"'{equalizer.name}' is approximated: it has no moving sheaves to lock; leave it out")
+        return ()
+    if isinstance(locked, bool):
+        return tuple(places) if locked else ()
+    for place in locked:
+        if place not in places:
+            sentence = f"there is no moving sheave {place}; they are counted from 1 to {len(places)}"
+            note(path, sentence)
+    return locked
+
+
+def _named(
+    word: str,
+    wanted: bool,
+    is_in: Mapping[str, bool],
+    equalizers: Mapping[str, EqualizerRigging],
+    where: tuple[Path, _Note],
+) -> list[str]:
+    """Moving sheaves that a word of a step means and whose pins can be moved: one, or all of an equalizer."""
+    path, note = where
+    if word in equalizers:
+        if not equalizers[word].has_sheaves:
+            note(path, f"'{word}' is approximated: it has no moving sheaves, and no pins")
+            return []
+        free = [f"{word}.{place}" for place in _places(equalizers[word])]
+        free = [sheave for sheave in free if is_in[sheave] != wanted]
+        if not free:
+            note(path, f"all pins of '{word}' {'are in' if wanted else 'have been pulled'} already")
+        return free
+    if word not in is_in:
+        known = [*equalizers, *is_in]
+        note(path, f"'{word}' is neither an equalizer nor a moving sheave; {nearest(word, known)}")
+        return []
+    if is_in[word] == wanted:
+        right = "is not in; 'travel: {locked: true}' puts it in at the start"
+        if wanted:
+            right = "is in already; let a step before pull it"
+        note(path, f"the pin of '{word}' {right}")
+        return []
+    return [word]
