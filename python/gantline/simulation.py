@@ -16,9 +16,11 @@ from typing import Any
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
 from gantline.results.derive import recording_of
+from gantline.results.flows import drum_warnings
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
+from gantline.results.rig import Rig
 from gantline.scenario import Scenario, ScenarioError, load_scenario, resolve
 from gantline.scenario.errors import Problem
 from gantline.version import version
@@ -173,6 +175,7 @@ class Simulation:
             warnings.append(f"the energy balance does not close: {missed}")
         names, columns = self._core.names(), self._core.columns()
         warnings += _off_sheaves(self.assembly.rig, columns, names)
+        warnings += drum_warnings(Rig.from_json(self.assembly.rig), columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):

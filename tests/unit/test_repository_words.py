@@ -66,7 +66,8 @@ RULES = [
             r"\d ?[x×] ?\d blocks?",
             r"sheaves? with (its )?block",
             r"np\.block",
-            # The name of a load in a lift file or in code, not in prose.
+            # The key of a hook block in a lift file, and the name of a load there or in code, not in prose.
+            r"block: \{+mass: [^}]*\}",
             r"block\.\w+|(name|to|under|load): block|(?<=['\"`])blocks?(?=['\"`.])",
         )
         + r"|`[^`]*\bblock\b[^`]*`|"

@@ -318,8 +318,15 @@ def test_variables_of_sheaves_and_drums(tackle: Recording) -> None:
     assert np.array_equal(
         tackle.column("rope_passed", sheaves[1]), tackle.column("joint_position", sheaves[1])
     )
-    # Hauled in by 1 m, a part of line is 0.25 m shorter, and three quarters have passed the third sheave.
-    assert tackle.column("rope_passed", sheaves[2])[-1] == pytest.approx(0.75, abs=2e-3)
+    # Hauled in by 1 m, a part of line is 0.25 m shorter: what three of them were longer, unstretched, has
+    # passed the third sheave. Half turns of 0.3 m belong to the parts on either side, half each.
+    passed = 0.0
+    for part, arcs in enumerate((0.5, 1.0, 1.0)):
+        length = tackle.column("segment_length", f"fall/{part}") + arcs * math.pi * 0.3
+        natural = length / (1 + tackle.column("segment_tension", f"fall/{part}") / 200e6)
+        passed += natural[0] * (1 + tackle.column("segment_tension", f"fall/{part}")[0] / 200e6) - natural[-1]
+    assert tackle.column("rope_passed", sheaves[2])[-1] == pytest.approx(passed, abs=1e-6)
+    assert passed == pytest.approx(0.75, abs=4e-3)
     before, after = tackle.column("sheave_tension", sheaves[3])[-1]
     assert before == tackle.column("segment_tension", "fall/3")[-1]
     assert after == tackle.column("segment_tension", "fall/4")[-1]
@@ -417,3 +424,16 @@ def test_a_rope_does_not_leave_a_sheave_with_losses() -> None:
     text = DEFLECTED.replace("PASSING", "bearing: plain, sheave_mass: 60 kg, may_lift_off: true")
     with pytest.raises(ScenarioError, match="a rope does not leave a sheave with losses or inertia"):
         assembled(text)
+
+
+def test_layers_need_the_thickness_of_the_rope() -> None:
+    many = "layers: 2, wraps_per_layer: 20, wraps_at_start: 5, "
+    text = TACKLE.replace("winch: {diameter", "winch: {" + many + "diameter")
+    with pytest.raises(
+        ScenarioError, match="the diameter of rope 'hoist' is not known, which says how thick"
+    ):
+        parse_scenario(text, "tackle.yaml")
+    known = text.replace("layers: 2", "layers: 2, layer_step: 30 mm, wound_under: 20 kN")
+    given = assembled(known).document["ropes"][0]["route"][-1]["drum"]
+    assert given["layers"] == {"radius": 0.4, "step": 0.03, "turns": 20.0, "start": 5.0}
+    assert given["laid_under"] == 20e3

@@ -65,7 +65,8 @@ def test_a_motor_that_is_strong_enough_follows_its_drive() -> None:
     # It is the drive that prescribes its motion, to the rounding of positions.
     prescribed = winch(ramps, 14.0)
     assert np.abs(strong.tension("fall") - prescribed.tension("fall")).max() < 1e-6 * WEIGHT
-    assert strong.energy("friction")[-1] == 0.0
+    # Rope that pays out at the strain with which it was wound does not slip on the drum.
+    assert abs(strong.energy("friction")[-1]) < 1e-9
 
 
 def test_a_motor_that_is_too_weak_lets_the_load_down() -> None:
@@ -76,8 +77,12 @@ def test_a_motor_that_is_too_weak_lets_the_load_down() -> None:
     expected = (WEIGHT - force) / (MASS + INERTIA)
     assert slope(run, 0.5, 3.0) == pytest.approx(expected, rel=5e-6)
     assert run.tension("fall")[-1] == pytest.approx(MASS * (G - expected), rel=5e-6)
-    # What the brake takes is its force times its way.
-    assert run.energy("friction")[-1] == pytest.approx(force * run.joint("drum")[-1], rel=1e-9)
+    # What the brake takes is its force times its way. The rope on the drum had been wound under the weight,
+    # and comes off under less: it slips on the drum and loses EA (ε − ε_d)²/2 per length, here 5e-7 of it.
+    way = run.joint("drum")[-1]
+    slipped = (WEIGHT - MASS * (G - expected)) ** 2 / (2 * EA) * way
+    # While it rings, in the first 1 % of the way, it slips a little more.
+    assert run.energy("friction")[-1] == pytest.approx(force * way + slipped, abs=0.01 * slipped)
 
 
 def test_a_motor_at_its_limit_needs_its_time_to_come_to_speed() -> None:
@@ -89,8 +94,8 @@ def test_a_motor_at_its_limit_needs_its_time_to_come_to_speed() -> None:
     # In 0.1 s of the ramp the drive runs away; the flow meets its speed after v/a.
     at_speed = run.time[speed(run) < -1.0 + 1e-6][0]
     assert at_speed == pytest.approx(1.0 + 1.0 / expected, abs=0.03)
-    # The drum feeds unstretched rope: under its strain it is that much longer.
-    assert speed(run)[-1] == pytest.approx(-(1.0 + STRAIN), abs=1e-9)
+    # Rope winds up as it is, stretched: the load goes as fast as the rim. Ringing has 2e-9 m/s left.
+    assert speed(run)[-1] == pytest.approx(-1.0, abs=5e-9)
 
 
 def test_power_limits_the_speed_of_hoisting() -> None:
@@ -100,7 +105,7 @@ def test_power_limits_the_speed_of_hoisting() -> None:
     assert speed(run)[-1] == pytest.approx(-0.5, rel=5e-6)
     # Lowering takes no power of the motor.
     lowered = winch([(1.0, 2.0, 1.0)], 6.0, capacity=2.0 * WEIGHT, power=0.5 * WEIGHT)
-    assert speed(lowered)[-1] == pytest.approx(1.0 + STRAIN, abs=1e-9)
+    assert speed(lowered)[-1] == pytest.approx(1.0, abs=1e-9)
 
 
 def test_constant_tension() -> None:

@@ -77,6 +77,9 @@ pub struct Ledger {
     pub gravity: f64,
     /// Σ ½ k max(e, 0)² of ropes and contacts.
     pub elastic: f64,
+    /// What rope on drums holds more than at the start.
+    #[serde(default)]
+    pub wound: f64,
     /// What flowed.
     pub flows: Flows,
     /// Stored energy at the start.
@@ -102,13 +105,13 @@ impl Ledger {
     /// Notes the stored energies after a step whose flows have been added.
     pub fn store(&mut self, [kinetic, gravity, elastic]: [f64; 3]) {
         (self.kinetic, self.gravity, self.elastic) = (kinetic, gravity, elastic);
-        self.scale = self.scale.max(kinetic + elastic + self.flows.drive_work.abs());
+        self.scale = self.scale.max(kinetic + elastic + self.wound + self.flows.drive_work.abs());
         self.worst = self.worst.max(self.remainder().abs());
     }
 
     /// What the balance does not explain [J].
     pub fn remainder(&self) -> f64 {
-        let stored = self.kinetic + self.gravity + self.elastic - self.start;
+        let stored = self.kinetic + self.gravity + self.elastic + self.wound - self.start;
         let lost = self.flows.rope_damping
             + self.flows.joint_damping
             + self.flows.contact_damping
@@ -130,7 +133,7 @@ impl Ledger {
         [
             self.kinetic,
             self.gravity - self.gravity_start,
-            self.elastic,
+            self.elastic + self.wound,
             self.flows.drive_work,
             self.flows.rope_damping,
             self.flows.joint_damping,

@@ -299,8 +299,28 @@ pub struct GrooveSpec {
 pub struct DrumSpec {
     /// Name of its flow.
     pub flow: String,
-    /// Rope paid out per unit of that flow, negative where it winds up.
+    /// Rope paid out per unit of that flow in the first layer, negative where it winds up.
     pub rate: f64,
+    /// Tension with which the rope on it was wound before the start [N]; none is the tension at the start.
+    #[serde(default)]
+    pub laid_under: Option<f64>,
+    /// Layers; none is one layer without end.
+    #[serde(default)]
+    pub layers: Option<LayersSpec>,
+}
+
+/// Layers of rope on a drum.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LayersSpec {
+    /// Pitch radius of the first [m].
+    pub radius: f64,
+    /// By how much every further radius is larger [m].
+    pub step: f64,
+    /// Turns in a full layer.
+    pub turns: f64,
+    /// Turns on the drum at the start.
+    pub start: f64,
 }
 
 /// After every step the ropes of a group take over length from each other: see [`crate::stepper::adjust`].
@@ -414,6 +434,20 @@ pub struct MoveSpec {
     /// Course of the ramps.
     #[serde(default)]
     pub shape: RampShape,
+    /// A step that ends by an emergency stop.
+    #[serde(default)]
+    pub emergency: Option<EmergencySpec>,
+}
+
+/// An emergency stop of a drive.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EmergencySpec {
+    /// Acceleration with which it is asked to stop [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// What the brake holds from then on, until the drive moves again [N]; none is the motor's capacity.
+    #[serde(default)]
+    pub brake: Option<f64>,
 }
 
 /// What ends a step; moving drives then brake to rest.

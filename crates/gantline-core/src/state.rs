@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::Ledger;
 use crate::plan::PlanState;
+use crate::rope::coil::Coil;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 
@@ -33,6 +34,8 @@ pub struct State {
     pub memory: Vec<f64>,
     /// How ropes lie on sheaves with true tangents, by [`crate::system::System::sheaves`].
     pub seats: Vec<Seat>,
+    /// What drums have wound, by [`crate::system::System::coils`].
+    pub coils: Vec<Coil>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
     pub next_step: f64,
     /// True at the start and after a change that makes the accelerations jump.
@@ -63,6 +66,7 @@ impl State {
             modes,
             memory,
             seats,
+            coils,
             next_step,
             restart,
             engaged,
@@ -82,6 +86,9 @@ impl State {
         self.modes.copy_from_slice(modes);
         self.memory.copy_from_slice(memory);
         self.seats.copy_from_slice(seats);
+        for (coil, other) in self.coils.iter_mut().zip(coils) {
+            coil.copy_from(other);
+        }
         self.plan.copy_from(plan);
     }
 }

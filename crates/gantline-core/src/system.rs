@@ -5,6 +5,7 @@ use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::drive::Timeline;
 use crate::plan::{Cut, Pinning, Step};
+use crate::rope::coil::Layers;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
 
@@ -89,6 +90,55 @@ pub struct SheavePlace {
     pub may_lift_off: bool,
 }
 
+/// A drum's end of a rope.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoilPlace {
+    /// Index of the rope.
+    pub rope: usize,
+    /// Index of its span there.
+    pub span: usize,
+    /// Row of the span.
+    pub row: usize,
+    /// Degree of freedom of the drum's flow.
+    pub dof: usize,
+    /// Its coordinate in q.
+    pub position: usize,
+    /// Where q has the unstretched rope that the drum has let go [m].
+    pub supply: usize,
+    /// Entry of the flow in the gradients of all rows.
+    pub entry: usize,
+    /// Rope let go per unit of the flow in the first layer.
+    pub rate: f64,
+    /// EA of the rope [N].
+    pub stiffness: f64,
+    /// Tension with which the rope on it was wound before the start [N]; none is that of the start.
+    pub laid_under: Option<f64>,
+    /// Layers, where it has them.
+    pub layers: Option<Layers>,
+}
+
+impl CoilPlace {
+    fn turned(&self, q: &[f64]) -> f64 {
+        -self.rate * q[self.position]
+    }
+
+    /// Rope wound up since the start, as long as it lies there [m].
+    pub fn wound(&self, q: &[f64]) -> f64 {
+        let turned = self.turned(q);
+        self.layers.map_or(turned, |layers| layers.wound(turned))
+    }
+
+    /// Wound rope let go per unit of the flow.
+    pub fn rate_at(&self, q: &[f64]) -> f64 {
+        self.rate * self.layers.map_or(1.0, |layers| layers.ratio(self.turned(q)))
+    }
+
+    /// How that changes with the coordinate of the flow [1/m].
+    pub fn rate_slope(&self, q: &[f64]) -> f64 {
+        self.layers.map_or(0.0, |layers| -self.rate * self.rate * layers.slope(self.turned(q)))
+    }
+}
+
 /// Ropes that take over length from each other after every step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Adjuster {
@@ -133,6 +183,8 @@ pub struct System {
     pub motors: Vec<(usize, usize)>,
     /// Degrees of freedom of flows.
     pub flows: Vec<usize>,
+    /// Drums' ends of ropes.
+    pub coils: Vec<CoilPlace>,
     /// Groups of ropes whose lengths are adjusted.
     pub adjusters: Vec<Adjuster>,
     /// Prescribed joints.

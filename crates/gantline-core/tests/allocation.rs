@@ -53,6 +53,19 @@ const LEAVING: &str = r#"{"gravity": [0, 0, -9.81], "bodies": [{
       {"type": "sheave", "body": null, "at": [0.2, 0, -2], "axis": [0, -1, 0], "radius": 0.2, "may_lift_off": true},
       {"type": "end", "body": "bob", "at": [0, 0, 0]}]}]}"#;
 
+/// A load that rings on its fall while a drum hauls it up and a rope of other strain is wound in every step.
+const HAULED: &str = r#"{"gravity": [0, 0, -9.81], "bodies": [{
+    "name": "load", "parent": null, "mass": 1000, "centre_of_gravity": [0, 0, 0], "inertia": [0, 0, 0, 0, 0, 0],
+    "placement": {"position": [0, 0, -50], "orientation": [1, 0, 0, 0]},
+    "joint": {"type": "slider", "axis": [0, 0, 1], "stops": {"lower": -0.5, "stiffness": 1e6}}}, {
+    "name": "drum", "parent": null, "mass": 0, "centre_of_gravity": [0, 0, 0], "inertia": [0, 0, 0, 0, 0, 0],
+    "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+    "joint": {"type": "flow", "inertia": 100, "drive": "haul"}}],
+  "drives": [{"name": "haul", "ramps": [{"at": 0, "duration": 0.5, "velocity": -0.5}]}],
+  "ropes": [{"name": "r", "length": 50.2, "material": {"type": "elastic", "axial_stiffness": 1e7, "damping_time": 0},
+    "route": [{"type": "end", "body": "load", "at": [0, 0, 0]},
+      {"type": "end", "body": null, "at": [0, 0, 0], "drum": {"flow": "drum", "rate": 1.0}}]}]}"#;
+
 /// Makes `warm` and then `counted` steps; says how often the latter allocated and how many events they had.
 fn count(
     warm: usize,
@@ -89,6 +102,12 @@ fn ropes_that_leave_sheaves_do_not_allocate() {
     // 3 s with del, and more with adaptive: a swing to and fro takes 3.5 s.
     check_del(LEAVING, 1);
     check_adaptive(LEAVING, 1);
+}
+
+#[test]
+fn drums_that_remember_do_not_allocate() {
+    check_del(HAULED, 0);
+    check_adaptive(HAULED, 0);
 }
 
 fn check_del(rig: &str, least: usize) {

@@ -13,14 +13,19 @@ from gantline.assembly.checked import bends, limits_and_rules, ratings
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.reeving import reeved_hooks, upper_sheaves
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
+from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.drum import Drum
 from gantline.scenario.extension import lugs_below
 from gantline.scenario.gear import Shackle
 from gantline.scenario.load import PLATE_NORMALS
+from gantline.scenario.mechanics import RopeEnd
 from gantline.scenario.parting import partings
 from gantline.scenario.plan import Bound, HoldStep
+from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import rope_weight
 
@@ -40,7 +45,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "remark": head.remark,
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
-        "hooks": [_hook(scenario, rigging, name) for name in scenario.cranes or {}],
+        "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.cranes or {}],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
         "ropes": _ropes(scenario, rigging, parts),
@@ -89,10 +94,23 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
     }
 
 
-def _hook(scenario: Scenario, rigging: Rigging, name: str) -> Json:
+def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json:
     crane = (scenario.cranes or {})[name]
     bearing = [equalizer.name for equalizer in rigging.equalizers.values() if equalizer.hook == name]
-    if any(sling.equalizer is None and sling.hook == name for sling in rigging.slings.values()):
+    direct = [s for s in rigging.slings.values() if s.equalizer is None and s.hook == name]
+    reeved = next((hook for hook in reeved_hooks(scenario) if hook.name == name), None)
+    falls: Json = {}
+    if reeved is not None:
+        gravity = scenario.simulation.gravity
+        hung = reeved.reeving.parts_each
+        above = parts.bodies[upper_sheaves(name)]["mass"] * gravity
+        falls = {
+            "falls": [f"{rope}/{part}" for rope in reeved.ropes for part in range(hung)],
+            "falls_weight_above": above,
+            "direct_slings": [sling.name for sling in direct],
+            "direct_weight": sum(upper_lump(sling) for sling in direct) * gravity,
+        }
+    elif direct:
         bearing = [name]  # the hook's own joint carries its slings, their shackles and its equalizers
     return {
         "name": name,
@@ -103,6 +121,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str) -> Json:
         "rating_includes_hook_block": crane.rating_includes_hook_block,
         "hoist_weight_extra": crane.hook_block_mass * scenario.simulation.gravity,
         "drive_body": name,
+        **falls,
     }
 
 
@@ -173,6 +192,10 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
         if one.has_sheaves
     }
     kinds |= {f"sling.{name}": (sling.rope, sling.weight) for name, sling in rigging.slings.items()}
+    for hook in reeved_hooks(scenario):
+        kind = (scenario.ropes or {})[hook.reeving.rope]
+        weight = rope_weight(kind, hook.reeving.rope_weight, None)
+        kinds |= dict.fromkeys(hook.ropes, (kind, weight))
     parting = partings(scenario)
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, rope in (plain or {}).items():
@@ -225,8 +248,32 @@ def _inertia_of(parts: Parts, flow: str) -> float:
 
 
 def _drums(scenario: Scenario) -> list[Json]:
-    drums = scenario.mechanics.drums if scenario.mechanics is not None else None
-    return [{"name": name, "diameter": drum.diameter} for name, drum in (drums or {}).items()]
+    plain = scenario.mechanics.drums if scenario.mechanics is not None else None
+    ropes = scenario.ropes or {}
+    on_drums = {
+        guide.drum: ropes[rope.rope].diameter
+        for rope in ((scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}).values()
+        for guide in rope.route
+        if isinstance(guide, RopeEnd) and guide.drum is not None
+    }
+    drums = [_drum(name, drum, 1.0, on_drums.get(name)) for name, drum in (plain or {}).items()]
+    for hook in reeved_hooks(scenario):
+        paid_out = -float(hook.reeving.parts_each)
+        drums.append(_drum(hoist_drum(hook.name), hook.drum, paid_out, ropes[hook.reeving.rope].diameter))
+    return drums
+
+
+def _drum(name: str, drum: Drum | HoistDrum, paid_out: float, rope_diameter: float | None) -> Json:
+    return {
+        "name": name,
+        "diameter": drum.diameter,
+        "paid_out": paid_out,
+        "wraps_at_start": drum.wraps_at_start,
+        "wraps_per_layer": drum.wraps_per_layer,
+        "layers": drum.layers,
+        "layer_step": drum.step(rope_diameter),
+        "spare_turns": drum.spare_turns,
+    }
 
 
 def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:
@@ -309,6 +356,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = {"type": "box", "size": size, "centre": [0.0, 0.0, -frame.centre_of_gravity_below_hook]}
     elif name in (scenario.cranes or {}):
         kind = "hook"
+    elif name in map(upper_sheaves, scenario.cranes or {}):
+        kind = "body"
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:

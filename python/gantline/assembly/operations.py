@@ -10,6 +10,9 @@ from gantline.scenario.plan import DrumStep, HoldStep, HookStep, MovingStep, Ste
 
 __all__ = ["moved_drives", "operations"]
 
+#: Within this a motor is asked to stop in an emergency [s]; brakes slip far longer.
+_AT_ONCE = 1e-3
+
 
 def operations(scenario: Scenario, weight: float) -> list[Json]:
     """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
@@ -39,8 +42,11 @@ def _operation(scenario: Scenario, step: Step, place: int, weight: float) -> Jso
             "velocity": step.direction * step.speed,
             "acceleration": step.acceleration if step.acceleration is not None else most,
             "shape": "linear",
+            **emergency,
         }
-        for drive, most in zip(moved_drives(step), _accelerations(scenario, step), strict=True)
+        for drive, most, emergency in zip(
+            moved_drives(step), _accelerations(scenario, step), _emergencies(scenario, step), strict=True
+        )
     ]
     start = step.start_at if step.start_at is not None or place > 0 else 0.0
     return {
@@ -60,9 +66,28 @@ def _accelerations(scenario: Scenario, step: MovingStep) -> list[float]:
     return [drive.acceleration for drive in drives if drive is not None]
 
 
+def _emergencies(scenario: Scenario, step: MovingStep) -> list[Json]:
+    """How each drive that a step moves is stopped in an emergency; nothing in a step without."""
+    if step.emergency_stop_at is None:
+        return [{} for _ in _accelerations(scenario, step)]
+    brakes: list[float | None] = []
+    if isinstance(step, HookStep):
+        for name in step.hooks:
+            crane = (scenario.cranes or {})[name]
+            parts = crane.reeving.parts if crane.reeving is not None else 1
+            brakes.append(None if crane.hoist.brake is None else crane.hoist.brake * parts)
+    elif isinstance(step, DrumStep):
+        assert scenario.mechanics is not None  # checked when the file was read
+        drives = [(scenario.mechanics.drums or {})[drum].drive for drum in step.drums]
+        brakes = [drive.brake for drive in drives if drive is not None]
+    at_once = step.speed / _AT_ONCE
+    return [{"emergency": {"acceleration": at_once, "brake": brake}} for brake in brakes]
+
+
 def _until(scenario: Scenario, step: MovingStep, weight: float) -> Json:
-    if step.brake_from is not None:
-        return {"type": "brake_from", "time": step.brake_from}
+    at = step.brake_from if step.brake_from is not None else step.emergency_stop_at
+    if at is not None:
+        return {"type": "brake_from", "time": at}
     if step.by is not None:
         return {"type": "distance", "distance": step.direction * step.by}
     assert step.until is not None and scenario.load is not None  # checked when the file was read

@@ -19,8 +19,9 @@ from gantline.assembly.spatial import (
     rotation_matrix,
     unit,
 )
+from gantline.scenario.drum import RopeOnDrum
 
-__all__ = ["ORIGIN", "Parts", "end", "half_turn", "material", "sheave"]
+__all__ = ["ORIGIN", "Parts", "drum_layers", "end", "half_turn", "material", "sheave"]
 
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -203,16 +204,36 @@ def _rope(name: str, length: float | None, rope_material: Json, route: Sequence[
     return {"name": name, "length": length, "material": rope_material, "route": list(route)}
 
 
-def end(body: str | None, at: Sequence[float] = ORIGIN, drum: tuple[str, float] | None = None) -> Json:
+def end(
+    body: str | None, at: Sequence[float] = ORIGIN, drum: tuple[str, float] | None = None, **rest: Any
+) -> Json:
     """An end of a rope on a body (None: the world).
 
     Args:
         body: what holds the end.
         at: its place in the body's axes [m].
         drum: flow of the drum that pays out here and the rope paid out per unit of it; None is a dead end.
+        rest: of a drum `laid_under` [N] and `layers`, where they are not None.
     """
     guide = {"type": "end", "body": body, "at": list(at)}
-    return guide if drum is None else {**guide, "drum": {"flow": drum[0], "rate": drum[1]}}
+    if drum is None:
+        return guide
+    said = {key: value for key, value in rest.items() if value is not None}
+    return {**guide, "drum": {"flow": drum[0], "rate": drum[1], **said}}
+
+
+def drum_layers(drum: RopeOnDrum, diameter: float, rope_diameter: float | None) -> Json | None:
+    """Layers of rope on a drum, as `end` takes them; None of one layer without end.
+
+    Args:
+        drum: what the lift file says.
+        diameter: pitch diameter of the first layer of this rope [m].
+        rope_diameter: diameter of the rope, where it is known [m].
+    """
+    if drum.layers == 1:
+        return None
+    turns, start = drum.wraps_per_layer, drum.wraps_at_start
+    return {"radius": diameter / 2, "step": drum.step(rope_diameter), "turns": turns, "start": start}
 
 
 def half_turn(

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gantline.assembly.parts import Json, Parts, end, eye, half_turn, material, sheave
+from gantline.assembly.parts import Json, Parts, drum_layers, end, eye, half_turn, material, sheave
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
 from gantline.assembly.route import route_length, route_lengths
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import IDENTITY, about_axis
 from gantline.scenario import Scenario
 from gantline.scenario.drum import Drum
+from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.mechanics import (
     Ball,
     Body,
@@ -99,7 +100,7 @@ def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) 
     kind = (scenario.ropes or {})[rope.rope]
     mechanics = scenario.mechanics
     drums = mechanics.drums if mechanics is not None else None
-    route = _route(parts, drums or {}, name, rope, kind.mass_per_length)
+    route = _route(parts, drums or {}, name, rope, kind)
     length = None if isinstance(rope.length, str) else rope.length
     # Where the rope touches sheaves with true tangents, and so how long it is, is the core's to say.
     if not any(guide["type"] == "sheave" for guide in route):
@@ -209,14 +210,14 @@ def _ramp(ramp: Any) -> Json:
 
 
 def _route(
-    parts: Parts, drums: Mapping[str, Drum], name: str, rope: MechanicsRope, rope_mass: float
+    parts: Parts, drums: Mapping[str, Drum], name: str, rope: MechanicsRope, kind: RopeMaterial
 ) -> list[Json]:
     """Guides of a rope; sheaves count from 1 along it, and those that are not ideal have a flow."""
     route: list[Json] = []
     for guide in rope.route:
         body = None if guide.body == _WORLD else guide.body
         if isinstance(guide, RopeEnd):
-            route.append(end(body, guide.at, _paid_out(drums, guide)))
+            route.append(_end(body, guide, drums, kind))
         elif isinstance(guide, Sheave):
             lifts = guide.may_lift_off
             route.append(sheave(body, guide.at, guide.axis, guide.radius, may_lift_off=lifts))
@@ -227,15 +228,18 @@ def _route(
     _, arcs = route_lengths(parts, route)
     for place, guide in enumerate(rope.route):
         if isinstance(guide, HalfTurn | Sheave):
-            losses = sheave_losses(guide, guide.radius, rope_mass, wrap=arcs[place] / guide.radius)
+            losses = sheave_losses(guide, guide.radius, kind.mass_per_length, wrap=arcs[place] / guide.radius)
             route[place] |= add_sheave_flow(parts, f"{name}/sheave_{place}", losses)
     return route
 
 
-def _paid_out(drums: Mapping[str, Drum], guide: RopeEnd) -> tuple[str, float] | None:
-    """Drum of an end and the rope that it pays out there per unit of its flow."""
+def _end(body: str | None, guide: RopeEnd, drums: Mapping[str, Drum], kind: RopeMaterial) -> Json:
+    """A dead end, or a drum with the rope that it pays out there per unit of its flow."""
     if guide.drum is None:
-        return None
-    own = drums[guide.drum].diameter
-    rate = (guide.drum_diameter or own) / own
-    return guide.drum, -rate if guide.wound == "against" else rate
+        return end(body, guide.at)
+    drum = drums[guide.drum]
+    diameter = guide.drum_diameter or drum.diameter
+    rate = diameter / drum.diameter
+    layers = drum_layers(drum, diameter, kind.diameter)
+    flow = (guide.drum, -rate if guide.wound == "against" else rate)
+    return end(body, guide.at, flow, laid_under=drum.wound_under, layers=layers)

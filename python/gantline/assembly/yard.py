@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
+from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
 from gantline.assembly.route import route_length
 from gantline.assembly.sheave import add_sheave_flow
@@ -50,12 +51,17 @@ def lower_lump(sling: SlingRigging) -> float:
 
 
 def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
-    """Each hook is a vertical slider that its hoist drives; slings right under it lump their mass on it."""
+    """Each hook is a vertical slider, driven or hung in ropes; slings under it lump their mass on it."""
+    reeved = {hook.name: hook for hook in reeved_hooks(scenario)}
     for name, crane in (scenario.cranes or {}).items():
         direct = [
             sling for sling in rigging.slings.values() if sling.equalizer is None and sling.hook == name
         ]
         drive = hoist_drive(name)
+        if name in reeved:
+            own_mass = math.fsum(upper_lump(sling) for sling in direct)
+            add_reeved_hook(parts, scenario, reeved[name], drive, own_mass)
+            continue
         parts.add_drive(drive)
         parts.add_body(
             name,

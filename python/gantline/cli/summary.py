@@ -376,8 +376,11 @@ def _drums(recording: Recording) -> list[str]:
     for drum in recording.rig.drums:
         paid_out = recording.column("rope_paid_out", drum.name)
         extremes = (show(float(paid_out[-1]), "m", 3), show(float(paid_out.min()), "m", 3))
-        rows.append((drum.name, *extremes, show(float(paid_out.max()), "m", 3)))
-    return table(("Drum", "rope paid out at the end", "least", "most"), rows, "lrrr") if rows else []
+        fewest = recording.metrics().get(f"least_drum_wraps.{drum.name}")
+        turns = "" if fewest is None else f"{fewest:.1f}"
+        rows.append((drum.name, *extremes, show(float(paid_out.max()), "m", 3), turns))
+    head = ("Drum", "rope paid out at the end", "least", "most", "fewest turns")
+    return table(head, rows, "lrrrr") if rows else []
 
 
 def _hold_points(recording: Recording) -> list[str]:

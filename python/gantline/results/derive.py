@@ -173,17 +173,30 @@ def _hook_loads(columns: Columns, names: Names, rig: Rig) -> _Derived:
     if not rig.hooks:
         return {}, {}
     hook_load = np.stack([_hook_load(columns, names, hook) for hook in rig.hooks], axis=1)
-    extra = np.array([hook.hoist_weight_extra for hook in rig.hooks])
+    hoist_load = np.stack(
+        [_hoist_load(columns, names, hook, load) for hook, load in zip(rig.hooks, hook_load.T, strict=True)],
+        axis=1,
+    )
     dims = ("time", "hook")
     return {
         "hook_load": Variable(dims, hook_load, "N", "vertical force on the bearing of a hook"),
-        "hoist_load": Variable(dims, hook_load + extra, "N", "hook load with hook block and hanging falls"),
+        "hoist_load": Variable(dims, hoist_load, "N", "hook load with hook block and hanging falls"),
     }, {"hook": [hook.name for hook in rig.hooks]}
+
+
+def _hoist_load(columns: Columns, names: Names, hook: Hook, hook_load: FloatArray) -> FloatArray:
+    """What the upper sheaves see of a hook that hangs in ropes; else hook load, hook block and falls."""
+    if not hook.falls:
+        return hook_load + hook.hoist_weight_extra
+    segments = list(names["segment"])
+    at = [segments.index(fall) for fall in hook.falls]
+    carried: FloatArray = columns["segment_tension"][:, at].sum(axis=1) + hook.falls_weight_above
+    return carried
 
 
 def _hook_load(columns: Columns, names: Names, hook: Hook) -> FloatArray:
     bodies, ropes, points = list(names["body"]), list(names["rope"]), list(names["rope_point"])
-    total = np.zeros(len(columns["time"]))
+    total = np.full(len(columns["time"]), hook.direct_weight)
     for body in hook.bearing_joints:
         total += columns["joint_force"][:, bodies.index(body), 2]
     for sling in hook.direct_slings:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from gantline.results.rig import Rig
+from gantline.results.rig import Drum, Rig
 from gantline.results.variable import FloatArray, Variable
 
-__all__ = ["rope_flows"]
+__all__ = ["drum_warnings", "rope_flows"]
+
+#: Part of a turn in which rope climbs onto the next layer, as in the core (`docs/concepts/winch.md`).
+_CLIMB = 0.5
 
 
 def rope_flows(
@@ -60,8 +64,76 @@ def rope_flows(
         at = [joints.index(drum.name) for drum in rig.drums]
         variables["rope_paid_out"] = Variable(
             ("time", "drum"),
-            columns["joint_position"][:, at],
+            np.stack(
+                [
+                    _paid_out(drum, columns["joint_position"][:, place])
+                    for drum, place in zip(rig.drums, at, strict=True)
+                ],
+                axis=1,
+            ),
             "m",
-            "rope that a drum has paid out on its own diameter, negative where it has hauled in",
+            "rope that a drum has paid out over its rim, negative where it has hauled in",
         )
+        known = [drum for drum in rig.drums if drum.wraps_at_start is not None]
+        if known:
+            labels["counted_drum"] = [drum.name for drum in known]
+            wraps = np.stack([drum_wraps(drum, columns, names) for drum in known], axis=1)
+            full = np.array([drum.wraps_per_layer or np.inf for drum in known])
+            layer = np.maximum(np.ceil(wraps / full), 1.0)
+            dims = ("time", "counted_drum")
+            variables["drum_wraps"] = Variable(dims, wraps, "1", "turns of rope on a drum")
+            variables["drum_layer"] = Variable(
+                dims, layer, "1", "layer in which rope comes on, the first is 1"
+            )
     return variables, labels
+
+
+def drum_wraps(
+    drum: Drum, columns: Mapping[str, FloatArray], names: Mapping[str, Sequence[str]]
+) -> FloatArray:
+    """Turns of rope on a drum whose turns at the start are known (time,)."""
+    turned = columns["joint_position"][:, list(names["joint"]).index(drum.name)] * -drum.paid_out
+    wraps: FloatArray = (drum.wraps_at_start or 0.0) + turned / (math.pi * drum.diameter)
+    return wraps
+
+
+def drum_warnings(
+    rig: Rig, columns: Mapping[str, FloatArray], names: Mapping[str, Sequence[str]]
+) -> list[str]:
+    """Drums on which too few turns stayed, or too many did not find room: once for each, the worst."""
+    warnings = []
+    for drum in rig.drums:
+        if drum.wraps_at_start is None or not len(columns["time"]):
+            continue
+        wraps = drum_wraps(drum, columns, names)
+        least, most = int(np.argmin(wraps)), int(np.argmax(wraps))
+        if drum.spare_turns is not None and wraps[least] < drum.spare_turns:
+            sentence = (
+                f"{drum.name} has {wraps[least]:.1f} turns of rope left at {columns['time'][least]:.2f} s"
+            )
+            warnings.append(f"{sentence}; {drum.spare_turns:g} have to stay")
+        room = drum.layers * drum.wraps_per_layer if drum.wraps_per_layer is not None else None
+        if room is not None and wraps[most] > room:
+            sentence = f"{drum.name} would have {wraps[most]:.1f} turns at {columns['time'][most]:.2f} s"
+            warnings.append(f"{sentence}; it has room for {room:g}")
+    return warnings
+
+
+def _paid_out(drum: Drum, position: FloatArray) -> FloatArray:
+    """Rope that went over the rim, by layers, where the flow of a drum has come to `position`."""
+    first = drum.paid_out * position
+    if drum.wraps_per_layer is None or drum.wraps_at_start is None or drum.layer_step == 0.0:
+        return first
+    growth, turn = 2 * drum.layer_step / drum.diameter, math.pi * drum.diameter
+
+    def climbed(turns: FloatArray) -> FloatArray:
+        assert drum.wraps_per_layer is not None
+        total: FloatArray = np.zeros_like(turns)
+        for layer in range(1, drum.layers + 1):
+            over = np.maximum((turns - layer * drum.wraps_per_layer) / _CLIMB + 0.5, 0.0)
+            total += _CLIMB * np.where(over < 1.0, 0.5 * over**2, over - 0.5)
+        return total
+
+    start = np.full_like(first, drum.wraps_at_start)
+    more: FloatArray = climbed(start - first / turn) - climbed(start)
+    return first - turn * growth * more

@@ -78,6 +78,9 @@ class Hook(FromJson):
         rated_capacity: Of crane or hook [N]; None if not said.
         rating_includes_hook_block: Whether the rated capacity is for the hoist load.
         hoist_weight_extra: Hook block and hanging falls [N] that are no part of the mechanics.
+        falls: Segments of rope in which a hook with reeving hangs; empty for a hook without.
+        falls_weight_above: What the upper sheaves bear of the weight of the falls [N].
+        direct_weight: Weight of what `direct_slings` have lumped on the hook [N]; of a hook with reeving.
     """
 
     name: str
@@ -87,6 +90,9 @@ class Hook(FromJson):
     rated_capacity: float | None = None
     rating_includes_hook_block: bool = False
     hoist_weight_extra: float = 0.0
+    falls: Sequence[str] = ()
+    falls_weight_above: float = 0.0
+    direct_weight: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -251,15 +257,28 @@ class WrappedSheave(FromJson):
 
 @dataclass(frozen=True)
 class Drum(FromJson):
-    """A drum of `mechanics`.
+    """A drum, of `mechanics` or of a hook with reeving.
 
     Attributes:
         name: Its name, also that of its flow.
-        diameter: Pitch diameter on which its rope is counted [m].
+        diameter: Pitch diameter on which its rope is counted [m]; of the first layer.
+        paid_out: Rope paid out in the first layer per unit of its flow; of a hook's drum, which counts what
+            the hook rises, less than 0.
+        wraps_at_start: Turns on it at the start; None where that is not known.
+        wraps_per_layer: Turns in a full layer; None of one layer without end.
+        layers: Layers that fit on it.
+        layer_step: Radius that each further layer adds [m].
+        spare_turns: Turns that have to stay on it; None where nothing is said.
     """
 
     name: str
     diameter: float = 0.0
+    paid_out: float = 1.0
+    wraps_at_start: float | None = None
+    wraps_per_layer: float | None = None
+    layers: int = 1
+    layer_step: float = 0.0
+    spare_turns: float | None = None
 
 
 @dataclass(frozen=True)

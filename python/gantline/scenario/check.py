@@ -6,6 +6,7 @@ from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
+from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
@@ -13,6 +14,7 @@ from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
 from gantline.scenario.model import Scenario
 from gantline.scenario.parting import check_partings
 from gantline.scenario.pins import check_pins, pins_of
+from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
 from gantline.scenario.sheave import taken_together
 
@@ -41,6 +43,8 @@ def check(scenario: Scenario) -> None:
             findings.add(("simulation", "integrator"), sentence)
     except ScenarioError as error:
         findings.problems.extend(error.problems)
+    for name, crane in (scenario.cranes or {}).items():
+        check_reeving(findings, name, crane)
     if scenario.load is not None:
         check_load(findings, scenario.load)
     elif scenario.mechanics is None:
@@ -62,6 +66,11 @@ def _check_names(findings: Findings) -> None:
     scenario = findings.scenario
     named: list[tuple[str, str, Path]] = []
     named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
+    named += [
+        (hoist_drum(name), "the drum of a hook", ("cranes", name, "drum"))
+        for name, crane in (scenario.cranes or {}).items()
+        if crane.reeving is not None
+    ]
     named += [(name, "an equalizer", ("equalizers", name)) for name in scenario.equalizers or {}]
     named += [
         (name, "an extension sheave", ("extension_sheaves", name))
@@ -136,6 +145,9 @@ def _has_friction(scenario: Scenario) -> bool:
         kind = (scenario.equalizer_types or {}).get(given.type or "")
         hinge = given.hinge or (kind and kind.hinge)
         found |= bool(hinge and hinge.friction)
+    for crane in (scenario.cranes or {}).values():
+        found |= crane.reeving is not None and crane.reeving.words.bearing_efficiency < 1
+        found |= crane.hoist.capacity is not None
     if scenario.mechanics is not None:
         guides = [guide for rope in (scenario.mechanics.ropes or {}).values() for guide in rope.route]
         found |= any(isinstance(guide, HalfTurn) and guide.bearing_efficiency < 1 for guide in guides)

@@ -25,6 +25,7 @@ from gantline.scenario.mechanics import (
 )
 from gantline.scenario.model import Scenario
 from gantline.scenario.motion import SpeedRamp, TurnRamp
+from gantline.scenario.reeving import hoist_ropes
 from gantline.scenario.rope_weight import check_rope_weight
 from gantline.scenario.sheave import check_losses, sheave_losses
 
@@ -47,6 +48,8 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
         _check_mass(findings, path, body)
     slings = [f"sling.{sling}" for sling in scenario.slings or {}]
     taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
+    for name, crane in (scenario.cranes or {}).items():
+        taken += hoist_ropes(name, crane.reeving) if crane.reeving is not None else []
     for name, rope in (mechanics.ropes or {}).items():
         path = ("mechanics", "ropes", name)
         if rope.rope not in (scenario.ropes or {}):
@@ -213,6 +216,9 @@ def _check_flows(findings: Findings, path: Path, rope: MechanicsRope, drums: Map
         elif kind.inextensible:
             sentence = f"rope '{rope.rope}' is inextensible, and a rope on a drum has to stretch"
             add("drum", f"{sentence}; give it an axial stiffness")
+        elif drums[guide.drum].layers > 1 and drums[guide.drum].layer_step is None and kind.diameter is None:
+            sentence = f"the diameter of rope '{rope.rope}' is not known, which says how thick a layer is"
+            add("drum", f"{sentence}; give the drum a 'layer_step', such as 'layer_step: 36 mm'")
         elif rope.rope_weight == "distributed":
             add("drum", "a rope with nodes cannot be paid out by a drum; 'rope_weight: lumped' is right here")
 

@@ -48,6 +48,12 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> None:
             right = "'drive: {speed: 30 m/min, acceleration: 0.1 m/s^2}'"
             findings.add(("plan", place, step.verb), f"{sentence}; give it one, such as {right}")
             continue
+        if step.emergency_stop_at is not None and drive.capacity is None:
+            sentence = f"'{name}' has no 'capacity', so that it would stop at once, with any force"
+            findings.add(
+                ("plan", place, "emergency_stop_at"),
+                f"{sentence}; give its {'hoist' if what == 'hook' else 'drive'} a capacity",
+            )
         if step.speed > drive.speed * _ROUNDING:
             can = "hoist" if what == "hook" else "turn"
             sentence = f"{step.speed:g} m/s is faster than '{name}' can {can}"
@@ -72,13 +78,14 @@ def _movable(scenario: Scenario, what: str) -> Mapping[str, Hoist | DrumDrive | 
 def _check_times(findings: Findings, place: int, step: MovingStep, earliest: float) -> float:
     """Check when a step starts and brakes; gives the time before which no later step can start [s]."""
     duration = findings.scenario.duration
-    for key, time in (("start_at", step.start_at), ("brake_from", step.brake_from)):
+    ends = (("brake_from", step.brake_from), ("emergency_stop_at", step.emergency_stop_at))
+    for key, time in (("start_at", step.start_at), *ends):
         if time is None:
             continue
         if time > duration:
             sentence = f"{time:g} s is after the end of the lift at {duration:g} s"
             findings.add(("plan", place, key), f"{sentence}; make 'duration' longer or this time earlier")
-        elif time < earliest or (key == "brake_from" and time == earliest):
+        elif time < earliest or (key != "start_at" and time == earliest):
             sentence = f"{time:g} s is not after what comes before it, at {earliest:g} s"
             findings.add(("plan", place, key), f"{sentence}; steps go in order of time")
         earliest = max(earliest, time)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 from pydantic.json_schema import JsonSchemaValue
 
 from gantline.scenario.base import Element
@@ -19,9 +19,11 @@ from gantline.scenario.quantities import (
     NotNegativeLength,
     Position,
     PositiveAcceleration,
+    PositiveForce,
     PositiveInertia,
     PositiveLength,
     PositiveMass,
+    PositivePower,
     PositiveSpeed,
     PositiveStiffness,
     Ratio,
@@ -32,6 +34,7 @@ from gantline.scenario.quantities import (
     found,
     refuse,
 )
+from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving
 from gantline.scenario.rope_weight import RopeWeightWord
 from gantline.scenario.sheave import SheaveWords
 from gantline.scenario.tree import MapNode
@@ -64,6 +67,24 @@ class Hoist(Element):
     acceleration: PositiveAcceleration = Field(
         description="Highest acceleration; also used where a step names none."
     )
+    capacity: PositiveForce | None = Field(
+        None,
+        description="Largest pull of each rope on the first layer of the drum that motor and brake hold; "
+        "whatever it takes where it is left out.",
+    )
+    power: PositivePower | None = Field(None, description="Largest power for hoisting, beside a capacity.")
+    brake: PositiveForce | None = Field(
+        None,
+        description="Pull of each rope on the first layer that the brake holds, once an emergency stop has "
+        "thrown it in; the capacity if not given.",
+    )
+
+    @model_validator(mode="after")
+    def _power_needs_a_capacity(self) -> Hoist:
+        for key in ("power", "brake"):
+            if getattr(self, key) is not None and self.capacity is None:
+                raise refuse(f"'{key}' is given without 'capacity', the largest pull at low speed", key)
+        return self
 
 
 class FixedHook(Element):
@@ -81,7 +102,40 @@ class FixedHook(Element):
     hook_block_mass: Mass = Field(
         0.0, description="Mass of hook block and hanging falls; counts in the hoist load."
     )
-    hoist: Hoist = Field(description="Speed and acceleration of the hoist.")
+    hook_block: HookBlock | None = Field(
+        None, alias="block", description="Hook block; of a hook with 'reeving'."
+    )
+    reeving: Reeving | None = Field(
+        None, description="Ropes that the hook hangs in; without it the hook moves up and down as told."
+    )
+    drum: HoistDrum | None = Field(None, description="Drum of the hoist; of a hook with 'reeving'.")
+    hoist: Hoist = Field(description="Speed and acceleration of the hoist, of the hook.")
+
+    @model_validator(mode="after")
+    def _reeving_is_whole(self) -> FixedHook:
+        parts = {"block": self.hook_block, "drum": self.drum}
+        if self.reeving is None:
+            for key, given in parts.items():
+                if given is not None:
+                    raise refuse(f"'{key}' is given without 'reeving', the ropes that the hook hangs in", key)
+            if self.hoist.capacity is not None:
+                sentence = (
+                    "'hoist.capacity' is given without 'reeving'; a hook that moves as told has no limit"
+                )
+                raise refuse(sentence, "hoist")
+            return self
+        for key, given in parts.items():
+            if given is None:
+                right = {"block": "{mass: 12 t, height: 3 m}", "drum": "{diameter: 1.6 m}"}[key]
+                raise refuse(f"'{key}' is missing; reeving needs it, such as '{key}: {right}'", "reeving")
+        if self.hook_block_mass > 0:
+            sentence = "'hook_block_mass' and 'block' are given together; 'block.mass' says it"
+            raise refuse(sentence, "hook_block_mass")
+        assert self.drum is not None
+        if self.hoist.capacity is not None and self.drum.inertia is None:
+            sentence = "a hoist with a capacity needs the inertia of its drum"
+            raise refuse(f"{sentence}; give 'moment_of_inertia' or 'rotating_mass'", "drum")
+        return self
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:

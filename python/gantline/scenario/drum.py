@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+import math
+from typing import Annotated, ClassVar, Final
 
 from pydantic import Field, model_validator
 
@@ -11,6 +12,8 @@ from gantline.scenario.motion import SpeedRamp
 from gantline.scenario.quantities import (
     Damping,
     NotNegativeForce,
+    NotNegativeLength,
+    Number,
     PositiveAcceleration,
     PositiveForce,
     PositiveInertia,
@@ -22,7 +25,12 @@ from gantline.scenario.quantities import (
     refuse,
 )
 
-__all__ = ["Drum", "DrumDrive"]
+__all__ = ["Drum", "DrumDrive", "RopeOnDrum"]
+
+#: Turns that stay on a drum where the lift file names none: two, 29 CFR 1910.179(h)(2)(iii)(a).
+SPARE_TURNS: Final = 2.0
+#: Radius that a layer adds, over the rope's diameter: rope in the grooves of the layer below, sin 60 deg.
+_NESTING: Final = math.sin(math.radians(60.0))
 
 
 class DrumDrive(Element):
@@ -38,15 +46,72 @@ class DrumDrive(Element):
         None, description="Largest pull of the rope on its diameter; whatever it takes where it is left out."
     )
     power: PositivePower | None = Field(None, description="Largest power for hauling in, beside a capacity.")
+    brake: PositiveForce | None = Field(
+        None,
+        description="Pull of the rope that the brake holds, once an emergency stop has thrown it in; the "
+        "capacity if not given.",
+    )
 
     @model_validator(mode="after")
     def _power_needs_a_capacity(self) -> DrumDrive:
-        if self.power is not None and self.capacity is None:
-            raise refuse("'power' is given without 'capacity', the largest pull at low speed", "power")
+        for key in ("power", "brake"):
+            if getattr(self, key) is not None and self.capacity is None:
+                raise refuse(f"'{key}' is given without 'capacity', the largest pull at low speed", key)
         return self
 
 
-class Drum(Element):
+class RopeOnDrum(Element):
+    """What lies on a drum: layers, turns, and the tension with which they were wound."""
+
+    layers: Annotated[int, Number(least=1, most=20, whole=True)] = Field(
+        1, description="Layers that fit on it."
+    )
+    wraps_per_layer: Annotated[float, Number(least=1.0, most=1000.0)] | None = Field(
+        None, description="Turns of each rope in a full layer."
+    )
+    wraps_at_start: Annotated[float, Number(least=0.0, most=20000.0)] | None = Field(
+        None, description="Turns of each rope on it at the start, those that stay included."
+    )
+    layer_step: NotNegativeLength | None = Field(
+        None,
+        description="Radius that each further layer adds; 0.87 times the diameter of the rope, which lies in "
+        "the grooves of the layer below, if not given.",
+    )
+    spare_turns: Annotated[float, Number(least=0.0, most=100.0)] = Field(
+        SPARE_TURNS, description="Turns that have to stay on it; fewer are a warning."
+    )
+    wound_under: NotNegativeForce | None = Field(
+        None,
+        description="Tension with which the rope on it was wound before the lift; that of the start if not "
+        "given.",
+    )
+
+    @model_validator(mode="after")
+    def _turns_are_known(self) -> RopeOnDrum:
+        given = {"wraps_per_layer": self.wraps_per_layer, "wraps_at_start": self.wraps_at_start}
+        missing = [key for key, value in given.items() if value is None]
+        if self.layers > 1 and missing:
+            sentence = f"a drum of {self.layers} layers needs '{missing[0]}' to know the layer"
+            raise refuse(f"{sentence}, such as '{missing[0]}: 30'", "layers")
+        if self.wraps_per_layer is not None and self.wraps_at_start is None:
+            raise refuse("'wraps_per_layer' is given without 'wraps_at_start'", "wraps_per_layer")
+        if self.wraps_at_start is not None and self.wraps_per_layer is not None:
+            room = self.layers * self.wraps_per_layer
+            if self.wraps_at_start > room:
+                sentence = f"{self.wraps_at_start:g} wraps do not go on a drum that has room for {room:g}"
+                raise refuse(f"{sentence}; more 'layers' or 'wraps_per_layer' are right", "wraps_at_start")
+        return self
+
+    def step(self, rope_diameter: float | None) -> float:
+        """Radius that each further layer adds [m]; 0 of one layer, or where nothing says it."""
+        if self.layers == 1:
+            return 0.0
+        if self.layer_step is not None:
+            return self.layer_step
+        return _NESTING * rope_diameter if rope_diameter is not None else 0.0
+
+
+class Drum(RopeOnDrum):
     """A drum, or several on one shaft; what has passed is counted as rope on its diameter."""
 
     what: ClassVar[str] = "a drum"

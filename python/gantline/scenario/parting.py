@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import Quantity, WordOr
+from gantline.scenario.reeving import hoist_ropes
 
 if TYPE_CHECKING:
     from gantline.scenario.findings import Findings, Path
@@ -58,6 +59,10 @@ def partings(scenario: Scenario) -> dict[str, Parting]:
         rope = sling.rope or (defaults.rope if defaults is not None else None)
         own = sling.breaks_at or (defaults.breaks_at if defaults is not None else None)
         found[f"sling.{name}"] = Parting(breaking_force(kinds[str(rope)], own), sling.cut_at)
+    for name, crane in (scenario.cranes or {}).items():
+        if crane.reeving is not None:
+            of_kind = Parting(breaking_force(kinds[crane.reeving.rope], None), None)
+            found |= dict.fromkeys(hoist_ropes(name, crane.reeving), of_kind)
     mechanics = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, plain in (mechanics or {}).items():
         found[name] = Parting(breaking_force(kinds[plain.rope], plain.breaks_at), plain.cut_at)
@@ -79,7 +84,13 @@ def check_partings(findings: Findings) -> None:
         _check_force(findings, ("mechanics", "ropes", name), plain.rope, plain.breaks_at)
         _check_time(findings, ("mechanics", "ropes", name, "cut_at"), plain.cut_at)
     equalizing = [f"{name}.equalizing" for name in scenario.equalizers or {}]
-    known = [*equalizing, *(f"sling.{name}" for name in scenario.slings or {}), *mechanics]
+    hoisting = [
+        rope
+        for name, crane in (scenario.cranes or {}).items()
+        if crane.reeving is not None
+        for rope in hoist_ropes(name, crane.reeving)
+    ]
+    known = [*equalizing, *hoisting, *(f"sling.{name}" for name in scenario.slings or {}), *mechanics]
     for place, step in enumerate(scenario.plan):
         for rope in step.cut:
             if rope not in known:

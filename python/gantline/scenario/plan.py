@@ -187,6 +187,10 @@ class MovingStep(_AnyStep):
         None, description="Time of the start; when the step before ends if not given."
     )
     brake_from: Time | None = Field(None, description="Time from which they brake.")
+    emergency_stop_at: Time | None = Field(
+        None,
+        description="Time of an emergency stop: brakes are thrown in, and drums slip to rest against them.",
+    )
     until: Condition | None = Field(None, description="Condition on which they brake.")
     by: PositiveLength | None = Field(
         None, description="Distance of the hooks, or length of rope, after which they are at rest."
@@ -194,10 +198,12 @@ class MovingStep(_AnyStep):
 
     @model_validator(mode="after")
     def _one_end(self) -> MovingStep:
-        given = [name for name in ("brake_from", "until", "by") if getattr(self, name) is not None]
+        ends = ("brake_from", "emergency_stop_at", "until", "by")
+        given = [name for name in ends if getattr(self, name) is not None]
         if len(given) != 1:
             listed = " and ".join(f"'{name}'" for name in given) or "none of them"
-            raise refuse(f"a step ends by one of 'brake_from', 'until' and 'by'; found {listed}")
+            ways = "'brake_from', 'emergency_stop_at', 'until' and 'by'"
+            raise refuse(f"a step ends by one of {ways}; found {listed}")
         return self
 
 

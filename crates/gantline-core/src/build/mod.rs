@@ -2,6 +2,7 @@
 
 mod adjusters;
 mod brakes;
+mod coils;
 mod plan;
 mod rows;
 mod tree;
@@ -15,6 +16,7 @@ use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
+use crate::rope::coil::Coil;
 use crate::rope::route::Guide;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
@@ -25,6 +27,7 @@ use crate::system::{Rows, SheavePlace, System};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use adjusters::build_adjusters;
+use coils::places_of_coils;
 use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_step};
 use rows::{Built, build_constraints};
 use tree::{build_tree, start_of_joint};
@@ -53,7 +56,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     unique("adjuster", spec.adjusters.iter().map(|adjuster| adjuster.name.as_str()))?;
     unique("contact", spec.contacts.iter().map(|contact| contact.name.as_str()))?;
     unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
-    let tree = build_tree(spec)?;
+    let mut tree = build_tree(spec)?;
     let mut q = vec![0.0; tree.positions];
     let mut v = vec![0.0; tree.velocities];
     for (body, given) in tree.bodies.iter().zip(&spec.bodies) {
@@ -69,6 +72,10 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     start.update(&tree, &q);
     let Built { constraints, groups, seats } = build_constraints(spec, &tree, &start)?;
     let rows = Rows::new(&constraints);
+    let coils = places_of_coils(spec, &tree, &constraints, &rows);
+    tree.supplies = coils.len();
+    tree.positions += coils.len();
+    q.resize(tree.positions, 0.0);
     let rigid: Vec<usize> = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let is_rope_row = |row: &usize| matches!(rows.laws[*row], Law::Unilateral { .. });
     let inextensible = rigid.iter().copied().filter(is_rope_row).collect();
@@ -113,6 +120,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         first_brake,
         motors,
         flows,
+        coils,
         adjusters,
         drives,
         driven,
@@ -203,6 +211,7 @@ fn first_state(
         modes: vec![Mode::Slack; rows],
         memory: vec![0.0; rows],
         seats,
+        coils: vec![Coil::new(0.0); system.coils.len()],
         next_step: 0.0,
         restart: true,
         engaged: false,
@@ -261,6 +270,12 @@ fn first_state(
     }
     for pinning in system.pins.iter().filter(|pinning| pinning.starts_in) {
         state.modes[system.rows.first[pinning.pin]] = Mode::Acting;
+    }
+    if !system.coils.is_empty() {
+        frame.update(system, &state);
+    }
+    for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
+        coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
     }
     let kinetic = 0.5 * frame.mass.quadratic(&state.v);
     let gravity = gravity_energy(system, &frame.kinematics);

@@ -2,8 +2,8 @@
 
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
-use crate::plan::{Cut, Due, Move, Pinning, Step, Until};
-use crate::spec::{AxisJointSpec, BodySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
+use crate::plan::{Cut, Due, Emergency, Move, Pinning, Step, Until};
+use crate::spec::{AxisJointSpec, BodySpec, EmergencySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
 use crate::system::{ContactGroup, DriveJoint};
 use crate::tree::Tree;
 
@@ -61,7 +61,20 @@ pub(super) fn build_step(
         positive(name, "the acceleration", motion.acceleration)?;
         positive(name, "the speed", motion.velocity.abs())?;
         let (velocity, acceleration, shape) = (motion.velocity, motion.acceleration, motion.shape);
-        moves.push(Move { drive, velocity, acceleration, shape });
+        let emergency = match &motion.emergency {
+            Some(EmergencySpec { acceleration, brake }) => {
+                positive(name, "the acceleration of an emergency stop", *acceleration)?;
+                if let Some(brake) = brake {
+                    positive(name, "the capacity of a brake", *brake)?;
+                    if !drives[drive].is_limited {
+                        return error(name, "a brake takes the place of a motor with a capacity");
+                    }
+                }
+                Some(Emergency { acceleration: *acceleration, brake: *brake })
+            }
+            None => None,
+        };
+        moves.push(Move { drive, velocity, acceleration, shape, emergency });
     }
     let until = match &given.until {
         UntilSpec::BrakeFrom { time } => Until::BrakeFrom(*time),

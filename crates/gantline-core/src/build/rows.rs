@@ -3,6 +3,7 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::brakes::build_brakes;
+use super::coils::check_drum;
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
@@ -48,8 +49,10 @@ pub(super) fn build_constraints(
 ) -> Result<Built, BuildError> {
     let mut constraints = Vec::with_capacity(spec.ropes.len() + spec.contacts.len());
     let mut seats = Vec::new();
+    let mut coils = 0;
     for given in &spec.ropes {
-        constraints.push(AnyConstraint::Rope(build_rope(given, tree, start, &mut seats)?));
+        let rope = build_rope(given, tree, start, (&mut seats, &mut coils))?;
+        constraints.push(AnyConstraint::Rope(rope));
     }
     let brakes = build_brakes(spec, tree, &constraints)?;
     let mut groups: Vec<ContactGroup> = Vec::new();
@@ -80,14 +83,22 @@ pub(super) fn flow_named<'a>(element: &str, tree: &'a Tree, name: &str) -> Resul
     Ok(body)
 }
 
-/// What feeds the spans on both sides of a guide: name of the flow, and ∂L/∂s before and after the guide.
-type FeedSpec<'a> = (&'a String, f64, f64);
+/// What feeds the spans on both sides of a guide.
+#[derive(Clone, Copy)]
+struct FeedSpec<'a> {
+    /// Name of the flow.
+    flow: &'a String,
+    /// ∂L/∂s before and after the guide.
+    rates: [f64; 2],
+    /// Number of its coil, of a drum.
+    coil: Option<usize>,
+}
 
 fn build_guide<'a>(
     name: &str,
     given: &'a GuideSpec,
     tree: &Tree,
-    seat: usize,
+    (seat, coil): (usize, usize),
 ) -> Result<(Guide, Option<FeedSpec<'a>>), BuildError> {
     Ok(match given {
         GuideSpec::End { body, at, drum } => {
@@ -96,7 +107,8 @@ fn build_guide<'a>(
             let feed = match drum {
                 Some(drum) => {
                     finite(name, "the rate of its drum", &[drum.rate])?;
-                    Some((&drum.flow, drum.rate, drum.rate))
+                    check_drum(name, drum)?;
+                    Some(FeedSpec { flow: &drum.flow, rates: [1.0; 2], coil: Some(coil) })
                 }
                 None => None,
             };
@@ -111,7 +123,7 @@ fn build_guide<'a>(
                 leave: Attachment { body, at: DVec3::from_array(*leave) },
                 bulge: unit(name, "the bulge of a sheave", *bulge)?,
             };
-            (guide, flow.as_ref().map(|flow| (flow, -1.0, 1.0)))
+            (guide, flow.as_ref().map(|flow| FeedSpec { flow, rates: [-1.0, 1.0], coil: None }))
         }
         GuideSpec::Eye { body, at } => {
             finite(name, "a point of its route", at)?;
@@ -133,7 +145,7 @@ fn build_guide<'a>(
             let axis = unit(name, "the axis of a sheave", *axis)?;
             let (radius, may_lift_off) = (*radius, *may_lift_off);
             let guide = Guide::Sheave { centre, axis, radius, seat, may_lift_off, mark: None };
-            (guide, flow.as_ref().map(|flow| (flow, -1.0, 1.0)))
+            (guide, flow.as_ref().map(|flow| FeedSpec { flow, rates: [-1.0, 1.0], coil: None }))
         }
     })
 }
@@ -193,8 +205,11 @@ fn build_spans(
     (tree, start, seats): (&Tree, &Kinematics, &[Seat]),
 ) -> Result<Vec<Span>, BuildError> {
     let feed = |given: &FeedSpec, rate: f64| {
-        let body = flow_named(name, tree, given.0)?;
-        Ok(Feed { dof: body.first_velocity, position: body.first_position, entry: 0, rate })
+        let body = flow_named(name, tree, given.flow)?;
+        let (dof, coil) = (body.first_velocity, given.coil);
+        let position = coil.map_or(body.first_position, |coil| tree.positions + coil);
+        let increment = coil.map_or(dof, |coil| tree.velocities + coil);
+        Ok(Feed { dof, position, increment, coil, entry: 0, rate })
     };
     let mut spans = Vec::new();
     let mut from = 0;
@@ -207,13 +222,15 @@ fn build_spans(
         let arcs = inner + 0.5 * outer;
         let mut span = Span { parts: from..index, arcs, length: 0.0, feeds: Vec::new() };
         if let Some(before) = &feeds[from] {
-            span.feeds.push(feed(before, before.2)?);
+            span.feeds.push(feed(before, before.rates[1])?);
         }
         if let Some(after) = given {
-            span.feeds.push(feed(after, after.1)?);
+            span.feeds.push(feed(after, after.rates[0])?);
         }
         if let [one, other] = &mut span.feeds[..]
             && one.dof == other.dof
+            && one.coil.is_none()
+            && other.coil.is_none()
         {
             one.rate += other.rate;
             span.feeds.pop();
@@ -256,17 +273,18 @@ fn take_seats(route: &Route, start: &Kinematics, seats: &mut [Seat]) {
     }
 }
 
-/// A rope; `seats` grows by those of its sheaves, as they lie at the start.
+/// A rope; `seats` grows by those of its sheaves, as they lie at the start, and `coils` by its ends on drums.
 fn build_rope(
     given: &RopeSpec,
     tree: &Tree,
     start: &Kinematics,
-    seats: &mut Vec<Seat>,
+    (seats, coils): (&mut Vec<Seat>, &mut usize),
 ) -> Result<Rope, BuildError> {
     let name = &given.name;
     let (mut guides, mut feeds) = (Vec::new(), Vec::new());
     for guide in &given.route {
-        let (guide, feed) = build_guide(name, guide, tree, seats.len())?;
+        let (guide, feed) = build_guide(name, guide, tree, (seats.len(), *coils))?;
+        *coils += usize::from(feed.is_some_and(|feed| feed.coil.is_some()));
         if let Guide::Sheave { .. } = guide {
             seats.push(Seat::default());
         }

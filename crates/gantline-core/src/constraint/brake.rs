@@ -150,12 +150,12 @@ impl Brake {
 
     /// How the bound answers to the flows, by entry of the row: they change the lengths of the spans, ∂w/∂L = −w/2L.
     /// What a change of the wrap does to that of a groove is left to the stages of a step, which evaluate it.
-    pub fn add_slopes(&self, at: At, force: &[f64], mut add: impl FnMut(usize, f64)) {
+    pub fn add_slopes(&self, at: At, feeding: &[f64], force: &[f64], mut add: impl FnMut(usize, f64)) {
         let share = self.grip.share(at.kinematics, at.seats);
         for (row, span) in &self.spans {
             let slope = -0.5 * share * force[*row].max(0.0) * span.scale(at.q) / span.unstretched(at.q);
             for feed in &span.feeds {
-                add(feed.entry, slope * feed.rate);
+                add(feed.entry, slope * feed.speed_rate(feeding));
             }
         }
     }

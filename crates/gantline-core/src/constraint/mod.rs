@@ -108,6 +108,8 @@ pub struct Placed<'a> {
     pub q: &'a [f64],
     /// How ropes lie on their sheaves.
     pub seats: &'a [Seat],
+    /// Unstretched rope that coils on drums let go per velocity of their flows; not used for values and gradients.
+    pub feeding: &'a [f64],
 }
 
 /// Where everything is and how it moves.
@@ -144,7 +146,8 @@ pub trait Constraint {
     /// [`Constraint::evaluate`].
     fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]);
 
-    /// Rates ġ under other velocities of the bodies, with the lines as they were located.
+    /// Rates ġ under other velocities of the bodies and increments `v` of the coordinates per time, with the lines as
+    /// they were located.
     fn rates(&self, twists: &[Twist], v: &[f64], lines: &[Line], rate: &mut [f64]);
 
     /// Takes the forces T of the rows from what the joints of the bodies have to transmit (about their origins).

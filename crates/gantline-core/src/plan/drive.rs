@@ -76,6 +76,9 @@ impl Ramp {
 pub struct Timeline {
     start: f64,
     ramps: Vec<Ramp>,
+    /// From when on a brake of which capacity holds in place of a motor [s, N].
+    #[serde(default)]
+    braked: Option<(f64, f64)>,
 }
 
 impl Timeline {
@@ -83,11 +86,22 @@ impl Timeline {
     pub fn copy_from(&mut self, other: &Self) {
         self.start = other.start;
         self.ramps.clone_from(&other.ramps);
+        self.braked = other.braked;
     }
 
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
-        Self { start, ramps: Vec::with_capacity(ramps) }
+        Self { start, ramps: Vec::with_capacity(ramps), braked: None }
+    }
+
+    /// Throws in a brake of the given capacity [N] at the time `at` [s]; it holds until the drive moves again.
+    pub fn brake(&mut self, at: f64, capacity: f64) {
+        self.braked = Some((at, capacity));
+    }
+
+    /// Capacity of the brake that is in at `time` [s] [N]; none where the motor drives.
+    pub fn braked(&self, time: f64) -> Option<f64> {
+        self.braked.filter(|(from, _)| *from <= time).map(|(_, capacity)| capacity)
     }
 
     /// Where the drive is at `time` [s].
@@ -123,6 +137,7 @@ impl Timeline {
     pub fn ramp(&mut self, at: f64, duration: f64, velocity: f64, shape: RampShape) -> f64 {
         let Motion { position, velocity: from, .. } = self.motion(at);
         self.ramps.retain(|ramp| ramp.at < at);
+        self.braked = None;
         self.ramps.push(Ramp { at, duration, from, to: velocity, position, shape });
         at + duration
     }

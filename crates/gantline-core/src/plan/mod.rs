@@ -6,5 +6,5 @@ pub mod operation;
 pub mod pinning;
 
 pub use cut::{Cut, Due};
-pub use operation::{Move, PlanState, Step, Until};
+pub use operation::{Emergency, Move, PlanState, Step, Until};
 pub use pinning::Pinning;

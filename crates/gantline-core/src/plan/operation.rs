@@ -17,6 +17,17 @@ pub struct Move {
     pub acceleration: f64,
     /// Course of the ramps.
     pub shape: RampShape,
+    /// Acceleration with which it brakes at the end, where that is another, and what holds it from then on [N].
+    pub emergency: Option<Emergency>,
+}
+
+/// How a drive is stopped in an emergency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Emergency {
+    /// With which it is asked to stop [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// What the brake holds [N]; none is the motor's capacity.
+    pub brake: Option<f64>,
 }
 
 /// What ends a step; drives then brake to rest.
@@ -167,13 +178,13 @@ impl PlanState {
     fn begin(&mut self, step: &Step, begin: f64) -> Phase {
         if let Until::Distance(distance) = step.until {
             let end = step.moves.iter().map(|motion| {
-                let Move { drive, velocity, acceleration, shape } = *motion;
+                let Move { drive, velocity, acceleration, shape, .. } = *motion;
                 self.timelines[drive].travel(begin, distance, velocity, acceleration, shape)
             });
             return Phase::UntilTime(end.fold(begin, f64::max));
         }
         for motion in &step.moves {
-            let Move { drive, velocity, acceleration, shape } = *motion;
+            let Move { drive, velocity, acceleration, shape, .. } = *motion;
             self.timelines[drive].change(begin, velocity, acceleration, shape);
         }
         match step.until {
@@ -185,10 +196,15 @@ impl PlanState {
     }
 
     fn brake(&mut self, step: &Step, at: f64) -> f64 {
-        let ends = step
-            .moves
-            .iter()
-            .map(|motion| self.timelines[motion.drive].change(at, 0.0, motion.acceleration, motion.shape));
+        let ends = step.moves.iter().map(|motion| {
+            let acceleration = motion.emergency.map_or(motion.acceleration, |stop| stop.acceleration);
+            let timeline = &mut self.timelines[motion.drive];
+            let end = timeline.change(at, 0.0, acceleration, motion.shape);
+            if let Some(brake) = motion.emergency.and_then(|stop| stop.brake) {
+                timeline.brake(at, brake);
+            }
+            end
+        });
         ends.fold(at, f64::max)
     }
 }

@@ -1,5 +1,6 @@
 //! Geometry and material of ropes. Knows no catalogue.
 
+pub mod coil;
 pub mod material;
 pub mod route;
 pub mod seat;

@@ -12,7 +12,7 @@
 
 use crate::audit::spring_energy;
 use crate::state::State;
-use crate::stepper::frame::Frame;
+use crate::stepper::frame::{Frame, Remembered};
 use crate::system::System;
 
 /// Adjusts the lengths of all groups by the tensions of `state`; `frame` follows, and the books have what the springs
@@ -37,6 +37,6 @@ pub fn adjust(system: &System, state: &mut State, frame: &mut Frame) {
     }
     if !system.adjusters.is_empty() {
         // Anew, and not by what has changed: a run that is taken up again evaluates them like that.
-        frame.rows(system, &state.q, &state.memory, &state.seats);
+        frame.rows(system, &state.q, &Remembered::of(state));
     }
 }

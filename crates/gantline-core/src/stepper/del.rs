@@ -29,10 +29,9 @@
 //! α, between ¼ and 1, damps K only where the step cannot follow ([`crate::solver::stiffness`]). c is taken at (v + v₊)/2, so a body that turns freely keeps its energy and angular momentum. With
 //! `paper`, K = 0; with constant M, D = 0, τ = 0 and all rows acting that is eq. (15) to the letter.
 
-use super::adjust;
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
-use super::{StepError, StepReport, parting, pinning, seats};
+use super::{StepError, StepReport, adjust, coils, parting, pinning, seats};
 use crate::clock::Stage;
 use crate::event::EventLog;
 use crate::record::Sample;
@@ -157,6 +156,9 @@ impl Del {
         }
         frame.mass.multiply(&self.increment, &mut self.momentum);
         self.kkt.stiffness.add_force(&self.middle, &state.v, -h * h, &mut self.momentum);
+        for (index, place) in system.coils.iter().enumerate() {
+            self.momentum[place.dof] += h * frame.coil_force(system, index);
+        }
         // c, which holds −f of gravity, at the mean velocity by fixed point.
         let mut scale = 0.0;
         for round in 0..BIAS_ROUNDS {
@@ -209,6 +211,7 @@ impl Del {
         flow.book(system, state, frame, &mut self.increment);
         flow.change(state).events(system, state, log);
         flow.remember(system, state, frame);
+        coils::supply(system, state, frame, &self.v, h);
         for (increment, velocity) in self.increment.iter_mut().zip(&self.v) {
             *increment = h * velocity;
         }
@@ -216,6 +219,8 @@ impl Del {
         state.steps += 1;
         state.time = end;
         flows::set_driven(system, state);
+        coils::remember(system, state, frame);
+        coils::turn(system, state);
         frame.update(system, state);
         if !system.sheaves.is_empty() {
             let mut values = frame.value.iter().zip(&state.modes);

@@ -15,7 +15,7 @@
 use super::adjust::adjust;
 use super::flows::{self, Change, deflection, is_friction};
 use super::frame::Frame;
-use super::{StepError, StepReport};
+use super::{StepError, StepReport, coils};
 use crate::audit::spring_energy;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -146,10 +146,13 @@ impl Explicit {
         for (increment, velocity) in self.work.iter_mut().zip(&self.v) {
             *increment = h * velocity;
         }
+        coils::supply(system, state, frame, &self.v, h);
         system.tree.advance(&mut state.q, &self.work);
         let start = std::mem::replace(&mut state.time, end);
         state.steps += 1;
         flows::set_driven(system, state);
+        coils::remember(system, state, frame);
+        coils::turn(system, state);
         self.value.copy_from_slice(&frame.value);
         self.move_anchors(system, state);
         frame.update(system, state);
@@ -193,6 +196,9 @@ impl Explicit {
             for (dof, entry) in system.rows.entries(&frame.gradient, row) {
                 self.imbalance[dof] += entry * tension;
             }
+        }
+        for (index, place) in system.coils.iter().enumerate() {
+            self.imbalance[place.dof] -= frame.coil_force(system, index);
         }
         self.a.fill(0.0);
         for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {

@@ -85,6 +85,9 @@ impl StepFlows<'_> {
                 work[dof] += h * entry * self.rows.tension[row];
             }
         }
+        for (index, place) in system.coils.iter().enumerate() {
+            work[place.dof] -= h * frame.coil_force(system, index);
+        }
         for drive in system.drives.iter().filter(|drive| !drive.is_limited) {
             state.ledger.flows.drive_work += work[drive.dof] * self.v[drive.dof];
         }
@@ -257,6 +260,9 @@ pub fn interpolate(
     }
     sample.q.copy_from_slice(&before.q);
     system.tree.advance(&mut sample.q, increment);
+    for place in &system.coils {
+        sample.q[place.supply] += share * (after.q[place.supply] - before.q[place.supply]);
+    }
     let forces = before.tension.iter().zip(&after.tension);
     for (tension, (before, after)) in sample.tension.iter_mut().zip(forces) {
         *tension = before + share * (after - before);

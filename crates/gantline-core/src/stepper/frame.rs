@@ -1,12 +1,36 @@
 //! Everything that follows from a configuration: poses, mass matrix, rows and their gradients.
 
+use super::coils::Passing;
 use crate::clock::Stage;
 use crate::constraint::Placed;
+use crate::rope::coil::Coil;
 use crate::rope::seat::Seat;
+use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 use crate::tree::mass::MassMatrix;
+
+/// What a state remembers beside its motion, as far as rows depend on it.
+#[derive(Clone, Copy)]
+pub struct Remembered<'a> {
+    /// What rows remember.
+    pub memory: &'a [f64],
+    /// How ropes lie on their sheaves.
+    pub seats: &'a [Seat],
+    /// What drums have wound.
+    pub coils: &'a [Coil],
+    /// How rows take part.
+    pub modes: &'a [Mode],
+}
+
+impl<'a> Remembered<'a> {
+    /// That of a state.
+    pub fn of(state: &'a State) -> Self {
+        let State { memory, seats, coils, modes, .. } = state;
+        Self { memory, seats, coils, modes }
+    }
+}
 
 /// The system at one configuration. Reused from step to step.
 #[derive(Debug, Clone)]
@@ -19,6 +43,10 @@ pub struct Frame {
     pub value: Vec<f64>,
     /// ∂g/∂q, by [`crate::system::Rows`].
     pub gradient: Vec<f64>,
+    /// What passes the drums, by [`System::coils`].
+    pub passing: Vec<Passing>,
+    /// Unstretched rope that drums let go per velocity of their flows.
+    pub feeding: Vec<f64>,
 }
 
 impl Frame {
@@ -29,6 +57,8 @@ impl Frame {
             mass: MassMatrix::new(&system.tree),
             value: vec![0.0; system.rows.count()],
             gradient: vec![0.0; system.rows.dofs.len()],
+            passing: vec![Passing::default(); system.coils.len()],
+            feeding: vec![0.0; system.coils.len()],
         }
     }
 
@@ -43,21 +73,24 @@ impl Frame {
         self.kinematics.copy_from(&other.kinematics);
         self.value.copy_from_slice(&other.value);
         self.gradient.copy_from_slice(&other.gradient);
+        self.passing.copy_from_slice(&other.passing);
+        self.feeding.copy_from_slice(&other.feeding);
         system.clock.time(Stage::Assembly, || self.mass.update(&system.tree, &self.kinematics));
     }
 
     /// Evaluates poses and rows, not the mass matrix.
     fn update_rows(&mut self, system: &System, state: &State) {
-        let State { q, memory, seats, .. } = state;
+        let q = &state.q;
         system.clock.time(Stage::Kinematics, || self.kinematics.update(&system.tree, q));
-        system.clock.time(Stage::Assembly, || self.rows(system, q, memory, seats));
+        system.clock.time(Stage::Assembly, || self.rows(system, q, &Remembered::of(state)));
     }
 
     /// Evaluates rows at the poses, which belong to the configuration `q`.
-    pub fn rows(&mut self, system: &System, q: &[f64], memory: &[f64], seats: &[Seat]) {
+    pub fn rows(&mut self, system: &System, q: &[f64], by: &Remembered) {
+        let Remembered { memory, seats, .. } = *by;
         self.value.copy_from_slice(memory);
         let rows = &system.rows;
-        let at = Placed { tree: &system.tree, kinematics: &self.kinematics, q, seats };
+        let at = Placed { tree: &system.tree, kinematics: &self.kinematics, q, seats, feeding: &[] };
         for (constraint, first) in system.constraints.iter().zip(rows.first.windows(2)) {
             let entries = rows.start[first[0]]..rows.start[first[1]];
             constraint.evaluate(&at, &mut self.value[first[0]..first[1]], &mut self.gradient[entries]);
@@ -65,5 +98,7 @@ impl Frame {
         for &row in system.adjusters.iter().flat_map(|adjuster| &adjuster.rows) {
             self.value[row] -= memory[row];
         }
+        self.pass(system, q, by);
+        self.add_feeding(system);
     }
 }

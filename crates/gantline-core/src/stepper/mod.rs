@@ -2,6 +2,7 @@
 
 pub mod adaptive;
 pub mod adjust;
+pub mod coils;
 pub mod del;
 pub mod explicit;
 pub(crate) mod flows;

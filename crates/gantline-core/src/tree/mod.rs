@@ -63,8 +63,10 @@ pub struct Tree {
     pub bodies: Vec<Body>,
     /// Acceleration of gravity [m/s²], world axes.
     pub gravity: DVec3,
-    /// Length of q.
+    /// Length of q, with the supplies of drums at its end.
     pub positions: usize,
+    /// How many of these are supplies: coordinates that no joint has, each with an increment after those of the joints.
+    pub supplies: usize,
     /// Length of v.
     pub velocities: usize,
     /// What every degree of freedom is.
@@ -119,6 +121,7 @@ impl Tree {
             bodies,
             gravity,
             positions,
+            supplies: 0,
             velocities,
             motions,
             is_point,
@@ -136,11 +139,20 @@ impl Tree {
         body.map_or(&[], |body| &self.support[body])
     }
 
-    /// q ⊕ h v for the whole tree.
+    /// Length of an increment of q.
+    pub fn increments(&self) -> usize {
+        self.velocities + self.supplies
+    }
+
+    /// q ⊕ h v for the whole tree; without increments of the supplies these stay.
     pub fn advance(&self, q: &mut [f64], increment: &[f64]) {
         for body in &self.bodies {
             let positions = body.first_position..body.first_position + body.joint.positions();
             body.joint.advance(&mut q[positions], &increment[body.dofs()]);
+        }
+        let first = self.positions - self.supplies;
+        for (q, increment) in q[first..].iter_mut().zip(&increment[self.velocities..]) {
+            *q += increment;
         }
     }
 }

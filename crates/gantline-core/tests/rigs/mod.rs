@@ -173,7 +173,12 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
     if index == 0 {
         route.push(middle);
     }
-    let drum = (index == 0).then(|| DrumSpec { flow: "drum".into(), rate: 0.4 });
+    let drum = (index == 0).then(|| DrumSpec {
+        flow: "drum".into(),
+        rate: 0.4,
+        laid_under: Some(5e3), // a strain of 5 %
+        layers: None,
+    });
     route.push(GuideSpec::End { body: body(draw), at: draw.scaled(4.0), drum });
     RopeSpec {
         name: format!("r{index}"),
@@ -196,9 +201,14 @@ pub fn built(seeds: &[f64]) -> (System, State, Frame) {
 /// The rig after every coordinate has moved by `scale` · `direction`.
 pub fn moved(system: &System, state: &State, direction: &[f64], scale: f64) -> (State, Frame) {
     let mut state = state.clone();
-    let increment: Vec<f64> = direction.iter().map(|x| scale * x).collect();
-    system.tree.advance(&mut state.q, &increment);
+    let mut increment: Vec<f64> = direction.iter().map(|x| scale * x).collect();
     let mut frame = Frame::new(system);
+    frame.update(system, &state);
+    // What drums let go moves along with them.
+    increment.extend(
+        system.coils.iter().zip(&frame.feeding).map(|(coil, feeding)| scale * feeding * direction[coil.dof]),
+    );
+    system.tree.advance(&mut state.q, &increment);
     frame.update(system, &state);
     (state, frame)
 }
@@ -326,7 +336,7 @@ pub fn sheave_rig(seeds: &[f64], passage: Passage) -> Option<(System, State, Fra
         GuideSpec::End {
             body: body(&mut draw),
             at: draw.scaled(3.0),
-            drum: Some(DrumSpec { flow: "drum".into(), rate: 0.4 }),
+            drum: Some(DrumSpec { flow: "drum".into(), rate: 0.4, laid_under: None, layers: None }),
         },
     ];
     let material = MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 };

@@ -218,7 +218,7 @@ impl Constraint for Rope {
     fn rates(&self, twists: &[Twist], v: &[f64], lines: &[Line], rate: &mut [f64]) {
         for (span, rate) in self.spans.iter().zip(rate) {
             let lines = &lines[span.parts.clone()];
-            *rate = self.rate_of(span, twists, lines) + lines[0].supply * span.speed(v);
+            *rate = self.rate_of(span, twists, lines) + lines[0].supply * span.supply_of(v);
         }
     }
 
@@ -241,7 +241,7 @@ impl Constraint for Rope {
     fn feed(&self, tension: &[f64], lines: &[Line], force: &mut [f64]) {
         for (span, tension) in self.spans.iter().zip(tension) {
             let pull = tension * lines[span.parts.start].supply;
-            for feed in &span.feeds {
+            for feed in span.feeds.iter().filter(|feed| feed.coil.is_none()) {
                 force[feed.dof] += pull * feed.rate;
             }
         }
@@ -264,7 +264,8 @@ impl Constraint for Rope {
                     *entry *= stretch.scale;
                 }
                 for feed in &span.feeds {
-                    gradient[feed.entry] = stretch.supply * feed.rate;
+                    // What a drum does depends on what it has wound: see [`crate::stepper::coils`].
+                    gradient[feed.entry] = if feed.coil.is_some() { 0.0 } else { stretch.supply * feed.rate };
                 }
             }
             first += dofs.len();
@@ -309,7 +310,7 @@ impl Constraint for Rope {
         let mut across = |entry: f64| {
             let entry = if is_there { entry } else { 0.0 };
             for (k, feed) in span.feeds.iter().enumerate() {
-                let value = -0.5 * scale / unstretched * entry * feed.rate;
+                let value = -0.5 * scale / unstretched * entry * feed.speed_rate(at.feeding);
                 block[j * size + moved + k] = value;
                 block[(moved + k) * size + j] = value;
             }
@@ -322,7 +323,8 @@ impl Constraint for Rope {
         let own = if group == span.parts.start { scale / unstretched * (1.0 + 0.75 * strain) } else { 0.0 };
         for (j, one) in span.feeds.iter().enumerate() {
             for (k, other) in span.feeds.iter().enumerate() {
-                block[(moved + j) * size + moved + k] = own * one.rate * other.rate;
+                let rates = one.speed_rate(at.feeding) * other.speed_rate(at.feeding);
+                block[(moved + j) * size + moved + k] = own * rates;
             }
         }
     }

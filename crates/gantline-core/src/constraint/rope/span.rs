@@ -18,12 +18,23 @@ use std::ops::Range;
 pub struct Feed {
     /// Degree of freedom, one of a flow.
     pub dof: usize,
-    /// Its coordinate in q.
+    /// Its coordinate in q: of a flow, or of a drum's supply, the unstretched rope that it has let go.
     pub position: usize,
+    /// Where its increments stand among those of the coordinates.
+    pub increment: usize,
+    /// Number of the coil on a drum that feeds; none of a sheave.
+    pub coil: Option<usize>,
     /// Its entry in the gradients of the rope's rows.
     pub entry: usize,
-    /// ∂L/∂s: 1 into the span, −1 out of it, a drum's radius.
+    /// ∂L/∂s: 1 into the span, −1 out of it; of a drum's supply 1.
     pub rate: f64,
+}
+
+impl Feed {
+    /// ∂L̇/∂v of its degree of freedom; `feeding` is that of all coils.
+    pub fn speed_rate(&self, feeding: &[f64]) -> f64 {
+        self.coil.map_or(self.rate, |coil| feeding[coil])
+    }
 }
 
 /// A stretch of one tension.
@@ -82,9 +93,14 @@ impl Span {
         self.unstretched(q) - self.arcs <= 0.01 * self.length
     }
 
-    /// L̇ under the velocities `v` [m/s].
+    /// L̇ under the velocities `v` [m/s], but for what drums feed.
     #[inline]
     pub fn speed(&self, v: &[f64]) -> f64 {
-        self.feeds.iter().map(|feed| feed.rate * v[feed.dof]).sum()
+        self.feeds.iter().filter(|feed| feed.coil.is_none()).map(|feed| feed.rate * v[feed.dof]).sum()
+    }
+
+    /// What increments of the coordinates do to L.
+    pub fn supply_of(&self, increments: &[f64]) -> f64 {
+        self.feeds.iter().map(|feed| feed.rate * increments[feed.increment]).sum()
     }
 }

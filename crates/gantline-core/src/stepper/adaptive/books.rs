@@ -10,6 +10,7 @@ use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
+use crate::stepper::coils;
 use crate::system::System;
 
 /// Weights of the Gauss points among [`LOOKS`].
@@ -87,6 +88,12 @@ impl Adaptive {
                 *loss_kind(system, ledger, row) += duration * law.damping_time() / compliance * rate * rate;
             }
         }
+        for (index, place) in system.coils.iter().enumerate() {
+            let flow = probe.frame.coil_flow(system, index, v[place.dof]);
+            ledger.friction += duration * flow.friction;
+            // What the coils then come to hold is taken off again: see [`crate::stepper::coils::remember`].
+            ledger.method += duration * flow.held;
+        }
         // Where a contact slides, its anchor takes T α̇ and what is left of the motion stretches spring and damper.
         for (anchor_rate, &row) in probe.anchor_rate.iter().zip(&system.friction) {
             if state.modes[row] == Mode::Slipping {
@@ -100,6 +107,7 @@ impl Adaptive {
         for (defect, phi_rate) in self.rate.phi.iter_mut().zip(&probe.phi_rate) {
             *defect -= phi_rate;
         }
+        coils::follow(system, &state.coils, &probe.frame.feeding, &mut self.rate.phi);
         probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
         probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
         let anchors = self.rate.anchor.iter().zip(&probe.anchor_rate);
@@ -128,5 +136,6 @@ impl Adaptive {
             power -= body.mass * system.tree.gravity.dot(twist.at(*lever));
         }
         ledger.method -= duration * power;
+        self.look_at_coils(system, duration);
     }
 }

@@ -45,7 +45,7 @@ impl Weights {
         let (error, here) = (&rodas.course.error, &rodas.here);
         let free = |dof: &usize| system.driven[*dof].is_none();
         let mut position = 0.0_f64;
-        for dof in (0..error.phi.len()).filter(free) {
+        for dof in (0..error.v.len()).filter(free) {
             position = position.max((error.phi[dof] * self.arm[dof]).abs() / tolerance.position);
         }
         self.stiffness.fill(0.0);
@@ -61,6 +61,7 @@ impl Weights {
                 self.stiffness[dof] += entry * entry / law.compliance();
             }
             if matches!(law, Law::Unilateral { .. }) {
+                stretch += self.beside(system, rodas, row);
                 sum += (stretch / law.compliance()).powi(2);
                 count += 1.0;
             }
@@ -96,6 +97,17 @@ impl Weights {
             return f64::INFINITY;
         }
         position.max(tension).max(velocity)
+    }
+
+    /// What the errors of supplies do to a row beside those of the drums' flows.
+    fn beside(&self, system: &System, rodas: &Rodas, row: usize) -> f64 {
+        let (error, frame) = (&rodas.course.error, &rodas.here.frame);
+        let own = system.coils.iter().enumerate().filter(|(_, place)| place.row == row);
+        let terms = own.map(|(index, place)| {
+            let supply = error.phi[error.v.len() + index];
+            frame.passing[index].supply * (supply - frame.feeding[index] * error.phi[place.dof])
+        });
+        terms.sum()
     }
 
     /// Name of the element with the largest error.

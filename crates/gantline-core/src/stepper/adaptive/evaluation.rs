@@ -16,11 +16,13 @@ use crate::clock::Stage;
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
 use crate::plan::drive::Timeline;
+use crate::rope::coil::Coil;
 use crate::rope::route::Attachment;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
-use crate::stepper::frame::Frame;
+use crate::stepper::coils;
+use crate::stepper::frame::{Frame, Remembered};
 use crate::system::System;
 use crate::tree::Body;
 use crate::tree::bias::NewtonEuler;
@@ -52,6 +54,8 @@ pub struct Evaluation {
     pub bound: Vec<f64>,
     /// Velocity that the drive of a motor asks for, by the row of its brake [m/s]; 0 for other rows.
     pub asked: Vec<f64>,
+    /// What a brake holds in place of a motor, by its row [N].
+    pub held: Vec<Option<f64>>,
     /// α̇ of the anchors of sliding contacts [m/s], by [`System::friction`].
     pub anchor_rate: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
@@ -70,7 +74,7 @@ impl Evaluation {
             q: vec![0.0; system.tree.positions],
             frame: Frame::new(system),
             dynamics: NewtonEuler::new(&system.tree),
-            phi_rate: vec![0.0; size],
+            phi_rate: vec![0.0; system.tree.increments()],
             rate: vec![0.0; rows],
             trial: vec![0.0; rows],
             tension: vec![0.0; rows],
@@ -78,6 +82,7 @@ impl Evaluation {
             pull: vec![0.0; system.rigid.len()],
             bound: vec![0.0; rows],
             asked: vec![0.0; rows],
+            held: vec![None; rows],
             anchor_rate: vec![0.0; system.friction.len()],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
@@ -90,7 +95,7 @@ impl Evaluation {
         self.place(system, at);
         system.clock.time(Stage::Assembly, || {
             self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
-            self.locate(system, at);
+            self.locate(system, at, modes);
             self.tensions(system, at, modes);
         });
     }
@@ -103,7 +108,7 @@ impl Evaluation {
 
     fn add_forces(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.locate(system, at);
+        self.locate(system, at, modes);
         self.tensions(system, at, modes);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
@@ -119,6 +124,10 @@ impl Evaluation {
             let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
             system.constraints[index].feed(tension, lines, &mut self.imbalance);
         }
+        for (index, place) in system.coils.iter().enumerate() {
+            let pull = self.frame.passing[index].supply * self.frame.feeding[index];
+            self.imbalance[place.dof] += self.tension[place.row] * pull;
+        }
     }
 
     /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
@@ -129,7 +138,7 @@ impl Evaluation {
 
     fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
-        self.frame.rows(system, &self.q, at.memory, at.seats);
+        self.frame.rows(system, &self.q, &at.remembered(modes));
         self.move_anchors(system, at);
         for (row, rate) in self.rate.iter_mut().enumerate() {
             *rate = system.rows.rate(&self.frame.gradient, row, at.v);
@@ -150,12 +159,13 @@ impl Evaluation {
         system.clock.time(Stage::Kinematics, || {
             self.q.copy_from_slice(at.base);
             system.tree.advance(&mut self.q, at.phi);
+            coils::place(system, at.coils, &mut self.q);
             self.frame.kinematics.update(&system.tree, &self.q);
         });
     }
 
     /// Values and rates of the rows from the motion of the bodies.
-    fn locate(&mut self, system: &System, at: &Point) {
+    fn locate(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.frame.value.copy_from_slice(at.memory);
         let rows = &system.rows;
         for (index, constraint) in system.constraints.iter().enumerate() {
@@ -166,6 +176,11 @@ impl Evaluation {
             let value = &mut self.frame.value[own.clone()];
             constraint.locate(&moving, value, &mut self.rate[own], lines);
         }
+        self.frame.pass(system, &self.q, &at.remembered(modes));
+        for (index, place) in system.coils.iter().enumerate() {
+            let pull = self.frame.passing[index].supply * self.frame.feeding[index];
+            self.rate[place.row] += pull * at.v[place.dof];
+        }
         self.move_anchors(system, at);
         self.follow(system, at);
     }
@@ -173,7 +188,9 @@ impl Evaluation {
     /// Rates of motors against what their drives ask for.
     fn follow(&mut self, system: &System, at: &Point) {
         for &(row, drive) in &system.motors {
-            self.asked[row] = at.schedule.timelines[drive].motion(at.schedule.time).velocity;
+            let timeline = &at.schedule.timelines[drive];
+            self.asked[row] = timeline.motion(at.schedule.time).velocity;
+            self.held[row] = timeline.braked(at.schedule.time);
             self.rate[row] -= self.asked[row];
         }
     }
@@ -223,7 +240,9 @@ impl Evaluation {
                 let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
                 let (q, kinematics, seats) = (self.q.as_slice(), &self.frame.kinematics, at.seats);
                 let driven = -direction * at.v[brake.dof];
-                self.bound[row] = brake.bound(At { q, kinematics, seats }, &self.tension, driven);
+                let at_here = At { q, kinematics, seats };
+                self.bound[row] =
+                    self.held[row].unwrap_or_else(|| brake.bound(at_here, &self.tension, driven));
                 self.tension[row] = if slips { self.bound[row] * direction } else { self.trial[row] };
             }
         }
@@ -261,7 +280,12 @@ impl Evaluation {
                 self.pull[index] -= timelines[drive].acceleration(from, time).0;
             }
         }
-        self.phi_rate.copy_from_slice(at.v);
+        let (joints, supplies) = self.phi_rate.split_at_mut(at.v.len());
+        joints.copy_from_slice(at.v);
+        for (index, (place, rate)) in system.coils.iter().zip(supplies).enumerate() {
+            *rate = self.frame.feeding[index] * at.v[place.dof];
+            self.imbalance[place.dof] -= self.frame.coil_force(system, index);
+        }
         for &first in &self.rotations {
             let range = first..first + 3;
             let phi = DVec3::from_slice(&at.phi[range.clone()]);
@@ -313,7 +337,9 @@ pub struct Point<'a> {
     pub memory: &'a [f64],
     /// How ropes lie on their sheaves.
     pub seats: &'a [Seat],
-    /// φ.
+    /// What drums have wound.
+    pub coils: &'a [Coil],
+    /// φ, with the supplies of drums.
     pub phi: &'a [f64],
     /// v.
     pub v: &'a [f64],
@@ -329,8 +355,23 @@ impl<'a> Point<'a> {
     /// At an increment from `state`, where a step starts, `elapsed` [s] later.
     pub fn of(state: &'a State, by: &'a Increment, elapsed: f64) -> Self {
         let Increment { phi, v, a, rigid, anchor } = by;
-        let State { q: base, memory, seats, .. } = state;
-        Self { schedule: Schedule::after(state, elapsed), base, memory, seats, phi, v, a, rigid, anchor }
+        let State { q: base, memory, seats, coils, .. } = state;
+        Self {
+            schedule: Schedule::after(state, elapsed),
+            base,
+            memory,
+            seats,
+            coils,
+            phi,
+            v,
+            a,
+            rigid,
+            anchor,
+        }
+    }
+
+    fn remembered(&self, modes: &'a [Mode]) -> Remembered<'a> {
+        Remembered { memory: self.memory, seats: self.seats, coils: self.coils, modes }
     }
 }
 

@@ -19,10 +19,10 @@ mod spins;
 mod switching;
 mod tableau;
 pub mod tangent;
+mod winding;
 
-use super::flows;
 use super::frame::Frame;
-use super::{StepError, StepReport, parting, pinning, seats};
+use super::{StepError, StepReport, coils, flows, parting, pinning, seats};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -37,6 +37,7 @@ use crate::tree::kinematics::Twist;
 use evaluation::{Evaluation, Point};
 use looks::Looks;
 use rodas::{Increment, Rodas};
+use winding::Paid;
 
 /// What an error may be in one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,6 +100,8 @@ pub struct Adaptive {
     /// or came back.
     wraps: Vec<Winding>,
     crossings: Vec<f64>,
+    /// What the looks see of the drums, by [`System::coils`].
+    paid: Vec<Paid>,
     /// What was wound a moment ago.
     unwound: Vec<Winding>,
     /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
@@ -134,6 +137,7 @@ impl Adaptive {
             wraps: vec![Winding::default(); system.sheaves.len()],
             unwound: vec![Winding::default(); system.sheaves.len()],
             crossings: vec![0.0; system.sheaves.len()],
+            paid: vec![Paid::default(); system.coils.len()],
             taut: Vec::with_capacity(system.rigid.len()),
             current: false,
             made: 1.0,
@@ -247,8 +251,13 @@ impl Adaptive {
             state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
             state.v[dof] = timeline.motion(state.time).velocity;
         }
+        self.current &= !coils::turn(system, state);
         loop {
             self.settle_forces(system, state, frame)?;
+            if coils::turn(system, state) {
+                self.current = false;
+                self.settle_forces(system, state, frame)?;
+            }
             // What the forces are now may break a rope, and that change the forces.
             if !parting::break_ropes(system, state, frame, log) {
                 break;
@@ -309,13 +318,15 @@ impl Adaptive {
         }
         // The last look was at the end of the step: it is the start of the next.
         std::mem::swap(&mut self.next, &mut self.rodas.here);
+        self.book_pieces(system, state);
         let here = &mut self.rodas.here;
         state.q.copy_from_slice(&here.q);
         // There φ counts from here: φ̇ = v.
-        here.phi_rate.copy_from_slice(&state.v);
+        here.phi_rate[..state.v.len()].copy_from_slice(&state.v);
         self.current = true;
         self.book_springs(system, state, 1.0);
         state.ledger.flows += std::mem::take(&mut self.flows);
+        coils::remember(system, state, &self.rodas.here.frame);
         self.note_taut(system, state);
         self.rate.v.copy_from_slice(&state.v);
         if self.follow_seats(system, state, log, (start, length)) {

@@ -37,6 +37,7 @@ use crate::constraint::Law;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
+use crate::stepper::coils;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 
@@ -60,7 +61,13 @@ impl Increment {
     pub fn zero(system: &System) -> Self {
         let size = system.tree.velocities;
         let (rigid, anchor) = (vec![0.0; system.rigid.len()], vec![0.0; system.friction.len()]);
-        Self { phi: vec![0.0; size], v: vec![0.0; size], a: vec![0.0; size], rigid, anchor }
+        Self {
+            phi: vec![0.0; system.tree.increments()],
+            v: vec![0.0; size],
+            a: vec![0.0; size],
+            rigid,
+            anchor,
+        }
     }
 
     fn set(&mut self, weights: &[f64], terms: &[Self], base: &Self) {
@@ -113,6 +120,8 @@ impl Course {
         let [z1, z2, z3] = &self.dense;
         for k in 0..out.phi.len() {
             out.phi[k] = mix(k, 0.0, &self.end.phi, [&z1.phi, &z2.phi, &z3.phi]);
+        }
+        for k in 0..out.v.len() {
             out.v[k] = mix(k, self.start.v[k], &self.end.v, [&z1.v, &z2.v, &z3.v]);
             out.a[k] = mix(k, self.start.a[k], &self.end.a, [&z1.a, &z2.a, &z3.a]);
         }
@@ -132,11 +141,13 @@ impl Course {
         let [z1, z2, z3] = &self.dense;
         for k in 0..out.phi.len() {
             let phi = self.end.phi[k] + slopes[0] * z1.phi[k] + slopes[1] * z2.phi[k] + slopes[2] * z3.phi[k];
+            out.phi[k] = phi / self.h;
+        }
+        for k in 0..out.v.len() {
             let v = self.end.v[k] - self.start.v[k]
                 + slopes[0] * z1.v[k]
                 + slopes[1] * z2.v[k]
                 + slopes[2] * z3.v[k];
-            out.phi[k] = phi / self.h;
             out.v[k] = v / self.h;
         }
         for k in 0..out.anchor.len() {
@@ -188,7 +199,7 @@ impl Rodas {
             k: vec![zero(); STAGES],
             point: zero(),
             none: zero(),
-            r: vec![0.0; size],
+            r: vec![0.0; system.tree.increments()],
             rho: vec![0.0; size],
             slid: vec![0.0; system.friction.len()],
             sum: vec![0.0; size],
@@ -208,6 +219,7 @@ impl Rodas {
             base: &state.q,
             memory: &state.memory,
             seats: &state.seats,
+            coils: &state.coils,
             phi: &self.none.phi,
             v: &state.v,
             a: &state.acceleration,
@@ -260,6 +272,8 @@ impl Rodas {
             for (tension, &row) in k.rigid.iter_mut().zip(&system.rigid) {
                 *tension = self.matrix.row_solution(row) / kappa;
             }
+            let Increment { phi, v, .. } = k;
+            self.matrix.coils.increments(system, &self.here.frame, kappa, (phi, v, &self.r));
             self.slide(system, state, stage, kappa);
         }
         self.finish(h);
@@ -276,6 +290,7 @@ impl Rodas {
             add(&mut self.r, weight / h, &k.phi);
             add(&mut self.rho, weight / h, &k.v);
         }
+        coils::follow(system, &state.coils, &self.here.frame.feeding, &mut self.r);
         for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let dof = drive.dof;
             let (now, _) = timeline.acceleration(state.time, state.time + TIMES[stage] * h);
@@ -287,7 +302,7 @@ impl Rodas {
             self.sum[dof] = kappa * self.rho[dof] + self.r[dof];
         }
         mass.multiply(&self.sum, &mut self.force);
-        self.matrix.add_damping(system, mass, &self.r, kappa, &mut self.force);
+        self.matrix.add_damping(system, mass, &self.r[..self.sum.len()], kappa, &mut self.force);
         for (force, imbalance) in self.force.iter_mut().zip(&at.imbalance) {
             *force -= kappa * imbalance;
         }
@@ -299,6 +314,14 @@ impl Rodas {
                 }
                 _ => 0.0,
             };
+        }
+        for (index, place) in system.coils.iter().enumerate() {
+            if state.modes[place.row] == Mode::Acting {
+                let feeding = self.here.frame.feeding[index];
+                let beside = self.r[self.sum.len() + index] - feeding * self.r[place.dof];
+                let known = (kappa, beside);
+                self.rows[place.row] -= self.matrix.coils.known(system, &self.here.frame, index, known);
+            }
         }
         for (index, &row) in system.friction.iter().enumerate() {
             if state.modes[row] == Mode::Slipping {
@@ -319,7 +342,7 @@ impl Rodas {
             self.rows[row] += kappa * h * D[stage] * jerk;
         }
         for &(row, _) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Slipping) {
-            if let Some(brake) = brake_of(system, row) {
+            if let (Some(brake), None) = (brake_of(system, row), self.here.held[row]) {
                 let driven = -state.memory[row] * state.v[brake.dof];
                 self.rows[row] = -kappa * brake.slope(driven) * self.r[brake.dof];
             }
@@ -367,9 +390,11 @@ impl Rodas {
         *length = h;
         let last = &self.k[STAGES - 1];
         for dof in 0..self.x.len() {
-            end.phi[dof] = self.point.phi[dof] + last.phi[dof];
             end.v[dof] = self.point.v[dof] + last.v[dof];
             end.a[dof] = self.point.a[dof] + last.a[dof];
+        }
+        for (end, (point, last)) in end.phi.iter_mut().zip(self.point.phi.iter().zip(&last.phi)) {
+            *end = point + last;
         }
         error.phi.copy_from_slice(&last.phi);
         error.v.copy_from_slice(&last.v);

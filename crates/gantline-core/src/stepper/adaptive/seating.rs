@@ -116,7 +116,7 @@ impl Adaptive {
 }
 
 /// The least share up to `most` at which `crossed` holds, which it does at `most`.
-fn halve(most: f64, mut crossed: impl FnMut(f64) -> bool) -> f64 {
+pub(super) fn halve(most: f64, mut crossed: impl FnMut(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, most);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);

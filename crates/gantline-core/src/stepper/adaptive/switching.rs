@@ -2,6 +2,7 @@
 
 use super::books::WEIGHTS;
 use super::evaluation::{Evaluation, Point};
+use super::winding::Paid;
 use super::{Adaptive, LOOKS, SWITCHING};
 use crate::audit::Flows;
 use crate::constraint::brake::Brake;
@@ -25,6 +26,7 @@ impl Adaptive {
         let made = crossed.map_or(1.0, |look| self.cut(system, state, look, allowed));
         let made = self.condition(system, state, made);
         let made = self.seated_up_to(system, state, made);
+        let made = self.winds_up_to(system, state, made);
         if made < 1.0 {
             self.made = made;
             self.survey(system, state, f64::INFINITY);
@@ -42,6 +44,7 @@ impl Adaptive {
     /// first look that is further than `allowed` [N] and tells which.
     fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
         self.flows = Flows::default();
+        self.paid.fill(Paid::default());
         let length = self.made * self.rodas.course.h;
         for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
             self.book_look(system, state, theta * self.made, weight * length);

@@ -22,6 +22,7 @@ use crate::solver::layout::{Group, Layout};
 use crate::solver::ldu::Ldu;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
+use crate::stepper::coils::CoilTangent;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 use crate::tree::tangent::DynamicsTangent;
@@ -33,6 +34,8 @@ pub struct TangentMatrix {
     pub layout: Layout,
     /// P of the last κ.
     pub spins: Spins,
+    /// What drums do.
+    pub coils: CoilTangent,
     ldu: Ldu,
     places: Places,
     dynamics: DynamicsTangent,
@@ -68,6 +71,7 @@ impl TangentMatrix {
         let by_entry = vec![0.0; system.rows.dofs.len()];
         Self {
             spins: Spins::new(system, &places.joints),
+            coils: CoilTangent::default(),
             dynamics: DynamicsTangent::new(&system.tree, &MassMatrix::new(&system.tree)),
             inertia: by_place.clone(),
             damping: by_place.clone(),
@@ -96,6 +100,7 @@ impl TangentMatrix {
             values.fill(0.0);
         }
         self.place_dynamics(system, mass);
+        self.coils.linearise(system, &here.frame, state);
         self.turning.fill(0.0);
         for &row in &system.rigid {
             self.pull_velocity[system.rows.start[row]..system.rows.start[row + 1]].fill(0.0);
@@ -142,7 +147,8 @@ impl TangentMatrix {
         let (size, tension, law) = (dofs.len(), here.tension[*row], &system.rows.laws[*row]);
         let curvature = &mut self.curvature[..size * size];
         let kinematics = &here.frame.kinematics;
-        let at = Placed { tree: &system.tree, kinematics, q: &state.q, seats: &state.seats };
+        let feeding = &here.frame.feeding;
+        let at = Placed { tree: &system.tree, kinematics, q: &state.q, seats: &state.seats, feeding };
         let value = here.frame.value[*row];
         system.constraints[*constraint].curvature(&at, value, *number, &mut self.columns, curvature);
         for (place, value) in places.iter().zip(&*curvature) {
@@ -246,6 +252,7 @@ impl TangentMatrix {
                 *out = entry + tau * turning;
             }
         }
+        self.coils.turn_rows(system, &here.frame, (kappa, &mut self.turned));
         for &(entry, joint) in &self.places.row_triples {
             let triple = &mut self.turned[entry..entry + 3];
             let turned = self.spins.turn(joint, [triple[0], triple[1], triple[2]]);
@@ -293,8 +300,10 @@ impl TangentMatrix {
                     let driven = -state.memory[row] * state.v[brake.dof];
                     let own = self.places.in_row[range.start + brake.own] as usize;
                     // d(bound · direction)/dv, the direction's square being 1.
-                    self.values[own] -= kappa * brake.slope(driven);
-                    brake.add_slopes(at, &here.tension, |entry, slope| {
+                    if here.held[row].is_none() {
+                        self.values[own] -= kappa * brake.slope(driven);
+                    }
+                    brake.add_slopes(at, &here.frame.feeding, &here.tension, |entry, slope| {
                         self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
                     });
                 }

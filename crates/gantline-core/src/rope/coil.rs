@@ -1,0 +1,186 @@
+//! Rope wound on a drum: with which strain every part of it lies there, and in which layer.
+//!
+//! Rope winds up stretched and takes its strain along; it comes off again in the reverse order, each part at the strain
+//! with which it was wound. Lengths here are of wound, that is stretched, rope, counted from the start and positive
+//! where rope has been wound up since.
+
+use serde::{Deserialize, Serialize};
+
+/// Rope of one strain on a drum.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Piece {
+    /// Where it begins [m]; it ends where the next begins, or where the winding ends.
+    pub from: f64,
+    /// Its strain.
+    pub strain: f64,
+}
+
+/// Strains that differ by less are one: as a share of the strain, and of the length.
+const SAME_SHARE: f64 = 1e-4;
+const SAME: f64 = 1e-9;
+/// A coil remembers at most so many pieces; then neighbours are taken together, two by two.
+pub const MOST_PIECES: usize = 1024;
+
+/// What a drum remembers of the rope on it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Coil {
+    /// Strain of the rope that was on the drum at the start.
+    pub laid: f64,
+    /// How much has been wound up since the start [m].
+    pub wound: f64,
+    /// How much unstretched rope had been let go when it was that [m].
+    pub let_go: f64,
+    /// Rope wound up since the start, the innermost first.
+    pub pieces: Vec<Piece>,
+    /// True while the drum winds up: then what passes has the strain of the rope that comes.
+    pub winds: bool,
+}
+
+impl Coil {
+    /// A drum at the start, with rope of the strain `laid` on it.
+    pub fn new(laid: f64) -> Self {
+        Self { laid, wound: 0.0, let_go: 0.0, pieces: Vec::with_capacity(MOST_PIECES), winds: false }
+    }
+
+    /// Takes over another coil; does not allocate once there has been room.
+    pub fn copy_from(&mut self, other: &Self) {
+        (self.laid, self.wound, self.let_go) = (other.laid, other.wound, other.let_go);
+        self.winds = other.winds;
+        self.pieces.clear();
+        self.pieces.reserve_exact(MOST_PIECES);
+        self.pieces.extend_from_slice(&other.pieces);
+    }
+
+    /// Strain of the rope that passes where `wound` [m] lie on the drum; that of the rope outside is `outside`.
+    pub fn passing(&self, wound: f64, outside: f64) -> f64 {
+        if self.winds {
+            return outside;
+        }
+        let below = self.pieces.partition_point(|piece| piece.from < wound);
+        below.checked_sub(1).map_or(self.laid, |index| self.pieces[index].strain)
+    }
+
+    /// Unstretched rope let go where `wound` [m] lie on the drum and it has paid out since it last remembered [m].
+    pub fn let_go_at(&self, wound: f64) -> f64 {
+        let (mut let_go, mut from) = (self.let_go, self.wound);
+        for piece in self.pieces.iter().rev() {
+            let_go += (from - piece.from.max(wound)) / (1.0 + piece.strain);
+            if piece.from <= wound {
+                return let_go;
+            }
+            from = piece.from;
+        }
+        let_go + (from - wound) / (1.0 + self.laid)
+    }
+
+    /// Brings the coil to `wound` [m], where rope of the mean strain `strain` has come on if that is more than before;
+    /// returns by how much ½ ε² times its unstretched length has grown [m]: what it holds, over EA.
+    pub fn bring_to(&mut self, wound: f64, strain: f64) -> f64 {
+        let before = std::mem::replace(&mut self.wound, wound);
+        if wound > before { self.wind(before, wound, strain) } else { -self.unwind(before, wound) }
+    }
+
+    fn wind(&mut self, from: f64, to: f64, strain: f64) -> f64 {
+        let gained = held(to - from, strain);
+        if let Some(last) = self.pieces.last_mut()
+            && (last.strain - strain).abs() <= SAME_SHARE * strain + SAME
+        {
+            let apart = held(from - last.from, last.strain) + gained;
+            last.strain = together([from - last.from, to - from], [last.strain, strain]);
+            return held(to - last.from, last.strain) - (apart - gained);
+        }
+        let lost = if self.pieces.len() == MOST_PIECES { self.coarsen(from) } else { 0.0 };
+        self.pieces.push(Piece { from, strain });
+        gained - lost
+    }
+
+    /// Takes neighbours together, the coil ending at `end`; returns what that loses.
+    fn coarsen(&mut self, end: f64) -> f64 {
+        let mut lost = 0.0;
+        for index in 0..self.pieces.len() / 2 {
+            let [one, other] = [self.pieces[2 * index], self.pieces[2 * index + 1]];
+            let stop = self.pieces.get(2 * index + 2).map_or(end, |piece| piece.from);
+            let lengths = [other.from - one.from, stop - other.from];
+            let strain = together(lengths, [one.strain, other.strain]);
+            lost += held(lengths[0], one.strain) + held(lengths[1], other.strain)
+                - held(lengths[0] + lengths[1], strain);
+            self.pieces[index] = Piece { from: one.from, strain };
+        }
+        self.pieces.truncate(self.pieces.len() / 2);
+        lost
+    }
+
+    /// Lets rope off from `from` down to `to`; returns what it held.
+    fn unwind(&mut self, mut from: f64, to: f64) -> f64 {
+        let mut lost = 0.0;
+        while let Some(piece) = self.pieces.last().copied() {
+            lost += held(from - piece.from.max(to), piece.strain);
+            if piece.from < to {
+                return lost;
+            }
+            from = piece.from;
+            self.pieces.pop();
+        }
+        lost + held(from - to, self.laid)
+    }
+}
+
+/// ½ ε² times the unstretched length of wound rope [m].
+fn held(length: f64, strain: f64) -> f64 {
+    0.5 * strain * strain * length / (1.0 + strain)
+}
+
+/// The strain of two pieces together that leaves their unstretched length as it is.
+fn together(lengths: [f64; 2], strains: [f64; 2]) -> f64 {
+    let unstretched = lengths[0] / (1.0 + strains[0]) + lengths[1] / (1.0 + strains[1]);
+    if unstretched > 0.0 { (lengths[0] + lengths[1]) / unstretched - 1.0 } else { strains[1] }
+}
+
+/// Part of a turn in which rope climbs from one layer onto the next.
+const CLIMB: f64 = 0.5;
+
+/// Layers of rope on a drum. Their radii grow by steps; from one layer to the next the radius grows within half a turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layers {
+    /// Pitch radius of the first layer [m].
+    pub radius: f64,
+    /// By how much that of the next is larger, as a share of it.
+    pub growth: f64,
+    /// Turns in a full layer.
+    pub turns: f64,
+    /// Turns on the drum at the start.
+    pub start: f64,
+}
+
+impl Layers {
+    /// Turns on the drum where it has turned by so much rope on the first layer [m] since the start.
+    pub fn turns_at(&self, turned: f64) -> f64 {
+        self.start + turned / (std::f64::consts::TAU * self.radius)
+    }
+
+    /// Radius of the rope that comes on there, over that of the first layer.
+    pub fn ratio(&self, turned: f64) -> f64 {
+        let turns = self.turns_at(turned);
+        1.0 + self.growth * self.sum(turns, |over| over.clamp(0.0, 1.0))
+    }
+
+    /// By how much that ratio grows with what the drum turns [1/m].
+    pub fn slope(&self, turned: f64) -> f64 {
+        let climbs = self.sum(self.turns_at(turned), |over| if over < 1.0 { 1.0 } else { 0.0 });
+        self.growth * climbs / (CLIMB * std::f64::consts::TAU * self.radius)
+    }
+
+    /// Rope wound up since the start, where the drum has turned by so much rope on the first layer [m].
+    pub fn wound(&self, turned: f64) -> f64 {
+        let climbed = |over: f64| if over < 1.0 { 0.5 * over * over } else { over - 0.5 };
+        let extra = |turns: f64| CLIMB * self.sum(turns, climbed);
+        let more = extra(self.turns_at(turned)) - extra(self.start);
+        turned + std::f64::consts::TAU * self.radius * self.growth * more
+    }
+
+    /// Sum over the climbs that have begun at `turns`, of how far over them the rope is, in climbs.
+    fn sum(&self, turns: f64, each: impl Fn(f64) -> f64) -> f64 {
+        let over = |layer: usize| (turns - layer as f64 * self.turns) / CLIMB + 0.5;
+        (1..).map(over).take_while(|over| *over > 0.0).map(each).sum()
+    }
+}

@@ -1,0 +1,175 @@
+"""Reeving of a hook into mechanics: hook block and upper sheaves, ropes and drum.
+
+Every part of line is plumb. Sheaves of the hook block stand side by side along y, the upper ones above the
+gaps between them: a rope comes down at x = -r of a sheave of the hook block, goes up at x = +r, and over an
+upper sheave to the next. Its dead end is above where its parts are even and on the hook block where they are
+odd. The lead line goes from the last upper sheave down to the drum.
+
+The flow of the drum counts what the hook rises, as the drive of a hook without reeving does.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gantline.assembly.parts import Json, Parts, drum_layers, end, half_turn, material
+from gantline.assembly.rope_weight import lump_rope
+from gantline.assembly.route import route_length
+from gantline.assembly.sheave import add_sheave_flow
+from gantline.scenario import Scenario
+from gantline.scenario.crane import FixedHook
+from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving, hoist_drum, hoist_ropes
+from gantline.scenario.rope_weight import rope_weight
+
+__all__ = ["ReevedHook", "add_reeved_hook", "hang_in_ropes", "reeved_hooks", "upper_sheaves"]
+
+#: Mass that moves with the rope of a drum whose motion is prescribed and whose inertia nobody says [kg].
+_DRIVEN = 1.0
+#: Distance of neighbouring sheaves along their axle, over their radius.
+_SPACING = 0.3
+
+
+@dataclass(frozen=True)
+class ReevedHook:
+    """A hook with reeving, and the parts that belong to it.
+
+    Attributes:
+        name: name of the hook.
+        crane: what the lift file says.
+        hook_block, reeving, drum: its parts.
+    """
+
+    name: str
+    crane: FixedHook
+    hook_block: HookBlock
+    reeving: Reeving
+    drum: HoistDrum
+
+    @property
+    def ropes(self) -> list[str]:
+        """Names of its ropes."""
+        return hoist_ropes(self.name, self.reeving)
+
+
+def reeved_hooks(scenario: Scenario) -> list[ReevedHook]:
+    """Hooks that hang in ropes, in the order of the lift file."""
+    return [
+        ReevedHook(name, crane, crane.hook_block, crane.reeving, crane.drum)
+        for name, crane in (scenario.cranes or {}).items()
+        if crane.reeving is not None and crane.hook_block is not None and crane.drum is not None
+    ]
+
+
+def upper_sheaves(hook: str) -> str:
+    """Name of the body with the upper sheaves of a hook; with a stroke, which no name of a lift file has."""
+    return f"{hook}/upper_sheaves"
+
+
+def add_reeved_hook(parts: Parts, scenario: Scenario, hook: ReevedHook, drive: str, own_mass: float) -> None:
+    """Add hook block, upper sheaves, drum and ropes of a hook.
+
+    Args:
+        parts: the system so far.
+        scenario: the lift.
+        hook: the hook.
+        drive: name of the drive that hoists it.
+        own_mass: mass that hangs on it beside the hook block, of shackles and slings [kg].
+    """
+    guided = {"type": "slider", "axis": [0.0, 0.0, 1.0], "position": 0.0, "velocity": 0.0, "damping": 0.0}
+    guided |= {"friction": 0.0, "drive": None, "stops": None}
+    x, y, _ = hook.crane.at
+    parts.add_body(hook.name, guided, position=hook.crane.at, mass=hook.hook_block.mass + own_mass)
+    top = (x, y, hook.reeving.upper_sheaves_at)
+    parts.add_body(upper_sheaves(hook.name), {"type": "fixed"}, position=top)
+    parts.add_drive(drive)
+    _add_drum(parts, hook, drive)
+    kind = (scenario.ropes or {})[hook.reeving.rope]
+    radius = hook.reeving.diameter(kind.diameter) / 2
+    losses = hook.reeving.losses(kind.diameter, kind.mass_per_length)
+    weight = rope_weight(kind, hook.reeving.rope_weight, None)
+    for place, name in enumerate(hook.ropes):
+        route = []
+        for at, guide in enumerate(_guides(hook, place, radius)):
+            if guide["type"] == "half_turn":
+                passing = add_sheave_flow(parts, f"{name}/sheave_{at}", losses)
+                guide = half_turn(guide["body"], guide["enter"], guide["leave"], guide["bulge"], passing)
+            route.append(guide)
+        route[-1] = _on_drum(hook, route[-1]["at"], kind.diameter)
+        length = route_length(parts, route)
+        parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
+        lump_rope(parts, name, weight, length, route)
+
+
+def _add_drum(parts: Parts, hook: ReevedHook, drive: str) -> None:
+    parts_of_line, ropes = hook.reeving.parts_each, hook.reeving.ropes
+    motor = {}
+    if hook.crane.hoist.capacity is not None:
+        # Of the hook, not of the ropes: forces are so many times as large.
+        motor = {
+            "capacity": hook.crane.hoist.capacity * ropes * parts_of_line,
+            "power": hook.crane.hoist.power,
+        }
+    inertia = (hook.drum.inertia or _DRIVEN) * parts_of_line**2
+    parts.add_flow(hoist_drum(hook.name), inertia, drive=drive, **motor)
+
+
+def _on_drum(hook: ReevedHook, at: list[float], rope_diameter: float | None) -> Json:
+    layers = drum_layers(hook.drum, hook.drum.diameter, rope_diameter)
+    rate = -float(hook.reeving.parts_each)
+    return end(None, at, (hoist_drum(hook.name), rate), laid_under=hook.drum.wound_under, layers=layers)
+
+
+def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
+    """Dead end, sheaves in turn, and the place of the drum as an end on the world."""
+    count, above = hook.reeving.parts_each, upper_sheaves(hook.name)
+    spacing = _SPACING * radius
+    # Each rope takes as many places along the axle as it has sheaves below; mirrored from one to the next.
+    width = spacing * (count // 2 + 1)
+    middle = width * (rope - (hook.reeving.ropes - 1) / 2)
+    mirror = -1.0 if rope % 2 else 1.0
+    rows = [(k // 2 - (count // 2) / 2) * spacing * mirror + middle for k in range(count + 2)]
+    low = hook.hook_block.height
+    guides: list[Json] = []
+    if count % 2:
+        guides.append(end(hook.name, (0.0, rows[0], low)))
+        enter, row, is_below = 0.0, 0, False
+    else:
+        guides.append(end(above, (-radius, rows[0], 0.0)))
+        enter, row, is_below = -radius, 0, True
+    for _ in range(count):
+        if is_below:
+            guides.append(
+                half_turn(hook.name, (enter, rows[2 * row], low), (radius, rows[2 * row], low), (0, 0, -1))
+            )
+            enter = radius
+        else:
+            leave = -radius
+            guides.append(
+                half_turn(above, (enter, rows[2 * row], 0.0), (leave, rows[2 * row + 2], 0.0), (0, 0, 1))
+            )
+            enter, row = leave, row + 1
+        is_below = not is_below
+    x, y, _ = hook.crane.at
+    lead = (x + enter, y + rows[2 * row], hook.reeving.upper_sheaves_at - hook.reeving.lead_line)
+    return [*guides, end(None, lead)]
+
+
+def hang_in_ropes(parts: Parts, scenario: Scenario, hook: ReevedHook) -> None:
+    """Give the ropes of a hook the lengths with which they carry what hangs on it at the start.
+
+    Args:
+        parts: the system with everything that hangs on the hook.
+        scenario: the lift.
+        hook: the hook.
+    """
+    hanging = {hook.name}
+    for name, body in parts.bodies.items():  # parents stand before their children
+        if body["parent"] in hanging:
+            hanging.add(name)
+    weight = sum(parts.bodies[name]["mass"] for name in hanging) * scenario.simulation.gravity
+    kind = (scenario.ropes or {})[hook.reeving.rope]
+    assert kind.stiffness is not None  # checked: a hoist rope stretches
+    strain = weight / hook.reeving.parts / kind.stiffness
+    for rope in parts.ropes:
+        if rope["name"] in hook.ropes:
+            rope["length"] /= 1 + strain
