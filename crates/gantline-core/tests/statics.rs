@@ -6,6 +6,7 @@ use gantline_core::build::build;
 use gantline_core::statics::Statics;
 use gantline_core::statics::matrix::Matrix;
 use gantline_core::statics::potential::{Losses, Part, Potential, bearings};
+use gantline_core::stepper::frame::Remembered;
 use gantline_core::system::System;
 use proptest::prelude::*;
 use rigs::{built, moved, seeds, torture};
@@ -14,7 +15,7 @@ use rigs::{built, moved, seeds, torture};
 fn potential(system: &System, state: &gantline_core::state::State) -> Potential {
     let mut here = Potential::new(system);
     here.q.copy_from_slice(&state.q);
-    here.update(system, &bearings(system, state, Losses::None), &state.memory, &state.seats);
+    here.update(system, &bearings(system, state, Losses::None), &Remembered::of(state));
     here
 }
 

@@ -136,7 +136,8 @@ impl Matrix {
             }
         }
         let mut cursor = 0;
-        let at = Placed { tree: &system.tree, kinematics: &here.frame.kinematics, q: &here.q, seats };
+        let (kinematics, feeding) = (&here.frame.kinematics, here.frame.feeding.as_slice());
+        let at = Placed { tree: &system.tree, kinematics, q: &here.q, seats, feeding };
         for group in &self.layout.groups {
             let size = group.dofs.len();
             let slots = &self.group_slots[cursor..cursor + size * (size + 1) / 2];

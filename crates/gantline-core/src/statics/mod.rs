@@ -24,6 +24,7 @@ use crate::constraint::{AnyConstraint, Law};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::flows;
+use crate::stepper::frame::Remembered;
 use crate::system::System;
 use potential::{Bearing, Losses, Part, bearings};
 use search::{Effort, Search, Stuck};
@@ -85,6 +86,7 @@ impl Statics {
         state: &mut State,
         losses: Losses,
     ) -> Result<Rest, NoEquilibrium> {
+        refuse_turned_drums(system, state)?;
         flows::set_driven(system, state);
         self.bearings = bearings(system, state, losses);
         self.search.effort = Effort::default();
@@ -196,11 +198,29 @@ impl Statics {
                 state.trial[row] = self.search.here.value[row] / compliance;
             }
         }
+        self.search.here.update(system, &self.bearings, &Remembered::of(state));
         let frame = &self.search.here.frame;
+        for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
+            coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
+        }
         let elastic = elastic_energy(system, &frame.value, &state.modes);
         state.ledger = Ledger::open(0.0, gravity_energy(system, &frame.kinematics), elastic);
         state.restart = true;
     }
+}
+
+/// What a drum lets go depends on what its rope bore while it was wound, so on the way there: it is known at the start.
+fn refuse_turned_drums(system: &System, state: &State) -> Result<(), NoEquilibrium> {
+    for place in &system.coils {
+        let drive = system.drives.iter().position(|drive| drive.dof == place.dof);
+        let asked = drive.map(|drive| state.plan.timelines[drive].motion(state.time).position);
+        if asked.is_some_and(|asked| (asked - state.q[place.position]).abs() > LENGTH_LEFT) {
+            let element = system.constraints[place.rope].name().to_owned();
+            let cause = "its drum has turned by then, and what it has let go depends on the way: simulate it";
+            return Err(NoEquilibrium { element, cause: cause.to_owned() });
+        }
+    }
+    Ok(())
 }
 
 fn explain(system: &System, stuck: Stuck) -> NoEquilibrium {

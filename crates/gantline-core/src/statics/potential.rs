@@ -10,10 +10,9 @@
 
 use crate::audit::gravity_energy;
 use crate::constraint::{AnyConstraint, Law};
-use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
-use crate::stepper::frame::Frame;
+use crate::stepper::frame::{Frame, Remembered};
 use crate::system::System;
 use crate::tree::bias::NewtonEuler;
 
@@ -227,11 +226,11 @@ impl Potential {
         }
     }
 
-    /// Evaluates everything at `self.q`; ropes lie on sheaves as `seats` say.
-    pub fn update(&mut self, system: &System, bearings: &[Bearing], memory: &[f64], seats: &[Seat]) {
+    /// Evaluates everything at `self.q`, with ropes on their sheaves and drums as the state has them.
+    pub fn update(&mut self, system: &System, bearings: &[Bearing], by: &Remembered) {
         let Self { q, frame, dynamics, gravity, .. } = self;
         frame.kinematics.update(&system.tree, q);
-        frame.rows(system, q, memory, seats);
+        frame.rows(system, q, by);
         dynamics.update(&system.tree, &frame.kinematics, &self.still, None, None, gravity);
         self.slope.copy_from_slice(&self.gravity);
         for (terms, gravity) in self.terms.iter_mut().zip(&self.gravity) {

@@ -21,6 +21,7 @@ use super::matrix::Matrix;
 use super::potential::{Bearing, Part, Potential};
 use crate::rope::seat::Winding;
 use crate::state::State;
+use crate::stepper::frame::Remembered;
 use crate::stepper::seats;
 use crate::system::System;
 use crate::tree::joint::Motion;
@@ -126,7 +127,7 @@ impl Search {
     /// From the configuration of `state` to where all slopes are zero; `state` follows.
     pub fn descend(&mut self, system: &System, state: &mut State, bearings: &[Bearing]) -> Result<(), Stuck> {
         self.here.q.copy_from_slice(&state.q);
-        self.here.update(system, bearings, &state.memory, &state.seats);
+        self.here.update(system, bearings, &Remembered::of(state));
         let start: Vec<_> = self.here.frame.kinematics.centre_of_gravity.clone();
         let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
         for _ in 0..STEPS {
@@ -157,7 +158,7 @@ impl Search {
         let mut is_last = false;
         while *lambda <= MOST {
             let Some(promised) = self.model(system, bearings, lambda) else { break };
-            self.there.update(system, bearings, &state.memory, &state.seats);
+            self.there.update(system, bearings, &Remembered::of(state));
             let noise = self.here.rounding + self.there.rounding;
             let mut gained = self.here.energy - self.there.energy;
             if promised.abs() <= NOISE * noise {
@@ -215,7 +216,7 @@ impl Search {
             (seat.is_off, seat.wound) = (wound.wrap < 0.0, wound);
         }
         if changed {
-            self.here.update(system, bearings, &state.memory, &state.seats);
+            self.here.update(system, bearings, &Remembered::of(state));
         }
     }
 
@@ -231,6 +232,10 @@ impl Search {
     fn is_passable(&mut self, system: &System, lambda: f64) -> bool {
         self.there.q.copy_from_slice(&self.here.q);
         system.tree.advance(&mut self.there.q, &self.step);
+        // A drum that gives way lets rope go.
+        for (place, feeding) in system.coils.iter().zip(&self.here.frame.feeding) {
+            self.there.q[place.supply] += feeding * self.step[place.dof];
+        }
         self.there.frame.kinematics.update(&system.tree, &self.there.q);
         let places = (&self.here, &self.there.frame.kinematics);
         self.guard.holds(system, places, &self.step, (&mut self.matrix, lambda))
@@ -255,14 +260,14 @@ impl Search {
             *step += first;
         }
         let passable = self.is_passable(system, 0.0);
-        self.there.update(system, bearings, &state.memory, &state.seats);
+        self.there.update(system, bearings, &Remembered::of(state));
         let corrected = self.here.energy - self.there.energy;
         if passable && corrected > gained {
             return corrected;
         }
         self.step = first;
         self.is_passable(system, 0.0);
-        self.there.update(system, bearings, &state.memory, &state.seats);
+        self.there.update(system, bearings, &Remembered::of(state));
         gained
     }
 
