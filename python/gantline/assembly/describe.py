@@ -13,7 +13,7 @@ from gantline.assembly.checked import bends, limits_and_rules, ratings
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.reeving import reeved_hooks, upper_sheaves
+from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.yard import upper_lump
@@ -356,6 +356,7 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = {"type": "box", "size": size, "centre": [0.0, 0.0, -frame.centre_of_gravity_below_hook]}
     elif name in (scenario.cranes or {}):
         kind = "hook"
+        shape = next((_cheek(scenario, hook) for hook in reeved_hooks(scenario) if hook.name == name), None)
     elif name in map(upper_sheaves, scenario.cranes or {}):
         kind = "body"
     elif plain is None:
@@ -363,6 +364,13 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif plain.shape is not None:
         shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
+
+
+def _cheek(scenario: Scenario, hook: ReevedHook) -> Json:
+    """A plate of a hook block, for pictures: from the bearing up to its sheaves, half as wide as they are."""
+    rope = (scenario.ropes or {})[hook.reeving.rope]
+    width, height = hook.reeving.diameter(rope.diameter) / 2, hook.hook_block.height
+    return {"type": "box", "size": [width, width, height], "centre": [0.0, 0.0, height / 2]}
 
 
 def _sheaves(parts: Parts) -> list[Json]:
