@@ -123,7 +123,7 @@ def quantity(text: str, dimension: str) -> float:
 
 
 def format_quantity(value: float, unit: str, digits: int) -> str:
-    """Write an SI value in a unit: ``format_quantity(702043, "kN", 1) == "702.0 kN"``.
+    """Write an SI value in a unit: ``format_quantity(702043, "kN", 1) == "702.0 kN"``; never "-0.0".
 
     Args:
         value: the value [SI].
@@ -135,7 +135,7 @@ def format_quantity(value: float, unit: str, digits: int) -> str:
     """
     for units in DIMENSIONS.values():
         if unit in units:
-            return f"{value / units[unit]:.{digits}f} {unit}".rstrip()
+            return f"{value / units[unit]:z.{digits}f} {unit}".rstrip()
     raise UnitError(f"'{unit}' is not a known unit")
 
 

@@ -100,6 +100,7 @@ def test_a_long_text_is_not_repeated_whole() -> None:
         (0.933, "%", 0, "93 %"),
         (math.radians(-69.0), "deg", 1, "-69.0 deg"),
         (1.25, "", 2, "1.25"),
+        (-1e-4, "m", 3, "0.000 m"),
     ],
 )
 def test_writing_a_quantity(value: float, unit: str, digits: int, text: str) -> None:
