@@ -29,6 +29,8 @@
 //!
 //! which is the exact derivative: a force along e at the points and a couple on each sheave.
 
+use std::f64::consts::TAU;
+
 use glam::DVec3;
 use thiserror::Error;
 
@@ -97,6 +99,9 @@ const ROUNDS: usize = 6;
 const STEPS: usize = 20;
 /// Tangency residual u·d that is good enough: a few roundings.
 const TOLERANCE: f64 = 1e-15;
+/// Where a circle is looked at all around, and halvings between two of these places.
+const ANGLES: u32 = 256;
+const HALVINGS: usize = 30;
 /// Residual u·D of a tangent that is returned, over the size of the part and its circles.
 const CLOSE: f64 = 1e-12;
 /// Cosine of the angle between axes that are about parallel.
@@ -159,7 +164,41 @@ pub fn common_tangent(start: &Circle, end: &Circle) -> Result<Tangent, NoTangent
             return Ok(tangent);
         }
     }
-    Err(refusal(start, end, found))
+    let refused = refusal(start, end, found);
+    if refused == NoTangent::Grazing
+        && let Some(tangent) = look_around(start, end)
+    {
+        return Ok(tangent);
+    }
+    Err(refused)
+}
+
+/// The tangent of two circles that are clear of each other, where going back and forth ended with another one: hardly
+/// any angle to the axis of a sheave, seen from the other. Looks all around the start's circle for where the condition
+/// there changes sign, with the end's fulfilled.
+fn look_around(start: &Circle, end: &Circle) -> Option<Tangent> {
+    let across = start.axis.any_orthonormal_vector();
+    let along = start.axis.cross(across);
+    let at = |angle: f64| {
+        let leaving = across * angle.cos() + along * angle.sin();
+        let arriving = end.touch(start.at(leaving), -1.0)?;
+        let leans = leaving.dot(end.at(arriving) - start.at(leaving));
+        Some(([leaving, arriving], leans))
+    };
+    (0..ANGLES).find_map(|index| {
+        let [mut low, mut high] = [index, index + 1].map(|index| f64::from(index) * TAU / f64::from(ANGLES));
+        let sign = at(low)?.1;
+        if sign * at(high)?.1 > 0.0 {
+            return None;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if at(middle)?.1 * sign > 0.0 { low = middle } else { high = middle }
+        }
+        let mut radial = at(low)?.0;
+        polish(start, end, &mut radial);
+        finish(start, end, radial).ok()
+    })
 }
 
 /// The tangent that is found from a guess of where the part ends.
@@ -188,24 +227,28 @@ fn refusal(start: &Circle, end: &Circle, found: NoTangent) -> NoTangent {
     if way.length() <= f64::EPSILON * size {
         return NoTangent::Coincident;
     }
-    let (circle, other, along) = match found {
-        NoTangent::InsideStart => (start, end, NoTangent::AlongStart),
-        NoTangent::InsideEnd => (end, start, NoTangent::AlongEnd),
-        // Circles that touch leave no length between them, or hardly any.
-        NoTangent::Coincident | NoTangent::Grazing if start.radius > 0.0 => (start, end, found),
+    let (first, last) = ((start, end, NoTangent::AlongStart), (end, start, NoTangent::AlongEnd));
+    let sides = match found {
+        NoTangent::InsideStart => vec![first],
+        NoTangent::InsideEnd => vec![last],
+        // Circles that touch leave no length between them, or hardly any; those that are in each other's way only a
+        // part that would leave backwards.
+        NoTangent::Coincident | NoTangent::Grazing => vec![first, last],
         _ => return found,
     };
-    let flat = (way - circle.axis * circle.axis.dot(way)).length();
-    if flat <= CLOSE * way.length() {
-        along
-    } else if other.radius > 0.0
-        && flat <= (circle.radius + other.radius) * (1.0 + CLOSE)
-        && flat > (circle.radius - other.radius).abs()
-    {
-        NoTangent::Overlapping
-    } else {
-        found
+    for (circle, other, along) in sides.into_iter().filter(|(circle, ..)| circle.radius > 0.0) {
+        let flat = (way - circle.axis * circle.axis.dot(way)).length();
+        if flat <= CLOSE * way.length() {
+            return along;
+        }
+        if other.radius > 0.0
+            && flat <= (circle.radius + other.radius) * (1.0 + CLOSE)
+            && flat > (circle.radius - other.radius).abs()
+        {
+            return NoTangent::Overlapping;
+        }
     }
+    found
 }
 
 /// Newton's method on the two tangency conditions, over rotations of the radial vectors about their axes.
