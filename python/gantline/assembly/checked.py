@@ -108,7 +108,7 @@ def bends(scenario: Scenario, parts: Parts) -> list[Json]:
     mechanics = scenario.mechanics
     # Pitch diameters of drums by what their ropes get per unit of their flow.
     drums = {name: drum.diameter for name, drum in ((mechanics and mechanics.drums) or {}).items()}
-    sheaves = {}
+    sheaves: dict[str, float] = {}
     for hook in reeved_hooks(scenario):
         drums[hoist_drum(hook.name)] = hook.drum.diameter / hook.reeving.parts_each
         diameter = hook.reeving.diameter((scenario.ropes or {})[hook.reeving.rope].diameter)
