@@ -26,7 +26,7 @@ def sweep(lift: Path, text: str, time: float | None) -> NoReturn:
         time: Time of the plan [s]; None for the end of the lift.
 
     Raises:
-        typer.Exit: Always; with 1 where a check fails or an equilibrium is unstable, with 3 where there is none.
+        typer.Exit: Always; with 1 where a check fails or a lift is unstable, and with 3 where it falls.
     """
     path, first, last, count = _read(text)
     with scenario_errors():

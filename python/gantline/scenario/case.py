@@ -47,8 +47,8 @@ class VariedReader(Reader):
         if isinstance(value, TextNode):
             if value not in (ENVELOPE, TOLERANCE):
                 right = "a mapping such as {cranes.hook.at.z: [-0.2 m, 0.2 m]}"
-                sentence = f"{found(value)} has no margins; {nearest(value, (ENVELOPE, TOLERANCE))}"
-                raise refuse(f"{sentence}; offsets of other quantities are {right}")
+                sentence = f"{found(value)} has no margins; offsets of a quantity are {right}"
+                raise refuse(f"{sentence}; {nearest(value, (ENVELOPE, TOLERANCE))}")
             return str(value)
         if not isinstance(value, MapNode) or not value:
             raise refuse(

@@ -153,7 +153,12 @@ def _cut(scenario: Scenario, base: Scenario, name: str, time: float | None) -> I
     case = (scenario.cases or {})[name]
     moment = case.at
     if case.at_step is not None:
-        begin = begin_of_step(base, case.at_step)
+        try:
+            begin = begin_of_step(base, case.at_step)
+        except NoEquilibriumError as problem:
+            cause = f"{problem.cause} ({problem.element})"
+            yield State(name, "", "none", problem.time, cause=cause, cut=case.cut)
+            return
         if begin is None:
             sentence = f"'{case.at_step}' does not begin within the {base.duration:g} s of the lift"
             raise scenario.error(("cases", name, "at_step"), sentence)
