@@ -94,7 +94,7 @@ def test_no_equilibrium_ends_with_three(lift: Path) -> None:
     result = gantline("cases", str(lift))
     assert result.exit_code == 3
     assert re.search(r"gone +- +- +- +- +- +NONE\n", result.stdout)
-    assert "no equilibrium: nothing holds it, it falls without end (block): gone" in result.stdout
+    assert "no equilibrium: nothing holds it, it falls without end (girder): gone" in result.stdout
     assert "5 cases, 11 equilibria asked for: 1 no equilibrium" in result.stdout
 
 
@@ -109,7 +109,7 @@ def test_a_sweep(lift: Path) -> None:
     result = gantline("statics", str(lift), "--sweep", "load.weight.calculated=100 t..300 t/3")
     assert result.exit_code == 0, result.stderr
     assert max(map(len, result.stdout.splitlines())) <= 80
-    assert re.search(r"load\.weight\.calculated +block tilt", result.stdout)
+    assert re.search(r"load\.weight\.calculated +girder tilt", result.stdout)
     assert re.search(r" 100 t +0\.00 deg", result.stdout)
     assert re.search(r" 200 t.* 490\.5 kN", result.stdout)
 

@@ -45,7 +45,7 @@ def plumb_lift(
         for name, (x, y) in lugs.items()
     )
     places = "\n".join(f"    {name}: {{at: [{x} m, {y} m, {LUGS_AT} m]}}" for name, (x, y) in lugs.items())
-    slings = "\n".join(f"  S{name}: {{from: {name}, to: block.{name}}}" for name in lugs)
+    slings = "\n".join(f"  S{name}: {{from: {name}, to: girder.{name}}}" for name in lugs)
     return f"""\
 format: 1
 lift: {{title: A load on plumb slings}}
@@ -53,7 +53,7 @@ duration: 10 s
 ropes:
   kind: {rope}
 load:
-  name: block
+  name: girder
   shape: {{box: [10 m, 10 m, 5 m]}}
   weight: {{calculated: 300 t, contingency: 1.1}}
   centre_of_gravity: {{at: [0 m, 0 m, 2.5 m], envelope: {envelope}}}

@@ -114,7 +114,7 @@ def test_too_many_combinations() -> None:
 def test_all_that_is_cut_lets_the_load_fall_and_that_is_a_result() -> None:
     result = run_cases(parse_scenario(plumb_lift("gone: {cut: [SA, SB, SC, SD]}")))
     (state,) = result.of("gone")
-    assert state.rest is None and state.cause == "nothing holds it, it falls without end (block)"
+    assert state.rest is None and state.cause == "nothing holds it, it falls without end (girder)"
     assert values_of(state)["sling_tension"] == {}
     assert not result.has_equilibria and not result.is_sound
     assert {one.state.case for one in result.worst} == {""}
@@ -206,3 +206,17 @@ def test_a_sweep_goes_from_the_first_value_to_the_last() -> None:
     assert loads[0] == pytest.approx(280 / 300 * loads[2], rel=1e-6)
     with pytest.raises(PathError, match="has several values"):
         list(run_sweep(scenario, "cranes.test_hook.at", "1 m", "2 m", 2))
+
+
+def test_slings_without_sensitivities_are_off_one_by_one() -> None:
+    """A sling with nodes is several ropes in the core; each pattern is solved all the same."""
+    nodes = ("SA: {from", "SA: {rope_weight: distributed, rope_nodes: 4, from")
+    kind = "{axial_stiffness: 200 MN, mass: 1 kg/m}"
+    text = plumb_lift("off: {vary: slings.tolerance, pattern: each}", tolerance="0.01 %", rope=kind)
+    states = run_cases(parse_scenario(text.replace(*nodes))).of("off")
+    assert len(states) == 8 and not any(state.first_order for state in states)
+    assert values_of(states[0])["sling_tension"]["SA"] < values_of(states[1])["sling_tension"]["SA"]
+    with pytest.raises(
+        ScenarioError, match=r"cases\.off\.vary: tensions have no .* 'pattern: each' needs none"
+    ):
+        run_cases(parse_scenario(text.replace(*nodes).replace("pattern: each", "pattern: worst")))

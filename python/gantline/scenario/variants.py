@@ -59,9 +59,12 @@ def check_cases(scenario: Scenario) -> None:
             variants_of(scenario, name)
         except ScenarioError as error:
             findings.problems.extend(error.problems)
-        if case.vary == TOLERANCE and not tolerances(scenario):
-            sentence = "no sling has a 'tolerance'; give 'sling_defaults' one, such as 'tolerance: 0.25 %'"
-            findings.add(("cases", name, "vary"), sentence)
+        if case.vary == TOLERANCE:
+            needed = 2 if case.pattern == "worst_pair" else 1
+            if len(tolerances(scenario)) < needed:
+                sentence = f"slings with a 'tolerance': {len(tolerances(scenario))}, needed: {needed}"
+                right = "give 'sling_defaults' one, such as 'tolerance: 0.25 %'"
+                findings.add(("cases", name, "vary"), f"{sentence}; {right}")
         if case.cut:
             _check_cut(findings, name, case)
     findings.raise_any()

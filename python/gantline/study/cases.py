@@ -21,14 +21,18 @@ from gantline.scenario.variants import (
 )
 from gantline.statics import Losses, NoEquilibriumError, Statics
 from gantline.study.moment import begin_of_step
+from gantline.study.pattern import (
+    Floats,
+    changes_of_tension,
+    pattern_label,
+    single_patterns,
+    worst_patterns,
+)
 from gantline.study.state import State, Worst, settled, worst_of
-from gantline.units import format_quantity
 
 __all__ = ["CasesResult", "run_cases"]
 
 _BOUNDS: tuple[Losses, ...] = ("forward", "backward")
-#: Changes of tension that differ by less than this share of the largest are alike.
-_ALIKE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -184,85 +188,29 @@ def _tolerances(scenario: Scenario, base: Scenario, name: str, time: float | Non
     if given.rest is None:
         yield given
         return
-    ropes = {sling.name: sling.rope for sling in question.rig.slings}
-    slings = list(off)
-    try:
-        found = question.sensitivities([("length", ropes[sling]) for sling in slings])
-    except (RuntimeError, ValueError, NoEquilibriumError) as problem:
-        cause = ": ".join(str(part) for part in problem.args)
-        sentence = f"tensions have no sensitivities to these lengths ({cause})"
-        raise scenario.error(
-            ("cases", name, "vary"), f"{sentence}; vary single lengths by their paths"
-        ) from None
-    # Change of the tension of each sling by the tolerance of each [N], shape (tensioned, varied).
-    change = np.array([[one.of(ropes[sling]) * off[varied] for varied, one in zip(slings, found, strict=True)]
-                       for sling in ropes])  # fmt: skip
-    tension = {sling: given.rest.tension(rope) for sling, rope in ropes.items()}
-    patterns = _patterns(str(case.pattern), change)
+    change = _changes(scenario, name, question, off)
+    one_by_one = change is None or case.pattern == "each"
+    patterns = single_patterns(len(off)) if one_by_one else worst_patterns(str(case.pattern), change)
     if not patterns:
         yield replace(given, variant="lengths change no tension")
     for pattern in patterns:
-        longer = {sling: sign * off[sling] for sling, sign in zip(slings, pattern, strict=True) if sign}
-        first_order = dict(
-            zip(tension, np.array(list(tension.values())) + change @ np.array(pattern), strict=True)
-        )
-        state = State(
-            name, _pattern_label(longer, len(slings)), "none", 0.0,
-            first_order={sling: float(value) for sling, value in first_order.items()},
-        )  # fmt: skip
+        longer = {sling: sign * off[sling] for sling, sign in zip(off, pattern, strict=True) if sign}
+        more = change @ np.array(pattern) if change is not None else ()
+        first_order = {
+            sling.name: given.rest.tension(sling.rope) + float(one)
+            for sling, one in zip(question.rig.slings, more, strict=change is not None)
+        }
+        state = State(name, pattern_label(longer), "none", 0.0, first_order=first_order)
         yield from _of_case(scenario, with_lengths(scenario, name, longer), time, state)
 
 
-def _patterns(kind: str, change: np.ndarray) -> list[tuple[int, ...]]:
-    """Signs of what slings are off, +1 long, −1 short, 0 as planned, each pattern once.
-
-    Args:
-        kind: `each`, `worst` or `worst_pair`.
-        change: What the tolerance of each sling changes in each tension, shape (tension, sling) [N].
-    """
-    count = change.shape[1]
-    if kind == "each":
-        single = [tuple(int(place == one) for place in range(count)) for one in range(count)]
-        return [pattern for one in single for pattern in (one, _opposite(one))]
-    # What is left of a sensitivity by rounding has no sign.
-    known = np.where(np.abs(change) > _ALIKE * np.abs(change).max(initial=0.0), change, 0.0)
-    if kind == "worst":
-        rows = [tuple(int(sign) for sign in np.sign(row)) for row in known]
-    else:
-        rows = [_worst_pair(known)]
-    both = (pattern for row in rows for pattern in (row, _opposite(row)) if any(row))
-    return list(dict.fromkeys(both))
-
-
-def _worst_pair(change: np.ndarray) -> tuple[int, ...]:
-    """One sling long and another short by their tolerances: those that change some tension most."""
-    most, pair = 0.0, (0, 0)
-    for row in change:
-        long, short = _first(row), _first(-row)
-        spread = float(row[long] - row[short])
-        if spread > most * (1.0 + _ALIKE):
-            most, pair = spread, (long, short)
-    return tuple(int(place == pair[0]) - int(place == pair[1]) for place in range(change.shape[1]))
-
-
-def _first(row: np.ndarray) -> int:
-    """Place of the largest, of those alike the first."""
-    return int(np.flatnonzero(row >= row.max() - _ALIKE * np.abs(row).max())[0])
-
-
-def _opposite(pattern: Sequence[int]) -> tuple[int, ...]:
-    return tuple(-sign for sign in pattern)
-
-
-def _pattern_label(longer: Mapping[str, float], count: int) -> str:
-    """Which slings are long and short; by how much, if they are few."""
-    if len(longer) > 2 or (len(longer) == count and count > 2):
-        signs = {
-            "+": [s for s, more in longer.items() if more > 0],
-            "−": [s for s, more in longer.items() if more < 0],
-        }
-        return " ".join(f"{sign}{','.join(names)}" for sign, names in signs.items() if names)
-    return ", ".join(
-        f"{sling} {'+' if more > 0 else '−'}{format_quantity(abs(more), 'mm', 1)}"
-        for sling, more in longer.items()
-    )
+def _changes(scenario: Scenario, name: str, question: Statics, off: Mapping[str, float]) -> Floats | None:
+    """What tolerances change in tensions; None of a case that can do without."""
+    try:
+        return changes_of_tension(question, off)
+    except (RuntimeError, ValueError) as problem:
+        if (scenario.cases or {})[name].pattern == "each":
+            return None
+        cause = ": ".join(str(part) for part in problem.args)
+        sentence = f"tensions have no sensitivities to these lengths ({cause})"
+        raise scenario.error(("cases", name, "vary"), f"{sentence}; 'pattern: each' needs none") from None
