@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 
 from gantline.cli.summary import show
-from gantline.cli.table import ABSENT, table
+from gantline.cli.table import ABSENT, table, tables
 from gantline.study.cases import CasesResult
 from gantline.study.state import QUANTITIES, State, Worst, values_of
 
@@ -43,6 +43,7 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     parts = [
         [f"{result.title}, at rest"],
         [*states_table(groups, "Case", width=width), *_notes(result.states, width)],
+        *_tensions(result, width),
         _worst(result.worst, width),
         *_bands(result),
         [_verdict(result)],
@@ -122,6 +123,26 @@ def _where(found: Sequence[State], states: Sequence[State]) -> str:
         some, every = (sum(state.case == case for state in many) for many in (found, states))
         parts.append(_name(case, f"{some} of {every}" if every > 1 else ""))
     return ", ".join(parts)
+
+
+def _tensions(result: CasesResult, width: int) -> list[list[str]]:
+    """The largest tension of each sling and rope in each case."""
+    by_case = {name: [values_of(state) for state in result.of(name)] for name in result.names}
+    names = {
+        quantity: list(
+            dict.fromkeys(name for many in by_case.values() for one in many for name in one[quantity])
+        )
+        for quantity in ("sling_tension", "rope_tension")
+    }
+    ropes = [(quantity, name) for quantity, of in names.items() for name in of]
+    columns = []
+    for case, many in by_case.items():
+        highest = (
+            max((one[quantity][name] for one in many if name in one[quantity]), default=None)
+            for quantity, name in ropes
+        )
+        columns.append([case or AS_GIVEN, *(show(value, "kN", 1) for value in highest)])
+    return tables(["Highest tension", *(name for _, name in ropes)], columns, width=width) if ropes else []
 
 
 def _worst(worst: Sequence[Worst], width: int) -> list[str]:

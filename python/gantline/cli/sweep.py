@@ -63,7 +63,7 @@ def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
     """The table; slings that find no room beside the others stand below them."""
     from gantline.cli.cases_table import outcome
     from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import tables
     from gantline.study.state import QUANTITIES, values_of
 
     values = [values_of(point.state) for point in points]
@@ -76,18 +76,7 @@ def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
             columns.append([title.format(element), *cells])
     first = [path, *(_shown(point) for point in points)]
     last = ["", *(outcome([point.state]) for point in points)]
-
-    def lines(count: int, ends: Sequence[Sequence[str]]) -> list[str]:
-        head, *rows = zip(first, *columns[:count], *ends, strict=True)
-        return table(head, rows, "r" * (count + 1) + "l" * len(ends))
-
-    parts: list[list[str]] = []
-    while columns or not parts:
-        ends = [] if parts else [last]
-        fitting = (n for n in range(len(columns), 1, -1) if max(map(len, lines(n, ends))) <= width)
-        count = next(fitting, min(1, len(columns)))
-        parts.append(lines(count, ends))
-        columns = columns[count:]
+    parts = tables(first, columns, last, width=width)
     causes = [
         f"  {_shown(point)}: no equilibrium: {point.state.cause}" for point in points if point.state.cause
     ]
