@@ -160,7 +160,9 @@ def test_losses_are_bounded_both_ways() -> None:
     of_sheave = 300.0 * G
     expected = pairs / pairs.sum() * (WEIGHT + 5 * of_sheave) - of_sheave
     assert upright(states[0]) == pytest.approx(WEIGHT / 5, rel=1e-9)
+    highest = crossing[0] / pairs.sum() * (WEIGHT + 5 * of_sheave)
     for state in states[1:]:
+        assert values_of(state)["rope_tension"]["e1.equalizing"] == pytest.approx(highest, rel=2.7e-4)
         assert sorted(upright(state)) == pytest.approx(sorted(expected), rel=2.7e-4)
     assert (np.diff(upright(states[1])) * np.diff(upright(states[2])) < 0).all()
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from gantline.checks import Check, Verdict, check_recording, has_failed, verdict_of
+from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
 
@@ -127,7 +128,8 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
     """Each of `QUANTITIES` by element [SI]; empty without equilibrium.
 
     `sling_tension` and `smallest_sling_tension` are the same, of which the largest and the smallest is
-    worst. `sheave_travel` is down positive. What a case cuts is left out.
+    worst. `rope_tension` is that of all other ropes, where sheaves have losses of the most loaded part.
+    `sheave_travel` is down positive. What a case cuts is left out.
     """
     if state.rest is None:
         return {quantity: {} for quantity in QUANTITIES}
@@ -144,7 +146,7 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
     return {
         "sling_tension": slings,
         "smallest_sling_tension": dict(slings),
-        "rope_tension": last("rope_tension", others),
+        "rope_tension": {rope: series.rope_peak(recording, rope)[0] for rope in others},
         "hook_load": last("hook_load", hooks),
         "hoist_load": last("hoist_load", hooks),
         "load_tilt": last("load_tilt", [load.name for load in rig.loads]),
