@@ -80,6 +80,8 @@ def written(schema: Schema) -> str:
         if inside in ("", "a text or name"):
             return "a list"
         return f"`[{', '.join([inside] * schema.get('minItems', 1))}]`"
+    if schema.get("type") == "object":
+        return "a mapping"
     options = [written(option) for kind in ("anyOf", "oneOf") for option in schema.get(kind, [])]
     options = [option for option in options if option and option != "`0`"]
     if not options and "string" in schema.get("type", ""):

@@ -12,7 +12,16 @@ import math
 import re
 from typing import Final
 
-__all__ = ["DIMENSIONS", "UnitError", "example", "format_quantity", "quantity", "units_of"]
+__all__ = [
+    "DIMENSIONS",
+    "UnitError",
+    "common_dimension",
+    "example",
+    "format_quantity",
+    "quantity",
+    "si_text",
+    "units_of",
+]
 
 _TONNE: Final = 1000.0
 _MINUTE: Final = 60.0
@@ -86,6 +95,36 @@ def example(dimension: str) -> str:
     """Sentence part that names a dimension with examples: ``a mass is written like '300 t' or '20 kg'``."""
     name, examples = _WORDS[dimension]
     return f"{name} is written like {examples}"
+
+
+def common_dimension(*texts: str) -> str:
+    """Dimension in which all of some quantities are written; a bare zero has any.
+
+    Raises:
+        UnitError: if one is no quantity, or they have no dimension in common.
+    """
+    common = list(DIMENSIONS)
+    for text in texts:
+        fitting = [dimension for dimension in common if _is_quantity(text, dimension)]
+        if not fitting:
+            what = example(common[0]) if len(common) == 1 else "a quantity is written like '0.2 m' or '5 %'"
+            raise UnitError(f"found '{text[:_LONGEST]}'; {what}")
+        common = fitting
+    return common[-1] if "ratio" in common else common[0]
+
+
+def si_text(value: float, dimension: str) -> str:
+    """A value [SI] as a text that reads back to the last digit."""
+    unit = next(unit for unit, factor in DIMENSIONS[dimension].items() if factor == 1.0)
+    return f"{value!r} {unit}".strip()
+
+
+def _is_quantity(text: str, dimension: str) -> bool:
+    try:
+        quantity(text, dimension)
+    except UnitError:
+        return False
+    return True
 
 
 def quantity(text: str, dimension: str) -> float:

@@ -51,6 +51,16 @@ limits: {rule: example, load_tilt: 2 deg}
 simulation: {integrator: del, step: 1 ms, sample_interval: 20 ms}
 """
 
+#: A section for `BASE`, with every kind of case that it can have.
+CASES = """\
+cases:
+  heavy: {set: {load.weight.simulate: design, load.weight.contingency: 1.1}}
+  hook_level: {vary: {cranes.hook.at.z: [-0.2 m, 0.2 m], cranes.hook.at.x: [10 mm]}}
+  lengths: {vary: slings.tolerance, pattern: worst, remark: as bought}
+  sling_cut: {cut: [S1], at_step: hold, after: 1 s}
+  both_cut: {cut: [S1, S2], at: 15 s}
+"""
+
 MECHANICS = """\
 format: 1
 lift: {title: A weight on a rope}

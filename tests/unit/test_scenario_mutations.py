@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 from gantline.scenario import ScenarioError, parse_scenario, template
 from gantline.scenario.tree import parse_text
 from gantline.simulation import Simulation, SimulationError
-from lift_text import BASE, MECHANICS
+from lift_text import BASE, CASES, MECHANICS
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 TEXTS = [path.read_text(encoding="utf-8") for path in sorted(SCENARIOS.glob("*/scenario.yaml"))]
-TEXTS += [BASE, MECHANICS, template()]
+TEXTS += [BASE, BASE + CASES, MECHANICS, template()]
 TREES = [parse_text(text, "lift.yaml") for text in TEXTS]
 
 VALUES = [

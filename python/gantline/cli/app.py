@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from gantline.cli.cases import cases
 from gantline.cli.check import check
 from gantline.cli.compare import compare
 from gantline.cli.new import new
@@ -24,6 +25,7 @@ app = typer.Typer(
 )
 app.command()(run)
 app.command()(statics)
+app.command()(cases)
 app.command()(compare)
 app.command()(check)
 app.command()(new)

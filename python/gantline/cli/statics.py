@@ -34,6 +34,14 @@ def statics(
     sensitivities: Annotated[
         bool, typer.Option("--sensitivities", help="Show what lengths, stiffness and weight change.")
     ] = False,
+    sweep: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PATH=FROM..TO/N",
+            help="Show tensions and tilt over N values of a quantity of the lift file, such as "
+            "'cranes.hook.at.z=36 m..37 m/5'.",
+        ),
+    ] = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -51,6 +59,12 @@ def statics(
     moment = quantity_of("--time", time, "time")
     if moment is not None and moment < 0.0:
         stop(f"--time: {time!r} is before the start of the lift; 0 s is the start")
+    if sweep is not None:
+        from gantline.cli.sweep import sweep as run_sweep
+
+        if sensitivities or output is not None:
+            stop("--sweep: prints a table of many equilibria; --sensitivities and --output are for one")
+        run_sweep(lift, sweep, moment)
     with scenario_errors():
         from gantline.statics import NoEquilibriumError, Statics
 

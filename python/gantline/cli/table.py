@@ -23,6 +23,33 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]], align: str) -> lis
     return [_line(row, widths, align) for row in [list(head), *indented]]
 
 
+def tables(
+    first: Sequence[str], columns: Sequence[Sequence[str]], last: Sequence[str] | None = None, *, width: int
+) -> list[list[str]]:
+    """A table given by columns, continued in further ones where it is too wide.
+
+    Args:
+        first: Title and cells of the first column, which every table has.
+        columns: Those of the others, aligned right.
+        last: Those of a last one, aligned left, of the first table only.
+        width: Columns of text that a line may have.
+
+    Returns:
+        The lines of each table.
+    """
+    rest, found = list(columns), list[list[str]]()
+    while rest or not found:
+        ends = [last] if last is not None and not found else []
+        for count in range(max(len(rest), 1), 0, -1):
+            head, *rows = zip(first, *rest[:count], *ends, strict=True)
+            lines = table(head, rows, "l" + "r" * len(rest[:count]) + "l" * len(ends))
+            if max(map(len, lines)) <= width:
+                break
+        found.append(lines)
+        rest = rest[count:]
+    return found
+
+
 def pairs(title: str, rows: Sequence[tuple[str, str]], width: int = 24) -> list[str]:
     """A title and lines of name and text below it."""
     return [title, *(f"  {name:<{width}}{text}".rstrip() for name, text in rows)]

@@ -7,6 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Field, PrivateAttr
 
 from gantline.scenario.base import Element, Named
+from gantline.scenario.case import Case
 from gantline.scenario.crane import Equalizer, EqualizerType, FixedHook
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
 from gantline.scenario.extension import ExtensionSheave
@@ -23,7 +24,7 @@ from gantline.scenario.tree import MapNode, line_of
 __all__ = ["COMING", "Scenario"]
 
 #: Sections that the format will have and that this version does not know.
-COMING = ("axes", "cases", "hook_types", "structures", "supports", "vessels", "watch", "wind")
+COMING = ("axes", "hook_types", "structures", "supports", "vessels", "watch", "wind")
 
 
 class _FormatReader(Reader):
@@ -73,6 +74,7 @@ class Scenario(Element):
         None, description="Sheaves that hang on slings and serve two lugs each, by name."
     )
     plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
+    cases: Named[Case] | None = Field(None, description="What may be otherwise than planned, by name.")
     limits: Limits | None = Field(None, description="Limits that the lift is checked against.")
     rules: Rules | None = Field(None, description="Factors on loads and strengths for the checks.")
     simulation: SimulationSettings = Field(SimulationSettings(), description="How the lift is simulated.")
@@ -91,6 +93,11 @@ class Scenario(Element):
     def source(self) -> str:
         """The lift file as the user named it."""
         return self._source
+
+    @property
+    def tree(self) -> MapNode:
+        """The lift file as a tree of texts with lines."""
+        return self._tree
 
     def read_from(self, source: str, text: str, tree: MapNode) -> Scenario:
         """The same scenario, knowing the file it came from; messages about it then have lines."""

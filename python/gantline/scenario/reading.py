@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pydantic import ValidationError
-
-from gantline.scenario.check import check
 from gantline.scenario.errors import Problem, ScenarioError
+from gantline.scenario.from_tree import from_tree
 from gantline.scenario.model import Scenario
 from gantline.scenario.shipped import shipped
-from gantline.scenario.translate import translate
 from gantline.scenario.tree import parse_text, read_text
+from gantline.scenario.variants import check_cases
 
 __all__ = ["FILE_NAME", "load_scenario", "parse_scenario"]
 
@@ -49,13 +47,8 @@ def parse_scenario(text: str, source: str = "scenario.yaml") -> Scenario:
     Raises:
         ScenarioError: as `load_scenario`.
     """
-    tree = parse_text(text, source)
-    try:
-        scenario = Scenario.model_validate(tree)
-    except ValidationError as error:
-        raise ScenarioError(source, translate(error.errors(include_url=False), tree)) from None
-    scenario.read_from(source, text, tree)
-    check(scenario)
+    scenario = from_tree(parse_text(text, source), source, text)
+    check_cases(scenario)
     return scenario
 
 

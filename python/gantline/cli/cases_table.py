@@ -1,0 +1,215 @@
+"""Tables of cases: one line for each case, and the worst case of each element."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Iterator, Sequence
+
+from gantline.cli.summary import show
+from gantline.cli.table import ABSENT, table, tables
+from gantline.study.cases import CasesResult
+from gantline.study.state import QUANTITIES, State, Worst, values_of
+
+#: How the lift without any change is called.
+AS_GIVEN = "as given"
+#: What a line of the worst cases is called.
+_LINES = {
+    "sling_tension": "{} highest",
+    "smallest_sling_tension": "{} lowest",
+    "rope_tension": "{}",
+    "hook_load": "{} hook load",
+    "hoist_load": "{} hoist load",
+    "load_tilt": "{} tilt",
+    "sheave_travel": "{} travel",
+}
+_SHORTEST_LABEL = 16
+
+
+def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]:
+    """All that is shown of cases.
+
+    Args:
+        result: The cases.
+        width: Columns that a line may have.
+        variants: Whether each variant has a line of its own.
+    """
+    groups: list[tuple[str, list[State]]]
+    if variants:
+        groups = [(_name(state.case, state.label), [state]) for state in result.states]
+    else:
+        by_case = {name: result.of(name) for name in result.names}
+        groups = [(_name(name, str(len(states)) if len(states) > 1 else ""), states)
+                  for name, states in by_case.items()]  # fmt: skip
+    parts = [
+        [f"{result.title}, at rest"],
+        [*states_table(groups, "Case", width=width), *_notes(result.states, width)],
+        *_tensions(result, width),
+        _worst(result.worst, width),
+        *_bands(result),
+        [_verdict(result)],
+    ]
+    return [line for part in parts if part for line in (*part, "")][:-1]
+
+
+def states_table(groups: Sequence[tuple[str, Sequence[State]]], title: str, *, width: int) -> list[str]:
+    """One line for each group of states, with the worst of each quantity.
+
+    Args:
+        groups: Names and states.
+        title: Title of the names.
+        width: Columns that a line may have.
+    """
+    rows = [
+        (
+            "",
+            show(_largest(states, "smallest_sling_tension", smallest=True), "kN", 1),
+            show(_largest(states, "sling_tension"), "kN", 1),
+            show(_largest(states, "hook_load"), "kN", 1),
+            show(_largest(states, "load_tilt"), "deg", 2),
+            show(_largest(states, "sheave_travel"), "m", 3),
+            outcome(states),
+        )
+        for _, states in groups
+    ]
+    head = ("", "slings", "to", "hook load", "tilt", "travel", "")
+    taken = max(len(line) for line in table(head, rows, "lrrrrrl"))
+    room = max(_SHORTEST_LABEL, width - taken)
+    named = [(_shortened(name, room), *row[1:]) for (name, _), row in zip(groups, rows, strict=True)]
+    return table((title, *head[1:]), named, "lrrrrrl")
+
+
+def _name(case: str, more: str) -> str:
+    return f"{case or AS_GIVEN}{f' ({more})' if more else ''}"
+
+
+def _largest(states: Iterable[State], quantity: str, *, smallest: bool = False) -> float | None:
+    values = [value for state in states for value in values_of(state)[quantity].values()]
+    if quantity == "sheave_travel":
+        return max(values, key=abs, default=None)
+    return min(values, default=None) if smallest else max(values, default=None)
+
+
+def outcome(states: Sequence[State]) -> str:
+    """What is wrong with the worst of some states, in a word."""
+    if any(state.rest is None for state in states):
+        return "NONE"
+    if any(state.rest is not None and not state.rest.is_stable for state in states):
+        return "UNSTABLE"
+    return "FAILED" if any(state.failed for state in states) else "ok"
+
+
+def _notes(states: Sequence[State], width: int) -> Iterator[str]:
+    """Why states are not sound, each reason once with the states that it is true of."""
+    reasons: dict[str, list[State]] = {}
+    for state in states:
+        if state.rest is None:
+            reasons.setdefault(f"no equilibrium: {state.cause}", []).append(state)
+        elif not state.rest.is_stable:
+            count = state.rest.unstable
+            motions = "one motion leads" if count == 1 else f"{count} motions lead"
+            reasons.setdefault(f"unstable: {motions} away", []).append(state)
+        for check in state.failed:
+            reasons.setdefault(f"{check} failed", []).append(state)
+    for reason, found in reasons.items():
+        every = len(found) == len(states) and len(states) > 1
+        line = f"{reason}: {'everywhere' if every else _where(found, states)}"
+        yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
+
+
+def _where(found: Sequence[State], states: Sequence[State]) -> str:
+    """Cases that some states belong to, and how many of each."""
+    parts = []
+    for case in dict.fromkeys(state.case for state in found):
+        some, every = (sum(state.case == case for state in many) for many in (found, states))
+        parts.append(_name(case, f"{some} of {every}" if every > 1 else ""))
+    return ", ".join(parts)
+
+
+def _tensions(result: CasesResult, width: int) -> list[list[str]]:
+    """The largest tension of each sling and rope in each case."""
+    by_case = {name: [values_of(state) for state in result.of(name)] for name in result.names}
+    names = {
+        quantity: list(
+            dict.fromkeys(name for many in by_case.values() for one in many for name in one[quantity])
+        )
+        for quantity in ("sling_tension", "rope_tension")
+    }
+    ropes = [(quantity, name) for quantity, of in names.items() for name in of]
+    columns = []
+    for case, many in by_case.items():
+        highest = (
+            max((one[quantity][name] for one in many if name in one[quantity]), default=None)
+            for quantity, name in ropes
+        )
+        columns.append([case or AS_GIVEN, *(show(value, "kN", 1) for value in highest)])
+    return tables(["Highest tension", *(name for _, name in ropes)], columns, width=width) if ropes else []
+
+
+def _worst(worst: Sequence[Worst], width: int) -> list[str]:
+    rows = []
+    for one in worst:
+        unit, digits = QUANTITIES[one.quantity]
+        # A hook that bears its load and nothing else has the same twice.
+        if one.quantity == "hoist_load" and _repeats(one, worst):
+            continue
+        share = f"{one.value / one.given:.3f}" if one.given and unit == "kN" else ABSENT
+        label = _name(one.state.case, one.state.label)
+        name = _LINES[one.quantity].format(one.element)
+        rows.append((name, show(one.given, unit, digits), show(one.value, unit, digits), share, label))
+    if not rows:
+        return []
+    head = ("Worst case", AS_GIVEN, "worst", "of it", "in")
+    taken = max(len(line) for line in table(head, [(*row[:4], "") for row in rows], "lrrrl")) + 2
+    room = max(_SHORTEST_LABEL, width - taken)
+    return table(head, [(*row[:4], _shortened(row[4], room)) for row in rows], "lrrrl")
+
+
+def _repeats(hoist: Worst, worst: Sequence[Worst]) -> bool:
+    same = (one for one in worst if one.quantity == "hook_load" and one.element == hoist.element)
+    return any(one.value == hoist.value for one in same)
+
+
+def _bands(result: CasesResult) -> Iterator[list[str]]:
+    """Tensions over the patterns of lengths of each case, by sensitivities and solved anew."""
+    given = values_of(result.given)["sling_tension"]
+    for name in result.names:
+        states = [state for state in result.of(name) if state.first_order]
+        if not states:
+            continue
+        solved = [values_of(state)["sling_tension"] for state in states]
+        rows = [
+            (
+                sling,
+                show(given.get(sling), "kN", 1),
+                _band(state.first_order[sling] for state in states),
+                _band(values[sling] for values in solved if sling in values),
+            )
+            for sling in states[0].first_order
+        ]
+        yield table((name, AS_GIVEN, "by sensitivities", "solved anew"), rows, "lrrr")
+
+
+def _band(values: Iterable[float]) -> str:
+    known = list(values)
+    if not known:
+        return ABSENT
+    return f"{min(known) / 1e3:z.1f} to {show(max(known), 'kN', 1)}"
+
+
+def _verdict(result: CasesResult) -> str:
+    counts = {"no equilibrium": 0, "unstable": 0, "failed a check": 0}
+    for state in result.states:
+        if state.rest is None:
+            counts["no equilibrium"] += 1
+        elif not state.rest.is_stable:
+            counts["unstable"] += 1
+        elif state.failed:
+            counts["failed a check"] += 1
+    bad = ", ".join(f"{count} {what}" for what, count in counts.items() if count)
+    cases = len(result.names) - 1
+    head = f"{cases} case{'' if cases == 1 else 's'}, {len(result.states)} equilibria asked for"
+    return f"{head}: {bad or 'all sound'}"
+
+
+def _shortened(text: str, room: int) -> str:
+    return text if len(text) <= room else f"{text[: room - 1]}…"

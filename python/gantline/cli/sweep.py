@@ -1,0 +1,90 @@
+"""`gantline statics LIFT --sweep PATH=FROM..TO/N`: how a lift hangs over the values of one quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+import typer
+
+from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop
+
+if TYPE_CHECKING:
+    from gantline.study.sweep import SweepPoint
+
+_WRITTEN = "a sweep is written like 'cranes.hook.at.z=36 m..37 m/5', five values from 36 m to 37 m"
+_MOST = 1000
+
+
+def sweep(lift: Path, text: str, time: float | None) -> NoReturn:
+    """Print the table of a sweep, and end.
+
+    Args:
+        lift: Lift file, folder, or name of a lift that comes with gantline.
+        text: The sweep as it stands behind its option.
+        time: Time of the plan [s]; None for the end of the lift.
+
+    Raises:
+        typer.Exit: Always; with 1 where a check fails or a lift is unstable, and with 3 where it falls.
+    """
+    path, first, last, count = _read(text)
+    with scenario_errors():
+        from gantline.cli.check_table import width_of_terminal
+        from gantline.scenario import load_scenario
+        from gantline.scenario.tree_path import PathError
+        from gantline.study import run_sweep
+        from gantline.units import UnitError
+
+        scenario = load_scenario(lift)
+        try:
+            points = list(run_sweep(scenario, path, first, last, count, time))
+        except (PathError, UnitError) as problem:
+            stop(f"--sweep: {problem}")
+    typer.echo("\n".join(_lines(path, points, width_of_terminal())))
+    if any(point.state.rest is None for point in points):
+        raise typer.Exit(COULD_NOT_GO_ON)
+    raise typer.Exit(DONE if all(point.state.is_sound for point in points) else CHECK_FAILED)
+
+
+def _read(text: str) -> tuple[str, str, str, int]:
+    """Path, first and last value as written, and how many."""
+    path, equals, values = (word.strip() for word in text.partition("="))
+    span, slash, number = (word.strip() for word in values.rpartition("/"))
+    first, dots, last = (word.strip() for word in span.partition(".."))
+    if not (path and equals and slash and dots and first and last):
+        stop(f"--sweep: '{text}' is no sweep; {_WRITTEN}")
+    if not (number.isascii() and number.isdecimal() and 2 <= int(number[:9]) <= _MOST):
+        stop(f"--sweep: '{number}' is no number of values; a whole number from 2 to {_MOST} is right")
+    return path, first, last, int(number)
+
+
+def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
+    """The table; slings that find no room beside the others stand below them."""
+    from gantline.cli.cases_table import outcome
+    from gantline.cli.summary import show
+    from gantline.cli.table import tables
+    from gantline.study.state import QUANTITIES, values_of
+
+    values = [values_of(point.state) for point in points]
+    kinds = {"load_tilt": "{} tilt", "hook_load": "{} hook load", "sling_tension": "{}"}
+    columns: list[list[str]] = []
+    for kind, title in kinds.items():
+        unit, digits = QUANTITIES[kind]
+        for element in dict.fromkeys(name for one in values for name in one[kind]):
+            cells = (show(one[kind].get(element), unit, digits) for one in values)
+            columns.append([title.format(element), *cells])
+    first = [path, *(_shown(point) for point in points)]
+    last = ["", *(outcome([point.state]) for point in points)]
+    parts = tables(first, columns, last, width=width)
+    causes = [
+        f"  {_shown(point)}: no equilibrium: {point.state.cause}" for point in points if point.state.cause
+    ]
+    return [line for part in (*parts, causes) if part for line in (*part, "")][:-1]
+
+
+def _shown(point: SweepPoint) -> str:
+    from gantline.units import DIMENSIONS
+
+    unit, factor = next(iter(DIMENSIONS[point.dimension].items()))
+    return f"{point.value / factor:.6g} {unit}"

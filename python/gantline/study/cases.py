@@ -1,0 +1,216 @@
+"""The cases of a lift file: statics of each, and the worst of them for each element."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.scenario.case import TOLERANCE
+from gantline.scenario.variants import (
+    tolerances,
+    variants_of,
+    with_lengths,
+    with_ropes_cut,
+    without_cases,
+)
+from gantline.statics import Losses, NoEquilibriumError, Statics
+from gantline.study.moment import begin_of_step
+from gantline.study.pattern import (
+    Floats,
+    changes_of_tension,
+    pattern_label,
+    single_patterns,
+    worst_patterns,
+)
+from gantline.study.state import State, Worst, settled, worst_of
+
+__all__ = ["CasesResult", "run_cases"]
+
+_BOUNDS: tuple[Losses, ...] = ("forward", "backward")
+
+
+@dataclass(frozen=True)
+class CasesResult:
+    """Statics of a lift and of all its cases.
+
+    Attributes:
+        title: Title of the lift.
+        given: The lift as it is given.
+        states: That, then every variant of every case, in the order of the file; of lifts with losses of
+            sheaves each with its two bounds.
+    """
+
+    title: str
+    given: State
+    states: Sequence[State]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the cases; the lift as it is given is the first and has an empty one."""
+        return tuple(dict.fromkeys(state.case for state in self.states))
+
+    def of(self, case: str) -> list[State]:
+        """All states of a case."""
+        return [state for state in self.states if state.case == case]
+
+    @property
+    def worst(self) -> list[Worst]:
+        """The worst case of each element."""
+        return worst_of(self.states, self.given)
+
+    @property
+    def has_equilibria(self) -> bool:
+        """Whether every state has an equilibrium."""
+        return all(state.rest is not None for state in self.states)
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether every state has a stable equilibrium in which no check failed."""
+        return all(state.is_sound for state in self.states)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units; the lift as it is given is the case with the name ''."""
+        return {
+            "title": self.title,
+            "sound": self.is_sound,
+            "cases": [
+                {"case": name, "states": [state.to_json() for state in self.of(name)]} for name in self.names
+            ],
+            "worst": [
+                {
+                    "quantity": one.quantity,
+                    "element": one.element,
+                    "given": one.given,
+                    "value": one.value,
+                    "case": one.state.case,
+                    "variant": one.state.variant,
+                    "losses": one.state.losses,
+                }
+                for one in self.worst
+            ],
+        }
+
+
+def run_cases(lift: str | Path | Scenario, time: float | None = None) -> CasesResult:
+    """Statics of a lift as it is given and of each of its cases.
+
+    No equilibrium is a result. Where sheaves have losses each variant has two states more, with all of them
+    slipping along the rope and against it.
+
+    Args:
+        lift: A lift file, its folder, or a loaded scenario.
+        time: Time of the plan [s]; None for the end of the lift. A cut that says when has its own.
+
+    Raises:
+        ScenarioError: If the lift file is not right, or a case asks for what cannot be.
+    """
+    scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
+    base = without_cases(scenario)
+    states = list(_with_bounds(base, time, State("", "", "none", 0.0)))
+    for name in scenario.cases or {}:
+        states += _states(scenario, base, name, time)
+    return CasesResult(scenario.lift.title, states[0], states)
+
+
+def _states(scenario: Scenario, base: Scenario, name: str, time: float | None) -> Iterator[State]:
+    """All states of a case."""
+    case = (scenario.cases or {})[name]
+    if case.vary == TOLERANCE:
+        yield from _tolerances(scenario, base, name, time)
+    elif case.cut:
+        yield from _cut(scenario, base, name, time)
+    else:
+        for variant in variants_of(scenario, name):
+            state = State(name, variant.label, "none", 0.0)
+            yield from _of_case(scenario, variant.scenario, time, state)
+
+
+def _of_case(scenario: Scenario, changed: Scenario, time: float | None, state: State) -> Iterator[State]:
+    """States of a case's lift; what is wrong with how that is built is said at the case."""
+    try:
+        yield from _with_bounds(changed, time, state)
+    except ScenarioError as error:
+        problem = error.problems[0]
+        sentence = f"{problem.path}: {problem.sentence}"
+        where = f"{state.variant}: " if state.variant else ""
+        raise scenario.error(("cases", state.case), f"{where}{sentence}") from None
+
+
+def _with_bounds(scenario: Scenario, time: float | None, state: State) -> Iterator[State]:
+    """A state settled, and with all sheaves slipping one way and the other where they have losses."""
+    question = Statics(scenario)
+    found = settled(question, time, state)
+    yield found
+    if found.rest is not None and found.rest.lossy:
+        for losses in _BOUNDS:
+            yield settled(question, time, replace(state, losses=losses, first_order={}))
+
+
+def _cut(scenario: Scenario, base: Scenario, name: str, time: float | None) -> Iterator[State]:
+    """The lift at rest once ropes have been cut; at its own time, if it says one."""
+    case = (scenario.cases or {})[name]
+    moment = case.at
+    if case.at_step is not None:
+        try:
+            begin = begin_of_step(base, case.at_step)
+        except NoEquilibriumError as problem:
+            cause = f"{problem.cause} ({problem.element})"
+            yield State(name, "", "none", problem.time, cause=cause, cut=case.cut)
+            return
+        if begin is None:
+            sentence = f"'{case.at_step}' does not begin within the {base.duration:g} s of the lift"
+            raise scenario.error(("cases", name, "at_step"), sentence)
+        moment = begin + (case.after or 0.0)
+        if moment > base.duration:
+            sentence = f"that is at {moment:g} s, after the end of the lift at {base.duration:g} s"
+            raise scenario.error(("cases", name, "after" if case.after else "at_step"), sentence)
+    when = base.duration if moment is None and time is None else time if moment is None else moment
+    assert when is not None
+    # What is cut at a time has parted at any later one.
+    question = with_ropes_cut(scenario, name, when)
+    label = "" if moment is None else f"at {when:.4g} s"
+    state = State(name, label, "none", 0.0, cut=case.cut)
+    yield from _of_case(scenario, question, math.nextafter(when, math.inf), state)
+
+
+def _tolerances(scenario: Scenario, base: Scenario, name: str, time: float | None) -> Iterator[State]:
+    """Patterns of long and short slings, by sensitivities, and each solved anew."""
+    case = (scenario.cases or {})[name]
+    question = Statics(base)
+    off = tolerances(scenario)
+    given = settled(question, time, State(name, "", "none", 0.0))
+    if given.rest is None:
+        yield given
+        return
+    change = _changes(scenario, name, question, off)
+    one_by_one = change is None or case.pattern == "each"
+    patterns = single_patterns(len(off)) if one_by_one else worst_patterns(str(case.pattern), change)
+    if not patterns:
+        yield replace(given, variant="lengths change no tension")
+    for pattern in patterns:
+        longer = {sling: sign * off[sling] for sling, sign in zip(off, pattern, strict=True) if sign}
+        more = change @ np.array(pattern) if change is not None else ()
+        first_order = {
+            sling.name: given.rest.tension(sling.rope) + float(one)
+            for sling, one in zip(question.rig.slings, more, strict=change is not None)
+        }
+        state = State(name, pattern_label(longer), "none", 0.0, first_order=first_order)
+        yield from _of_case(scenario, with_lengths(scenario, name, longer), time, state)
+
+
+def _changes(scenario: Scenario, name: str, question: Statics, off: Mapping[str, float]) -> Floats | None:
+    """What tolerances change in tensions; None of a case that can do without."""
+    try:
+        return changes_of_tension(question, off)
+    except (RuntimeError, ValueError) as problem:
+        if (scenario.cases or {})[name].pattern == "each":
+            return None
+        cause = ": ".join(str(part) for part in problem.args)
+        sentence = f"tensions have no sensitivities to these lengths ({cause})"
+        raise scenario.error(("cases", name, "vary"), f"{sentence}; 'pattern: each' needs none") from None

@@ -1,0 +1,201 @@
+"""One lift at rest among many, and which of them is worst for each element."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from gantline.checks import Check, Verdict, check_recording, has_failed, verdict_of
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
+
+__all__ = ["LOSSES", "QUANTITIES", "State", "Worst", "settled", "values_of", "worst_of"]
+
+#: Quantities of a state, each with the unit and decimals in which people read it.
+QUANTITIES: dict[str, tuple[str, int]] = {
+    "sling_tension": ("kN", 1),
+    "smallest_sling_tension": ("kN", 1),
+    "rope_tension": ("kN", 1),
+    "hook_load": ("kN", 1),
+    "hoist_load": ("kN", 1),
+    "load_tilt": ("deg", 2),
+    "sheave_travel": ("m", 3),
+}
+_ROUNDING = 1e-9
+#: What losses of sheaves do in a state, in words.
+LOSSES: dict[Losses, str] = {"none": "", "forward": "slip along", "backward": "slip against"}
+
+
+@dataclass(frozen=True)
+class State:
+    """A lift at rest in one variant of a case.
+
+    Attributes:
+        case: Name of the case; empty for the lift as it is given.
+        variant: What is different in it; empty where its case has only one.
+        losses: What losses of sheaves do, see `Statics.equilibrium`.
+        time: Time of the plan [s].
+        rest: The equilibrium; None where there is none.
+        cause: Why there is none, in one sentence.
+        cut: Slings and ropes that the case cuts.
+        checks: Its checks, of slings that the case cuts none.
+        first_order: Tensions of slings by sensitivities about the lift as it is given [N]; of a case that
+            varies lengths of slings.
+    """
+
+    case: str
+    variant: str
+    losses: Losses
+    time: float
+    rest: Equilibrium | None = None
+    cause: str = ""
+    cut: tuple[str, ...] = ()
+    checks: Sequence[Check] = ()
+    first_order: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def label(self) -> str:
+        """Variant and losses in words."""
+        return ", ".join(part for part in (self.variant, LOSSES[self.losses]) if part)
+
+    @property
+    def failed(self) -> tuple[str, ...]:
+        """Names of the checks that failed."""
+        return tuple(dict.fromkeys(one.name for one in self.checks if one.verdict is Verdict.FAILED))
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether there is an equilibrium, it is stable, and no check failed."""
+        return self.rest is not None and self.rest.is_stable and not has_failed(self.checks)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units."""
+        rest = self.rest
+        return {
+            "variant": self.variant,
+            "losses": self.losses,
+            "time": self.time,
+            "equilibrium": rest is not None,
+            "cause": self.cause,
+            "stable": None if rest is None else rest.is_stable,
+            "unstable_motions": None if rest is None else rest.unstable,
+            "neutral_motions": None if rest is None else rest.neutral,
+            "cut": list(self.cut),
+            **values_of(self),
+            "first_order_sling_tension": dict(self.first_order) or None,
+            "failed": list(self.failed),
+            "verdict": verdict_of(self.checks) if rest is not None else "",
+            "checks": [check.to_json() for check in self.checks],
+        }
+
+
+@dataclass(frozen=True)
+class Worst:
+    """The worst that happens to one element.
+
+    Attributes:
+        quantity: A key of `QUANTITIES`.
+        element: Sling, rope, hook, load or moving sheave.
+        given: Its value in the lift as it is given [SI]; None without equilibrium or such an element.
+        value: The worst value [SI].
+        state: The state that has it.
+    """
+
+    quantity: str
+    element: str
+    given: float | None
+    value: float
+    state: State
+
+
+def settled(question: Statics, time: float | None, state: State) -> State:
+    """A state with the equilibrium at a time [s] and its checks, or the cause why there is none."""
+    try:
+        rest = question.equilibrium(time, losses=state.losses)
+    except NoEquilibriumError as problem:
+        cause = f"{problem.cause} ({problem.element})"
+        return State(state.case, state.variant, state.losses, problem.time, cause=cause, cut=state.cut)
+    checks = check_recording(_without(rest.recording, state.cut))
+    return State(
+        state.case, state.variant, state.losses, rest.time, rest, cut=state.cut, checks=checks,
+        first_order=state.first_order,
+    )  # fmt: skip
+
+
+def values_of(state: State) -> dict[str, dict[str, float]]:
+    """Each of `QUANTITIES` by element [SI]; empty without equilibrium.
+
+    `sling_tension` and `smallest_sling_tension` are the same, of which the largest and the smallest is
+    worst. `rope_tension` is that of all other ropes, where sheaves have losses of the most loaded part.
+    `sheave_travel` is down positive. What a case cuts is left out.
+    """
+    if state.rest is None:
+        return {quantity: {} for quantity in QUANTITIES}
+    recording, rig = state.rest.recording, state.rest.recording.rig
+
+    def last(name: str, elements: Iterable[str]) -> dict[str, float]:
+        return {element: float(recording.column(name, element)[-1]) for element in elements}
+
+    slings = {one.name: state.rest.tension(one.rope) for one in rig.slings if one.name not in state.cut}
+    of_slings = {one.rope for one in rig.slings} | set(state.cut)
+    others = [rope for rope in recording.coordinates.get("rope", ()) if rope not in of_slings]
+    hooks = [hook.name for hook in rig.hooks]
+    sheaves = [sheave for equalizer in rig.equalizers for sheave in equalizer.moving_sheaves]
+    return {
+        "sling_tension": slings,
+        "smallest_sling_tension": dict(slings),
+        "rope_tension": {rope: series.rope_peak(recording, rope)[0] for rope in others},
+        "hook_load": last("hook_load", hooks),
+        "hoist_load": last("hoist_load", hooks),
+        "load_tilt": last("load_tilt", [load.name for load in rig.loads]),
+        "sheave_travel": last("sheave_travel", sheaves),
+    }
+
+
+def worst_of(states: Sequence[State], given: State) -> list[Worst]:
+    """The worst state for each quantity of each element, in the order of the lift.
+
+    Worst is the largest value, of `smallest_sling_tension` the smallest, of `sheave_travel` the farthest from
+    the start; where several are alike, the first.
+    """
+    found: dict[tuple[str, str], Worst] = {}
+    as_given = values_of(given)
+    for state in states:
+        for quantity, values in values_of(state).items():
+            for element, value in values.items():
+                known = found.get((quantity, element))
+                if known is None or _is_worse(quantity, value, known.value):
+                    of = as_given[quantity].get(element)
+                    found[quantity, element] = Worst(quantity, element, of, value, state)
+    order = list(QUANTITIES)
+    return sorted(found.values(), key=lambda one: order.index(one.quantity))
+
+
+def _is_worse(quantity: str, value: float, than: float) -> bool:
+    if quantity == "sheave_travel":
+        value, than = abs(value), abs(than)
+    elif quantity == "smallest_sling_tension":
+        value, than = -value, -than
+    # Of values that differ by rounding alone the first is worst, so that tables do not depend on it.
+    return value > than + _ROUNDING * abs(than)
+
+
+def _without(recording: Recording, cut: Sequence[str]) -> Recording:
+    """The same recording of a lift that never had some slings: the others have to hold it."""
+    if not cut:
+        return recording
+    rig = dict(recording.attributes["rig"])
+    gone = {sling["rope"] for sling in rig.get("slings") or () if sling["name"] in cut} | set(cut)
+    rig["slings"] = [sling for sling in rig.get("slings") or () if sling["rope"] not in gone]
+    rig["equalizers"] = [
+        {**equalizer, "slings": [rope for rope in equalizer.get("slings") or () if rope not in gone]}
+        for equalizer in rig.get("equalizers") or ()
+    ]
+    rig["hooks"] = [
+        {**hook, "direct_slings": [one for one in hook.get("direct_slings") or () if one not in cut]}
+        for hook in rig.get("hooks") or ()
+    ]
+    variables = {name: recording[name] for name in recording}
+    return Recording(variables, recording.coordinates, {**recording.attributes, "rig": rig})

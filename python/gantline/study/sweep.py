@@ -1,0 +1,61 @@
+"""How a lift hangs over the values of one quantity of its file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.scenario import Scenario
+from gantline.scenario.tree import TextNode
+from gantline.scenario.tree_path import PathError, node_at
+from gantline.scenario.variants import with_value
+from gantline.statics import Statics
+from gantline.study.state import State, settled
+from gantline.units import common_dimension, quantity, si_text
+
+__all__ = ["SweepPoint", "run_sweep"]
+
+
+@dataclass(frozen=True)
+class SweepPoint:
+    """One value of a sweep.
+
+    Attributes:
+        value: The value [SI].
+        dimension: Its dimension, a key of `gantline.units.DIMENSIONS`.
+        state: How the lift hangs with it.
+    """
+
+    value: float
+    dimension: str
+    state: State
+
+
+def run_sweep(
+    scenario: Scenario, path: str, first: str, last: str, count: int, time: float | None = None
+) -> Iterator[SweepPoint]:
+    """Statics of a lift over evenly spaced values of one quantity.
+
+    Args:
+        scenario: The lift.
+        path: Dotted path of the quantity in the lift file, as in `cases:`.
+        first: The first value as written, such as `36 m`.
+        last: The last value.
+        count: How many values, from 2 on.
+        time: Time of the plan [s]; None for the end of the lift.
+
+    Raises:
+        PathError: If the path leads nowhere or to no quantity.
+        UnitError: If the values are no quantities of one dimension.
+        ScenarioError: If a value cannot be there.
+    """
+    dimension = common_dimension(first, last)
+    given = node_at(scenario.tree, path)
+    if given is not None and not isinstance(given, TextNode):
+        raise PathError(f"'{path}' has several values; name one of its parts")
+    for value in np.linspace(quantity(first, dimension), quantity(last, dimension), count):
+        question = Statics(with_value(scenario, path, si_text(float(value), dimension)))
+        state = State("", path, "none", 0.0)
+        yield SweepPoint(float(value), dimension, settled(question, time, state))

@@ -1,0 +1,145 @@
+"""`gantline cases` and `gantline statics --sweep`, as people use them."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import Result
+from typer.testing import CliRunner
+
+from gantline.cli.app import app
+from plumb_lift import WEIGHT, plumb_lift
+
+ALL = """\
+heavy: {set: {load.weight.simulate: design}}
+cog_corners: {vary: load.centre_of_gravity.envelope, corners: all}
+sling_lengths: {vary: slings.tolerance, pattern: worst}
+hook_levels: {vary: {cranes.A.at.z: [-1 mm, 1 mm]}}"""
+
+
+def gantline(*arguments: str, columns: int = 80) -> Result:
+    result = CliRunner().invoke(app, arguments, env={"COLUMNS": str(columns)})
+    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
+    return result
+
+
+@pytest.fixture
+def lift(tmp_path: Path) -> Path:
+    path = tmp_path / "lift.yaml"
+    text = plumb_lift(ALL, tolerance="0.01 %", envelope="[0.1 m, 0.1 m, 0 m]")
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("columns", [80, 120])
+def test_the_tables(lift: Path, columns: int) -> None:
+    result = gantline("cases", str(lift), columns=columns)
+    assert result.exit_code == 0, result.stderr
+    assert max(map(len, result.stdout.splitlines())) <= columns
+    assert "4 cases, 10 equilibria asked for: all sound" in result.stdout
+    # W/4 = 735.75 kN.
+    assert re.search(r"as given +735\.[78] kN +735\.[78] kN .*ok\n", result.stdout)
+    # W/4 (1 ± 4 k t/W): k t = 20 kN.
+    assert re.search(r"sling_lengths \(2\) +715\.7 kN +755\.8 kN", result.stdout)
+    assert re.search(r"SA +735\.[78] kN +715\.7 to 755\.8 kN +715\.7 to 755\.8 kN", result.stdout)
+    assert re.search(r"SA highest +735\.[78] kN +809\.3 kN +1\.100 +heavy\n", result.stdout)
+
+
+def test_each_variant_in_a_line(lift: Path) -> None:
+    result = gantline("cases", str(lift), "--variants", columns=120)
+    assert result.exit_code == 0
+    for variant in ("−x −y", "−x +y", "+x −y", "+x +y"):
+        assert f"cog_corners ({variant})" in result.stdout
+    assert "hook_levels (cranes.A.at.z −1 mm)" in result.stdout
+
+
+def test_json(lift: Path) -> None:
+    result = gantline("cases", str(lift), "--json")
+    assert result.exit_code == 0
+    document = json.loads(result.stdout)
+    assert document["sound"] is True
+    named = {one["case"]: one["states"] for one in document["cases"]}
+    assert list(named) == ["", "heavy", "cog_corners", "sling_lengths", "hook_levels"]
+    (heavy,) = named["heavy"]
+    assert heavy["sling_tension"]["SA"] == pytest.approx(1.1 * WEIGHT / 4, rel=1e-9)
+    assert heavy["stable"] is True and heavy["failed"] == [] and heavy["checks"]
+    worst = {(one["quantity"], one["element"]): one for one in document["worst"]}
+    assert worst["sling_tension", "SA"]["case"] == "heavy"
+
+
+def spoil(lift: Path, *changes: tuple[str, str]) -> None:
+    text = lift.read_text(encoding="utf-8")
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    lift.write_text(text, encoding="utf-8")
+
+
+def test_a_check_that_fails_in_a_case_ends_with_one(lift: Path) -> None:
+    spoil(lift, ("cases:\n", "limits: {smallest_sling_tension_when_clear: 720 kN}\ncases:\n"))
+    result = gantline("cases", str(lift))
+    assert result.exit_code == 1, result.stdout + result.stderr
+    assert re.search(r"sling_lengths \(2\) +715\.7 kN .*FAILED\n", result.stdout)
+    # W/4 (1 − 0.04 − 0.04) = 676.9 kN in two corners at the lug that is farthest off.
+    note = "smallest_sling_tension_when_clear failed: cog_corners (4 of 4),"
+    assert note in result.stdout
+    assert "6 failed a check" in result.stdout
+
+
+def test_no_equilibrium_ends_with_three(lift: Path) -> None:
+    spoil(lift, ("  heavy: ", "  gone: {cut: [SA, SB, SC, SD]}\n  heavy: "))
+    result = gantline("cases", str(lift))
+    assert result.exit_code == 3
+    assert re.search(r"gone +- +- +- +- +- +NONE\n", result.stdout)
+    assert "no equilibrium: nothing holds it, it falls without end (girder): gone" in result.stdout
+    assert "5 cases, 11 equilibria asked for: 1 no equilibrium" in result.stdout
+
+
+def test_a_file_without_cases(lift: Path) -> None:
+    result = gantline("cases", "equalizer")
+    assert result.exit_code == 2
+    assert "there are no 'cases' in this file; one is written like 'cases: {heavy: " in result.stderr
+    assert gantline("cases", str(lift), "--time", "-1 s").exit_code == 2
+
+
+def test_a_sweep(lift: Path) -> None:
+    result = gantline("statics", str(lift), "--sweep", "load.weight.calculated=100 t..300 t/3")
+    assert result.exit_code == 0, result.stderr
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    assert re.search(r"load\.weight\.calculated +girder tilt", result.stdout)
+    assert re.search(r" 100 t +0\.00 deg", result.stdout)
+    assert re.search(r" 200 t.* 490\.5 kN", result.stdout)
+
+
+def test_a_sweep_past_the_end_of_equilibria_ends_with_three(lift: Path) -> None:
+    spoil(lift, ("  SD: {from", "  SD: {cut_at: 9 s, from"), ("  SB: {from", "  SB: {cut_at: 9 s, from"),
+          ("  SC: {from", "  SC: {cut_at: 9 s, from"))  # fmt: skip
+    result = gantline("statics", str(lift), "--sweep", "slings.SA.cut_at=9 s..10 s/2")
+    assert result.exit_code == 3
+    assert re.search(r"NONE", result.stdout) and "9 s: no equilibrium: nothing holds it" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("sweep", "says"),
+    [
+        ("load.weight", "'load.weight' is no sweep; a sweep is written like"),
+        ("load.weight.calculated=1 t..2 t/1", "'1' is no number of values; a whole number from 2 to 1000"),
+        ("load.weight.calculated=1 t..2 m/3", "found '2 m'; a mass is written like"),
+        ("load.weight=1 t..2 t/3", "'load.weight' has several values; name one of its parts"),
+        ("lood.weight=1 t..2 t/3", "there is no 'lood' of this file; did you mean 'load'?"),
+        ("load.weight.calculated=-1 t..2 t/3", "load.weight.calculated: '-1000.0 kg' is negative"),
+    ],
+)
+def test_a_sweep_that_cannot_be(lift: Path, sweep: str, says: str) -> None:
+    result = gantline("statics", str(lift), "--sweep", sweep)
+    assert result.exit_code == 2
+    assert says in result.stderr and result.stdout == ""
+
+
+def test_a_sweep_takes_no_options_of_one_equilibrium(lift: Path) -> None:
+    result = gantline("statics", str(lift), "--sensitivities", "--sweep", "load.weight.calculated=1 t..2 t/3")
+    assert result.exit_code == 2
+    assert "--sensitivities and --output are for one" in result.stderr
