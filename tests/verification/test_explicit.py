@@ -213,6 +213,6 @@ def test_what_it_cannot_do_is_refused() -> None:
         ropes=[rope("r", LENGTH, [drum(None, (0, 0, LENGTH), "winch"), end("m")], EA)],
     )
     with pytest.raises(
-        ValueError, match="no friction of sheaves and drums, such as that of winch; use adaptive"
+        ValueError, match="no friction of sheaves, drums and joints, such as that of winch; use adaptive"
     ):
         simulate(braked, 1.0, type="explicit")

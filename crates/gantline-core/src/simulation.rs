@@ -333,7 +333,8 @@ fn method(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Metho
     match *spec {
         IntegratorSpec::Del { step, paper, geometric_stiffness } => {
             if system.rows.laws.iter().any(|law| matches!(law, Law::Brake { .. })) {
-                let problem = "the integrator del knows no friction of sheaves and drums; use adaptive";
+                let problem =
+                    "the integrator del knows no friction of sheaves, drums and joints; use adaptive";
                 return Err(SetupError::Setting(problem.to_owned()));
             }
             above_zero("the step", step, "s")?;

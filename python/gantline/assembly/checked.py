@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.reeving import reeved_hooks
 from gantline.rule_data import (
     FACTORS,
     PRESETS,
@@ -18,6 +19,7 @@ from gantline.rule_data import (
 )
 from gantline.scenario import Scenario
 from gantline.scenario.limits import Rules
+from gantline.scenario.reeving import hoist_drum
 
 __all__ = ["bends", "limits_and_rules", "ratings"]
 
@@ -104,13 +106,19 @@ def _rating(name: str, level: str, hooks: tuple[str, ...], rated: Any, gravity: 
 def bends(scenario: Scenario, parts: Parts) -> list[Json]:
     """The smallest sheave or drum of every rope that runs over any; pitch diameters [m]."""
     mechanics = scenario.mechanics
+    # Pitch diameters of drums by what their ropes get per unit of their flow.
     drums = {name: drum.diameter for name, drum in ((mechanics and mechanics.drums) or {}).items()}
+    sheaves: dict[str, float] = {}
+    for hook in reeved_hooks(scenario):
+        drums[hoist_drum(hook.name)] = hook.drum.diameter / hook.reeving.parts_each
+        diameter = hook.reeving.diameter((scenario.ropes or {})[hook.reeving.rope].diameter)
+        sheaves |= dict.fromkeys(hook.ropes, diameter)
     found = []
     for rope in parts.ropes:
         over = [
             bend
             for place, guide in enumerate(rope["route"])
-            for bend in [_bend(f"{rope['name']}/sheave_{place}", guide, drums)]
+            for bend in [_bend(f"{rope['name']}/sheave_{place}", guide, drums, sheaves.get(rope["name"]))]
             if bend is not None
         ]
         if over:
@@ -119,10 +127,15 @@ def bends(scenario: Scenario, parts: Parts) -> list[Json]:
     return found
 
 
-def _bend(sheave: str, guide: Json, drums: Mapping[str, float]) -> tuple[float, str] | None:
-    """Pitch diameter [m] and name of what a guide bends the rope about; None for eyes and dead ends."""
+def _bend(
+    sheave: str, guide: Json, drums: Mapping[str, float], diameter: float | None
+) -> tuple[float, str] | None:
+    """Pitch diameter [m] and name of what a guide bends the rope about; None for eyes and dead ends.
+
+    `diameter` is that of half turns where they lead aside, from row to row of a hoist.
+    """
     if guide["type"] == "half_turn":
-        return math.dist(guide["enter"], guide["leave"]), guide.get("flow", sheave)
+        return diameter or math.dist(guide["enter"], guide["leave"]), guide.get("flow", sheave)
     if guide["type"] == "sheave" and guide["radius"] > 0.0:
         return 2 * guide["radius"], sheave
     flow, rate = (guide["drum"]["flow"], guide["drum"]["rate"]) if "drum" in guide else ("", 0.0)

@@ -128,8 +128,13 @@ def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
 
 
 def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
-    """Static and dynamic force of a rope that is no sling."""
-    static = series.static_value(recording, recording.column("rope_tension", rope))
+    """Static and dynamic force of a rope that is no sling; of the tightest segment over lossy sheaves."""
+    sheaves = [sheave for sheave in recording.rig.sheaves if sheave.rope == rope]
+    segments = {segment for sheave in sheaves for segment in sheave.segments}
+    columns = [recording.column("segment_tension", segment) for segment in sorted(segments)]
+    columns = columns or [recording.column("rope_tension", rope)]
+    statics = [series.static_value(recording, column) for column in columns]
+    static = max((force for force in statics if force is not None), default=None)
     return _with_peak(recording, _force(recording, static, design_ratio(recording)), rope, during)
 
 

@@ -1,0 +1,211 @@
+//! The document: what a system is, in words of mechanics, as it crosses the border.
+//!
+//! SI units, radians, z up. Bodies stand after their parents. Everything is checked by
+//! [`crate::build`]; a document is private to gantline and never kept by users.
+
+mod plan;
+mod rope;
+mod settings;
+
+use serde::Deserialize;
+
+pub use plan::*;
+pub use rope::*;
+pub use settings::*;
+
+/// A system of bodies, ropes, contacts, and the plan of its drives.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SystemSpec {
+    /// Acceleration of gravity [m/s²], world axes.
+    pub gravity: [f64; 3],
+    /// Bodies, each after its parent.
+    pub bodies: Vec<BodySpec>,
+    /// Ropes.
+    #[serde(default)]
+    pub ropes: Vec<RopeSpec>,
+    /// Points of bodies that may touch a plane.
+    #[serde(default)]
+    pub contacts: Vec<ContactSpec>,
+    /// Groups of ropes whose lengths are adjusted to one tension.
+    #[serde(default)]
+    pub adjusters: Vec<AdjusterSpec>,
+    /// Drives that prescribe joint motions.
+    #[serde(default)]
+    pub drives: Vec<DriveSpec>,
+    /// Operations, one after another.
+    #[serde(default)]
+    pub plan: Vec<StepSpec>,
+}
+
+/// Position [m] and unit quaternion (w, x, y, z) of a frame in another.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlacementSpec {
+    /// Origin [m].
+    pub position: [f64; 3],
+    /// Unit quaternion, w first.
+    pub orientation: [f64; 4],
+}
+
+/// A rigid body and the joint by which it hangs on its parent.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodySpec {
+    /// Unique name.
+    pub name: String,
+    /// Name of the parent body; none is the world.
+    pub parent: Option<String>,
+    /// Where the joint sits in the parent's body frame.
+    pub placement: PlacementSpec,
+    /// The joint.
+    pub joint: JointSpec,
+    /// Mass [kg]; 0 is allowed where something heavy hangs on the body.
+    pub mass: f64,
+    /// Centre of gravity [m] in the body frame.
+    pub centre_of_gravity: [f64; 3],
+    /// Inertia [kg m²] about the centre of gravity in body axes: xx, yy, zz, xy, xz, yz.
+    pub inertia: [f64; 6],
+}
+
+/// Joint types and the state they start in.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum JointSpec {
+    /// No motion.
+    Fixed {},
+    /// Rotation about an axis.
+    Hinge(AxisJointSpec),
+    /// Translation along an axis.
+    Slider(AxisJointSpec),
+    /// Free rotation about a point.
+    Ball {
+        /// Unit quaternion, w first.
+        orientation: [f64; 4],
+        /// Angular velocity [rad/s], body axes.
+        angular_velocity: [f64; 3],
+    },
+    /// Three translations, no rotation.
+    Point {
+        /// Position [m] in the joint frame.
+        position: [f64; 3],
+        /// Velocity [m/s] in the joint frame.
+        velocity: [f64; 3],
+    },
+    /// Six degrees of freedom.
+    Free {
+        /// Position [m] in the joint frame.
+        position: [f64; 3],
+        /// Unit quaternion, w first.
+        orientation: [f64; 4],
+        /// Velocity [m/s] in the joint frame.
+        velocity: [f64; 3],
+        /// Angular velocity [rad/s], body axes.
+        angular_velocity: [f64; 3],
+    },
+    /// Rope that passes a sheave or leaves a drum [m]; no body has this motion.
+    Flow {
+        /// Inertia of what turns over its radius squared [kg].
+        inertia: f64,
+        /// Start velocity [m/s]; what has passed counts from the start.
+        #[serde(default)]
+        velocity: f64,
+        /// Viscous damping [N s/m].
+        #[serde(default)]
+        damping: f64,
+        /// What a brake or dry friction holds [N].
+        #[serde(default)]
+        brake: f64,
+        /// Largest force of the drive [N]; none prescribes the motion whatever it takes.
+        #[serde(default)]
+        capacity: Option<f64>,
+        /// Largest power of the drive [W], with its capacity.
+        #[serde(default)]
+        power: Option<f64>,
+        /// Name of the drive that prescribes this motion, or asks for it where it has a capacity.
+        #[serde(default)]
+        drive: Option<String>,
+    },
+}
+
+impl JointSpec {
+    /// Name of the drive that prescribes its motion, where it has one.
+    pub fn drive(&self) -> Option<&String> {
+        match self {
+            Self::Hinge(AxisJointSpec { drive, .. })
+            | Self::Slider(AxisJointSpec { drive, .. })
+            | Self::Flow { drive, .. } => drive.as_ref(),
+            _ => None,
+        }
+    }
+}
+
+/// A hinge or a slider.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AxisJointSpec {
+    /// Axis in the joint frame; normalised when built.
+    pub axis: [f64; 3],
+    /// Start position [rad or m].
+    #[serde(default)]
+    pub position: f64,
+    /// Start velocity [rad/s or m/s].
+    #[serde(default)]
+    pub velocity: f64,
+    /// Viscous damping [N m s/rad or N s/m].
+    #[serde(default)]
+    pub damping: f64,
+    /// Dry friction that holds it [N m or N].
+    #[serde(default)]
+    pub friction: f64,
+    /// Name of the drive that prescribes this joint's motion.
+    #[serde(default)]
+    pub drive: Option<String>,
+    /// Where its motion ends; without them nowhere.
+    #[serde(default)]
+    pub stops: Option<StopsSpec>,
+    /// Whether its locking pin is in at the start; none has no pin.
+    #[serde(default)]
+    pub pin: Option<bool>,
+}
+
+/// Stops of a hinge or slider.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StopsSpec {
+    /// Lowest position [rad or m].
+    #[serde(default)]
+    pub lower: Option<f64>,
+    /// Highest position [rad or m].
+    #[serde(default)]
+    pub upper: Option<f64>,
+    /// Stiffness of each stop [N m/rad or N/m].
+    pub stiffness: f64,
+    /// Damping over stiffness [s].
+    #[serde(default)]
+    pub damping_time: f64,
+}
+
+/// A point of a body that may touch a plane of the world.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ContactSpec {
+    /// Unique name.
+    pub name: String,
+    /// Contacts of one group carry one load together.
+    pub group: String,
+    /// Body with the point.
+    pub body: String,
+    /// Point [m] in the body frame.
+    pub at: [f64; 3],
+    /// A point of the plane [m], world axes.
+    pub plane_point: [f64; 3],
+    /// Normal of the plane, towards the free side; normalised when built.
+    pub plane_normal: [f64; 3],
+    /// Normal and tangential stiffness [N/m].
+    pub stiffness: f64,
+    /// Damping over stiffness [s].
+    pub damping_time: f64,
+    /// Coefficient of Coulomb friction.
+    pub friction: f64,
+}

@@ -1,0 +1,131 @@
+//! Drives and the plan.
+
+use serde::Deserialize;
+
+/// A drive: the prescribed motion of one joint.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DriveSpec {
+    /// Unique name.
+    pub name: String,
+    /// Ramps that are known in advance, in order of time.
+    #[serde(default)]
+    pub ramps: Vec<RampSpec>,
+}
+
+/// From `at` on, within `duration`, the velocity goes to `velocity`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RampSpec {
+    /// Start [s].
+    pub at: f64,
+    /// Duration [s].
+    pub duration: f64,
+    /// Velocity at the end [m/s or rad/s].
+    pub velocity: f64,
+    /// How the velocity gets there.
+    #[serde(default)]
+    pub shape: RampShape,
+}
+
+/// Course of the velocity in a ramp.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RampShape {
+    /// Constant acceleration.
+    #[default]
+    Linear,
+    /// Acceleration rises from zero and falls back to zero (cubic velocity).
+    Smooth,
+}
+
+/// A step of the plan.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StepSpec {
+    /// Name, shown in events.
+    pub name: String,
+    /// Drives that move; none holds.
+    #[serde(default)]
+    pub moves: Vec<MoveSpec>,
+    /// Earliest time [s].
+    #[serde(default)]
+    pub start_at: Option<f64>,
+    /// What ends the step.
+    pub until: UntilSpec,
+    /// Names of ropes that are cut as it begins.
+    #[serde(default)]
+    pub cuts: Vec<String>,
+    /// Names of bodies whose pins are pulled as it begins.
+    #[serde(default)]
+    pub pulls: Vec<String>,
+    /// Names of bodies whose pins are put in as it begins.
+    #[serde(default)]
+    pub pins: Vec<String>,
+}
+
+/// One drive in a step.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MoveSpec {
+    /// Name of the drive.
+    pub drive: String,
+    /// Signed velocity [m/s or rad/s].
+    pub velocity: f64,
+    /// Acceleration limit [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// Course of the ramps.
+    #[serde(default)]
+    pub shape: RampShape,
+    /// A step that ends by an emergency stop.
+    #[serde(default)]
+    pub emergency: Option<EmergencySpec>,
+}
+
+/// An emergency stop of a drive.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EmergencySpec {
+    /// Acceleration with which it is asked to stop [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// What the brake holds from then on, until the drive moves again [N]; none is the motor's capacity.
+    #[serde(default)]
+    pub brake: Option<f64>,
+}
+
+/// What ends a step; moving drives then brake to rest.
+#[derive(Debug, Clone, PartialEq, Deserialize, serde::Serialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum UntilSpec {
+    /// Brakes from this time [s] on.
+    BrakeFrom {
+        /// Time [s].
+        time: f64,
+    },
+    /// At rest after this signed distance [m or rad].
+    Distance {
+        /// Distance [m or rad].
+        distance: f64,
+    },
+    /// Brakes after this time [s] in the step.
+    Duration {
+        /// Duration [s].
+        duration: f64,
+    },
+    /// The contacts of a group have lost this share of the weight.
+    LoadTransferred {
+        /// Contact group.
+        group: String,
+        /// Weight [N].
+        weight: f64,
+        /// Share, 0 to 1.
+        at_least: f64,
+    },
+    /// No contact of the group carries any more.
+    Clear {
+        /// Contact group.
+        group: String,
+    },
+    /// Lasts until the run ends.
+    EndOfRun {},
+}
