@@ -189,8 +189,10 @@ def _tolerances(scenario: Scenario, base: Scenario, name: str, time: float | Non
         yield given
         return
     change = _changes(scenario, name, question, off)
-    one_by_one = change is None or case.pattern == "each"
-    patterns = single_patterns(len(off)) if one_by_one else worst_patterns(str(case.pattern), change)
+    if change is None or case.pattern == "each":
+        patterns = single_patterns(len(off))
+    else:
+        patterns = worst_patterns(str(case.pattern), change)
     if not patterns:
         yield replace(given, variant="lengths change no tension")
     for pattern in patterns:

@@ -35,7 +35,8 @@ def changes_of_tension(question: Statics, longer: Mapping[str, float]) -> Floats
     ropes = {sling.name: sling.rope for sling in question.rig.slings}
     found = question.sensitivities([("length", ropes[sling]) for sling in longer])
     rows = [[one.of(rope) for one in found] for rope in ropes.values()]
-    return np.array(rows) * np.array(list(longer.values()))
+    changes: Floats = np.array(rows) * np.array(list(longer.values()))
+    return changes
 
 
 def single_patterns(count: int) -> list[tuple[int, ...]]:

@@ -128,7 +128,7 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
     """Each of `QUANTITIES` by element [SI]; empty without equilibrium.
 
     `sling_tension` and `smallest_sling_tension` are the same, of which the largest and the smallest is
-    worst. `rope_tension` is that of all other ropes, where sheaves have losses of the most loaded part.
+    worst. `rope_tension` is that of all other ropes, over sheaves with losses of the tightest segment.
     `sheave_travel` is down positive. What a case cuts is left out.
     """
     if state.rest is None:
