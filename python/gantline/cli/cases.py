@@ -3,28 +3,17 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from gantline.cli.lift import quantity_of
+from gantline.cli.lift import Lift, Moment, moment_of
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop
 
 
 def cases(
-    lift: Annotated[
-        Path,
-        typer.Argument(
-            metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
-        ),
-    ],
-    time: Annotated[
-        str | None,
-        typer.Option(
-            metavar="TIME", help="Time of the plan, such as '12 s'.  [default: the end of the lift]"
-        ),
-    ] = None,
+    lift: Lift,
+    time: Moment = None,
     variants: Annotated[
         bool, typer.Option("--variants", help="Show each variant of a case in a line of its own.")
     ] = False,
@@ -34,9 +23,7 @@ def cases(
 
     Ends with code 1 where a check fails or an equilibrium is unstable, and with 3 where there is none.
     """
-    moment = quantity_of("--time", time, "time")
-    if moment is not None and moment < 0.0:
-        stop(f"--time: {time!r} is before the start of the lift; 0 s is the start")
+    moment = moment_of(time)
     with scenario_errors():
         from gantline.scenario import load_scenario
         from gantline.study import run_cases

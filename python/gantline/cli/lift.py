@@ -6,7 +6,9 @@ import os
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
+
+import typer
 
 from gantline.cli.messages import BAD_INPUT, scenario_errors, stop, writing
 
@@ -19,6 +21,24 @@ RECORDING = "recording.nc"
 
 Setting = str | float | bool | None
 
+#: The lift that a verb is about.
+Lift = Annotated[
+    Path,
+    typer.Argument(
+        metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
+    ),
+]
+
+#: The moment that a question of statics is about, see `moment_of`.
+Moment = Annotated[
+    str | None,
+    typer.Option(
+        "--time",
+        metavar="TIME",
+        help="Time of the plan, such as '12 s'.  [default: the end of the lift]",
+    ),
+]
+
 
 def quantity_of(option: str, text: str | None, dimension: str) -> float | None:
     """SI value of a quantity as it stands behind an option; None if the option was not given."""
@@ -30,6 +50,14 @@ def quantity_of(option: str, text: str | None, dimension: str) -> float | None:
         return quantity(text, dimension)
     except UnitError as problem:
         stop(f"{option}: {problem}")
+
+
+def moment_of(time: str | None) -> float | None:
+    """Time of the plan that was asked for [s]; None for the end of the lift."""
+    moment = quantity_of("--time", time, "time")
+    if moment is not None and moment < 0.0:
+        stop(f"--time: {time!r} is before the start of the lift; 0 s is the start")
+    return moment
 
 
 def prepare(lift: Path, overrides: Mapping[str, Setting], side: str = "") -> Simulation:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gantline.cli.lift import RECORDING, Setting, name_of, output_folder, prepare, quantity_of
+from gantline.cli.lift import RECORDING, Lift, Setting, name_of, output_folder, prepare, quantity_of
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
 
@@ -18,12 +18,7 @@ if TYPE_CHECKING:
 
 
 def run(
-    lift: Annotated[
-        Path,
-        typer.Argument(
-            metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
-        ),
-    ],
+    lift: Lift,
     output: Annotated[
         Path | None,
         typer.Option(

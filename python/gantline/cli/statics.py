@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import output_folder, quantity_of
+from gantline.cli.lift import Lift, Moment, moment_of, output_folder
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 if TYPE_CHECKING:
@@ -18,18 +18,8 @@ _MODES = 6
 
 
 def statics(
-    lift: Annotated[
-        Path,
-        typer.Argument(
-            metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
-        ),
-    ],
-    time: Annotated[
-        str | None,
-        typer.Option(
-            metavar="TIME", help="Time of the plan, such as '12 s'.  [default: the end of the lift]"
-        ),
-    ] = None,
+    lift: Lift,
+    time: Moment = None,
     modes: Annotated[int, typer.Option(min=0, help="How many natural motions to show.")] = _MODES,
     sensitivities: Annotated[
         bool, typer.Option("--sensitivities", help="Show what lengths, stiffness and weight change.")
@@ -56,9 +46,7 @@ def statics(
 
     Ends with code 1 where the equilibrium is unstable, and with 3 where there is none.
     """
-    moment = quantity_of("--time", time, "time")
-    if moment is not None and moment < 0.0:
-        stop(f"--time: {time!r} is before the start of the lift; 0 s is the start")
+    moment = moment_of(time)
     if sweep is not None:
         from gantline.cli.sweep import sweep as run_sweep
 

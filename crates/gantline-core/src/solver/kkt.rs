@@ -10,6 +10,7 @@
 
 use super::layout::{Layout, NONE};
 use super::ldl::Ldl;
+use super::slots::Slots;
 use super::stiffness::Stiffness;
 use super::symbolic::ZeroPivot;
 use crate::system::System;
@@ -22,11 +23,7 @@ pub struct Kkt {
     /// Geometric stiffness of the step.
     pub stiffness: Stiffness,
     ldl: Ldl,
-    mass_slots: Vec<usize>,
-    row_slots: Vec<usize>,
-    diagonal_slots: Vec<usize>,
-    /// Slots of the lower triangle of every stiffness group, group after group.
-    stiffness_slots: Vec<usize>,
+    slots: Slots,
     base: Vec<f64>,
     right: Vec<f64>,
     solution: Vec<f64>,
@@ -38,37 +35,11 @@ impl Kkt {
         let layout = Layout::new(system);
         let stiffness = Stiffness::new(system);
         let ldl = Ldl::new(layout.symbolic.clone());
-        let slot = |a: usize, b: usize| {
-            if a == NONE || b == NONE {
-                return NONE;
-            }
-            layout.symbolic.slot(a, b).map_or(NONE, |(slot, _)| slot)
-        };
-        let unknown = |dof: usize| layout.unknown[dof];
-        let mass = MassMatrix::new(&system.tree);
-        let mut mass_slots = Vec::with_capacity(mass.values.len());
-        for dof in 0..system.tree.velocities {
-            let columns = &mass.columns[mass.row_start[dof]..mass.row_start[dof + 1]];
-            mass_slots.extend(columns.iter().map(|&other| slot(unknown(dof), unknown(other))));
-        }
-        let mut row_slots = Vec::with_capacity(system.rows.dofs.len());
-        for row in 0..system.rows.count() {
-            let dofs = &system.rows.dofs[system.rows.start[row]..system.rows.start[row + 1]];
-            row_slots.extend(dofs.iter().map(|&dof| slot(layout.row(row), unknown(dof))));
-        }
-        let mut stiffness_slots = Vec::new();
-        for window in stiffness.start.windows(2) {
-            let dofs = &stiffness.dofs[window[0]..window[1]];
-            for (i, &a) in dofs.iter().enumerate() {
-                stiffness_slots.extend(dofs[..=i].iter().map(|&b| slot(unknown(a), unknown(b))));
-            }
-        }
+        let blocks = stiffness.start.windows(2).map(|window| &stiffness.dofs[window[0]..window[1]]);
+        let slots = Slots::new(system, &layout, blocks);
         let size = ldl.pattern().size();
         Self {
-            diagonal_slots: (0..size).map(|index| slot(index, index)).collect(),
-            mass_slots,
-            row_slots,
-            stiffness_slots,
+            slots,
             base: vec![0.0; ldl.pattern().rows.len()],
             right: vec![0.0; size],
             solution: vec![0.0; size],
@@ -86,8 +57,8 @@ impl Kkt {
     /// Sets the matrix of a step of length `h` with all rows acting.
     pub fn assemble(&mut self, system: &System, mass: &MassMatrix, gradient: &[f64], h: f64) {
         self.base.fill(0.0);
-        add(&mut self.base, &self.mass_slots, mass.values.iter().copied());
-        add(&mut self.base, &self.row_slots, gradient.iter().copied());
+        add(&mut self.base, &self.slots.mass, mass.values.iter().copied());
+        add(&mut self.base, &self.slots.rows, gradient.iter().copied());
         let mut cursor = 0;
         for group in 0..self.stiffness.factor.len() {
             let scale = h * h * self.stiffness.implicit[group] * self.stiffness.factor[group];
@@ -95,7 +66,7 @@ impl Kkt {
                 &self.stiffness.columns[self.stiffness.start[group]..self.stiffness.start[group + 1]];
             for (i, a) in columns.iter().enumerate() {
                 for b in &columns[..=i] {
-                    let slot = self.stiffness_slots[cursor];
+                    let slot = self.slots.blocks[cursor];
                     cursor += 1;
                     if slot != NONE {
                         self.base[slot] += scale * a.dot(*b);
@@ -104,10 +75,10 @@ impl Kkt {
             }
         }
         for (index, &dof) in self.layout.free.iter().enumerate() {
-            self.base[self.diagonal_slots[index]] += h * system.tree.damping[dof];
+            self.base[self.slots.diagonal[index]] += h * system.tree.damping[dof];
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
-            let diagonal = self.diagonal_slots[self.layout.row(row)];
+            let diagonal = self.slots.diagonal[self.layout.row(row)];
             self.base[diagonal] = -law.compliance() / (h * (h + law.damping_time()));
         }
     }
@@ -120,12 +91,12 @@ impl Kkt {
         let values = self.ldl.values_mut();
         values.copy_from_slice(&self.base);
         for row in (0..system.rows.count()).filter(|&row| !acts(row)) {
-            for &slot in &self.row_slots[system.rows.start[row]..system.rows.start[row + 1]] {
+            for &slot in &self.slots.rows[system.rows.start[row]..system.rows.start[row + 1]] {
                 if slot != NONE {
                     values[slot] = 0.0;
                 }
             }
-            values[self.diagonal_slots[self.layout.row(row)]] = -1.0;
+            values[self.slots.diagonal[self.layout.row(row)]] = -1.0;
         }
         self.ldl.factorise()
     }

@@ -6,5 +6,6 @@ pub mod layout;
 pub mod ldl;
 pub mod ldu;
 pub mod order;
+pub mod slots;
 pub mod stiffness;
 pub mod symbolic;

@@ -17,6 +17,7 @@ use crate::constraint::Placed;
 use crate::rope::seat::Seat;
 use crate::solver::layout::{Layout, NONE};
 use crate::solver::ldl::Ldl;
+use crate::solver::slots::Slots;
 use crate::solver::symbolic::ZeroPivot;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
@@ -32,11 +33,7 @@ pub struct Matrix {
     pub layout: Layout,
     ldl: Ldl,
     dynamics: DynamicsTangent,
-    mass_slots: Vec<usize>,
-    row_slots: Vec<usize>,
-    diagonal_slots: Vec<usize>,
-    /// Slots of the lower triangle of every group, group after group.
-    group_slots: Vec<usize>,
+    slots: Slots,
     /// M by slot.
     mass: Vec<f64>,
     /// K by slot.
@@ -60,36 +57,12 @@ impl Matrix {
     pub fn new(system: &System) -> Self {
         let layout = Layout::new(system);
         let ldl = Ldl::new(layout.symbolic.clone());
-        let slot = |a: usize, b: usize| {
-            if a == NONE || b == NONE {
-                return NONE;
-            }
-            layout.symbolic.slot(a, b).map_or(NONE, |(slot, _)| slot)
-        };
-        let unknown = |dof: usize| layout.unknown[dof];
-        let mass = MassMatrix::new(&system.tree);
-        let mut mass_slots = Vec::with_capacity(mass.values.len());
-        for dof in 0..system.tree.velocities {
-            let columns = &mass.columns[mass.row_start[dof]..mass.row_start[dof + 1]];
-            mass_slots.extend(columns.iter().map(|&other| slot(unknown(dof), unknown(other))));
-        }
-        let mut row_slots = Vec::with_capacity(system.rows.dofs.len());
-        for row in 0..system.rows.count() {
-            let dofs = &system.rows.dofs[system.rows.start[row]..system.rows.start[row + 1]];
-            row_slots.extend(dofs.iter().map(|&dof| slot(layout.row(row), unknown(dof))));
-        }
-        let mut group_slots = Vec::new();
-        for group in &layout.groups {
-            for (j, &a) in group.dofs.iter().enumerate() {
-                group_slots.extend(group.dofs[..=j].iter().map(|&b| slot(unknown(a), unknown(b))));
-            }
-        }
+        let slots = Slots::new(system, &layout, layout.groups.iter().map(|group| group.dofs.as_slice()));
         let size = layout.symbolic.size();
         let largest = layout.groups.iter().map(|group| group.dofs.len()).max().unwrap_or(0);
         let by_slot = vec![0.0; layout.symbolic.rows.len()];
         Self {
-            diagonal_slots: (0..size).map(|index| slot(index, index)).collect(),
-            dynamics: DynamicsTangent::new(&system.tree, &mass),
+            dynamics: DynamicsTangent::new(&system.tree, &MassMatrix::new(&system.tree)),
             mass: by_slot.clone(),
             stiffness: by_slot,
             gradient: vec![0.0; system.rows.dofs.len()],
@@ -101,9 +74,7 @@ impl Matrix {
             still: vec![0.0; system.tree.velocities],
             extra: vec![0.0; system.tree.velocities],
             factorisations: 0,
-            mass_slots,
-            row_slots,
-            group_slots,
+            slots,
             ldl,
             layout,
         }
@@ -127,7 +98,7 @@ impl Matrix {
         for dof in 0..system.tree.velocities {
             let diagonal = mass.row_start[dof + 1] - 1;
             for slot in mass.row_start[dof]..=diagonal {
-                let to = self.mass_slots[slot];
+                let to = self.slots.mass[slot];
                 if to != NONE {
                     let both = if slot == diagonal { turned.lower[slot] } else { turned.upper[slot] };
                     self.mass[to] += mass.values[slot];
@@ -140,7 +111,7 @@ impl Matrix {
         let at = Placed { tree: &system.tree, kinematics, q: &here.q, seats, feeding };
         for group in &self.layout.groups {
             let size = group.dofs.len();
-            let slots = &self.group_slots[cursor..cursor + size * (size + 1) / 2];
+            let slots = &self.slots.blocks[cursor..cursor + size * (size + 1) / 2];
             cursor += slots.len();
             let tension = here.tension[group.row];
             if tension == 0.0 || size == 0 {
@@ -182,14 +153,14 @@ impl Matrix {
             *value = shift * mass + stiffness;
         }
         for (index, &dof) in self.layout.free.iter().enumerate() {
-            values[self.diagonal_slots[index]] += self.extra[dof];
+            values[self.slots.diagonal[index]] += self.extra[dof];
         }
         for row in 0..system.rows.count() {
             let answer = compliance(row);
-            let diagonal = self.diagonal_slots[self.layout.row(row)];
+            let diagonal = self.slots.diagonal[self.layout.row(row)];
             values[diagonal] = answer.map_or(-1.0, |compliance| -compliance);
             let entries = system.rows.start[row]..system.rows.start[row + 1];
-            for (&slot, entry) in self.row_slots[entries.clone()].iter().zip(&self.gradient[entries]) {
+            for (&slot, entry) in self.slots.rows[entries.clone()].iter().zip(&self.gradient[entries]) {
                 if slot != NONE {
                     values[slot] = if answer.is_some() { *entry } else { 0.0 };
                 }
@@ -230,7 +201,7 @@ impl Matrix {
         if unknown == NONE {
             return 0.0;
         }
-        let slot = self.diagonal_slots[unknown];
+        let slot = self.slots.diagonal[unknown];
         lambda * self.mass[slot] + self.stiffness[slot].abs() + self.stretch[dof]
     }
 
