@@ -81,8 +81,12 @@ class Statics:
     def swing(self, mode: int, amplitude: float, frames: int) -> None:
         """Let the equilibrium swing in a mode, so that `columns` has one period of it."""
 
-    def sensitivities(self, parameters: list[tuple[str, str]]) -> npt.NDArray[np.float64]:
-        """Derivatives of all tensions, shape (parameters, ropes), over pairs of a kind and a name."""
+    def sensitivities(self, parameters: list[tuple[str, str]]) -> dict[str, npt.NDArray[np.float64]]:
+        """Derivatives over pairs of a kind and a name, by kind of answer.
+
+        `rope_tension`, shape (parameters, ropes), and `body_motion`, of centre of gravity and rotation vector
+        in world axes, shape (parameters, bodies, 6).
+        """
 
     def columns(self) -> dict[str, npt.NDArray[np.float64]]:
         """The equilibrium or motion found last, by name."""

@@ -119,23 +119,34 @@ class Mode:
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """How the tensions of all ropes answer to one quantity of the plan.
+    """How the tensions of all ropes and the motion of all bodies answer to one quantity of the plan.
 
     Attributes:
-        kind: `length`, `stiffness` (EA) of a rope, `centre_x`, `centre_y`, `centre_z`, `mass` of a body.
+        kind: `length`, `stiffness` (EA) of a rope; `centre_x`, `centre_y`, `centre_z`, `mass` of a body;
+            `place_x`, `place_y`, `place_z` of its joint, along the axes of the world, such as of a hook.
         name: The rope or body.
         tension: dT/dp of every rope [N per m, N per N, N per kg], in the order of `ropes`.
         ropes: Their names.
+        motion: Derivatives of each body's centre of gravity [m] and of its attitude as a rotation vector
+            [rad], world axes, shape (body, 6), in the order of `bodies`.
+        bodies: Their names.
     """
 
     kind: str
     name: str
     tension: Floats
     ropes: tuple[str, ...]
+    motion: Floats
+    bodies: tuple[str, ...]
 
     def of(self, rope: str) -> float:
         """Derivative of the tension of one rope."""
         return float(self.tension[self.ropes.index(rope)])
+
+    def of_body(self, body: str) -> Floats:
+        """Derivatives of a body's centre of gravity and rotation vector, shape (6,)."""
+        row: Floats = self.motion[self.bodies.index(body)]
+        return row
 
 
 class Statics:
@@ -230,7 +241,7 @@ class Statics:
         return self._recording(f"mode {mode.number + 1}: {mode.motion}")
 
     def sensitivities(self, parameters: Sequence[tuple[str, str]] | None = None) -> list[Sensitivity]:
-        """Derivatives of all tensions about the equilibrium found last, from its factorised tangent.
+        """Derivatives of tensions and motions about the equilibrium found last, from its factorised tangent.
 
         Args:
             parameters: Pairs of a kind and a name, see `Sensitivity`; None for the lengths and stiffnesses
@@ -238,8 +249,14 @@ class Statics:
         """
         wanted = list(parameters) if parameters is not None else self._uncertain()
         found = self._core.sensitivities(wanted)
-        ropes = tuple(self._core.names()["rope"])
-        return [Sensitivity(kind, name, row, ropes) for (kind, name), row in zip(wanted, found, strict=True)]
+        names = self._core.names()
+        ropes, bodies = tuple(names["rope"]), tuple(names["body"])
+        return [
+            Sensitivity(kind, name, tension, ropes, motion, bodies)
+            for (kind, name), tension, motion in zip(
+                wanted, found["rope_tension"], found["body_motion"], strict=True
+            )
+        ]
 
     def _uncertain(self) -> list[tuple[str, str]]:
         rig = self.rig

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import copy
 import json
+from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from gantline import _core
+from gantline.scenario import Scenario, parse_scenario
+from gantline.scenario.variants import with_value
+from gantline.statics import Equilibrium, Losses, Statics
+from hooked_lift import TWO_HOOKS, two_hooks
 from mechanics import Floats, Json
 from resting import at_rest, four_slings, one_equalizer
 
@@ -20,6 +26,7 @@ STEPS = {
     "centre_y": 2e-3,
     "centre_z": 2e-3,
 }
+REFERENCE = Path(__file__).resolve().parents[2] / "scenarios" / "equalizer" / "scenario.yaml"
 LUGS = ((-2.5, 2.5), (2.5, 2.5), (0, 0), (-2.5, -2.5), (2.5, -2.5))
 
 
@@ -59,7 +66,7 @@ def test_sensitivities_are_the_derivatives(system: str) -> None:
     core = _core.Statics(json.dumps(lift))
     core.settle()
     clear = 0
-    for (kind, name), found in zip(wanted, core.sensitivities(wanted), strict=True):
+    for (kind, name), found in zip(wanted, core.sensitivities(wanted)["rope_tension"], strict=True):
         derivative = differences(lift, kind, name)
         # Tensions are right to some 1e-8 N: e = ℓ − L of 1e-14 m times EA/L.
         noise = 1e-7 / STEPS[kind]
@@ -74,7 +81,7 @@ def test_the_weight_of_a_load_is_shared_alike() -> None:
     # Four plumb slings: dT/dm = g/4, dT/dL = −/+ k/4 with k = EA/L, but for their strain of 4e-5.
     core = _core.Statics(json.dumps(four_slings(2e10, 0.0)))
     core.settle()
-    mass, length = core.sensitivities([("mass", "load"), ("length", "s0")])
+    mass, length = core.sensitivities([("mass", "load"), ("length", "s0")])["rope_tension"]
     assert mass == pytest.approx([9.81 / 4] * 4, rel=1e-6)
     assert length == pytest.approx(np.array([-1, 1, -1, 1]) * 2e9 / 4, rel=1e-3)
 
@@ -87,3 +94,66 @@ def test_asking_for_what_is_not_there() -> None:
         core.sensitivities([("length", "s9")])
     with pytest.raises(ValueError, match="there is no parameter colour"):
         core.sensitivities([("colour", "s0")])
+
+
+def resolved(
+    scenario: Scenario,
+    path: str,
+    given: float,
+    step: float,
+    losses: Losses,
+    values: Callable[[Equilibrium], Floats],
+) -> Floats:
+    """Derivatives of what equilibria say over a quantity of the lift file, by differences of fourth order."""
+    at = {
+        k: values(Statics(with_value(scenario, path, f"{given + k * step!r} m")).equilibrium(losses=losses))
+        for k in (-2, -1, 1, 2)
+    }
+    slope: Floats = (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
+    return slope
+
+
+@pytest.mark.parametrize("place", ["A.x", "A.y", "B.x", "B.z"])
+def test_places_of_hooks(place: str) -> None:
+    """Tensions, and place and attitude of the load, over the place of a hook and the length of a sling."""
+    scenario = parse_scenario(two_hooks())
+    hook, axis = place.split(".")
+    slings = [f"sling.S{number}" for number in (1, 2, 3, 4)]
+
+    def values(rest: Equilibrium) -> Floats:
+        pose = rest.recording.column("body_position", "load")[-1]
+        quaternion = rest.recording.column("body_orientation", "load")[-1]
+        return np.array([*(rest.tension(rope) for rope in slings), *pose, *quaternion])
+
+    given = TWO_HOOKS[hook]["xyz".index(axis)]
+    wanted = resolved(scenario, f"cranes.{hook}.at.{axis}", given, 2e-3, "none", values)
+    question = Statics(scenario)
+    w, x, y, z = question.equilibrium().recording.column("body_orientation", "load")[-1]
+    (found,) = question.sensitivities([(f"place_{axis}", hook)])
+    assert [found.of(rope) for rope in slings] == pytest.approx(wanted[:4], rel=1e-6, abs=1e-3)
+    motion = found.of_body("load")
+    assert motion[:3] == pytest.approx(wanted[4:7], rel=1e-6, abs=1e-8)
+    # dq/dp = ½ ω q of the unit quaternion q and the rotation vector ω in world axes.
+    half = 0.5 * np.array([[-x, -y, -z], [w, z, -y], [-z, w, x], [y, -x, w]]) @ motion[3:]
+    assert half == pytest.approx(wanted[7:], rel=1e-6, abs=1e-9)
+    assert found.of_body(hook)[:3] == pytest.approx(np.eye(3)["xyz".index(axis)], abs=1e-15)
+
+
+@pytest.mark.parametrize("losses", ["none", "forward", "backward"])
+def test_where_sheaves_slip(losses: Losses) -> None:
+    """Lengths of slings under an equalizer whose nine sheaves lose 2 % each, slipping either way."""
+    text = REFERENCE.read_text(encoding="utf-8")
+    scenario = parse_scenario(
+        text.replace("efficiency: 1.0, rotating_mass: 0 kg", "efficiency: 0.98, rotating_mass: 100 kg")
+    )
+    slings = [f"sling.S{number}" for number in (1, 2, 3, 4, 5)]
+    wanted = resolved(
+        scenario, "slings.S2.length", 26.0, 5e-3, losses,
+        lambda rest: np.array([*(rest.tension(rope) for rope in slings)]),
+    )  # fmt: skip
+    question = Statics(scenario)
+    question.equilibrium(losses=losses)
+    (found,) = question.sensitivities([("length", "sling.S2")])
+    # Losses are followed to 1e-12 of 600 kN, over steps of 5 mm.
+    assert [found.of(rope) for rope in slings] == pytest.approx(wanted, rel=1e-6, abs=1e-3)
+    assert np.abs(wanted).max() > 200.0

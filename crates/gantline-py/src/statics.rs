@@ -5,7 +5,6 @@ use gantline_core::statics::lift::StaticLift;
 use gantline_core::statics::modes::Mode;
 use gantline_core::statics::potential::Losses;
 use gantline_core::statics::sensitivity::Parameter;
-use numpy::PyArrayDyn;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -107,20 +106,27 @@ impl Statics {
         Ok(())
     }
 
-    /// Derivatives of the tension of every rope [N] over parameters: pairs of a kind (`length`, `stiffness`, `mass`,
-    /// `centre_x`, `centre_y`, `centre_z`) and the name of a rope or body.
+    /// Derivatives of the tension of every rope [N] and of the motion of every body over parameters: pairs of a kind
+    /// (`length`, `stiffness`, `mass`, `centre_x`, `place_x` and so on) and the name of a rope or body.
     fn sensitivities<'py>(
         &mut self,
         py: Python<'py>,
         parameters: Vec<(String, String)>,
-    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    ) -> PyResult<Bound<'py, PyDict>> {
         let wanted: Vec<Parameter> =
             parameters.iter().map(|(kind, name)| self.parameter(kind, name)).collect::<PyResult<_>>()?;
         let inner = &mut self.inner;
         let found = py.detach(|| inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
         let ropes: Vec<usize> = self.inner.system().rows.first[..self.inner.system().rope_count].to_vec();
         let values = found.iter().flat_map(|one| ropes.iter().map(|&row| one.tension[row])).collect();
-        array(py, values, &[wanted.len(), ropes.len()])
+        let bodies = self.inner.names().body.len();
+        let motion = found.iter().zip(&wanted);
+        let motion = motion.flat_map(|(one, parameter)| self.inner.body_change(*parameter, &one.motion));
+        let motion = motion.collect();
+        let out = PyDict::new(py);
+        out.set_item("rope_tension", array(py, values, &[wanted.len(), ropes.len()])?)?;
+        out.set_item("body_motion", array(py, motion, &[wanted.len(), bodies, 6])?)?;
+        Ok(out)
     }
 
     /// Columns of the equilibrium or swing found last, by name.
@@ -150,6 +156,9 @@ impl Statics {
             "centre_x" => Parameter::Centre(body()?, 0),
             "centre_y" => Parameter::Centre(body()?, 1),
             "centre_z" => Parameter::Centre(body()?, 2),
+            "place_x" => Parameter::Place(body()?, 0),
+            "place_y" => Parameter::Place(body()?, 1),
+            "place_z" => Parameter::Place(body()?, 2),
             _ => return Err(PyValueError::new_err(format!("there is no parameter {kind}"))),
         })
     }

@@ -32,6 +32,28 @@ def statics(
             "'cranes.hook.at.z=36 m..37 m/5'.",
         ),
     ] = None,
+    level: Annotated[
+        bool, typer.Option("--level", help="Find lengths of slings with which the load hangs level.")
+    ] = False,
+    want: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=VALUE,…",
+            help="Find lengths of slings for 'slope_x', 'slope_y' and 'heading' of the load, or a sling's "
+            "share of it, such as 'heading=90 deg, S1=25 %'.",
+        ),
+    ] = None,
+    plumb: Annotated[
+        bool, typer.Option("--plumb", help="Find places of the hooks from which none is pulled aside.")
+    ] = False,
+    adjust: Annotated[
+        str | None,
+        typer.Option(metavar="NAME,…", help="Slings or hooks that these may change.  [default: all]"),
+    ] = None,
+    most: Annotated[
+        str | None,
+        typer.Option(metavar="LENGTH", help="Most by which a length may change.  [default: a tenth of it]"),
+    ] = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -53,6 +75,14 @@ def statics(
         if sensitivities or output is not None:
             stop("--sweep: prints a table of many equilibria; --sensitivities and --output are for one")
         run_sweep(lift, sweep, moment)
+    if level or plumb or want is not None:
+        from gantline.cli.inverse import hang_as_wanted
+
+        hang_as_wanted(
+            lift, level=level, want=want, plumb=plumb, adjust=adjust, most=most, time=moment, output=output
+        )
+    if adjust is not None or most is not None:
+        stop("--adjust and --most belong to --level, --want or --plumb")
     with scenario_errors():
         from gantline.statics import NoEquilibriumError, Statics
 

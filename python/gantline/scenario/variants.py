@@ -26,6 +26,7 @@ __all__ = [
     "with_lengths",
     "with_ropes_cut",
     "with_value",
+    "with_values",
     "without_cases",
 ]
 
@@ -99,7 +100,19 @@ def with_value(scenario: Scenario, path: str, text: str) -> Scenario:
         PathError: if the path leads nowhere.
         ScenarioError: if the value cannot be there.
     """
-    tree = put(_let_go(scenario), path, text_node(text, _line(scenario.tree, path)))
+    return with_values(scenario, {path: text})
+
+
+def with_values(scenario: Scenario, texts: Mapping[str, str]) -> Scenario:
+    """The lift with values at dotted paths, without cases.
+
+    Raises:
+        PathError: if a path leads nowhere.
+        ScenarioError: if a value cannot be there.
+    """
+    tree = _let_go(scenario)
+    for path, text in texts.items():
+        tree = put(tree, path, text_node(text, _line(scenario.tree, path)))
     return from_tree(tree, scenario.source, scenario.text)
 
 

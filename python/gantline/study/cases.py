@@ -192,7 +192,9 @@ def _tolerances(scenario: Scenario, base: Scenario, name: str, time: float | Non
     if change is None or case.pattern == "each":
         patterns = single_patterns(len(off))
     else:
-        patterns = worst_patterns(str(case.pattern), change)
+        changes = [change, *_changes_by_losses(question, time, given, off)]
+        found = (pattern for one in changes for pattern in worst_patterns(str(case.pattern), one))
+        patterns = list(dict.fromkeys(found))
     if not patterns:
         yield replace(given, variant="lengths change no tension")
     for pattern in patterns:
@@ -204,6 +206,17 @@ def _tolerances(scenario: Scenario, base: Scenario, name: str, time: float | Non
         }
         state = State(name, pattern_label(longer), "none", 0.0, first_order=first_order)
         yield from _of_case(scenario, with_lengths(scenario, name, longer), time, state)
+
+
+def _changes_by_losses(
+    question: Statics, time: float | None, given: State, off: Mapping[str, float]
+) -> Iterator[Floats]:
+    """What tolerances change in tensions where all sheaves slip one way, and the other."""
+    if given.rest is None or not given.rest.lossy:
+        return
+    for losses in _BOUNDS:
+        if settled(question, time, replace(given, losses=losses)).rest is not None:
+            yield changes_of_tension(question, off)
 
 
 def _changes(scenario: Scenario, name: str, question: Statics, off: Mapping[str, float]) -> Floats | None:

@@ -122,6 +122,22 @@ impl StaticLift {
         motion.collect()
     }
 
+    /// The same of the derivative `motion` over a parameter, with what moves since the joint of a body is elsewhere. A
+    /// centre of gravity that is itself the parameter counts where it was.
+    pub fn body_change(&self, parameter: Parameter, motion: &[f64]) -> Vec<f64> {
+        let mut change = self.body_motion(motion);
+        if let Parameter::Place(body, axis) = parameter {
+            let bodies = self.system.tree.bodies.iter().enumerate();
+            let moving = bodies.filter(|(_, one)| one.joint.moves_body()).map(|(index, _)| index);
+            for (place, index) in moving.enumerate() {
+                if self.system.tree.subtree[body].contains(&index) {
+                    change[6 * place + axis] += 1.0;
+                }
+            }
+        }
+        change
+    }
+
     /// Derivatives of the equilibrium that was found last.
     ///
     /// # Errors

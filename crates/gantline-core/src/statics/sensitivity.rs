@@ -8,18 +8,34 @@
 //! ```
 //!
 //! What nothing holds would make the matrix singular, so K + λM stands in it, and λM dq/dp of the last solution comes back
-//! on the right side.
+//! on the right side. So does what the tensions change in the resistance of sheaves that slip, which would make the
+//! matrix unsymmetric: losses are a share of tensions, so that converges.
+//!
+//! Where a body's joint sits, ∂/∂p of the right side is the difference of values and gradients, which are exact, over
+//! four places of the joint with coordinates and forces as they are.
 
 use glam::DVec3;
 
+use super::potential::Part;
 use super::search::LEAST;
 use super::{NoEquilibrium, Statics};
 use crate::constraint::AnyConstraint;
+use crate::constraint::brake::At;
 use crate::state::State;
+use crate::stepper::frame::Remembered;
 use crate::system::System;
 
 /// Solutions with λM moved to the right side, each of which leaves λ/ω² of the error.
 const REPEATS: usize = 3;
+/// The same where sheaves slip, at most.
+const MOST_REPEATS: usize = 200;
+/// Change of the resistance of sheaves from one solution to the next, relative to the largest.
+const LOSS_LEFT: f64 = 1e-13;
+/// Between the places of a joint that are compared [m].
+const SHIFT: f64 = 5e-3;
+/// Weights of the places at −2, −1, 1 and 2 times that, of fourth order.
+const PLACES: [(f64, f64); 4] =
+    [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
 /// Compliance of rows that have none, as a share of what the search gave them.
 const STIFFER: f64 = 1e-9;
 
@@ -34,6 +50,8 @@ pub enum Parameter {
     Centre(usize, usize),
     /// Mass of a body at its centre of gravity [kg].
     Mass(usize),
+    /// Place of a body's joint along an axis of the world, with all that hangs on the body [m].
+    Place(usize, usize),
 }
 
 /// Derivatives over one parameter.
@@ -73,24 +91,110 @@ impl Statics {
         })?;
         let mut all = Vec::with_capacity(parameters.len());
         let (mut force, mut right) = (vec![0.0; system.tree.velocities], vec![0.0; system.rows.count()]);
-        let mut inertia = force.clone();
         for parameter in parameters {
             force.fill(0.0);
             right.fill(0.0);
-            self.right_side(system, *parameter, &mut force, &mut right)?;
-            let mut motion = vec![0.0; force.len()];
-            let mut tension = vec![0.0; right.len()];
-            let search = &mut self.search;
-            for _ in 0..REPEATS {
-                search.here.frame.mass.multiply(&motion, &mut inertia);
-                for (inertia, force) in inertia.iter_mut().zip(&force) {
-                    *inertia = LEAST * *inertia + force;
-                }
-                search.matrix.solve(&inertia, &right, &mut motion, &mut tension);
+            if let Parameter::Place(body, axis) = *parameter {
+                self.shift_joint(system, state, (body, axis), (&mut force, &mut right));
+            } else {
+                self.right_side(system, *parameter, &mut force, &mut right)?;
             }
-            all.push(Sensitivity { motion, tension });
+            all.push(self.answer(system, state, &force, &right));
         }
         Ok(all)
+    }
+
+    /// The solution of (E3) with a right side, by repeating it.
+    fn answer(&mut self, system: &System, state: &State, force: &[f64], right: &[f64]) -> Sensitivity {
+        let mut motion = vec![0.0; force.len()];
+        let mut tension = vec![0.0; right.len()];
+        let mut resistance = vec![0.0; right.len()];
+        let mut inertia = force.to_vec();
+        for round in 1..=MOST_REPEATS {
+            let search = &mut self.search;
+            search.here.frame.mass.multiply(&motion, &mut inertia);
+            for (inertia, force) in inertia.iter_mut().zip(force) {
+                *inertia = LEAST * *inertia + force;
+            }
+            for (row, change) in resistance.iter().enumerate().filter(|(_, change)| **change != 0.0) {
+                for (dof, entry) in system.rows.entries(&search.here.frame.gradient, row) {
+                    inertia[dof] -= entry * change;
+                }
+            }
+            search.matrix.solve(&inertia, right, &mut motion, &mut tension);
+            let is_settled = self.follow_resistance(system, state, &motion, &tension, &mut resistance);
+            if round >= REPEATS && is_settled {
+                break;
+            }
+        }
+        for (tension, change) in tension.iter_mut().zip(&resistance).filter(|(_, change)| **change != 0.0) {
+            *tension = *change;
+        }
+        Sensitivity { motion, tension }
+    }
+
+    /// What a change of motion and tensions does to the forces of sheaves that slip; true if that is known already.
+    fn follow_resistance(
+        &self,
+        system: &System,
+        state: &State,
+        motion: &[f64],
+        tension: &[f64],
+        resistance: &mut [f64],
+    ) -> bool {
+        let here = &self.search.here;
+        let (mut moved, mut largest) = (0.0_f64, 0.0_f64);
+        for (row, bearing) in self.bearings.iter().enumerate() {
+            let (AnyConstraint::Brake(brake), Part::Resist(force)) =
+                (system.constraint_of_row(row), bearing.part)
+            else {
+                continue;
+            };
+            let at = At { q: &here.q, kinematics: &here.frame.kinematics, seats: &state.seats };
+            let sides = brake.spans.iter().filter(|(side, _)| here.tension[*side] > 0.0);
+            let mut change: f64 = sides.map(|(side, _)| brake.weight(at, *side) * tension[*side]).sum();
+            let dofs = &system.rows.dofs[system.rows.start[row]..system.rows.start[row + 1]];
+            brake.add_slopes(at, &here.frame.feeding, &here.tension, |entry, slope| {
+                change += slope * motion[dofs[entry]];
+            });
+            change *= force.signum();
+            moved = moved.max((change - resistance[row]).abs());
+            largest = largest.max(change.abs());
+            resistance[row] = change;
+        }
+        moved <= LOSS_LEFT * largest
+    }
+
+    /// Right side of a shift of a body's joint.
+    fn shift_joint(
+        &self,
+        system: &System,
+        state: &State,
+        (body, axis): (usize, usize),
+        (force, right): (&mut [f64], &mut [f64]),
+    ) {
+        let here = &self.search.here;
+        let (mut moved, mut there) = (system.clone(), here.clone());
+        let place = &system.tree.bodies[body];
+        let world = DVec3::AXES[axis];
+        let pose = |parent: usize| here.frame.kinematics.pose[parent];
+        let along = place.parent.map_or(world, |parent| pose(parent).rotation.transpose() * world);
+        for (step, weight) in PLACES {
+            moved.tree.bodies[body].placement.position = place.placement.position + along * (step * SHIFT);
+            there.update(&moved, &self.bearings, &Remembered::of(state));
+            let share = weight / SHIFT;
+            for (force, gravity) in force.iter_mut().zip(&there.gravity) {
+                *force -= share * gravity;
+            }
+            for (row, bearing) in self.bearings.iter().enumerate() {
+                for (dof, entry) in system.rows.entries(&there.frame.gradient, row) {
+                    force[dof] -= share * entry * here.tension[row];
+                }
+                if here.follows[row] && matches!(bearing.part, Part::Pull) {
+                    right[row] -= share * there.frame.value[row];
+                }
+            }
+        }
     }
 
     fn right_side(
@@ -135,6 +239,7 @@ impl Statics {
                     force[dof] = column.dot(system.tree.gravity);
                 }
             }
+            Parameter::Place(..) => {}
         }
         Ok(())
     }

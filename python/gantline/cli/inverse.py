@@ -1,0 +1,224 @@
+"""`gantline statics LIFT --level`, `--want`, `--plumb`: what makes a load hang as it is wanted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+import typer
+
+from gantline.cli.lift import output_folder, quantity_of
+from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
+
+if TYPE_CHECKING:
+    from gantline.statics import Equilibrium
+    from gantline.study import HookAnswer, LengthAnswer
+
+_WRITTEN = "wanted is written like 'slope_x=0 deg, slope_y=1 deg, heading=90 deg, S1=25 %'"
+_SLOPES = ("slope_x", "slope_y")
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What is wanted of a load that hangs."""
+
+    slopes: tuple[float, float] | None = None
+    heading: float | None = None
+    shares: Mapping[str, float] = field(default_factory=dict)
+
+
+def hang_as_wanted(
+    lift: Path,
+    *,
+    level: bool,
+    want: str | None,
+    plumb: bool,
+    adjust: str | None,
+    most: str | None,
+    time: float | None,
+    output: Path | None,
+) -> NoReturn:
+    """Answer an inverse question, and end.
+
+    Args:
+        lift: Lift file, folder, or name of a lift that comes with gantline.
+        level: Whether the load shall be level.
+        want: What else is wanted, as it stands behind its option.
+        plumb: Whether hooks are moved, and not lengths changed.
+        adjust: Slings or hooks that may change; all if not given.
+        most: Largest change of a length, as written.
+        time: Time of the plan [s]; None for the end of the lift.
+        output: Folder for the answer's equilibrium.
+
+    Raises:
+        typer.Exit: Always; with 3 where it cannot be had.
+    """
+    if plumb and (level or want is not None or most is not None):
+        stop("--plumb: moves hooks until no one is pulled aside; --level, --want and --most are for slings")
+    wanted = _wanted(level, want)
+    limit = quantity_of("--most", most, "length")
+    if limit is not None and limit <= 0.0:
+        stop(f"--most: '{most}' is no change of a length; more than 0 mm is right")
+    chosen = None if adjust is None else [name.strip() for name in adjust.split(",") if name.strip()]
+    with scenario_errors():
+        from gantline.statics import NoEquilibriumError
+        from gantline.study import CannotBeError, adjust_lengths, plumb_hooks
+
+        answer: LengthAnswer | HookAnswer
+        try:
+            if plumb:
+                answer = plumb_hooks(lift, hooks=chosen, time=time)
+                lines = _hooks(answer)
+            else:
+                answer = adjust_lengths(
+                    lift,
+                    slopes=wanted.slopes,
+                    heading=wanted.heading,
+                    shares=wanted.shares,
+                    slings=chosen,
+                    most=limit,
+                    time=time,
+                )
+                lines = _slings(answer)
+        except NoEquilibriumError as problem:
+            stop(str(problem), COULD_NOT_GO_ON)
+        except CannotBeError as problem:
+            stop(
+                f"{'--plumb' if plumb else '--level' if want is None else '--want'}: {problem}",
+                COULD_NOT_GO_ON,
+            )
+        except ValueError as problem:
+            stop(str(problem))
+    typer.echo("\n".join(lines))
+    if output is not None:
+        place = output_folder(output)
+        with writing(place):
+            written = answer.after.recording.save(place / "equilibrium.nc")
+        typer.echo(f"\nRecording   {written}")
+    raise typer.Exit(DONE)
+
+
+def _wanted(level: bool, want: str | None) -> Wanted:
+    """What is wanted, from both options."""
+    slopes: dict[str, float] = dict.fromkeys(_SLOPES, 0.0) if level else {}
+    heading, shares = None, dict[str, float]()
+    for part in (want or "").split(",") if want is not None else ():
+        name, equals, value = (word.strip() for word in part.partition("="))
+        if not (name and equals and value):
+            stop(f"--want: '{part.strip()}' says nothing; {_WRITTEN}")
+        number = quantity_of(f"--want: {name}", value, "angle" if name in (*_SLOPES, "heading") else "ratio")
+        assert number is not None
+        if name in _SLOPES:
+            slopes[name] = number
+        elif name == "heading":
+            heading = number
+        else:
+            shares[name] = number
+    if slopes and len(slopes) < len(_SLOPES):
+        missing = next(name for name in _SLOPES if name not in slopes)
+        stop(f"--want: '{missing}' is not given; a slope needs the other, or --level")
+    both = (slopes["slope_x"], slopes["slope_y"]) if slopes else None
+    if both is not None and max(map(abs, both)) >= math.pi / 2:
+        stop("--want: a slope is less than 90 deg")
+    return Wanted(both, heading, shares)
+
+
+def _slings(answer: LengthAnswer) -> list[str]:
+    """New lengths, and what they change."""
+    from gantline.cli.summary import show
+    from gantline.cli.table import table
+
+    rows = [
+        (
+            name,
+            show(answer.given[name], "m", 4),
+            show(length, "m", 4),
+            _signed(length - answer.given[name], "mm", 1),
+            show(answer.before.tension(f"sling.{name}"), "kN", 1),
+            show(answer.after.tension(f"sling.{name}"), "kN", 1),
+        )
+        for name, length in answer.lengths.items()
+    ]
+    head = ("Sling", "length", "new length", "change", "tension", "new tension")
+    changes = {f"slings.{name}.length": length for name, length in answer.lengths.items()}
+    return [
+        *table(head, rows, "lrrrrr"),
+        "",
+        *_attitude(answer.before, answer.after),
+        f"  least change of lengths; residual {answer.residual:.1e}, {_steps(answer.steps)}",
+        "",
+        *_as_case("lengths", changes),
+    ]
+
+
+def _hooks(answer: HookAnswer) -> list[str]:
+    """New places, and what they change."""
+    from gantline.cli.summary import show
+    from gantline.cli.table import ABSENT, table
+
+    rows = []
+    for name, pulls in answer.side_pulls.items():
+        forces = [show(math.hypot(*pull), "kN", 2) for pull in pulls]
+        cells = [ABSENT] * 4
+        if name in answer.places:
+            (x, y), (new_x, new_y) = answer.given[name], answer.places[name]
+            moved = (_signed(new_x - x, "mm", 1), _signed(new_y - y, "mm", 1))
+            cells = [show(new_x, "m", 4), show(new_y, "m", 4), *moved]
+        rows.append((name, *cells, *forces))
+    head = ("Hook", "new x", "new y", "along x", "along y", "side pull", "new side pull")
+    places = {
+        f"cranes.{name}.at.{axis}": value
+        for name, place in answer.places.items()
+        for axis, value in zip("xy", place, strict=True)
+    }
+    drift = []
+    if answer.drift is not None:
+        before, after = (show(one, "mm", 1) for one in answer.drift)
+        drift = [f"  drift when it comes off: {before}, then {after}"]
+    return [
+        *table(head, rows, "lrrrrrr"),
+        "",
+        *_attitude(answer.before, answer.after),
+        *drift,
+        f"  residual {answer.residual:.1e}, {_steps(answer.steps)}",
+        "",
+        *_as_case("plumb", places),
+    ]
+
+
+def _attitude(before: Equilibrium, after: Equilibrium) -> list[str]:
+    from gantline.cli.summary import show
+    from gantline.results.rotation import heading
+
+    load = before.recording.rig.loads[0]
+    tilts = [
+        show(float(one.recording.column("load_tilt", load.name)[-1]), "deg", 3) for one in (before, after)
+    ]
+    headings = [
+        show(float(heading(one.recording.column("body_orientation", load.body)[-1])), "deg", 3)
+        for one in (before, after)
+    ]
+    return [
+        f"{load.name} at rest at {after.time:g} s",
+        f"  tilt {tilts[0]}, then {tilts[1]}; heading {headings[0]}, then {headings[1]}",
+    ]
+
+
+def _as_case(name: str, values: Mapping[str, float]) -> Sequence[str]:
+    """The answer as a case, to be put into the lift file."""
+    changes = ", ".join(f"{path}: {value:.4f} m" for path, value in values.items())
+    return ["As a case of the lift file, to the tenth of a millimetre:", f"  {name}: {{set: {{{changes}}}}}"]
+
+
+def _signed(value: float, unit: str, digits: int) -> str:
+    from gantline.units import format_quantity
+
+    text = format_quantity(abs(value), unit, digits)
+    return f"{'−' if value < 0.0 else '+'}{text}"
+
+
+def _steps(count: int) -> str:
+    return "1 step" if count == 1 else f"{count} steps"

@@ -1,0 +1,169 @@
+"""What a load that hangs looks like to whoever levels it, with its derivatives over what can be changed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.results import series
+from gantline.results.rig import Load, Sling
+from gantline.results.rotation import axes
+from gantline.statics import Equilibrium, Sensitivity, Statics
+
+__all__ = ["Hanging", "Row"]
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A quantity and its derivatives.
+
+    Attributes:
+        value: What it is.
+        change: Its derivative over each parameter, shape (parameter,).
+    """
+
+    value: float
+    change: Floats
+
+    def minus(self, wanted: float) -> Row:
+        """By how much it is more than wanted."""
+        return Row(self.value - wanted, self.change)
+
+
+class Hanging:
+    """A load at rest that hangs clear, its slings and hooks.
+
+    Args:
+        question: The lift, of which `rest` is the equilibrium found last.
+        rest: The equilibrium.
+        parameters: What can be changed: kinds and names, see `Sensitivity`.
+    """
+
+    def __init__(
+        self, question: Statics, rest: Equilibrium, parameters: Sequence[tuple[str, str]] = ()
+    ) -> None:
+        self.rest = rest
+        self.rig = question.rig
+        self.load: Load = self.rig.loads[0]
+        self._answers: list[Sensitivity] = question.sensitivities(parameters) if parameters else []
+        routes = {rope["name"]: rope["route"] for rope in question.assembly.document["ropes"]}
+        self._ends = {
+            sling.rope: (routes[sling.rope][0]["body"], routes[sling.rope][-1]["body"])
+            for sling in self.slings
+            if sling.rope in routes
+        }
+
+    @cached_property
+    def slings(self) -> list[Sling]:
+        """Slings that go from one upper end to one lower end."""
+        return [sling for sling in self.rig.slings if sling.over is None]
+
+    def slopes(self) -> tuple[Row, Row]:
+        """By what angle the load's own x axis rises, and its y axis [rad]."""
+        return self._slope(0), self._slope(1)
+
+    def heading(self) -> Row:
+        """Angle of the load's own x axis from world x, seen from above [rad]."""
+        ahead = self._axes[:, 0]
+        level = ahead[0] ** 2 + ahead[1] ** 2
+        moved = [np.cross(one.of_body(self.load.body)[3:], ahead) for one in self._answers]
+        change = [(ahead[0] * way[1] - ahead[1] * way[0]) / level for way in moved]
+        return Row(math.atan2(ahead[1], ahead[0]), np.array(change))
+
+    def place(self, axis: int) -> Row:
+        """Where the load's centre of gravity is along an axis of the world [m]."""
+        at = self.rest.recording.column("body_position", self.load.body)[-1]
+        change = [one.of_body(self.load.body)[axis] for one in self._answers]
+        return Row(float(at[axis]), np.array(change))
+
+    def share(self, sling: Sling) -> Row:
+        """Vertical force of a sling over that of all slings [1]."""
+        pulls = [self._pull(one) for one in self.slings]
+        all_of_them = sum(value[2] for value, _ in pulls)
+        all_changes = sum((change[:, 2] for _, change in pulls), start=np.zeros(len(self._answers)))
+        value, change = self._pull(sling)
+        share = float(value[2] / all_of_them)
+        return Row(share, (change[:, 2] - share * all_changes) / all_of_them)
+
+    def side_pull(self, hook: str) -> tuple[Row, Row]:
+        """Horizontal over vertical force of what hangs in a hook on it [1], along world x and y."""
+        pulls = [self._pull(one) for one in self.slings if self.rig.hook_of(one) == hook]
+        value = sum((value for value, _ in pulls), start=np.zeros(3))
+        change = sum((change for _, change in pulls), start=np.zeros((len(self._answers), 3)))
+        # From the slings on the hook: against the way that a sling goes up.
+        rows = [
+            Row(-float(value[axis] / value[2]),
+                -(change[:, axis] - value[axis] / value[2] * change[:, 2]) / value[2])
+            for axis in (0, 1)
+        ]  # fmt: skip
+        return rows[0], rows[1]
+
+    def pull_on(self, hook: str) -> Floats:
+        """Force of what hangs in a hook on it, without its own weight [N], shape (3,)."""
+        pulls = [self._pull(one)[0] for one in self.slings if self.rig.hook_of(one) == hook]
+        total: Floats = -np.sum(pulls, axis=0)
+        return total
+
+    def slack(self) -> list[str]:
+        """Slings that carry nothing."""
+        return [sling.name for sling in self.rig.slings if self.rest.tension(sling.rope) <= 0.0]
+
+    def beyond_travel(self) -> str | None:
+        """The moving sheave that is farthest beyond its travel, in words; None where none is."""
+        worst, sentence = 0.0, None
+        for equalizer in self.rig.equalizers:
+            for sheave in equalizer.moving_sheaves:
+                travel = float(self.rest.recording.column("sheave_travel", sheave)[-1])
+                most, way = (equalizer.travel_down, "down") if travel > 0.0 else (equalizer.travel_up, "up")
+                # Stops give a little: at the stop is beyond.
+                if most is not None and abs(travel) - most > worst - 1e-9:
+                    worst = abs(travel) - most
+                    sentence = f"{sheave} would travel {abs(travel):.3f} m {way}, and has {most:g} m"
+        return sentence
+
+    def hooks(self) -> list[str]:
+        """Hooks in which a sling hangs, in the order of the lift."""
+        used = {self.rig.hook_of(sling) for sling in self.slings}
+        return [hook.name for hook in self.rig.hooks if hook.name in used]
+
+    @cached_property
+    def _axes(self) -> Floats:
+        found: Floats = axes(self.rest.recording.column("body_orientation", self.load.body)[-1])
+        return found
+
+    def _slope(self, axis: int) -> Row:
+        own = self._axes[:, axis]
+        cosine = math.sqrt(max(1.0 - own[2] ** 2, np.finfo(float).tiny))
+        turned = [np.cross(one.of_body(self.load.body)[3:], own)[2] / cosine for one in self._answers]
+        return Row(math.asin(min(max(own[2], -1.0), 1.0)), np.array(turned))
+
+    def _pull(self, sling: Sling) -> tuple[Floats, Floats]:
+        """Force of a sling on its lower end [N], shape (3,), and its derivatives, shape (parameter, 3)."""
+        recording = self.rest.recording
+        first, last = (one[-1] for one in series.rope_ends(recording, sling.rope))
+        length = float(np.linalg.norm(first - last))
+        along = (first - last) / length
+        tension = self.rest.tension(sling.rope)
+        changes = np.zeros((len(self._answers), 3))
+        top, bottom = self._ends[sling.rope]
+        for row, one in enumerate(self._answers):
+            moved = self._velocity(one, top, first) - self._velocity(one, bottom, last)
+            across = moved - along * float(along @ moved)
+            changes[row] = one.of(sling.rope) * along + tension / length * across
+        return tension * along, changes
+
+    def _velocity(self, one: Sensitivity, body: str | None, point: Floats) -> Floats:
+        """How a point of a body moves."""
+        if body is None:
+            return np.zeros(3)
+        motion = one.of_body(body)
+        arm = point - self.rest.recording.column("body_position", body)[-1]
+        moved: Floats = motion[:3] + np.cross(motion[3:], arm)
+        return moved

@@ -1,0 +1,108 @@
+"""`gantline statics --level`, `--want`, `--plumb`, as people use them."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from gantline.results import open_recording
+from gantline.study import run_cases
+from hooked_lift import two_hooks
+
+
+def statics(*arguments: object) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "gantline", "statics", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+@pytest.fixture
+def lift(tmp_path: Path) -> Path:
+    """A load under two hooks, neither level nor plumb."""
+    path = tmp_path / "lift.yaml"
+    path.write_text(two_hooks(), encoding="utf-8")
+    return path
+
+
+def test_level_and_back_into_the_lift_file(lift: Path, tmp_path: Path) -> None:
+    """The case that is printed hangs level to what a tenth of a millimetre makes over 4 m: 0.002°."""
+    result = statics(lift, "--level", "-o", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert re.search(r"S1 +12\.0000 m +11\.\d{4} m +−\d+\.\d mm", result.stdout)
+    assert "tilt 2.289 deg, then 0.000 deg" in result.stdout
+    case = re.search(r"lengths: \{set: .*\}", result.stdout)
+    assert case is not None
+    with lift.open("a", encoding="utf-8") as file:
+        file.write(f"cases:\n  {case[0]}\n")
+    found = run_cases(lift)
+    (level,) = found.of("lengths")
+    assert level.rest is not None
+    assert level.rest.recording.column("load_tilt", "load")[-1] < 1e-4
+    recording = open_recording(tmp_path / "out" / "equilibrium.nc")
+    assert recording.column("load_tilt", "load")[-1] < 1e-8
+
+
+def test_what_is_wanted_by_name(lift: Path) -> None:
+    want = "slope_x=0 deg, slope_y=1 deg, S1=20 %"
+    result = statics(lift, "--want", want, "--adjust", "S1, S2,S3", "--most", "0.5 m")
+    assert result.returncode == 0, result.stderr
+    assert "then 1.000 deg" in result.stdout
+    assert "S4" not in result.stdout
+
+
+def test_plumb(lift: Path) -> None:
+    result = statics(lift, "--plumb")
+    assert result.returncode == 0, result.stderr
+    assert re.search(
+        r"A +-4\.\d{4} m +0\.\d{4} m +\+\d+\.\d mm +−\d+\.\d mm +16\.81 kN +0\.00 kN", result.stdout
+    )
+    assert "plumb: {set: {cranes.A.at.x: -4." in result.stdout
+    one = statics(lift, "--plumb", "--adjust", "A")
+    assert one.returncode == 0, one.stderr
+    assert re.search(r"B +- +- +- +- +16\.81 kN +0\.00 kN", one.stdout)
+
+
+def test_drift_of_the_reference_lift() -> None:
+    """Five crossed slings turn the frame by 1.6°, and the load by none: it comes off where it stood."""
+    result = statics("equalizer", "--plumb")
+    assert result.returncode == 0, result.stderr
+    assert "drift when it comes off: 0.0 mm, then 0.0 mm" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--level", "--most", "10 mm"), "--level: too far: S"),
+        (("--want", "heading=170 deg"), "--want: "),
+    ],
+)
+def test_what_cannot_be_ends_with_three(lift: Path, arguments: tuple[str, ...], message: str) -> None:
+    result = statics(lift, *arguments)
+    assert result.returncode == 3, result.stdout
+    assert message in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--level", "--plumb"), "--plumb: moves hooks until no one is pulled aside"),
+        (("--want", "S1"), "--want: 'S1' says nothing; wanted is written like 'slope_x=0 deg"),
+        (("--want", "slope_x=0 deg"), "--want: 'slope_y' is not given"),
+        (("--want", "slope_x=0 deg,slope_y=95 deg"), "--want: a slope is less than 90 deg"),
+        (("--want", "S1=3 kN"), "--want: S1: "),
+        (("--want", "S9=20 %"), "'S9' is not a sling"),
+        (("--level", "--adjust", "S9"), "'S9' is not a sling"),
+        (("--level", "--most", "-1 m"), "--most: '-1 m' is no change of a length"),
+        (("--adjust", "S1"), "--adjust and --most belong to --level, --want or --plumb"),
+        (("--plumb", "--adjust", "C"), "'C' is not a hook in which slings hang"),
+    ],
+)
+def test_bad_input_is_named(lift: Path, arguments: tuple[str, ...], message: str) -> None:
+    result = statics(lift, *arguments)
+    assert result.returncode == 2, result.stdout
+    assert message in result.stderr
+    assert "Traceback" not in result.stderr
