@@ -42,7 +42,7 @@ def test_a_lift_ends_with_its_table_recording_and_pictures(reference: tuple[Resu
         "travel used up",
         "hook load",
         "hoist load",
-        "ok           load_tilt",
+        "warning      load_tilt",
         "warning      equalizer_travel_used",
         "Energy remainder",
         "the balance closes",

@@ -84,3 +84,20 @@ def test_bad_input_is_named(arguments: tuple[str, ...], message: str) -> None:
     assert result.returncode == 2
     assert message in result.stderr
     assert "Traceback" not in result.stderr
+
+
+def test_what_keeps_a_load_upright(tmp_path: Path) -> None:
+    """2.30 m of 2.50 m along the sheaves, 2° at 80 mm; and the warning, in the check of the tilt too."""
+    result = statics("equalizer", "--modes", 0, "--margins", "-o", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert re.search(
+        LOAD + r" +\(-0\.34, 0\.94, 0\) +6\.78 MN m/rad +2\.30 m +2\.50 m +-0\.20 m +2\.49 deg", result.stdout
+    )
+    assert f"{LOAD} tilts in 4.02 s; by hand, with its lugs held, 5.18 s" in result.stdout
+    warning = f"the slings of e1 give {LOAD} no tilt stiffness: tan(tilt) = e/2.50 m"
+    assert f"WARNING: {warning}" in result.stdout
+    assert re.search(r"\+x +0\.080 m +tilt beyond its limit of 2\.00 deg", result.stdout)
+    assert re.search(r"up +2\.302 m +unstable", result.stdout)
+    command = [sys.executable, "-m", "gantline", "check", str(tmp_path / "out" / "equilibrium.nc")]
+    checked = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert warning in " ".join(checked.stdout.split())

@@ -80,7 +80,7 @@ def test_a_wanted_list_and_heading() -> None:
 
 
 def test_wanted_shares_of_four_plumb_slings() -> None:
-    """Equal shares of four plumb slings, one short by δ: the least change is ± δ/4 of each, all of it skew."""
+    """Equal shares of four plumb slings, one short by δ: the least change is ± δ/4 of each."""
     short = 0.02
     text = plumb_lift("").replace(
         "SA: {from: A, to: girder.A}", f"SA: {{from: A, to: girder.A, length: {LENGTH - short} m}}"

@@ -24,6 +24,12 @@ def statics(
     sensitivities: Annotated[
         bool, typer.Option("--sensitivities", help="Show what lengths, stiffness and weight change.")
     ] = False,
+    margins: Annotated[
+        bool,
+        typer.Option(
+            "--margins", help="Show how far the centre of gravity may be elsewhere, by solving anew."
+        ),
+    ] = False,
     sweep: Annotated[
         str | None,
         typer.Option(
@@ -84,6 +90,7 @@ def statics(
     if adjust is not None or most is not None:
         stop("--adjust and --most belong to --level, --want or --plumb")
     with scenario_errors():
+        from gantline.scenario.variants import without_cases
         from gantline.statics import NoEquilibriumError, Statics
 
         question = Statics(lift)
@@ -92,7 +99,13 @@ def statics(
         rest = question.equilibrium(moment)
     except NoEquilibriumError as problem:
         stop(str(problem), COULD_NOT_GO_ON)
+    from gantline.cli.tilting import tilting_lines
+    from gantline.study.tilting import margins_of, tilting_of
+
     found = question.modes()
+    far = []
+    if margins and rest.recording.rig.loads:
+        far = margins_of(without_cases(question.scenario), rest)
     shown = found[: max(modes, rest.unstable)]
     parts = [
         _heading(question, rest, found),
@@ -100,6 +113,7 @@ def statics(
         _ropes(rest),
         _hooks(rest),
         _loads(rest),
+        tilting_lines(tilting_of(question, rest, found), far),
         _sheaves(rest),
         _modes(shown),
         _sensitivities(rest, question.sensitivities()) if sensitivities else [],

@@ -106,7 +106,7 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
     if (unit[:, 2] <= _NO_LEVER).any() or tension.max(initial=0.0) <= 0.0:
         yield from _none(slings, tension, "its slings do not hang")
         return
-    if equalizer is not None and not _pinned(recording, equalizer):
+    if equalizer is not None and not pinned_sheaves(recording, equalizer):
         perfect = np.mean(tension * unit[:, 2]) / unit[:, 2]
         yield from _all(slings, tension, perfect, lengths_decide=False)
         return
@@ -148,7 +148,7 @@ def perfect_forces(gradient: FloatArray, stiffness: FloatArray, tension: FloatAr
     return perfect
 
 
-def _pinned(recording: Recording, equalizer: Equalizer) -> set[str]:
+def pinned_sheaves(recording: Recording, equalizer: Equalizer) -> set[str]:
     """Moving sheaves that pins hold at the end."""
     pinned = set(equalizer.locked)
     for _, kind, sheave in recording.events():

@@ -4,19 +4,25 @@ from gantline.study.cases import CasesResult, run_cases
 from gantline.study.inverse import CannotBeError, HookAnswer, LengthAnswer, adjust_lengths, plumb_hooks
 from gantline.study.state import State, Worst, values_of, worst_of
 from gantline.study.sweep import SweepPoint, run_sweep
+from gantline.study.tilting import Margin, TiltAxis, Tilting, margins_of, tilting_of
 
 __all__ = [
     "CannotBeError",
     "CasesResult",
     "HookAnswer",
     "LengthAnswer",
+    "Margin",
     "State",
     "SweepPoint",
+    "TiltAxis",
+    "Tilting",
     "Worst",
     "adjust_lengths",
+    "margins_of",
     "plumb_hooks",
     "run_cases",
     "run_sweep",
+    "tilting_of",
     "values_of",
     "worst_of",
 ]

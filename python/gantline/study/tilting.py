@@ -1,0 +1,269 @@
+"""What keeps a hanging load upright: its own weight, its rig, and how far both are from letting it go."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.results import series
+from gantline.results.rig import Load
+from gantline.results.rotation import axes
+from gantline.results.tilting import LooseTilt, loose_tilt
+from gantline.scenario import Scenario, ScenarioError
+from gantline.scenario.variants import with_values
+from gantline.statics import Equilibrium, Mode, NoEquilibriumError, Statics
+from gantline.study.hanging import Hanging
+from gantline.units import format_quantity, si_text
+
+__all__ = ["Margin", "TiltAxis", "Tilting", "margins_of", "tilting_of"]
+
+Floats = npt.NDArray[np.float64]
+
+#: Tilt per metre of centre of gravity that is rounding [rad/m].
+_RIGID = 1e-12
+#: Length to which a margin is known [m].
+_TO = 1e-3
+#: Margins beyond this are not looked for [m].
+_FARTHEST = 10.0
+#: First shift that is tried [m].
+_FIRST = 0.1
+
+
+@dataclass(frozen=True)
+class TiltAxis:
+    """Tilting about one of the two level axes in which it does not bring the other with it.
+
+    Attributes:
+        direction: Of the axis, world x and y.
+        stiffness: Moment over tilt [N m/rad]; negative where it leads away, infinite where nothing gives.
+        height: The same over the weight [m]: tan(tilt) is what the centre of gravity is off over this.
+        rig: What of the height the rig gives [m]; the rest is `Tilting.depth`, the load's own weight.
+    """
+
+    direction: tuple[float, float]
+    stiffness: float
+    height: float
+    rig: float
+
+
+@dataclass(frozen=True)
+class Tilting:
+    """What keeps a load upright.
+
+    Attributes:
+        load: Its name.
+        depth: Of its centre of gravity below the point in which its slings pull, the middle of their lower
+            ends weighted by their vertical forces [m].
+        soft: The axis about which it tilts most easily.
+        stiff: The axis across.
+        tilt_per_metre: By how much it tilts per metre of centre of gravity along its own x and y [rad/m].
+        period: Of the natural motion that has most part in tilting about the soft axis [s]; None where it
+            does not swing so.
+        period_on_lugs: The same by hand, as if the point in which its slings pull were held [s]; None where
+            it would not swing.
+        loose: Whether equalizers leave it free to tilt; None if they do not.
+    """
+
+    load: str
+    depth: float
+    soft: TiltAxis
+    stiff: TiltAxis
+    tilt_per_metre: tuple[float, float]
+    period: float | None
+    period_on_lugs: float | None
+    loose: LooseTilt | None
+
+
+@dataclass(frozen=True)
+class Margin:
+    """How far a centre of gravity may be elsewhere before a lift no longer hangs as it should.
+
+    Attributes:
+        direction: `+x`, `−x`, `+y`, `−y` along the load's own axes, or `up`.
+        distance: How far [m], to a millimetre.
+        cause: What happens then, in words; empty where nothing does within 10 m.
+    """
+
+    direction: str
+    distance: float
+    cause: str
+
+
+def tilting_of(question: Statics, rest: Equilibrium, modes: Sequence[Mode]) -> list[Tilting]:
+    """What keeps each load upright that hangs clear.
+
+    Args:
+        question: The lift.
+        rest: Its equilibrium found last.
+        modes: Its natural motions.
+    """
+    clear = [
+        load
+        for load in rest.recording.rig.loads
+        if series.load_is_clear(rest.recording, load)[-1]
+        and any(sling.to_load == load.name for sling in rest.recording.rig.slings)
+    ]
+    return [_tilting(question, rest, modes, load) for load in clear]
+
+
+def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: Load) -> Tilting:
+    own = axes(rest.recording.column("body_orientation", load.body)[-1])
+    answers = question.sensitivities([(f"centre_{axis}", load.body) for axis in "xy"])
+    turned = np.array([one.of_body(load.body)[3:5] for one in answers]).T
+    # A shift d of the centre of gravity brings the moment d × m g, level whatever d.
+    moments = load.weight * np.array([[-own[1, 0], -own[1, 1]], [own[0, 0], own[0, 1]]])
+    compliance = turned @ np.linalg.inv(moments)
+    values, directions = np.linalg.eigh(0.5 * (compliance + compliance.T))
+    heights = [1.0 / (one * load.weight) if abs(one) * load.weight > _RIGID else math.inf for one in values]
+    order = np.argsort(heights)
+    depth = _depth(rest, load)
+    found = [
+        TiltAxis(
+            direction=_named(directions[:, index]),
+            stiffness=heights[index] * load.weight,
+            height=heights[index],
+            rig=heights[index] - depth,
+        )
+        for index in order
+    ]
+    inertia = own @ _inertia(question, load) @ own.T
+    soft = directions[:, order[0]]
+    about = float(soft @ inertia[:2, :2] @ soft)
+    mass = load.weight / question.rig.gravity
+    return Tilting(
+        load=load.name,
+        depth=depth,
+        soft=found[0],
+        stiff=found[1],
+        tilt_per_metre=(float(np.linalg.norm(turned[:, 0])), float(np.linalg.norm(turned[:, 1]))),
+        period=_period(rest, modes, load, soft),
+        period_on_lugs=(
+            2 * math.pi * math.sqrt((about + mass * depth**2) / (load.weight * depth))
+            if depth > 0.0
+            else None
+        ),
+        loose=loose_tilt(rest.recording, load),
+    )
+
+
+def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FARTHEST) -> list[Margin]:
+    """How far the centre of gravity of a lift's load may be elsewhere.
+
+    The lift is solved anew with it moved, each way until something happens: no equilibrium, one that is not
+    stable, a sling goes slack, a sheave is beyond its travel, or the load tilts by more than its limit.
+
+    Args:
+        scenario: The lift, without cases.
+        rest: Its equilibrium.
+        farthest: Where the search ends [m].
+
+    Raises:
+        ValueError: If the lift has no load.
+    """
+    load = scenario.load
+    if load is None:
+        raise ValueError("the lift has no load")
+    at = load.centre_of_gravity.at
+    ways = [("up", 2, 1.0), ("+x", 0, 1.0), ("−x", 0, -1.0), ("+y", 1, 1.0), ("−y", 1, -1.0)]
+    slack = {sling.name for sling in rest.recording.rig.slings if rest.tension(sling.rope) <= 0.0}
+
+    def trouble(axis: int, sign: float, shift: float) -> str:
+        moved = [value + (sign * shift if place == axis else 0.0) for place, value in enumerate(at)]
+        texts = {f"load.centre_of_gravity.at.{name}": si_text(value, "length")
+                 for name, value in zip("xyz", moved, strict=True)}  # fmt: skip
+        try:
+            question = Statics(with_values(scenario, texts))
+            found = question.equilibrium(rest.time)
+        except ScenarioError as problem:
+            return problem.problems[0].sentence
+        except NoEquilibriumError as problem:
+            return f"no equilibrium: {problem.cause} ({problem.element})"
+        return _trouble(Hanging(question, found), slack)
+
+    return [_margin(name, partial(trouble, axis, sign), farthest) for name, axis, sign in ways]
+
+
+def _margin(direction: str, trouble: Callable[[float], str], farthest: float) -> Margin:
+    """The least shift with trouble, by doubling and halving."""
+    cause = trouble(0.0)
+    if cause:
+        return Margin(direction, 0.0, cause)
+    good, bad = 0.0, _FIRST
+    while not (cause := trouble(min(bad, farthest))):
+        good = min(bad, farthest)
+        if good == farthest:
+            return Margin(direction, farthest, "")
+        bad *= 2.0
+    bad = min(bad, farthest)
+    while bad - good > _TO:
+        middle = 0.5 * (good + bad)
+        found = trouble(middle)
+        if found:
+            bad, cause = middle, found
+        else:
+            good = middle
+    return Margin(direction, good, cause)
+
+
+def _trouble(hanging: Hanging, slack: set[str]) -> str:
+    """What is wrong with how a lift hangs, in words; empty if nothing."""
+    rest = hanging.rest
+    if not rest.is_stable:
+        return "unstable"
+    newly = [name for name in hanging.slack() if name not in slack]
+    if newly:
+        return f"{', '.join(newly)} slack"
+    beyond = hanging.beyond_travel()
+    if beyond is not None:
+        return beyond
+    limit = rest.recording.rig.limits.get("load_tilt")
+    tilt = float(rest.recording.column("load_tilt", hanging.load.name)[-1])
+    if limit is not None and tilt > float(limit):
+        return f"tilt beyond its limit of {format_quantity(float(limit), 'deg', 2)}"
+    return ""
+
+
+def _depth(rest: Equilibrium, load: Load) -> float:
+    """Of the centre of gravity below the lower ends of the slings, by their vertical forces [m]."""
+    centre = float(rest.recording.column("body_position", load.body)[-1, 2])
+    total, moment = 0.0, 0.0
+    for sling in rest.recording.rig.slings:
+        for end, lug in enumerate(sling.lugs):
+            if sling.to_load != load.name and lug not in load.lugs:
+                continue
+            along = series.sling_direction(rest.recording, sling, end)[-1]
+            upright = rest.tension(sling.rope) * float(along[2])
+            first, last = (one[-1] for one in series.rope_ends(rest.recording, sling.rope))
+            lower = last if sling.over is None else (first, last)[end]
+            total += upright
+            moment += upright * (float(lower[2]) - centre)
+    return moment / total if total > 0.0 else 0.0
+
+
+def _inertia(question: Statics, load: Load) -> Floats:
+    """About the centre of gravity, axes of the load [kg m²]."""
+    bodies = question.assembly.document["bodies"]
+    xx, yy, zz, xy, xz, yz = next(body["inertia"] for body in bodies if body["name"] == load.body)
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def _period(rest: Equilibrium, modes: Sequence[Mode], load: Load, axis: Floats) -> float | None:
+    """Of the motion with the largest part in the tilt that a moment makes, Σ θ²/ω² with xᵀ M x = 1."""
+    place = list(rest.recording.coordinates["body"]).index(load.body)
+    parts = {
+        mode.period: float(mode.body_motion[place][3:5] @ axis) ** 2 / abs(mode.square)
+        for mode in modes
+        if mode.period is not None or mode.growth_time is not None
+    }
+    return max(parts, key=lambda period: parts[period], default=None)
+
+
+def _named(direction: Floats) -> tuple[float, float]:
+    """A direction with its larger part positive."""
+    way = direction if direction[int(np.argmax(np.abs(direction)))] > 0.0 else -direction
+    return float(way[0]), float(way[1])
