@@ -81,6 +81,57 @@ def test_torsion_of_plumb_cords(cords: int) -> None:
     assert np.min(np.abs(rest.squares / wanted - 1)) < (1e-8 if cords == 2 else 1e-6)
 
 
+def test_three_legged_bridle() -> None:
+    """Three legs to one hook: load and legs swing about it as one body, T = 2π √((I + m H²)/(m g H)), both ways."""
+    # Legs that do not stretch hold the load to the hook like a rigid frame; its plumb turn nothing holds.
+    lugs = np.array([(3.0, 0.0, 0.0), (-2.0, 2.5, 0.0), (-2.0, -2.5, 0.0)])
+    mass, below, height, inertia = 50e3, 1.0, 9.0, (2e5, 3e5, 4e5)
+    hook = (0.0, 0.0, height)
+    centre = (0.0, 0.0, -below)
+    load = body("load", free((0, 0, 0)), mass, centre_of_gravity=centre, inertia=inertia)
+    legs = [
+        rope(f"s{i}", float(np.linalg.norm(hook - lug)), [end(None, hook), end("load", lug)], None)
+        for i, lug in enumerate(lugs)
+    ]
+    rest = at_rest(document([load], ropes=legs))
+    assert (rest.found["neutral"], rest.found["unstable"]) == (1, 0)
+    # By symmetry about x the two legs behind share alike: moments about y, T₁ z₁ 3 = 2 T₂ z₂ 2, and W in all.
+    upright = rest.tensions * height / np.linalg.norm(hook - lugs, axis=1)
+    assert upright == pytest.approx(mass * G * np.array([0.4, 0.3, 0.3]), rel=1e-9)
+    arm = height + below
+    wanted = [2 * math.pi * math.sqrt((one + mass * arm**2) / (mass * G * arm)) for one in inertia[:2]]
+    squares = rest.squares[1:3]
+    assert sorted(2 * math.pi / np.sqrt(squares)) == pytest.approx(sorted(wanted), rel=1e-8)
+
+
+def test_two_crane_tandem_lift() -> None:
+    """Tandem lift, centre of gravity a and b from plumb falls: W b/(a + b) and W a/(a + b); four closed periods.
+
+    Along the line of hooks and as one across it g/L with the roll of (M4), and about the plumb W a b/(I L): the
+    hook that bears more is nearer.
+    """
+    mass, length, below, a, b = 200e3, 20.0, 1.5, 4.0, 8.0
+    inertia = (4e5, 3e6, 2.5e6)
+    ropes = [
+        rope(f"hoist{i}", length, [end(None, (x, 0, length)), end("load", (x, 0, 0))], None)
+        for i, x in enumerate((0.0, a + b))
+    ]
+    load = body("load", free((0, 0, 0)), mass, centre_of_gravity=(a, 0, -below), inertia=inertia)
+    rest = at_rest(document([load], ropes=ropes))
+    shares = np.array([b, a]) / (a + b)
+    assert rest.tensions == pytest.approx(mass * G * shares, rel=1e-9)
+    along = G / length
+    # Yaw moves the falls' lower ends across by a θ and b θ, and nothing else, since it is about the centre.
+    yaw = mass * G * a * b / (inertia[2] * length)
+    across = np.linalg.eigvals(
+        np.linalg.solve(
+            mass * np.array([[1.0, below], [below, below**2 + inertia[0] / mass]]),
+            mass * G * np.array([[1 / length, 0.0], [0.0, below]]),
+        )
+    ).real
+    assert sorted(rest.squares) == pytest.approx(sorted([along, yaw, *across]), rel=1e-7)
+
+
 def test_tilting_under_one_equalizer() -> None:
     """Tilting of a load by hand, 5.2 s with its lugs held, and on slings, 3.9 s."""
     # lifts of 300 t with the lugs' middle h = 2.5 m above the centre of gravity. Held there by a ball, a hand
