@@ -5,6 +5,10 @@
 Each E(n) is let go from just-taut slings, as in the race. Beside its time stands that of simulating the same
 lift until it has settled, 30 s, with gantline's own method at its default tolerance. The time is the least of
 many; building the system, once for a lift, is not counted.
+
+Then the other codes find the rest of E(5) from the same start, each by its best way
+(`benchmarks/peers/at_rest.py`), until no sling is further from it than 1e-6 of their mean. Codes that are not
+installed are left out.
 """
 
 from __future__ import annotations
@@ -14,11 +18,15 @@ import json
 import time
 from collections.abc import Callable
 
+import numpy as np
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 from benchmarks.lifts import Lift, equalizer_lift, gantline_document
 from benchmarks.measure import growth
+from benchmarks.peers.at_rest import AT_REST
+from benchmarks.worker import Worker
 from gantline import _core
 
 SIZES = (5, 10, 20, 50, 100, 200, 400, 700, 1000)
@@ -29,6 +37,14 @@ FIRST = 20
 """Fewest sheaves that the exponent counts: below, the call itself is half of the time."""
 BOUND = 1.2
 """The exponent is to stay below."""
+OTHERS = 5
+"""Sheaves of the lift whose rest the other codes find."""
+RIGHT = 1e-6
+"""Largest error of a sling's tension, relative to the mean, at which a code has found it."""
+RUNS = 8
+"""Of another code at one setting."""
+TIMES = 100
+"""As fast as the fastest of them is what an equilibrium is to be."""
 
 
 def least(repeats: int, run: Callable[[], object]) -> float:
@@ -49,6 +65,50 @@ def settling(lift: Lift) -> float:
     document = gantline_document(lift)
     runs = [_core.Simulation(document, settings) for _ in range(SETTLING)]
     return least(SETTLING, lambda: runs.pop().run())
+
+
+def others(console: Console, seconds: float) -> None:
+    """Other codes beside an equilibrium that took so long [s]."""
+    lift = equalizer_lift(OTHERS)
+    core = _core.Statics(gantline_document(lift))
+    core.settle()
+    place = [core.names()["rope"].index(f"sling{i}") for i in range(lift.sheaves)]
+    exact = core.columns()["rope_tension"][-1][place]
+    table = Table("code", "setting", "error", "time [ms]", "ratio", title=f"{lift.name} at rest to {RIGHT:g}")
+    fastest = {}
+    for code in AT_REST:
+        worker = Worker(code)
+        try:
+            version = worker.version()
+            if version is None:
+                continue
+            best = None
+            for setting in code.settings(lift):
+                outcomes = [worker.run(lift, setting, 0.0) for _ in range(RUNS)]
+                taken = min(outcome.seconds for outcome in outcomes)
+                tension = outcomes[-1].tension
+                if tension is None:
+                    continue
+                error = float(np.abs(tension[-1] - exact).max() / exact.mean())
+                if error <= RIGHT and (best is None or taken < best[0]):
+                    best = (taken, error, setting)
+            name = f"{code.name} {version}"
+            if best is None:
+                table.add_row(name, "none is right", "", "", "")
+                continue
+            fastest[code.name] = best[0]
+            row = (escape(str(best[2])), f"{best[1]:.0e}", f"{1e3 * best[0]:.2f}", f"{best[0] / seconds:.0f}")
+            table.add_row(name, *row)
+        finally:
+            worker.stop()
+    if not fastest:
+        console.print("No other code is installed.")
+        return
+    console.print(table)
+    name = min(fastest, key=lambda one: fastest[one])
+    ratio = fastest[name] / seconds
+    reached = "reached" if ratio >= TIMES else "not reached"
+    console.print(f"The fastest, {name}, takes {ratio:.0f} times as long (aim {TIMES}: {reached})")
 
 
 def main() -> None:
@@ -75,6 +135,8 @@ def main() -> None:
     if len(large) > 1:
         exponent = growth([n for n, _ in large], [value for _, value in large])
         console.print(f"Exponent from {FIRST} sheaves on: {exponent:.2f} (bound {BOUND})")
+    if OTHERS in sizes:
+        others(console, seconds[sizes.index(OTHERS)])
 
 
 if __name__ == "__main__":

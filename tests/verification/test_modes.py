@@ -82,7 +82,7 @@ def test_torsion_of_plumb_cords(cords: int) -> None:
 
 
 def test_three_legged_bridle() -> None:
-    """Three legs to one hook: load and legs swing about it as one body, T = 2π √((I + m H²)/(m g H)), both ways."""
+    """Three legs to one hook: load and legs swing as one body, T = 2π √((I + m H²)/(m g H)), both ways."""
     # Legs that do not stretch hold the load to the hook like a rigid frame; its plumb turn nothing holds.
     lugs = np.array([(3.0, 0.0, 0.0), (-2.0, 2.5, 0.0), (-2.0, -2.5, 0.0)])
     mass, below, height, inertia = 50e3, 1.0, 9.0, (2e5, 3e5, 4e5)
@@ -105,10 +105,9 @@ def test_three_legged_bridle() -> None:
 
 
 def test_two_crane_tandem_lift() -> None:
-    """Tandem lift, centre of gravity a and b from plumb falls: W b/(a + b) and W a/(a + b); four closed periods.
+    """Tandem lift, centre of gravity a and b from plumb falls: W b/(a + b) and W a/(a + b), four periods.
 
-    Along the line of hooks and as one across it g/L with the roll of (M4), and about the plumb W a b/(I L): the
-    hook that bears more is nearer.
+    Along the line of hooks ω² = g/L, across it with the roll that of (M4), about the plumb W a b/(I L).
     """
     mass, length, below, a, b = 200e3, 20.0, 1.5, 4.0, 8.0
     inertia = (4e5, 3e6, 2.5e6)

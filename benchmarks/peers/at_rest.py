@@ -1,0 +1,220 @@
+"""The other codes find where a lift comes to rest, from just-taut slings, each by the way that suits it best.
+
+- MuJoCo has no static solver: the lift is simulated with damping until it rests. Its recommended
+  integrator, `implicitfast`, at its largest stable step; and `discrete`, which takes springs implicitly, at
+  steps of up to a second, so that each is nearly a step of Newton's method.
+- Exudyn has a static solver, Newton's method in load steps, with a term that stabilises what nothing holds.
+- OpenSim has none for this (its equilibrium solvers are for muscles): simulated with damping by CPODES.
+
+Damping is in proportion to the mass of the load and acts on all its motions. What it, the step, and the end
+of the run are for a lift was searched for, the fastest that is right; that search is not timed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from benchmarks.contract import FloatArray, Run, Setting, Unfit
+from benchmarks.lifts import Lift
+from benchmarks.peers import opensim
+from benchmarks.peers.exudyn import Exudyn, Model, Reeving, Sum
+from benchmarks.peers.mujoco import MuJoCo, build
+from benchmarks.peers.opensim import OpenSim
+
+ITERATIONS = 100
+"""Newton's, at most, in a load step of Exudyn."""
+
+
+def damping(lift: Lift, rate: float) -> list[float]:
+    """Of the load's translations [N s/m] and rotations [N m s/rad] at a rate [1/s]."""
+    return [rate * lift.load_mass] * 3 + [rate * inertia for inertia in lift.load_inertia]
+
+
+def numbers(setting: Setting) -> list[float]:
+    """What a method says behind its name."""
+    return [float(word) for word in setting.method.split(",")[0].split()[1:]]
+
+
+class MuJoCoToRest:
+    """Steps without any recording."""
+
+    def __init__(self, lift: Lift, integrator: str, nested: bool, setting: Setting) -> None:
+        mujoco = import_module("mujoco")
+        step, rate = numbers(setting)
+        self._mujoco = mujoco
+        self._model = build(lift, integrator, 1e-3 * step, nested)
+        (free,) = np.flatnonzero(self._model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
+        first = int(self._model.jnt_dofadr[free])
+        self._model.dof_damping[first : first + 6] += damping(lift, rate)
+        self._data = mujoco.MjData(self._model)
+        self._steps = round(setting.value / (1e-3 * step))
+
+    def integrate(self) -> None:
+        """All steps."""
+        self._mujoco.mj_step(self._model, self._data, nstep=self._steps)
+        if any(warning.number for warning in self._data.warning):
+            raise Unfit("the motion became unstable")
+
+    def tensions(self) -> FloatArray:
+        """Of all slings at the end, (1, sling) [N]."""
+        return -np.array(self._data.sensordata)[None]
+
+
+class MuJoCoAtRest(MuJoCo):
+    """The value of a setting is the end of the run [s]; the method has step [ms] and damping [1/s]."""
+
+    def __init__(self, integrator: str, nested: bool = False) -> None:
+        super().__init__(nested)
+        self.name = f"{self.name}, {integrator}"
+        self._integrator, self._is_nested = integrator, nested
+
+    def settings(self, lift: Lift) -> Sequence[Setting]:
+        """Steps and dampings about the best."""
+        ways: dict[str, tuple[tuple[float, float, tuple[float, ...]], ...]] = {
+            "implicitfast": ((12.5, 3, (10, 12, 14)), (15, 3, (10, 12, 14))),
+            "discrete": ((500, 2, (15, 20, 25)), (1000, 5, (20, 25, 30))),
+        }
+        if self._integrator == "implicitfast" and not self._is_nested:
+            ways["implicitfast"] = ((1.6, 5, (10, 12, 14)), (1.6, 8, (10, 12)))
+        return [
+            Setting(f"{self._integrator} {step} {rate}, until [s]", end)
+            for step, rate, ends in ways[self._integrator]
+            for end in ends
+        ]
+
+    def prepare(self, lift: Lift, setting: Setting, duration: float) -> Run:  # type: ignore[override]
+        """The model at its start."""
+        return MuJoCoToRest(lift, self._integrator, self._is_nested, setting)
+
+
+class ExudynToRest:
+    """One call of the static solver."""
+
+    def __init__(self, model: Model, setting: Setting) -> None:
+        self._model = model
+        model.system.Assemble()
+        (stabilizer,) = numbers(setting)
+        settings = model.exu.SimulationSettings()
+        static = settings.staticSolver
+        static.numberOfLoadSteps = round(setting.value)
+        static.stabilizerODE2term = stabilizer
+        static.verboseMode = 0
+        static.newton.relativeTolerance = 1e-6
+        static.newton.absoluteTolerance = 1e-4
+        static.newton.maxIterations = ITERATIONS
+        settings.linearSolver.solverType = model.exu.LinearSolverType.EigenSparse
+        settings.parallel.numberOfThreads = 1
+        settings.solution.file.write = False
+        self._settings = settings
+
+    def integrate(self) -> None:
+        """Solve."""
+        try:
+            self._model.system.SolveStatic(self._settings, showHints=False)
+        except Exception as error:
+            raise Unfit(str(error).splitlines()[0] if str(error) else "the solver failed") from error
+
+    def tensions(self) -> FloatArray:
+        """Of all slings at the end, (1, sling) [N]."""
+        read = self._model.system.GetSensorStoredData
+        return np.array([[max(0.0, float(read(sensor)[-1, 1])) for sensor in self._model.sensors]])
+
+
+class ExudynAtRest(Exudyn):
+    """The value of a setting is the number of load steps; the method has the stabilising term."""
+
+    def __init__(self, reeving: bool) -> None:
+        super().__init__(reeving)
+        self.name = f"{self.name}, static solver"
+        self._kind: type[Model] = Reeving if reeving else Sum
+
+    def settings(self, lift: Lift) -> Sequence[Setting]:
+        """Few load steps, terms about the best."""
+        return [
+            Setting(f"SolveStatic {term}, load steps", steps)
+            for steps in (2, 3, 5, 10)
+            for term in (0.1, 1, 10)
+        ]
+
+    def prepare(self, lift: Lift, setting: Setting, duration: float) -> Run:  # type: ignore[override]
+        """The assembled model."""
+        return ExudynToRest(self._kind(lift), setting)
+
+
+class OpenSimToRest:
+    """One integration."""
+
+    def __init__(self, lift: Lift, setting: Setting) -> None:
+        osim = import_module("opensim")
+        osim.Logger.setLevelString("Error")
+        accuracy, rate = numbers(setting)
+        self._model, slings = opensim.build(lift, path_through_points=False)
+        joint = self._model.getJointSet().get("free")
+        translations, rotations = damping(lift, rate)[:3], damping(lift, rate)[3:]
+        for index, viscosity in enumerate([*rotations, *translations]):
+            damper = osim.SpringGeneralizedForce(joint.get_coordinates(index).getName())
+            damper.setName(f"damper{index}")
+            damper.setStiffness(0)
+            damper.setViscosity(viscosity)
+            self._model.addForce(damper)
+        self._end = setting.value
+        self._reporter = osim.TableReporter()
+        self._reporter.setName("tensions")
+        self._reporter.set_report_time_interval(self._end)
+        for sling in slings:
+            self._reporter.addToReport(sling.getOutput("force_magnitude"), sling.getName())
+        self._model.addComponent(self._reporter)
+        state = self._model.initSystem()
+        self._manager = osim.Manager(self._model)
+        self._manager.setWriteToStorage(False)
+        self._manager.setPerformAnalyses(False)
+        self._manager.setIntegratorMethod(osim.Manager.IntegratorMethod_CPodes)
+        self._manager.setIntegratorAccuracy(accuracy)
+        self._manager.setIntegratorInternalStepLimit(opensim.MANY_STEPS)
+        self._manager.initialize(state)
+
+    def integrate(self) -> None:
+        """To the end."""
+        try:
+            self._manager.integrate(self._end)
+        except RuntimeError as error:
+            raise Unfit(str(error).splitlines()[0]) from error
+
+    def tensions(self) -> FloatArray:
+        """Of all slings at the end, (1, sling) [N]."""
+        values: Any = self._reporter.getTable().getMatrix().to_numpy()
+        return np.array(values[-1:], dtype=np.float64)
+
+
+class OpenSimAtRest(OpenSim):
+    """The value of a setting is the end of the run [s]; the method has accuracy and damping [1/s]."""
+
+    name = "OpenSim, damped"
+
+    def settings(self, lift: Lift) -> Sequence[Setting]:
+        """Accuracies and dampings about the best."""
+        return [
+            Setting(f"CPodes {accuracy} {rate}, until [s]", end)
+            for accuracy in (1e-2, 1e-4, 1e-6)
+            for rate in (3, 5)
+            for end in (10, 15, 20)
+        ]
+
+    def prepare(self, lift: Lift, setting: Setting, duration: float) -> Run:  # type: ignore[override]
+        """The model at its start."""
+        return OpenSimToRest(lift, setting)
+
+
+AT_REST = (
+    MuJoCoAtRest("implicitfast"),
+    MuJoCoAtRest("implicitfast", nested=True),
+    MuJoCoAtRest("discrete"),
+    ExudynAtRest(reeving=True),
+    ExudynAtRest(reeving=False),
+    OpenSimAtRest(),
+)
+"""All ways to the rest of a lift."""
