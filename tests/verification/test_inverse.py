@@ -183,6 +183,21 @@ def test_what_cannot_be_is_said() -> None:
         plumb_hooks(load_scenario(REFERENCE.parent / "pulleys"), time=0.0)
 
 
+def test_slings_with_nodes_are_refused() -> None:
+    """Slings whose weight is distributed have no sensitivities here: a sentence, whatever is asked."""
+    kind = "kind: {axial_stiffness: 200e6 N, mass: 8 kg/m, diameter: 44 mm}"
+    text = two_hooks().replace("kind: {axial_stiffness: 200000000.0 N}", kind)
+    text = text.replace(
+        "sling_defaults: {rope: kind}", "sling_defaults: {rope: kind, rope_weight: distributed}"
+    )
+    scenario = parse_scenario(text)
+    sentence = r"no sensitivities to these quantities \(S1, S2, S3, S4 with distributed weight\)$"
+    with pytest.raises(CannotBeError, match=sentence):
+        adjust_lengths(scenario, slopes=(0.0, 0.0))
+    with pytest.raises(CannotBeError, match=sentence):
+        plumb_hooks(scenario)
+
+
 def test_what_is_not_there_is_named() -> None:
     """Names of slings and hooks, and a question without a wish."""
     two = parse_scenario(two_hooks())

@@ -44,6 +44,10 @@ class Hanging:
         question: The lift, of which `rest` is the equilibrium found last.
         rest: The equilibrium.
         parameters: What can be changed: kinds and names, see `Sensitivity`.
+
+    Raises:
+        RuntimeError: If there are no sensitivities to these parameters.
+        ValueError: The same, or a sling has nodes, so that it is several ropes in the core.
     """
 
     def __init__(
@@ -52,8 +56,11 @@ class Hanging:
         self.rest = rest
         self.rig = question.rig
         self.load: Load = self.rig.loads[0]
-        self._answers: list[Sensitivity] = question.sensitivities(parameters) if parameters else []
         routes = {rope["name"]: rope["route"] for rope in question.assembly.document["ropes"]}
+        nodes = [sling.name for sling in self.slings if sling.rope not in routes]
+        if parameters and nodes:
+            raise ValueError(f"{', '.join(nodes)} with distributed weight")
+        self._answers: list[Sensitivity] = question.sensitivities(parameters) if parameters else []
         self._ends = {
             sling.rope: (routes[sling.rope][0]["body"], routes[sling.rope][-1]["body"])
             for sling in self.slings

@@ -1,54 +1,32 @@
-"""Inverse questions: what lengths of slings, or places of hooks, make a load hang as it is wanted.
-
-Newton's method on the equilibrium: the lift with the changed quantities is solved anew, and the
-sensitivities of its factorised tangent say how to change them further. Where several changes would do, the
-one with the least sum of squares is taken (minimum norm), of all changes and not of each step.
-"""
+"""Inverse questions: what lengths of slings, or places of hooks, make a load hang as it is wanted."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
-from gantline.results.rig import Rig
 from gantline.results.rotation import heading as heading_of
-from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
 from gantline.scenario.rigging import resolve
-from gantline.scenario.variants import with_values, without_cases
-from gantline.statics import Equilibrium, NoEquilibriumError, Statics
+from gantline.scenario.variants import without_cases
+from gantline.statics import Equilibrium, Statics
 from gantline.study.hanging import Hanging, Row
-from gantline.units import format_quantity, si_text
+from gantline.study.newton import CannotBeError, Search, Unknown
 
 __all__ = ["CannotBeError", "HookAnswer", "LengthAnswer", "adjust_lengths", "plumb_hooks"]
 
 Floats = npt.NDArray[np.float64]
 
-#: Residual that is gone for: radians, shares of the load, of hooks side pull over vertical force.
-RESIDUAL = 1e-9
-#: What may be left of it where changes act on it no more than so.
-_LEFT = 1e-6
-#: Steps of Newton's method, at most.
-_STEPS = 30
-#: A step is halved this often before it is given up.
-_HALVINGS = 12
-#: Singular values below this are none [1/m]: what a metre changes by less than 6 thousandths of a degree.
-_NO_EFFECT = 1e-4
 #: Most by which a length may change where it is not said, of the length.
 _MOST = 0.1
-#: A step that goes so many times too far ends the search.
-_FAR = 10.0
 #: A drift counts like a slope over this height [m].
 _HEIGHT = 10.0
-
-
-class CannotBeError(RuntimeError):
-    """What is wanted cannot be had by these changes; the message is a plain sentence."""
 
 
 @dataclass(frozen=True)
@@ -102,29 +80,6 @@ class HookAnswer:
     scenario: Scenario
 
 
-@dataclass(frozen=True)
-class _Unknown:
-    """A quantity of the lift file that may change."""
-
-    path: str
-    parameter: tuple[str, str]
-    given: float
-    most: float
-
-
-@dataclass(frozen=True)
-class _Try:
-    """The lift with some changes."""
-
-    scenario: Scenario
-    hanging: Hanging
-    rows: Sequence[Row]
-
-    @property
-    def residual(self) -> float:
-        return max((abs(row.value) for row in self.rows), default=0.0)
-
-
 def adjust_lengths(
     lift: str | Path | Scenario,
     *,
@@ -162,7 +117,7 @@ def adjust_lengths(
         raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")
     limit = {name: _MOST * known[name] if most is None else most for name in chosen}
     unknowns = [
-        _Unknown(f"slings.{name}.length", ("length", f"sling.{name}"), known[name], limit[name])
+        Unknown(f"slings.{name}.length", ("length", f"sling.{name}"), known[name], limit[name])
         for name in chosen
     ]
 
@@ -177,7 +132,7 @@ def adjust_lengths(
         found += [hanging.share(by_name[name]).minus(wanted) for name, wanted in (shares or {}).items()]
         return found
 
-    search = _Search(scenario, unknowns, rows, time, "lengths of slings")
+    search = Search(scenario, unknowns, rows, time, "lengths of slings")
     changes = search.run()
     search.refuse_too_far(changes)
     _refuse_unsound(search.now.hanging)
@@ -222,7 +177,7 @@ def plumb_hooks(
             sentence = f"'{name}' is not a hook in which slings hang and whose place stands in the lift file"
             raise ValueError(f"{sentence}; {nearest(name, told)}")
     unknowns = [
-        _Unknown(f"cranes.{name}.at.{axis}", (f"place_{axis}", name), told[name][place], math.inf)
+        Unknown(f"cranes.{name}.at.{axis}", (f"place_{axis}", name), told[name][place], math.inf)
         for name in chosen
         for place, axis in enumerate("xy")
     ]
@@ -238,7 +193,7 @@ def plumb_hooks(
                 found.append(replace(row, value=math.remainder(row.value - stood[2], math.tau)))
         return found
 
-    search = _Search(scenario, unknowns, rows, time, "places of hooks")
+    search = Search(scenario, unknowns, rows, time, "places of hooks")
     changes = search.run()
     _refuse_unsound(search.now.hanging)
     pairs = {name: (2 * place, 2 * place + 1) for place, name in enumerate(chosen)}
@@ -258,131 +213,6 @@ def plumb_hooks(
         residual=search.now.residual,
         steps=search.steps,
         scenario=search.now.scenario,
-    )
-
-
-class _Search:
-    """Newton's method with the least change, halving steps that do not better it."""
-
-    def __init__(
-        self,
-        scenario: Scenario,
-        unknowns: Sequence[_Unknown],
-        rows: Callable[[Hanging], list[Row]],
-        time: float | None,
-        what: str,
-    ) -> None:
-        self._scenario, self._unknowns, self._rows, self._time = scenario, unknowns, rows, time
-        self._what = what
-        self.steps = 0
-        self.first = self.now = self._try(np.zeros(len(unknowns)))
-
-    def run(self) -> Floats:
-        """Changes of the unknowns [m].
-
-        Raises:
-            CannotBeError: If no changes do it.
-        """
-        changes = np.zeros(len(self._unknowns))
-        while self.now.residual > RESIDUAL:
-            if self.steps == _STEPS:
-                raise CannotBeError(f"no answer in {_STEPS} steps; {self.now.residual:.2g} is left")
-            target = self._target(changes)
-            if target is None:
-                break
-            self.steps += 1
-            changes = self._step(changes, target)
-        return changes
-
-    def _target(self, changes: Floats) -> Floats | None:
-        """Of all changes that do it to first order the least; None where nothing more can be done."""
-        slope = np.array([row.change for row in self.now.rows])
-        value = np.array([row.value for row in self.now.rows])
-        left, sizes, right = np.linalg.svd(slope, full_matrices=False)
-        acts = sizes > _NO_EFFECT
-        wanted = left.T @ (slope @ changes - value)
-        target: Floats = right[acts].T @ (wanted[acts] / sizes[acts])
-        without_effect = value + slope @ (target - changes)
-        if np.abs(without_effect).max() > max(RESIDUAL, 0.5 * np.abs(value).max()):
-            if self.now.residual < _LEFT:
-                return None
-            raise CannotBeError(self._no_effect(slope, value))
-        self.refuse_too_far(target, _FAR)
-        return target
-
-    def _step(self, changes: Floats, target: Floats) -> Floats:
-        """Towards a target, as far as it betters things."""
-        cause = "no change betters it any more"
-        for halving in range(_HALVINGS):
-            step = changes + (target - changes) * 0.5**halving
-            try:
-                found = self._try(step)
-            except ScenarioError as problem:
-                cause = f"the lift cannot start so: {problem.problems[0].sentence}"
-                continue
-            except NoEquilibriumError as problem:
-                cause = f"{problem.cause} ({problem.element})"
-                continue
-            if found.residual < self.now.residual:
-                self.now = found
-                return step
-        self.refuse_too_far(target)
-        raise CannotBeError(f"{cause}; {self.now.residual:.2g} is left")
-
-    def _try(self, changes: Floats) -> _Try:
-        texts = {
-            one.path: si_text(one.given + float(more), "length")
-            for one, more in zip(self._unknowns, changes, strict=True)
-        }
-        scenario = with_values(self._scenario, texts) if changes.any() else self._scenario
-        question = Statics(scenario)
-        if len(question.rig.loads) != 1 or not question.rig.slings:
-            raise CannotBeError("only a lift with a load on slings can be asked this")
-        rest = question.equilibrium(self._time)
-        load = question.rig.loads[0]
-        if float(rest.recording.column("load_transferred", load.name)[-1]) < 1.0 - RESIDUAL:
-            raise CannotBeError(f"{load.name} does not hang clear at {rest.time:g} s, it still stands")
-        try:
-            hanging = Hanging(question, rest, [one.parameter for one in self._unknowns])
-        except (RuntimeError, ValueError) as problem:
-            cause = ": ".join(str(part) for part in problem.args)
-            raise CannotBeError(f"the lift has no sensitivities to these quantities ({cause})") from None
-        return _Try(scenario, hanging, self._rows(hanging))
-
-    def _too_far(self, one: _Unknown, more: float) -> str:
-        name = one.path.split(".", 1)[1].rpartition(".")[0]
-        change, most = (format_quantity(abs(size), "mm", 0) for size in (more, one.most))
-        longer = "longer" if more > 0.0 else "shorter"
-        return f"too far: {name} would be {change} {longer}, and may be {most}{_hint(self.now.hanging.rig)}"
-
-    def refuse_too_far(self, changes: Floats, times: float = 1.0) -> None:
-        """Refuse changes beyond so many times their limits.
-
-        Raises:
-            CannotBeError: If there is one; it names that which is farthest beyond.
-        """
-        beyond = [abs(more) - times * one.most for one, more in zip(self._unknowns, changes, strict=True)]
-        worst = int(np.argmax(beyond))
-        if beyond[worst] > 0.0:
-            raise CannotBeError(self._too_far(self._unknowns[worst], float(changes[worst])))
-
-    def _no_effect(self, slope: Floats, value: Floats) -> str:
-        worst = int(np.argmax(np.abs(value)))
-        strongest = float(np.linalg.norm(slope, axis=1)[worst])
-        effect = f"{self._what} do not act on what is wanted"
-        if strongest > _NO_EFFECT:
-            effect = f"{self._what} cannot do all of what is wanted at once"
-        slack = ", ".join(self.now.hanging.slack())
-        return f"{effect}{f'; slack: {slack}' if slack else ''}{_hint(self.now.hanging.rig)}"
-
-
-def _hint(rig: Rig) -> str:
-    """Why lengths do little under equalizers."""
-    if any(rig.equalizer_of(sling) is None for sling in rig.slings):
-        return ""
-    names = " and ".join(equalizer.name for equalizer in rig.equalizers)
-    return (
-        f"; under {names} slings pull alike whatever their lengths: move the centre of gravity, lugs or hooks"
     )
 
 
@@ -407,7 +237,7 @@ def _stood(hanging: Hanging) -> Floats | None:
     return np.array([at[0], at[1], turned])
 
 
-def _drifts(search: _Search) -> tuple[float, float] | None:
+def _drifts(search: Search) -> tuple[float, float] | None:
     def drift(one: Hanging) -> float | None:
         stood = _stood(one)
         if stood is None:
