@@ -170,7 +170,9 @@ def plumb_hooks(
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     question = Statics(scenario)
     used = Hanging(question, question.equilibrium(time)).hooks() if question.rig.loads else []
-    told = {name: crane.at for name, crane in (scenario.cranes or {}).items() if name in used}
+    # Not every type of crane says where its hook is.
+    places = {name: getattr(crane, "at", None) for name, crane in (scenario.cranes or {}).items()}
+    told = {name: at for name, at in places.items() if at is not None and name in used}
     chosen = used if hooks is None else list(hooks)
     for name in chosen:
         if name not in told:
