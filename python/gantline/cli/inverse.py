@@ -209,7 +209,7 @@ def _attitude(before: Equilibrium, after: Equilibrium) -> list[str]:
 
 def _as_case(name: str, values: Mapping[str, float]) -> Sequence[str]:
     """The answer as a case, to be put into the lift file."""
-    changes = ", ".join(f"{path}: {value:.4f} m" for path, value in values.items())
+    changes = ", ".join(f"{path}: {round(value, 4) + 0.0:.4f} m" for path, value in values.items())
     return ["As a case of the lift file, to the tenth of a millimetre:", f"  {name}: {{set: {{{changes}}}}}"]
 
 
@@ -217,7 +217,8 @@ def _signed(value: float, unit: str, digits: int) -> str:
     from gantline.units import format_quantity
 
     text = format_quantity(abs(value), unit, digits)
-    return f"{'−' if value < 0.0 else '+'}{text}"
+    is_less = value < 0.0 and text != format_quantity(0.0, unit, digits)
+    return f"{'−' if is_less else '+'}{text}"
 
 
 def _steps(count: int) -> str:

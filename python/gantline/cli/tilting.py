@@ -46,7 +46,7 @@ def _row(one: Tilting, axis: TiltAxis) -> tuple[str, ...]:
     from gantline.cli.summary import show
     from gantline.cli.table import ABSENT
 
-    x, y = axis.direction
+    x, y = (round(part, 2) + 0.0 for part in axis.direction)  # no negative zero
     by = show(math.atan2(_OFFSET, axis.height), "deg", 2) if axis.height > 0.0 else ABSENT
     return (
         one.load,

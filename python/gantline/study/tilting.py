@@ -180,7 +180,7 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
             question = Statics(with_values(scenario, texts))
             found = question.equilibrium(rest.time)
         except ScenarioError as problem:
-            return problem.problems[0].sentence
+            return problem.problems[0].sentence.partition(";")[0]
         except NoEquilibriumError as problem:
             return f"no equilibrium: {problem.cause} ({problem.element})"
         return _trouble(Hanging(question, found), slack)
