@@ -1,4 +1,4 @@
-"""What every CAD format is read into: named parts with mass, centre of gravity and inertia, and what is doubtful."""
+"""What every CAD format is read into: parts with mass, centre of gravity and inertia, and what is doubtful."""
 
 from __future__ import annotations
 
@@ -79,9 +79,9 @@ class Part:
             return self.properties
         if self.declared.centre is not None:
             return MassProperties.of_point(self.declared.mass, self.declared.centre)
-        return (
-            MassProperties.of_point(self.declared.mass, self.mesh.middle) if len(self.mesh.triangles) else None
-        )
+        if not len(self.mesh.triangles):
+            return None
+        return MassProperties.of_point(self.declared.mass, self.mesh.middle)
 
 
 @dataclass(frozen=True)
