@@ -1,0 +1,1 @@
+"""Loads from CAD: parts with mass, centre of gravity and inertia."""
