@@ -11,10 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gantline.cad import step
-from gantline.cad.assumptions import Assumptions
+from gantline.cad import Assumptions, CadModel, PartKind, read, step
 from gantline.cad.geometry import read_geometry
-from gantline.cad.model import CadModel
+from gantline.cad.mass_properties import MassProperties
+from gantline.cad.ocx_writer import write_ocx
+from gantline.cad.ship_block import ShipBlockSizes, ship_block
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 pytestmark = pytest.mark.skipif(
@@ -133,3 +134,51 @@ def test_a_half_hull_of_surfaces() -> None:
     assert found.unit == "m, as the file says"
     assert found.properties.mass == pytest.approx(3.8687 * 0.01 * STEEL, rel=1e-4)
     assert found.properties.centre[1] > 0.2  # one half: all of it at y ≥ 0
+
+
+@pytest.mark.parametrize("suffix", [".step", ".stl"])
+@pytest.mark.parametrize("name", ["napa_m8_unit", "napa_bulker_deck_innerbottom", "napa_m3_panel"])
+def test_step_and_stl_agree_with_the_ocx_they_were_made_from(name: str, suffix: str) -> None:
+    """The same parts within 0.5 %: each part's mass; of the whole mass, centre by its size, inertia.
+
+    Edge reinforcements are in the OCX alone. Two readers that share no geometry: contours and sections against
+    boundaries of solids. Every part of the OCX has a partner of its own in the other file.
+    """
+    source = read(DATA / f"ship_blocks/{name}.3docx", keep=False)
+    ours = [part for part in source.parts if part.kind is not PartKind.EDGE_REINFORCEMENT]
+    theirs = [part.properties for part in model(f"ship_blocks/{name}{suffix}").parts]
+    assert len(ours) == len(theirs)
+    whole = MassProperties.combined(part.properties for part in ours if part.properties is not None)
+    other = MassProperties.combined(each for each in theirs if each is not None)
+    size = float(np.linalg.norm(model(f"ship_blocks/{name}{suffix}").box[1] - whole.centre)) * 2
+    assert other.mass == pytest.approx(whole.mass, rel=5e-3)
+    assert other.centre == pytest.approx(whole.centre, abs=5e-3 * size)
+    assert other.inertia == pytest.approx(whole.inertia, abs=5e-3 * float(np.abs(whole.inertia).max()))
+    free = set(range(len(theirs)))
+    for part in ours:
+        assert part.properties is not None
+
+        def apart(place: int, own: MassProperties = part.properties) -> float:
+            found = theirs[place]
+            assert found is not None
+            return float(np.linalg.norm(found.centre - own.centre)) + abs(found.mass / own.mass - 1)
+
+        partner = min(free, key=apart)
+        free.remove(partner)
+        found = theirs[partner]
+        assert found is not None and found.mass == pytest.approx(part.properties.mass, rel=5e-3), part.name
+
+
+def test_the_goliath_ship_block_by_the_reader_of_other_exporters(tmp_path: Path) -> None:
+    """What we write is read by the reader of NAPA's and AVEVA's files: 300 t, 5.1 m high, to rounding."""
+    made = ship_block(ShipBlockSizes(43, 23, 11, 300e3, centre_height=5.1))
+    path = tmp_path / "block.3docx"
+    path.write_bytes(write_ocx(made))
+    found = read(path, keep=False)
+    assert len(found.parts) == len(made.parts) and found.doubts == ()
+    assert not [part for part in found.parts if part.doubts]
+    assert found.properties.mass == pytest.approx(300e3, rel=1e-9)
+    assert found.properties.centre == pytest.approx([0, 0, 5.1], abs=1e-9)
+    expected = made.model.properties.inertia
+    assert found.properties.inertia == pytest.approx(expected, abs=1e-9 * float(expected.max()))
+    assert found.compared().difference == pytest.approx(0, abs=1e-9)

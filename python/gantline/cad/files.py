@@ -29,7 +29,7 @@ def content(path: Path) -> bytes:
             data = path.read_bytes()
     except (OSError, EOFError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
-        raise CadError(f"{path}: cannot be read: {reason}") from None
+        raise CadError(f"{path}: cannot be read ({reason.lower()})") from None
     if len(data) > _LARGEST:
         raise CadError(f"{path}: larger than {_LARGEST // 1_000_000} MB when unpacked, so it is not read")
     if not data:

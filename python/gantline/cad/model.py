@@ -1,4 +1,4 @@
-"""What every CAD format is read into: parts with mass, centre of gravity and inertia, and what is doubtful."""
+"""What every CAD format is read into: parts with mass, centre of gravity and inertia, and their doubts."""
 
 from __future__ import annotations
 

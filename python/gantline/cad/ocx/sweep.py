@@ -1,0 +1,261 @@
+"""Bars: a section swept along a trace line, straight or curved, upright or twisted.
+
+At the arc length s the trace r(s) has the unit tangent t, and the section lies in the plane across it with
+f along its flange and w along its web. A point of the bar is x = r + u f + v w, and a small piece of it has
+the volume (1 − u f·t′ − v w·t′) du dv ds: curvature makes the inside shorter (Pappus), twist changes
+nothing. With the moments of the section up to third order, mass, first and second moments are integrals
+over s alone. `docs/concepts/cad.md` derives it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.cad.mass_properties import MassProperties
+from gantline.cad.mesh import TriangleMesh
+from gantline.cad.ocx.curves import Curve, gauss
+from gantline.cad.ocx.moments import Moments
+from gantline.cad.ocx.section import Section
+from gantline.cad.ocx.triangulate import prism, simplified, triangulated
+
+__all__ = ["Bar", "Inclination", "swept"]
+
+Array = npt.NDArray[np.float64]
+
+_POINTS = 12  # Gauss points along a smooth span
+_TWISTED_PARTS = 4  # of a span whose section turns between given inclinations
+_STRAIGHT = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Inclination:
+    """How the section stands at a place of the trace.
+
+    Attributes:
+        web: direction (3,) of the web.
+        flange: direction (3,) of the flange; None if the file leaves it open.
+        place: (3,) [m].
+    """
+
+    web: Array
+    flange: Array | None
+    place: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Bar:
+    """What comes out: weight, and triangles around it."""
+
+    properties: MassProperties
+    mesh: TriangleMesh
+    doubts: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class _Stations:
+    """Places along a trace in order: (n, 3) each, arc lengths and weights (n,), none at ends of spans."""
+
+    places: Array
+    tangents: Array
+    bends: Array  # t′ = dt/ds
+    arc: Array
+    weights: Array  # ds
+
+
+def swept(
+    trace: Sequence[Curve],
+    section: Section,
+    offset: Array,
+    inclinations: Sequence[Inclination],
+    density: float,
+    tolerance: float,
+) -> Bar:
+    """A bar along a trace.
+
+    Args:
+        trace: curves in a row.
+        section: what is swept.
+        offset: of the section's corner from the trace along flange and web (2,) [m].
+        inclinations: how it stands, at least one.
+        density: [kg/m^3].
+        tolerance: by how much triangles may miss the body [m].
+
+    Raises:
+        ValueError: with a plain sentence, if the web runs along the trace, or nothing is left of the bar.
+    """
+    moments = section.moments.shifted(offset)
+    stations = _stations(trace, _TWISTED_PARTS if len(inclinations) > 1 else 1)
+    webs, flanges, doubts = _frames(stations, inclinations)
+    properties, is_sound = _weighed(moments, stations, webs, flanges, density)
+    if not is_sound:
+        doubts.append("its trace is bent more sharply than its section is deep, so parts of it overlap")
+    mesh = _mesh(section, offset, stations, webs, flanges, tolerance)
+    return Bar(properties, mesh, tuple(doubts))
+
+
+def _stations(trace: Sequence[Curve], parts: int) -> _Stations:
+    """Gauss points of each part of each span, and the ends of the parts without weight."""
+    at, share = gauss(_POINTS)
+    places = np.concatenate([[0.0], at, [1.0]])
+    local = (np.arange(parts)[:, None] + places[None, :]).reshape(-1) / parts
+    weight = np.tile(np.concatenate([[0.0], share, [0.0]]) / parts, parts)
+    rows: list[tuple[Array, Array, Array, Array]] = []
+    for curve in trace:
+        points, along, bend = curve.evaluate(local)
+        speed = np.linalg.norm(along, axis=2, keepdims=True)
+        if not np.all(speed > 0):
+            speed = np.maximum(speed, 1e-300)
+        tangent = along / speed
+        across = (bend - np.sum(bend * tangent, axis=2, keepdims=True) * tangent) / speed**2
+        rows += [
+            (points[span], tangent[span], across[span], speed[span, :, 0] * weight)
+            for span in range(len(points))
+        ]
+    places3, tangents, bends, weights = (np.concatenate(column) for column in zip(*rows, strict=True))
+    # Gauss points see the length up to them by half their own weight more than those before: good enough to
+    # interpolate a twist.
+    arc = np.cumsum(weights) - weights / 2
+    return _Stations(places3, tangents, bends, arc, weights)
+
+
+def _frames(stations: _Stations, inclinations: Sequence[Inclination]) -> tuple[Array, Array, list[str]]:
+    """Directions of web and flange (n, 3) at each station, and doubts."""
+    doubts: list[str] = []
+    nearest = [int(np.argmin(np.linalg.norm(stations.places - each.place, axis=1))) for each in inclinations]
+    carried = _carried(stations, nearest[0], inclinations[0].web)
+    side = np.cross(stations.tangents, carried)
+    # Angle of each given web about the tangent, from the one that is carried along without turning.
+    angles = []
+    for place, each in zip(nearest, inclinations, strict=True):
+        up, over = float(each.web @ carried[place]), float(each.web @ side[place])
+        if math.hypot(up, over) < 0.05:
+            raise ValueError("has a web that runs along its trace line")
+        angles.append(math.atan2(over, up))
+    order = np.argsort([stations.arc[place] for place in nearest], kind="stable")
+    known = np.unwrap(np.array(angles)[order])
+    turn = np.interp(stations.arc, stations.arc[np.array(nearest)[order]], known)[:, None]
+    web = np.cos(turn) * carried + np.sin(turn) * side
+    hand = _hand(stations, inclinations, nearest, doubts)
+    return web, hand * np.cross(stations.tangents, web), doubts
+
+
+def _hand(
+    stations: _Stations, inclinations: Sequence[Inclination], nearest: list[int], doubts: list[str]
+) -> float:
+    """+1 where the flange points along tangent × web, −1 where against it."""
+    hands = [
+        float(np.cross(stations.tangents[place], each.web) @ each.flange)
+        for place, each in zip(nearest, inclinations, strict=True)
+        if each.flange is not None
+    ]
+    if not hands:
+        return 1.0
+    if min(abs(hand) for hand in hands) < 0.05:
+        doubts.append("its flange is not said to point across its trace line")
+    if min(hands) < 0 < max(hands):
+        doubts.append("its flange is said to point to either side at different places; the first counts")
+    return math.copysign(1.0, hands[0])
+
+
+def _carried(stations: _Stations, start: int, web: Array) -> Array:
+    """A direction carried along the trace from a station, square to it and without turning about it (n, 3).
+
+    From station to station by two reflections (Wang, Jüttler, Zheng, Liu, ACM Transactions on Graphics 27,
+    2008).
+    """
+    tangents, places = stations.tangents, stations.places
+    first = web - (web @ tangents[start]) * tangents[start]
+    size = float(np.linalg.norm(first))
+    if size < 0.05:
+        raise ValueError("has a web that runs along its trace line")
+    out = np.empty_like(tangents)
+    out[start] = first / size
+    if float(np.abs(tangents - tangents[start]).max()) < _STRAIGHT:
+        out[:] = out[start]
+        return out
+    for steps in (range(start, len(tangents) - 1), range(start, 0, -1)):
+        onward = 1 if steps.step > 0 else -1
+        for here in steps:
+            there = here + onward
+            out[there] = _reflected(places[there] - places[here], tangents[here], tangents[there], out[here])
+    return out
+
+
+def _reflected(way: Array, tangent: Array, following: Array, web: Array) -> Array:
+    length = float(way @ way)
+    if length > 1e-24:
+        web = web - 2.0 / length * (way @ web) * way
+        tangent = tangent - 2.0 / length * (way @ tangent) * way
+    else:
+        # A kink: the two reflections of a rotation from one tangent to the other.
+        tangent, web = -tangent, web - 2.0 * (tangent @ web) * tangent
+    change = following - tangent
+    size = float(change @ change)
+    if size > 1e-24:
+        web = web - 2.0 / size * (change @ web) * change
+    web = web - (web @ following) * following
+    return np.asarray(web / np.linalg.norm(web))
+
+
+def _weighed(
+    moments: Moments, stations: _Stations, webs: Array, flanges: Array, density: float
+) -> tuple[MassProperties, bool]:
+    """Mass properties by integrals along the trace; whether no part of the section is turned inside out."""
+    used = stations.weights > 0
+    if not used.any():
+        raise ValueError("has a trace line without length")
+    origin = stations.places[used].mean(axis=0)
+    places, weights = stations.places[used] - origin, stations.weights[used]
+    axes = np.stack([flanges[used], webs[used]], axis=2)  # (n, 3, 2)
+    bend = np.einsum("nik,ni->nk", axes, stations.bends[used])  # f·t′, w·t′
+    area = moments.area - bend @ moments.first
+    first = moments.first - bend @ moments.second
+    second = moments.second - np.einsum("nk,kij->nij", bend, moments.third)
+    volume = float(weights @ area)
+    if not volume > 0:
+        raise ValueError("has no volume: its section or its trace line is empty")
+    out = np.einsum("nij,nj->ni", axes, first)
+    centre = weights @ (places * area[:, None] + out) / volume
+    whole = np.einsum("n,ni,nj->ij", weights * area, places, places)
+    mixed = np.einsum("n,ni,nj->ij", weights, places, out)
+    own = np.einsum("n,nik,nkl,njl->ij", weights, axes, second, axes)
+    about = whole + mixed + mixed.T + own - volume * np.outer(centre, centre)
+    about = (about + about.T) / 2
+    inertia = density * (np.trace(about) * np.eye(3) - about)
+    return MassProperties(density * volume, origin + centre, inertia), bool(np.all(area > 0))
+
+
+def _mesh(
+    section: Section, offset: Array, stations: _Stations, webs: Array, flanges: Array, tolerance: float
+) -> TriangleMesh:
+    loops = [simplified(loop, tolerance) for loop in section.outlines(tolerance)]
+    corners, cap = triangulated(loops[0], loops[1:])
+    corners = corners + offset
+    kept = _shown(stations, webs, tolerance, float(np.abs(corners).max()))
+    # Seen along the tangent, f and w turn anticlockwise if f × w points along it.
+    if float(np.cross(flanges[0], webs[0]) @ stations.tangents[0]) < 0:
+        kept = kept[::-1]
+    frames = np.stack([flanges[kept], webs[kept]], axis=2)
+    where = stations.places[kept][:, None, :] + np.einsum("nik,ck->nci", frames, corners)
+    vertices, triangles = prism(loops, cap, where)
+    return TriangleMesh(vertices, triangles)
+
+
+def _shown(stations: _Stations, webs: Array, tolerance: float, reach: float) -> npt.NDArray[np.int64]:
+    """Stations that triangles need: the ends, and each from which tangent or web have turned enough."""
+    most = math.sqrt(8.0 * tolerance / max(reach, tolerance))
+    kept = [0]
+    for station in range(1, len(webs) - 1):
+        last = kept[-1]
+        turned = max(
+            float(np.linalg.norm(stations.tangents[station] - stations.tangents[last])),
+            float(np.linalg.norm(webs[station] - webs[last])),
+        )
+        if turned > most:
+            kept.append(station)
+    return np.array([*kept, len(webs) - 1])
