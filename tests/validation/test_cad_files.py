@@ -141,8 +141,8 @@ def test_a_half_hull_of_surfaces() -> None:
 def test_step_and_stl_agree_with_the_ocx_they_were_made_from(name: str, suffix: str) -> None:
     """The same parts within 0.5 %: each part's mass; of the whole mass, centre by its size, inertia.
 
-    Edge reinforcements are in the OCX alone. Two readers that share no geometry: contours and sections against
-    boundaries of solids. Every part of the OCX has a partner of its own in the other file.
+    Edge reinforcements are in the OCX alone. Two readers that share no geometry: contours and sections
+    against boundaries of solids. Every part of the OCX has a partner of its own in the other file.
     """
     source = read(DATA / f"ship_blocks/{name}.3docx", keep=False)
     ours = [part for part in source.parts if part.kind is not PartKind.EDGE_REINFORCEMENT]

@@ -7,6 +7,7 @@ from pathlib import Path
 from gantline.cad.assumptions import Assumptions
 from gantline.cad.errors import CadError
 from gantline.cad.files import content
+from gantline.cad.mesh import TriangleMesh
 from gantline.cad.model import CadModel, Comparison, DeclaredWeight, Part, PartKind
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "Part",
     "PartKind",
     "read",
+    "read_light_mesh",
 ]
 
 _OCX = (".3docx", ".ocx", ".xml")
@@ -49,6 +51,30 @@ def read(path: str | Path, given: Assumptions | None = None, *, keep: bool = Tru
         if keep:
             cache.store(key, model)
     return model
+
+
+def read_light_mesh(
+    path: str | Path, given: Assumptions | None = None, *, most: int = 4000, keep: bool = True
+) -> TriangleMesh:
+    """A mesh of at most so many triangles to draw a CAD file with; other arguments as for `read`.
+
+    Raises:
+        CadError: if the file cannot be read, or has no geometry.
+    """
+    from gantline.cad import cache
+    from gantline.cad.simplify import light_mesh
+
+    place = Path(path)
+    key = cache.digest(content(place), place.name, given or Assumptions(), most)
+    kept = cache.load(key) if keep else None
+    if kept is not None:
+        return kept.mesh
+    model = read(place, given, keep=keep)
+    light = light_mesh(model.mesh, most).mesh
+    if keep:
+        part = Part(model.name, PartKind.SHELL, None, None, light)
+        cache.store(key, CadModel(model.name, model.form, (part,), model.unit))
+    return light
 
 
 def _read(place: Path, data: bytes, given: Assumptions) -> CadModel:
