@@ -39,11 +39,32 @@ def read(path: str | Path, given: Assumptions | None = None, *, keep: bool = Tru
     Raises:
         CadError: if it cannot be read, with one plain sentence.
     """
+    place = Path(path)
+    data = content(place)
+    if _is_ocx(place, data):
+        model = _kept(place, data, Assumptions(), keep)
+        _check_unit(place, model, given)
+        return model
+    return _kept(place, data, given if given is not None else Assumptions(), keep)
+
+
+def _is_ocx(place: Path, data: bytes) -> bool:
+    return place.suffix.lower() in _OCX or b"ocxXML" in data[:4096]
+
+
+def _check_unit(place: Path, model: CadModel, given: Assumptions | None) -> None:
+    """OCX files say their units at each value; another one asked for is a misunderstanding."""
+    said = model.unit.partition(",")[0].split(" and ")
+    if given is not None and given.unit is not None and given.unit not in said:
+        raise CadError(
+            f"{place}: its lengths are in {' and '.join(said)}, as it says itself, not in {given.unit}"
+        )
+
+
+def _kept(place: Path, data: bytes, assumed: Assumptions, keep: bool) -> CadModel:
+    """From the cache, or read."""
     from gantline.cad import cache
 
-    place = Path(path)
-    assumed = given if given is not None else Assumptions()
-    data = content(place)
     key = cache.digest(data, place.name, assumed)
     model = cache.load(key) if keep else None
     if model is None:
@@ -78,11 +99,9 @@ def read_light_mesh(
 
 
 def _read(place: Path, data: bytes, given: Assumptions) -> CadModel:
-    if place.suffix.lower() in _OCX or b"ocxXML" in data[:4096]:
+    if _is_ocx(place, data):
         from gantline.cad.ocx.reader import read_ocx
 
-        if given.unit is not None:
-            raise CadError(f"{place}: an OCX file says its units itself; no other can be asked for")
         return read_ocx(data, place.name)
     from gantline.cad.geometry import GEOMETRY_FORMATS, read_geometry
 
