@@ -72,12 +72,34 @@ def test_plates_that_meet_in_a_tee_are_pieces_of_their_own() -> None:
     assert len(tee.shells()) == 3
 
 
-def test_duplicates() -> None:
+def test_bodies_that_touch_along_a_whole_face_stay_two() -> None:
+    """Plates side by side, of the same thickness: the common face is there from both sides."""
+    rng = np.random.default_rng(1)
+    mesh = TriangleMesh.combined(
+        [box((1, 2, 3), middle=(x, y, 0)) for x in (0, 1, 2) for y in (0, 2)]
+    ).welded()  # fmt: skip
+    shuffled = TriangleMesh(mesh.vertices, rng.permutation(mesh.triangles))
+    shells = shuffled.shells()
+    assert [shell.volume for shell in shells] == pytest.approx([6.0] * 6)
+    assert all(shell.is_closed and len(shell.triangles) == 12 for shell in shells)
+    assert len(mesh.backs) == 2 * 7 and len(mesh.duplicates) == 0
+
+
+def test_surfaces_that_run_through_one_another_do_not_hang_together() -> None:
+    """Four sheets about one edge, all of one turn: no two of them have material between them."""
+    vertices = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]
+    star = TriangleMesh(vertices, [[0, 1, 2], [0, 1, 3], [1, 0, 4], [1, 0, 5]])
+    assert len(star.shells()) == 4
+
+
+def test_duplicates_and_backs() -> None:
     mesh = box((1, 1, 1))
-    doubled = TriangleMesh(mesh.vertices, np.vstack([mesh.triangles, mesh.triangles[3, [1, 0, 2]]]))
-    assert doubled.duplicates.tolist() == [12]
-    assert len(doubled.without_duplicates().triangles) == 12
-    assert mesh.duplicates.tolist() == [] and mesh.without_duplicates() is mesh
+    doubled = TriangleMesh(mesh.vertices, np.vstack([mesh.triangles, mesh.triangles[3, [1, 2, 0]]]))
+    assert doubled.duplicates.tolist() == [12] and doubled.backs.tolist() == [12]
+    assert len(doubled.without(doubled.duplicates).triangles) == 12
+    assert mesh.duplicates.tolist() == [] and mesh.without(mesh.duplicates) is mesh
+    both = TriangleMesh(mesh.vertices, np.vstack([mesh.triangles, mesh.triangles[:, ::-1]]))
+    assert len(both.duplicates) == 0 and both.backs.tolist() == list(range(12, 24))
 
 
 @given(st.sets(st.integers(0, 11)), st.sets(st.integers(0, 127)))

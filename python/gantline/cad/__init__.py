@@ -4,20 +4,33 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from gantline.cad.assumptions import Assumptions
 from gantline.cad.errors import CadError
+from gantline.cad.files import content
+from gantline.cad.mesh import TriangleMesh
 from gantline.cad.model import CadModel, Comparison, DeclaredWeight, Part, PartKind
 
-__all__ = ["CadError", "CadModel", "Comparison", "DeclaredWeight", "Part", "PartKind", "read"]
+__all__ = [
+    "Assumptions",
+    "CadError",
+    "CadModel",
+    "Comparison",
+    "DeclaredWeight",
+    "Part",
+    "PartKind",
+    "read",
+    "read_light_mesh",
+]
 
-_OCX = {".3docx", ".ocx", ".xml"}
-_MOST_BYTES = 512_000_000
+_OCX = (".3docx", ".ocx", ".xml")
 
 
-def read(path: str | Path, *, keep: bool = True) -> CadModel:
+def read(path: str | Path, given: Assumptions | None = None, *, keep: bool = True) -> CadModel:
     """Read a CAD file.
 
     Args:
-        path: an OCX file (`.3docx`, `.ocx`, or `.xml`).
+        path: an OCX file (`.3docx`, `.ocx`, or `.xml`), STEP, IGES, STL, OBJ, glTF or GLB.
+        given: what to take where the file says nothing; OCX says everything itself.
         keep: whether the user's cache is used: a model that was read before taken from it, this one kept.
 
     Returns:
@@ -29,28 +42,51 @@ def read(path: str | Path, *, keep: bool = True) -> CadModel:
     from gantline.cad import cache
 
     place = Path(path)
-    data = _content(place)
-    key = cache.digest(data, place.name)
+    assumed = given if given is not None else Assumptions()
+    data = content(place)
+    key = cache.digest(data, place.name, assumed)
     model = cache.load(key) if keep else None
     if model is None:
-        model = _read(place, data)
+        model = _read(place, data, assumed)
         if keep:
             cache.store(key, model)
     return model
 
 
-def _read(place: Path, data: bytes) -> CadModel:
+def read_light_mesh(
+    path: str | Path, given: Assumptions | None = None, *, most: int = 4000, keep: bool = True
+) -> TriangleMesh:
+    """A mesh of at most so many triangles to draw a CAD file with; other arguments as for `read`.
+
+    Raises:
+        CadError: if the file cannot be read, or has no geometry.
+    """
+    from gantline.cad import cache
+    from gantline.cad.simplify import light_mesh
+
+    place = Path(path)
+    key = cache.digest(content(place), place.name, given or Assumptions(), most)
+    kept = cache.load(key) if keep else None
+    if kept is not None:
+        return kept.mesh
+    model = read(place, given, keep=keep)
+    light = light_mesh(model.mesh, most).mesh
+    if keep:
+        part = Part(model.name, PartKind.SHELL, None, None, light)
+        cache.store(key, CadModel(model.name, model.form, (part,), model.unit))
+    return light
+
+
+def _read(place: Path, data: bytes, given: Assumptions) -> CadModel:
     if place.suffix.lower() in _OCX or b"ocxXML" in data[:4096]:
         from gantline.cad.ocx.reader import read_ocx
 
+        if given.unit is not None:
+            raise CadError(f"{place}: an OCX file says its units itself; no other can be asked for")
         return read_ocx(data, place.name)
-    raise CadError(f"{place}: is no CAD file that can be read; these can: {', '.join(sorted(_OCX))}")
+    from gantline.cad.geometry import GEOMETRY_FORMATS, read_geometry
 
-
-def _content(place: Path) -> bytes:
-    try:
-        if place.stat().st_size > _MOST_BYTES:
-            raise CadError(f"{place}: is larger than {_MOST_BYTES // 1_000_000} MB, so it is not read")
-        return place.read_bytes()
-    except OSError as problem:
-        raise CadError(f"{place}: cannot be read ({(problem.strerror or str(problem)).lower()})") from None
+    if not place.name.lower().endswith(tuple(GEOMETRY_FORMATS)):
+        known = ", ".join([*_OCX, *GEOMETRY_FORMATS])
+        raise CadError(f"{place}: is no CAD file that can be read; these can: {known}")
+    return read_geometry(place, given)

@@ -15,6 +15,9 @@ __all__ = ["TriangleMesh"]
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 
+#: Triangles around an edge closer than this cover each other [rad].
+_SAME_ANGLE = 1e-5
+
 
 class _Edges(NamedTuple):
     """Edges of a mesh, each once.
@@ -162,21 +165,32 @@ class TriangleMesh:
 
     @cached_property
     def duplicates(self) -> Whole:
-        """Triangles that have the same vertices as an earlier one, in whichever order: their indices."""
-        _, first = np.unique(np.sort(self.triangles, axis=1), axis=0, return_index=True)
+        """Triangles with the same vertices in the same turn as an earlier one: their indices."""
+        turned = np.argmin(self.triangles, axis=1)[:, None] + np.arange(3)
+        same = np.take_along_axis(self.triangles, turned % 3, axis=1)
+        return self._repeated(same)
+
+    @cached_property
+    def backs(self) -> Whole:
+        """Triangles with the same vertices as an earlier one, in whichever turn: their indices.
+
+        Bodies that touch have a few, one's face being the other's; surfaces drawn from both sides only such.
+        """
+        return self._repeated(np.sort(self.triangles, axis=1))
+
+    def _repeated(self, rows: npt.NDArray[np.int32]) -> Whole:
+        _, first = np.unique(rows, axis=0, return_index=True)
         return np.setdiff1d(np.arange(len(self.triangles)), first)
+
+    def without(self, triangles: Whole) -> TriangleMesh:
+        """All triangles but some."""
+        return self.of(np.setdiff1d(np.arange(len(self.triangles)), triangles)) if len(triangles) else self
 
     def of(self, triangles: npt.NDArray[np.int64] | npt.NDArray[np.bool_]) -> TriangleMesh:
         """Some of the triangles, with the vertices that they use."""
         kept = self.triangles[triangles]
         used, place = np.unique(kept, return_inverse=True)
         return TriangleMesh(self.vertices[used], place.reshape(-1, 3))
-
-    def without_duplicates(self) -> TriangleMesh:
-        """Each triangle once."""
-        if not len(self.duplicates):
-            return self
-        return self.of(np.setdiff1d(np.arange(len(self.triangles)), self.duplicates))
 
     def flipped(self) -> TriangleMesh:
         """All triangles seen from the other side."""
@@ -197,7 +211,7 @@ class TriangleMesh:
 
         Chains of close vertices become one, at the place of the first.
         """
-        places, of_vertex = np.unique(self.vertices, axis=0, return_inverse=True)
+        places, of_vertex = np.unique(self.vertices + 0.0, axis=0, return_inverse=True)  # −0 is 0
         of_vertex = of_vertex.reshape(-1)
         if tolerance > 0 and len(places):
             from scipy.spatial import cKDTree  # takes a third of a second to load
@@ -214,9 +228,10 @@ class TriangleMesh:
         return TriangleMesh(places[used], place.reshape(-1, 3))
 
     def shells(self) -> list[TriangleMesh]:
-        """Pieces that hang together over edges of exactly two triangles, ordered by their first triangles.
+        """Pieces that hang together, ordered by their first triangles.
 
-        Plates that meet along an edge, three or more triangles there, are pieces of their own.
+        Over an edge of two triangles they do. Where bodies touch along an edge, four triangles or more, the
+        two with material between them belong together. Plates that meet in a tee are pieces of their own.
         """
         if not len(self.triangles):
             return []
@@ -227,12 +242,55 @@ class TriangleMesh:
         return [self.of(piece) for piece in pieces]
 
     def _neighbours(self) -> tuple[Whole, npt.NDArray[np.bool_]]:
-        """Pairs of triangles over edges that two use (e, 2), and whether the two agree on the side (e,)."""
+        """Pairs of triangles that hang together (e, 2), and whether the two agree on the side (e,)."""
         sides = self._edges.of_triangle.reshape(-1)
         order = np.argsort(sides, kind="stable")
-        order = order[self._edges.uses[sides[order]] == 2].reshape(-1, 2)
-        forward = self._edges.forward.reshape(-1)[order]
-        return order // 3, forward[:, 0] != forward[:, 1]
+        two = order[self._edges.uses[sides[order]] == 2].reshape(-1, 2)
+        forward = self._edges.forward.reshape(-1)
+        wedges = self._wedges(
+            order[(self._edges.uses > 2)[sides[order]] & (self._edges.turns == 0)[sides[order]]]
+        )
+        agree = np.concatenate([forward[two[:, 0]] != forward[two[:, 1]], np.ones(len(wedges), dtype=bool)])
+        return np.concatenate([two, wedges]) // 3, agree
+
+    def _wedges(self, sides: Whole) -> Whole:
+        """Pairs of sides with material between them (e, 2), of edges where four triangles or more meet.
+
+        Seen along the edge, material lies clockwise of a triangle that runs along it, and anticlockwise of
+        one that runs against it. So each of the latter belongs to the next of the former. Those that cover
+        one another are faces of two bodies that touch: material ends at one before it begins at the other.
+
+        Args:
+            sides: sides of triangles, 3 times the triangle plus which, all of one edge after another.
+        """
+        edge = self._edges.of_triangle.reshape(-1)[sides]
+        if not len(edge):
+            return np.zeros((0, 2), dtype=np.int64)
+        starts = np.flatnonzero(np.diff(edge, prepend=-1))
+        group = np.cumsum(np.diff(edge, prepend=-1) != 0) - 1
+        ends = self.vertices[self._edges.ends[edge]]
+        along = ends[:, 1] - ends[:, 0]
+        along = along / np.linalg.norm(along, axis=1, keepdims=True)
+        away = self.vertices[self.triangles[sides // 3, (sides + 2) % 3]] - ends[:, 0]
+        away = away - np.einsum("ei,ei->e", away, along)[:, None] * along
+        first = away[starts][group]
+        sine, cosine = (np.einsum("ei,ei->e", side, away) for side in (np.cross(along, first), first))
+        angle = np.arctan2(sine, cosine) % (2 * np.pi)
+        angle = np.where(angle > 2 * np.pi - _SAME_ANGLE, 0.0, angle)
+        order = np.lexsort((angle, group))
+        step = (np.diff(angle[order], prepend=0.0) > _SAME_ANGLE) | (np.diff(group[order], prepend=-1) != 0)
+        covering = np.empty(len(order), dtype=np.int64)
+        covering[order] = np.cumsum(step)
+        forward = self._edges.forward.reshape(-1)[sides]
+        order = np.lexsort((~forward, covering))
+        count = np.bincount(group)[group]
+        place = np.arange(len(order))
+        following = starts[group] + (place - starts[group] + 1) % count
+        ahead = forward[order]
+        # Where they do not alternate, surfaces run through one another: nothing hangs together there.
+        clear = np.bincount(group, weights=ahead == ahead[following])[group] == 0
+        chosen = clear & ~ahead
+        return np.stack([sides[order[place[chosen]]], sides[order[following[chosen]]]], axis=1)
 
     def oriented(self) -> tuple[TriangleMesh, int]:
         """Neighbours made to agree within each shell, closed shells made to face outwards.

@@ -11,11 +11,13 @@ from gantline.cli.lift import output_folder
 from gantline.cli.messages import stop
 
 if TYPE_CHECKING:
-    from gantline.cad import CadModel
+    from gantline.cad import Assumptions, CadModel
 
 
 def cad(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="OCX file (.3docx).")],
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="OCX (.3docx), STEP, IGES, STL, OBJ, glTF or GLB.")
+    ],
     output: Annotated[
         Path | None,
         typer.Option(
@@ -24,6 +26,20 @@ def cad(
             metavar="DIR",
             help="Folder to write into.  [default: results/cad-<name of FILE>]",
         ),
+    ] = None,
+    unit: Annotated[
+        str | None,
+        typer.Option(help="Unit of length: mm, m, ...  [default: what the file says, or guessed]"),
+    ] = None,
+    density: Annotated[
+        float, typer.Option(help="Density of solids and plates [kg/m^3], where the file names none.")
+    ] = 7850.0,
+    thickness: Annotated[
+        str | None,
+        typer.Option(help="Plate thickness of open surfaces: '10 mm'.  [default: they have no weight]"),
+    ] = None,
+    up: Annotated[
+        str | None, typer.Option(help="Axis that points up, y or z.  [default: y in glTF, z elsewhere]")
     ] = None,
     list_parts: Annotated[bool, typer.Option("--parts", help="List every part.")] = False,
     plots: Annotated[bool, typer.Option("--plots/--no-plots", help="Draw a picture.")] = True,
@@ -43,7 +59,7 @@ def cad(
     from gantline.cli.check_table import width_of_terminal
 
     try:
-        model = read(file, keep=keep)
+        model = read(file, _assumptions(unit, density, thickness, up), keep=keep)
         if as_json:
             typer.echo(cad_json(model))
         else:
@@ -53,6 +69,19 @@ def cad(
     if plots:
         folder = output_folder(output if output is not None else Path("results") / f"cad-{file.stem}")
         typer.echo(f"Picture     {_drawn(model, folder)}", err=as_json)
+
+
+def _assumptions(unit: str | None, density: float, thickness: str | None, up: str | None) -> Assumptions:
+    from gantline.cad import Assumptions
+    from gantline.units import UnitError, quantity
+
+    if up is not None and up not in ("y", "z"):
+        stop(f"--up: '{up}' is neither y nor z")
+    try:
+        size = None if thickness is None else quantity(thickness, "length")
+    except UnitError as problem:
+        stop(f"--thickness: {problem}")
+    return Assumptions(unit, density, size, "y" if up == "y" else "z" if up == "z" else None)
 
 
 def _drawn(model: CadModel, folder: Path) -> Path:
