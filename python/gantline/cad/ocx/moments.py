@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from gantline.cad.ocx.curves import Curve, gauss
 
-__all__ = ["Frame", "Moments", "clipped", "enclosed", "of_polygon"]
+__all__ = ["Frame", "Moments", "clipped", "enclosed", "kept_half", "of_polygon"]
 
 Array = npt.NDArray[np.float64]
 
@@ -156,11 +156,12 @@ def clipped(polygon: Array, triangle: Array) -> Array:
             break
         way = following - corner
         inside = way[0] * (polygon[:, 1] - corner[1]) - way[1] * (polygon[:, 0] - corner[0])
-        polygon = _half(polygon, inside)
+        polygon = kept_half(polygon, inside)
     return polygon
 
 
-def _half(polygon: Array, inside: Array) -> Array:
+def kept_half(polygon: Array, inside: Array) -> Array:
+    """A polygon (n, 2) where a linear function, given at its corners (n,), is not negative."""
     if np.all(inside >= 0):
         return polygon
     if np.all(inside < 0):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +19,7 @@ from gantline.cad.ocx.moments import Frame
 from gantline.cad.ocx.plate import Sheet, contour_frame, curved_sheet, flat_sheet, is_flat, spans
 from gantline.cad.ocx.quantities import Quantities
 from gantline.cad.ocx.surface import Surface, read_surface
-from gantline.cad.ocx.sweep import Inclination, swept
+from gantline.cad.ocx.sweep import BarError, EndCut, Inclination, swept
 from gantline.cad.ocx.xml import Element
 
 __all__ = ["KINDS", "PartReader"]
@@ -32,6 +33,9 @@ KINDS = {
     "Pillar": PartKind.PILLAR,
     "EdgeReinforcement": PartKind.EDGE_REINFORCEMENT,
 }
+#: Mass properties, triangles, material, size and doubts of a part.
+_Read = tuple[MassProperties | None, TriangleMesh, str, str, tuple[str, ...]]
+_Reader = Callable[[Element, Element | None], _Read]
 _STEEL = 7850.0  # kg/m³, where the file names no material
 _NO_MESH = TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int32))
 _THICKEST = 0.15  # m; rolled ship plates end at about 100 mm
@@ -58,7 +62,7 @@ class PartReader:
         declared = self._declared(element)
         read = self._plate if KINDS[element.name] in (PartKind.PLATE, PartKind.BRACKET) else self._bar
         try:
-            properties, mesh, material, size, doubts = read(element, panel)
+            properties, mesh, material, size, doubts = self._read(read, element, panel)
         except CadError as problem:
             if declared is None:
                 raise
@@ -77,6 +81,15 @@ class PartReader:
             doubts=doubts,
         )
 
+    def _read(self, read: _Reader, element: Element, panel: Element | None) -> _Read:
+        try:
+            return read(element, panel)
+        except CadError:
+            raise
+        except ValueError as problem:
+            # Such as a contour that crosses itself, whose parts have areas of either sign.
+            raise self._quantities.fail(element, f"makes no body: {problem}") from None
+
     def _declared(self, element: Element) -> DeclaredWeight | None:
         table = element.child("PhysicalProperties")
         if table is None:
@@ -89,9 +102,7 @@ class PartReader:
         centre = table.child("CenterOfGravity")
         return DeclaredWeight(mass, None if centre is None else self._quantities.point(centre))
 
-    def _plate(
-        self, element: Element, panel: Element | None
-    ) -> tuple[MassProperties | None, TriangleMesh, str, str, tuple[str, ...]]:
+    def _plate(self, element: Element, panel: Element | None) -> _Read:
         holder = element.child("PlateMaterial")
         if holder is None:
             raise self._quantities.fail(element, "has no PlateMaterial")
@@ -178,9 +189,7 @@ class PartReader:
                 found.append(read_contour(child, self._quantities)[0])
         return found
 
-    def _bar(
-        self, element: Element, panel: Element | None
-    ) -> tuple[MassProperties | None, TriangleMesh, str, str, tuple[str, ...]]:
+    def _bar(self, element: Element, panel: Element | None) -> _Read:
         holder = element.child("MaterialRef")
         material, doubts = self._material(holder)
         reference = element.child("SectionRef")
@@ -199,17 +208,30 @@ class PartReader:
                 for value, default in zip(given, (default_u, default_v), strict=True)
             ]
         )
-        if element.child("EndCutEnd1", "EndCutEnd2") is not None:
-            doubts.append(
-                "its end cuts are left out: it is taken as cut square at the ends of its trace line"
-            )
+        ends = (self._end_cut(element, "EndCutEnd1"), self._end_cut(element, "EndCutEnd2"))
         try:
-            bar = swept(trace, section, offset, inclinations, material.density, self._tolerance)
-        except CadError:
-            raise
-        except ValueError as problem:
+            bar = swept(trace, section, offset, inclinations, material.density, self._tolerance, ends)
+        except BarError as problem:
             raise self._quantities.fail(element, str(problem)) from None
         return bar.properties, bar.mesh, material.name, section.name, (*doubts, *bar.doubts)
+
+    def _end_cut(self, element: Element, name: str) -> EndCut | None:
+        """The cut at an end; flanges are cut with the web, copes are not cut."""
+        cut = element.child(name)
+        if cut is None:
+            return None
+        angle = self._quantities.of_child(cut, "WebCutBackAngle", "angle")
+        found = EndCut(
+            cutback=self._quantities.of_child(cut, "CutbackDistance") or 0.0,
+            # No slope is written as no angle, as zero, or as a right angle.
+            angle=angle if angle else math.pi / 2,
+            nose=self._quantities.of_child(cut, "WebNoseHeight") or 0.0,
+        )
+        if found.cutback < 0 or found.nose < 0 or not math.radians(5) <= found.angle <= math.pi / 2 + 1e-9:
+            raise self._quantities.fail(
+                cut, "has a negative length, or an angle not between 5 and 90 degrees"
+            )
+        return found
 
     def _trace(self, element: Element, doubts: list[str]) -> list[Curve]:
         line = element.child("TraceLine")

@@ -19,7 +19,7 @@ from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.ocx.curves import Curve, polyline
 from gantline.cad.ocx.moments import Frame, Moments, clipped, enclosed, of_polygon
-from gantline.cad.ocx.surface import Surface, bounds
+from gantline.cad.ocx.surface import Surface, along_edge, bounds
 from gantline.cad.ocx.triangulate import prism, simplified, triangulated
 
 __all__ = ["Sheet", "contour_frame", "curved_sheet", "flat_sheet", "is_flat", "spans"]
@@ -33,7 +33,7 @@ _COARSE = (
 )
 _SETTLED = 1e-4  # of a curved plate's area
 _SAME_EDGE = 5e-3  # of the size: how far apart a contour and the edge of its surface may be
-_BOUNDARY_PARTS = 8
+_BOUNDARY_PARTS = 16
 _FINEST = 64  # parts of a surface's span
 
 
@@ -139,6 +139,7 @@ def curved_sheet(
     size = float(np.linalg.norm(outline - frame.origin, axis=1).max())
     rim = simplified(frame.flat(outline), _COARSE * 1e-2 * size)
     cuts = [simplified(frame.flat(polyline(each, tolerance)), tolerance) for each in openings]
+    seen = abs(of_polygon(rim).area)
     is_whole = bounds(surface.facets(_BOUNDARY_PARTS), outline, _SAME_EDGE * size)
     pieces: list[tuple[Moments, Frame]] = []
     drawn: list[Array] = []
@@ -149,6 +150,10 @@ def curved_sheet(
             pieces, drawn = _whole(facets, size)
         else:
             pieces, drawn, is_steep = _pieces(facets, rim, cuts, frame, size)
+            if _covered(pieces, frame) > 1.02 * seen:
+                # The surface comes over the contour twice, as the far side of a cylinder does.
+                near = along_edge(facets[_over(facets, rim, frame)], outline)
+                pieces, drawn, is_steep = _pieces(near, rim, cuts, frame, size)
         before, area = area, sum(moments.area for moments, _ in pieces)
         if surface.is_faceted or abs(area - before) <= _SETTLED * area:
             break
@@ -157,8 +162,7 @@ def curved_sheet(
     if is_whole and cuts:
         doubts.append("openings in a curved surface that it bounds alone are not cut out")
     if not is_whole:
-        seen = _positive(of_polygon(rim)).area
-        covered = sum(abs(moments.area * float(own.normal @ frame.normal)) for moments, own in pieces)
+        covered = _covered(pieces, frame)
         holes = sum(_positive(of_polygon(cut)).area for cut in cuts)
         if not 0.98 * seen <= covered + holes <= 1.02 * seen + holes:
             return None
@@ -169,6 +173,26 @@ def curved_sheet(
     corners = np.round(np.concatenate(drawn), 6)  # neighbours meet to a micrometre
     mesh = TriangleMesh(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)).welded()
     return Sheet(area, _weighed(pieces, thickness, density), mesh, tuple(doubts))
+
+
+def _covered(pieces: Sequence[tuple[Moments, Frame]], frame: Frame) -> float:
+    """Area of pieces as it is seen along a frame's normal [m^2]."""
+    return sum(abs(moments.area * float(own.normal @ frame.normal)) for moments, own in pieces)
+
+
+def _over(facets: Array, rim: Array, frame: Frame) -> npt.NDArray[np.bool_]:
+    """Which facets are seen within a polygon, even in part, and not edge on."""
+    flat = frame.flat(facets)
+    normals = np.cross(facets[:, 1] - facets[:, 0], facets[:, 2] - facets[:, 0])
+    slope = np.abs(normals @ frame.normal) > 0.02 * np.linalg.norm(normals, axis=1)
+    reach = np.all(flat.max(axis=1) >= rim.min(axis=0), axis=1) & np.all(
+        flat.min(axis=1) <= rim.max(axis=0), axis=1
+    )
+    rim = rim if of_polygon(rim).area > 0 else rim[::-1]
+    for index in np.flatnonzero(slope & reach):
+        triangle = flat[index] if of_polygon(flat[index]).area > 0 else flat[index][::-1]
+        reach[index] = len(clipped(rim, triangle)) >= 3
+    return np.asarray(slope & reach)
 
 
 def _whole(facets: Array, size: float) -> tuple[list[tuple[Moments, Frame]], list[Array]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 import numpy.typing as npt
@@ -16,12 +17,13 @@ from gantline.cad.ocx.quantities import Quantities
 from gantline.cad.ocx.triangulate import simplified, triangulated
 from gantline.cad.ocx.xml import Element
 
-__all__ = ["Surface", "bounds", "read_surface"]
+__all__ = ["Surface", "along_edge", "bounds", "read_surface"]
 
 Array = npt.NDArray[np.float64]
 
 _JOIN = 3e-4  # corners of facets that are closer are one [m]: exporters round, and so do normals of faces
 _NEIGHBOURS = [(x, y, z) for x in (0, -1, 1) for y in (0, -1, 1) for z in (0, -1, 1)]
+_LOOKS = 40  # points of an outline that are looked at
 _CIRCLE = 8  # spans of a whole circle
 
 
@@ -36,6 +38,11 @@ class Surface:
 
     facets: Callable[[int], Array]
     is_faceted: bool
+
+    @classmethod
+    def of(cls, facets: Callable[[int], Array], is_faceted: bool = False) -> Surface:
+        """A surface that makes its facets once for each number of parts."""
+        return cls(cache(facets), is_faceted)
 
 
 def read_surface(element: Element, quantities: Quantities) -> Surface | None:
@@ -78,6 +85,37 @@ def bounds(facets: Array, outline: Array, tolerance: float) -> bool:
     )
 
 
+def along_edge(facets: Array, outline: Array) -> Array:
+    """Those facets that hang together with one that an outline (n, 3) touches."""
+    sides = _joined(facets.reshape(-1, 3), _JOIN).reshape(-1, 3)
+    group = np.arange(len(facets))
+    # Each takes the least number among its neighbours over a corner, until nothing changes.
+    while True:
+        least = np.full(3 * len(facets), len(facets))
+        np.minimum.at(least, sides.reshape(-1), np.repeat(group, 3))
+        spread = least[sides].min(axis=1)
+        if np.array_equal(spread, group):
+            break
+        group = spread
+    nearest = {int(np.argmin(_away(facets, point))) for point in outline[:: max(1, len(outline) // _LOOKS)]}
+    return facets[np.isin(group, group[sorted(nearest)])]
+
+
+def _away(facets: Array, point: Array) -> Array:
+    """Distance of a point (3,) from each of triangles (n, 3, 3)."""
+    ways = np.roll(facets, -1, axis=1) - facets
+    normals = np.cross(ways[:, 0], ways[:, 1])
+    lengths = np.maximum(np.linalg.norm(normals, axis=1), 1e-300)
+    off = point - facets
+    above = np.einsum("nci,ni->nc", np.cross(ways, off), normals)
+    inside = np.all(above >= 0, axis=1)
+    height = np.abs(np.einsum("ni,ni->n", off[:, 0], normals)) / lengths
+    squared = np.maximum(np.einsum("nci,nci->nc", ways, ways), 1e-300)
+    share = np.clip(np.einsum("nci,nci->nc", off, ways) / squared, 0.0, 1.0)
+    beside = np.linalg.norm(off - share[:, :, None] * ways, axis=2).min(axis=1)
+    return np.asarray(np.where(inside, height, beside))
+
+
 def _joined(points: Array, tolerance: float) -> npt.NDArray[np.int64]:
     """For each point (n, 3) the first that is closer than a tolerance [m]; itself if none is before it."""
     cells = np.floor(points / tolerance).astype(np.int64)
@@ -114,7 +152,7 @@ def _collection(members: list[Surface | None]) -> Surface | None:
     known = [member for member in members if member is not None]
     if not known:
         return None
-    return Surface(
+    return Surface.of(
         lambda parts: np.concatenate([member.facets(parts) for member in known]),
         all(member.is_faceted for member in known),
     )
@@ -132,7 +170,7 @@ def _face(element: Element, quantities: Quantities) -> Surface | None:
         return None
     corners, triangles = triangulated(flat)
     facets = frame.spatial(corners)[triangles]
-    return Surface(lambda _: facets, True)
+    return Surface.of(lambda _: facets, True)
 
 
 def _grid(points: Array) -> Array:
@@ -160,7 +198,7 @@ def _nurbs(element: Element, quantities: Quantities) -> Surface:
     net = _shorter(net, *counts)
     along = bezier_spans(degrees[0], knots[0], net.reshape(counts[0], -1))
     spans = along.reshape(len(along), degrees[0] + 1, counts[1], 4)
-    return Surface(lambda parts: _bezier_facets(spans, degrees, knots[1], parts), False)
+    return Surface.of(lambda parts: _bezier_facets(spans, degrees, knots[1], parts))
 
 
 def _shorter(net: Array, first: int, second: int) -> Array:
@@ -195,7 +233,7 @@ def _round(at: Callable[[Array, Array], Array], straight: bool) -> Surface:
         places = np.linspace(0.0, 1.0, 2 if straight else 4 * parts + 1)
         return _grid(at(angles[:, None, None], places[None, :, None]))
 
-    return Surface(facets, False)
+    return Surface.of(facets)
 
 
 def _around(axis: Array) -> tuple[Array, Array]:
@@ -259,4 +297,4 @@ def _extruded(element: Element, quantities: Quantities) -> Surface | None:
         )
         return _grid(np.stack([line, line + way], axis=1))
 
-    return Surface(facets, False)
+    return Surface.of(facets)

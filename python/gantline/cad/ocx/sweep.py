@@ -19,17 +19,21 @@ import numpy.typing as npt
 from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.ocx.curves import Curve, gauss
-from gantline.cad.ocx.moments import Moments
+from gantline.cad.ocx.moments import Moments, kept_half, of_polygon
 from gantline.cad.ocx.section import Section
 from gantline.cad.ocx.triangulate import prism, simplified, triangulated
 
-__all__ = ["Bar", "Inclination", "swept"]
+__all__ = ["Bar", "BarError", "EndCut", "Inclination", "swept"]
 
 Array = npt.NDArray[np.float64]
 
 _POINTS = 12  # Gauss points along a smooth span
 _TWISTED_PARTS = 4  # of a span whose section turns between given inclinations
 _STRAIGHT = 1e-9
+
+
+class BarError(ValueError):
+    """A bar cannot be made; the message says what it has."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +49,29 @@ class Inclination:
     web: Array
     flange: Array | None
     place: Array
+
+
+@dataclass(frozen=True)
+class EndCut:
+    """How an end of a bar is cut: back by a distance, and sniped from a nose upwards.
+
+    At the height v of its section the bar ends before its trace by cutback + (v − nose)/tan(angle), the last
+    term where v is above the nose.
+
+    Attributes:
+        cutback: [m].
+        angle: of the slope with the trace, π/2 for a square end [rad].
+        nose: height at the end that is not sniped [m].
+    """
+
+    cutback: float = 0.0
+    angle: float = math.pi / 2
+    nose: float = 0.0
+
+    def short(self, height: npt.ArrayLike) -> Array:
+        """By how much the bar ends before its trace at heights of its section [m]."""
+        above = np.maximum(np.asarray(height, dtype=float) - self.nose, 0.0)
+        return np.asarray(self.cutback + above / math.tan(self.angle))
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +101,7 @@ def swept(
     inclinations: Sequence[Inclination],
     density: float,
     tolerance: float,
+    ends: tuple[EndCut | None, EndCut | None] = (None, None),
 ) -> Bar:
     """A bar along a trace.
 
@@ -84,18 +112,126 @@ def swept(
         inclinations: how it stands, at least one.
         density: [kg/m^3].
         tolerance: by how much triangles may miss the body [m].
+        ends: how it is cut where the trace starts and where it ends; None for square.
 
     Raises:
-        ValueError: with a plain sentence, if the web runs along the trace, or nothing is left of the bar.
+        BarError: if the web runs along the trace, or nothing is left of the bar.
     """
     moments = section.moments.shifted(offset)
     stations = _stations(trace, _TWISTED_PARTS if len(inclinations) > 1 else 1)
     webs, flanges, doubts = _frames(stations, inclinations)
-    properties, is_sound = _weighed(moments, stations, webs, flanges, density)
-    if not is_sound:
+    used = stations.weights > 0
+    if not used.any():
+        raise BarError("has a trace line without length")
+    origin = stations.places[used].mean(axis=0)
+    axes = np.stack([flanges, webs], axis=2)
+    # Along and across the bar: curvature makes the inside shorter.
+    bend = np.einsum("nik,ni->nk", axes[used], stations.bends[used])  # f·t′, w·t′
+    area = moments.area - bend @ moments.first
+    if not np.all(area > 0):
         doubts.append("its trace is bent more sharply than its section is deep, so parts of it overlap")
-    mesh = _mesh(section, offset, stations, webs, flanges, tolerance)
-    return Bar(properties, mesh, tuple(doubts))
+    total = _integrals(
+        stations.places[used] - origin,
+        axes[used],
+        stations.weights[used],
+        area,
+        moments.first - bend @ moments.second,
+        moments.second - np.einsum("nk,kij->nij", bend, moments.third),
+    )
+    for end, cut in zip((0, -1), ends, strict=True):
+        if cut is not None:
+            total = total - _removed(section, offset, cut, stations, axes[end], end, origin, doubts)
+    mesh = _mesh(section, offset, stations, axes, tolerance, ends)
+    return Bar(_weighed(total, origin, density), mesh, tuple(doubts))
+
+
+@dataclass(frozen=True, eq=False)
+class _Integrals:
+    """Volume [m^3], ∫ x dV (3,) and ∫ x xᵀ dV (3, 3) about an origin."""
+
+    volume: float
+    first: Array
+    second: Array
+
+    def __sub__(self, other: _Integrals) -> _Integrals:
+        return _Integrals(self.volume - other.volume, self.first - other.first, self.second - other.second)
+
+
+def _integrals(
+    places: Array, axes: Array, weights: Array, area: Array, first: Array, second: Array
+) -> _Integrals:
+    """Sums over slices: places (n, 3), axes (n, 3, 2), depths (n,), and moments of each in its axes."""
+    out = np.einsum("nij,nj->ni", axes, first)
+    mixed = np.einsum("n,ni,nj->ij", weights, places, out)
+    return _Integrals(
+        float(weights @ area),
+        weights @ (places * area[:, None] + out),
+        np.einsum("n,ni,nj->ij", weights * area, places, places)
+        + mixed
+        + mixed.T
+        + np.einsum("n,nik,nkl,njl->ij", weights, axes, second, axes),
+    )
+
+
+def _removed(
+    section: Section,
+    offset: Array,
+    cut: EndCut,
+    stations: _Stations,
+    axes: Array,
+    end: int,
+    origin: Array,
+    doubts: list[str],
+) -> _Integrals:
+    """What an end cut takes away, slice by slice from the end of the trace; the trace is straight there."""
+    reach = float(cut.short(section.height))
+    length = float(stations.weights.sum())
+    if reach > length / 2:
+        raise BarError(f"has an end cut that is {reach:.3g} m long on a trace line of {length:.3g} m")
+    zone = np.abs(stations.arc - stations.arc[end]) <= reach
+    if float(np.abs(stations.tangents[zone] - stations.tangents[end]).max()) > 1e-3:
+        doubts.append("its trace line is bent where an end is cut: the cut is taken as on a straight one")
+    at, share = gauss(3)
+    # The cut passes corners of the section at heights between which moments are polynomials of its place.
+    corners = np.unique(np.concatenate([loop[:, 1] for loop in section.outlines(1e-5)]))
+    knots = np.unique(np.concatenate([[0.0], cut.short(corners), [reach]]))
+    begin, step = knots[:-1, None], np.diff(knots)[:, None]
+    along = (begin + step * at).reshape(-1)
+    weights = (step * share).reshape(-1)
+    inward = stations.tangents[end] * (1.0 if end == 0 else -1.0)
+    places = stations.places[end] - origin + along[:, None] * inward
+    slices = [_above(section, cut, float(here)).shifted(offset) for here in along]
+    return _integrals(
+        places,
+        np.broadcast_to(axes, (len(along), 3, 2)),
+        weights,
+        np.array([each.area for each in slices]),
+        np.stack([each.first for each in slices]),
+        np.stack([each.second for each in slices]),
+    )
+
+
+def _above(section: Section, cut: EndCut, along: float) -> Moments:
+    """Moments of the part of a section that a cut takes at a distance from the end of the trace."""
+    if along <= cut.cutback:
+        return section.moments
+    height = cut.nose + (along - cut.cutback) * math.tan(cut.angle)
+    total = Moments.none()
+    for number, loop in enumerate(section.outlines(1e-5)):
+        own = of_polygon(kept_half(loop, loop[:, 1] - height))
+        positive = own if own.area >= 0 else -own
+        total = total + (positive if number == 0 else -positive)
+    return total
+
+
+def _weighed(total: _Integrals, origin: Array, density: float) -> MassProperties:
+    if not total.volume > 0:
+        raise BarError("has no volume: its section or its trace line is empty")
+    centre = total.first / total.volume
+    about = total.second - total.volume * np.outer(centre, centre)
+    about = (about + about.T) / 2
+    inertia = density * (np.trace(about) * np.eye(3) - about)
+    return MassProperties(density * total.volume, origin + centre, inertia)
 
 
 def _stations(trace: Sequence[Curve], parts: int) -> _Stations:
@@ -134,7 +270,7 @@ def _frames(stations: _Stations, inclinations: Sequence[Inclination]) -> tuple[A
     for place, each in zip(nearest, inclinations, strict=True):
         up, over = float(each.web @ carried[place]), float(each.web @ side[place])
         if math.hypot(up, over) < 0.05:
-            raise ValueError("has a web that runs along its trace line")
+            raise BarError("has a web that runs along its trace line")
         angles.append(math.atan2(over, up))
     order = np.argsort([stations.arc[place] for place in nearest], kind="stable")
     known = np.unwrap(np.array(angles)[order])
@@ -172,7 +308,7 @@ def _carried(stations: _Stations, start: int, web: Array) -> Array:
     first = web - (web @ tangents[start]) * tangents[start]
     size = float(np.linalg.norm(first))
     if size < 0.05:
-        raise ValueError("has a web that runs along its trace line")
+        raise BarError("has a web that runs along its trace line")
     out = np.empty_like(tangents)
     out[start] = first / size
     if float(np.abs(tangents - tangents[start]).max()) < _STRAIGHT:
@@ -202,46 +338,26 @@ def _reflected(way: Array, tangent: Array, following: Array, web: Array) -> Arra
     return np.asarray(web / np.linalg.norm(web))
 
 
-def _weighed(
-    moments: Moments, stations: _Stations, webs: Array, flanges: Array, density: float
-) -> tuple[MassProperties, bool]:
-    """Mass properties by integrals along the trace; whether no part of the section is turned inside out."""
-    used = stations.weights > 0
-    if not used.any():
-        raise ValueError("has a trace line without length")
-    origin = stations.places[used].mean(axis=0)
-    places, weights = stations.places[used] - origin, stations.weights[used]
-    axes = np.stack([flanges[used], webs[used]], axis=2)  # (n, 3, 2)
-    bend = np.einsum("nik,ni->nk", axes, stations.bends[used])  # f·t′, w·t′
-    area = moments.area - bend @ moments.first
-    first = moments.first - bend @ moments.second
-    second = moments.second - np.einsum("nk,kij->nij", bend, moments.third)
-    volume = float(weights @ area)
-    if not volume > 0:
-        raise ValueError("has no volume: its section or its trace line is empty")
-    out = np.einsum("nij,nj->ni", axes, first)
-    centre = weights @ (places * area[:, None] + out) / volume
-    whole = np.einsum("n,ni,nj->ij", weights * area, places, places)
-    mixed = np.einsum("n,ni,nj->ij", weights, places, out)
-    own = np.einsum("n,nik,nkl,njl->ij", weights, axes, second, axes)
-    about = whole + mixed + mixed.T + own - volume * np.outer(centre, centre)
-    about = (about + about.T) / 2
-    inertia = density * (np.trace(about) * np.eye(3) - about)
-    return MassProperties(density * volume, origin + centre, inertia), bool(np.all(area > 0))
-
-
 def _mesh(
-    section: Section, offset: Array, stations: _Stations, webs: Array, flanges: Array, tolerance: float
+    section: Section,
+    offset: Array,
+    stations: _Stations,
+    axes: Array,
+    tolerance: float,
+    ends: tuple[EndCut | None, EndCut | None],
 ) -> TriangleMesh:
     loops = [simplified(loop, tolerance) for loop in section.outlines(tolerance)]
     corners, cap = triangulated(loops[0], loops[1:])
+    heights = corners[:, 1]
     corners = corners + offset
-    kept = _shown(stations, webs, tolerance, float(np.abs(corners).max()))
+    kept = _shown(stations, axes[:, :, 1], tolerance, float(np.abs(corners).max()))
+    where = stations.places[kept][:, None, :] + np.einsum("nik,ck->nci", axes[kept], corners)
+    for end, cut, inward in zip((0, -1), ends, (1.0, -1.0), strict=True):
+        if cut is not None:
+            where[end] += inward * cut.short(heights)[:, None] * stations.tangents[end]
     # Seen along the tangent, f and w turn anticlockwise if f × w points along it.
-    if float(np.cross(flanges[0], webs[0]) @ stations.tangents[0]) < 0:
-        kept = kept[::-1]
-    frames = np.stack([flanges[kept], webs[kept]], axis=2)
-    where = stations.places[kept][:, None, :] + np.einsum("nik,ck->nci", frames, corners)
+    if float(np.cross(axes[0, :, 0], axes[0, :, 1]) @ stations.tangents[0]) < 0:
+        where = where[::-1]
     vertices, triangles = prism(loops, cap, where)
     return TriangleMesh(vertices, triangles)
 

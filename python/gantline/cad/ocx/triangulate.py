@@ -17,6 +17,8 @@ __all__ = ["prism", "simplified", "triangulated"]
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 
+_BRIDGES = 1000  # that are tried, from the shortest on
+
 
 def simplified(points: Array, tolerance: float) -> Array:
     """A closed polygon (n, 2) without the corners that its sides miss by less than a tolerance [m]."""
@@ -66,10 +68,11 @@ def triangulated(rim: Array, holes: Sequence[Array] = ()) -> tuple[Array, Whole]
     loops += [hole if _area(hole) <= 0 else hole[::-1] for hole in holes]
     points = np.concatenate(loops)
     starts = np.cumsum([0, *map(len, loops)])
-    chain = list(range(len(loops[0])))
-    order = sorted(range(1, len(loops)), key=lambda which: -float(loops[which][:, 0].max()))
-    for which in order:
-        chain = _bridged(points, chain, list(range(starts[which], starts[which + 1])))
+    rings = [list(range(starts[which], starts[which + 1])) for which in range(len(loops))]
+    chain, rest = rings[0], sorted(rings[1:], key=lambda ring: -float(points[ring, 0].max()))
+    while rest:
+        chain = _bridged(points, chain, rest[0], rest)
+        rest = rest[1:]
     return points, _ears(points, chain)
 
 
@@ -78,21 +81,20 @@ def _area(loop: Array) -> float:
     return float((loop[:, 0] * following[:, 1] - loop[:, 1] * following[:, 0]).sum()) / 2
 
 
-def _bridged(points: Array, chain: list[int], hole: list[int]) -> list[int]:
-    """A rim with an opening let into it, over a bridge from the opening's rightmost corner."""
-    begin = max(range(len(hole)), key=lambda place: float(points[hole[place]][0]))
-    corner = points[hole[begin]]
-    sides = points[chain]
-    following = np.roll(sides, -1, axis=0)
-    # Corners of the rim by their distance; the nearest that sees the opening's corner across no side.
-    for place in np.argsort(np.linalg.norm(sides - corner, axis=1), kind="stable"):
-        if not _is_cut(corner, sides[place], sides, following):
+def _bridged(points: Array, chain: list[int], hole: list[int], rings: list[list[int]]) -> list[int]:
+    """A rim with an opening let into it, over the shortest bridge that crosses neither rim nor openings."""
+    begins = points[[*chain, *(corner for ring in rings for corner in ring)]]
+    following = [*chain[1:], chain[0], *(corner for ring in rings for corner in [*ring[1:], ring[0]])]
+    ends = points[following]
+    away = np.linalg.norm(points[hole][:, None] - points[chain][None], axis=2)
+    order = np.argsort(away, axis=None, kind="stable")
+    for pair in order[:_BRIDGES]:
+        begin, at = divmod(int(pair), len(chain))
+        if not _is_cut(points[hole[begin]], points[chain[at]], begins, ends):
             break
     else:
-        place = np.argmin(np.linalg.norm(sides - corner, axis=1))
-    turned = hole[begin:] + hole[: begin + 1]
-    at = int(place)
-    return [*chain[: at + 1], *turned, *chain[at:]]
+        begin, at = divmod(int(order[0]), len(chain))
+    return [*chain[: at + 1], *hole[begin:], *hole[: begin + 1], *chain[at:]]
 
 
 def _is_cut(one: Array, other: Array, begins: Array, ends: Array) -> bool:

@@ -113,7 +113,7 @@ def parse(data: bytes, file: str) -> Element:
             reader.expat.Parse(data[start : start + _CHUNK], False)
         reader.expat.Parse(b"", True)
     except expat.ExpatError as problem:
-        reason = expat.ErrorString(problem.code)
+        reason = (expat.ErrorString(problem.code) or "").removeprefix("not well-formed (").removesuffix(")")
         if problem.code in _ENDS_EARLY:
             raise CadError(
                 f"{file}: the file ends in the middle, at line {problem.lineno}; is it complete?"
