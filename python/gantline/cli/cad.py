@@ -112,7 +112,7 @@ def _drawn(model: CadModel, folder: Path) -> Path:
     if not pieces:
         stop(f"{model.name}: no part has geometry that can be drawn; --no-plots goes without the picture")
     properties = model.properties
-    x, y, z = properties.centre
+    x, y, z = properties.centre.round(3) + 0.0
     whole = format_quantity(properties.mass, "t", 2)
     subtitle = f"{model.form}: {whole}, centre of gravity {x:.3f}, {y:.3f}, {z:.3f} m"
     with writing(folder):

@@ -111,7 +111,7 @@ def _whole(model: CadModel) -> list[str]:
 
 
 def _three(values: Any, unit: str) -> tuple[str, str, str]:
-    x, y, z = (ABSENT if not np.isfinite(value) else f"{value:.4f} {unit}" for value in values)
+    x, y, z = (ABSENT if not np.isfinite(value) else f"{round(float(value), 4) + 0.0:.4f} {unit}" for value in values)
     return x, y, z
 
 
