@@ -21,7 +21,7 @@ def test_a_ship_block_is_written_as_ocx_and_glb(tmp_path: Path) -> None:
     assert result.exit_code == 0, result.output
     assert (tmp_path / "new" / "mine.3docx").read_bytes().startswith(b"<?xml")
     assert (tmp_path / "new" / "mine.glb").read_bytes().startswith(b"glTF")
-    assert "BLOCK 20X12X9" in result.output
+    assert "SHIP BLOCK 20X12X9" in result.output
     assert "Mass        120.000 t, centre of gravity (0.000, 0.000, " in result.output
     assert "Plates      bottom " in result.output
 

@@ -47,16 +47,16 @@ _DIMENSIONS: dict[str, tuple[tuple[str, str, int], ...]] = {
 }
 
 
-def write_ocx(block: ShipBlock) -> bytes:
+def write_ocx(made: ShipBlock) -> bytes:
     """The ship block as the bytes of an OCX file."""
-    return _Writer(block).data()
+    return _Writer(made).data()
 
 
 class _Writer:
     """Builds the tree of elements; ids count from 1 in the order of writing."""
 
-    def __init__(self, block: ShipBlock) -> None:
-        self._block = block
+    def __init__(self, made: ShipBlock) -> None:
+        self._made = made
         self._count = 0
         self._profiles: dict[Profile, str] = {}
         self._holes: dict[tuple[float, float], str] = {}
@@ -72,7 +72,7 @@ class _Writer:
                 "xsi:schemaLocation": f"{_SCHEMA} OCX_Schema.xsd",
             },
         )
-        name = self._block.sizes.name
+        name = self._made.sizes.name
         header = {"name": name, "author": "gantline", "organization": "gantline", "time_stamp": _TIME}
         more = {"originating_system": "gantline", "documentation": "generated", "application_version": "1"}
         _add(root, "Header", {**header, **more})
@@ -84,9 +84,9 @@ class _Writer:
         _point(cartesian, "Origin", np.zeros(3))
         _direction(cartesian, "PrimaryAxis", np.array([1.0, 0.0, 0.0]))
         _direction(cartesian, "SecondaryAxis", np.array([0.0, 1.0, 0.0]))
-        for panel in self._block.panels:
+        for panel in self._made.panels:
             self._panel(vessel, panel)
-        for pillar in self._block.pillars:
+        for pillar in self._made.pillars:
             self._bar(vessel, pillar, pillar.part)
         self._catalogues(root)
         _units(root)
@@ -97,7 +97,7 @@ class _Writer:
     def _named(self, parent: _Node, element: str, name: str, **attributes: str) -> _Node:
         self._count += 1
         # From the name: the same part keeps its identity from file to file.
-        identity = str(uuid.uuid5(uuid.NAMESPACE_OID, f"{self._block.sizes.name}/{element}/{name}"))
+        identity = str(uuid.uuid5(uuid.NAMESPACE_OID, f"{self._made.sizes.name}/{element}/{name}"))
         known = {"id": f"id{self._count}", "name": name, "ocx:GUIDRef": identity}
         return _add(parent, element, {**known, **attributes})
 

@@ -96,8 +96,8 @@ class ShipBlockSizes:
 
     @property
     def name(self) -> str:
-        """Such as ``BLOCK 43X23X11``."""
-        return f"BLOCK {self.length:g}X{self.breadth:g}X{self.height:g}"
+        """Such as ``SHIP BLOCK 43X23X11``."""
+        return f"SHIP BLOCK {self.length:g}X{self.breadth:g}X{self.height:g}"
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from gantline.cad.ship_block import ShipBlock
 
 
-def block(
+def make_ship_block(
     output: Annotated[Path, typer.Argument(metavar="FILE", help="OCX file to write; a .glb goes beside it.")],
     length: Annotated[str, typer.Option(help="Length, along x: '43 m'.")],
     breadth: Annotated[str, typer.Option(help="Breadth, along y: '23 m'.")],

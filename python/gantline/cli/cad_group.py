@@ -8,7 +8,7 @@ import typer
 from typer.core import TyperGroup
 
 from gantline.cli.cad import cad
-from gantline.cli.cad_block import block
+from gantline.cli.cad_block import make_ship_block
 
 __all__ = ["cad_app"]
 
@@ -27,7 +27,7 @@ class _FileOrVerb(TyperGroup):
 
 cad_app = typer.Typer(cls=_FileOrVerb, no_args_is_help=True, rich_markup_mode=None)
 cad_app.command(_FILE)(cad)
-cad_app.command()(block)
+cad_app.command("block")(make_ship_block)
 
 
 @cad_app.callback(epilog="`gantline cad FILE` is short for `gantline cad file FILE`.")
