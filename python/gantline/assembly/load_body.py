@@ -85,9 +85,8 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
     path = Path(scenario.source).parent / shape.cad
     try:
         given = Assumptions(unit=shape.units, thickness=shape.thickness, up=shape.up)
-        model, light = _read(path, _stamp(path), given)
+        model, light, hull = _read(path, _stamp(path), given)
         own, box = model.properties, model.box
-        hull = contact_hull(light, _HULL_ERROR * light.size).vertices
     except CadError as problem:
         raise scenario.error(("load", "shape", "cad"), str(problem).replace(str(path), shape.cad)) from None
     shift = np.zeros(3)
@@ -123,9 +122,14 @@ def _stamp(path: Path) -> tuple[int, int]:
 
 
 @lru_cache(maxsize=4)
-def _read(path: Path, _stamp: tuple[int, int], given: Assumptions) -> tuple[CadModel, TriangleMesh]:
-    """The file's model and light mesh, read once for all cases of a lift."""
-    return read(path, given), read_light_mesh(path, given, most=_MOST_TRIANGLES)
+def _read(path: Path, _stamp: tuple[int, int], given: Assumptions) -> tuple[CadModel, TriangleMesh, Array]:
+    """The file's model, light mesh and contact hull, made once for all cases of a lift."""
+    model = read(path, given)
+    mesh = model.mesh
+    if not len(mesh.triangles):
+        raise CadError(f"{path}: no part has geometry")
+    hull = contact_hull(mesh, _HULL_ERROR * mesh.size)
+    return model, read_light_mesh(path, given, most=_MOST_TRIANGLES), hull.vertices
 
 
 def _weighed(load: Load, own: MassProperties) -> tuple[MassProperties, list[str]]:

@@ -131,7 +131,8 @@ class CadModel:
         """
         bodies = [body for part in self.parts if (body := part.counted) is not None]
         if not bodies:
-            raise CadError(f"{self.name}: no part has a mass, so there is no centre of gravity")
+            hint = "; open surfaces need a plate thickness" if self.of_kind(PartKind.SHELL) else ""
+            raise CadError(f"{self.name}: no part has a mass, so there is no centre of gravity{hint}")
         return MassProperties.combined(bodies)
 
     @property
