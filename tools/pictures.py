@@ -46,7 +46,10 @@ def main() -> None:
         with matplotlib.rc_context(RC):
             figure.savefig(drawn, format="png", dpi=DOTS_PER_INCH)
         path = folder / f"{PICTURES[plot]}.png"
-        Image.open(drawn).convert("RGB").save(path, optimize=True)
+        picture = Image.open(drawn).convert("RGB")
+        if plot == "structure":  # shaded: few colours keep it small
+            picture = picture.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+        picture.save(path, optimize=True)
         print(f"{path.relative_to(ROOT)}: {path.stat().st_size / 1e3:.0f} kB")
 
 
