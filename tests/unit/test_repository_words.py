@@ -87,7 +87,7 @@ RULES = [
     Rule(
         r"\bcent(er|re)s? of mass\b|\bcenters? of gravity\b|(?-i:\bC[oO]G\b)",
         "centre of gravity",
-        r"CentreOfMass\(\)",
+        r"CentreOfMass\(\)|CenterOfGravity",  # names of other people's
     ),
     Rule(r"\butilizations?\b", "utilisation"),
     Rule(r"\bequalisers?\b", "equalizer"),

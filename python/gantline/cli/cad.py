@@ -86,41 +86,12 @@ def _assumptions(unit: str | None, density: float, thickness: str | None, up: st
 
 def _drawn(model: CadModel, folder: Path) -> Path:
     """Write the picture of a model; the answer is its path."""
-    import numpy as np
-
-    from gantline.cad import PartKind
+    from gantline.cli.cad_picture import model_picture
     from gantline.cli.messages import writing
-    from gantline.plot.model import Piece, model_figure
     from gantline.plot.pictures import write_pictures
-    from gantline.units import format_quantity
 
-    numbers = {id(part): number for number, part in enumerate(model.parts)}
-    pieces = []
-    for kind, parts in model.kinds:
-        drawn = [part for part in parts if len(part.mesh.triangles)]
-        if not drawn:
-            continue
-        mass = sum(body.mass for part in parts if (body := part.counted) is not None)
-        pieces.append(
-            Piece(
-                f"{len(parts)} {plural(kind, len(parts))}, {format_quantity(mass, 't', 2)}",
-                np.concatenate([part.mesh.corners for part in drawn]),
-                np.concatenate([np.full(len(part.mesh.triangles), numbers[id(part)]) for part in drawn]),
-                kind in (PartKind.PLATE, PartKind.SHELL),
-            )
-        )
-    if not pieces:
+    figure = model_picture(model)
+    if figure is None:
         stop(f"{model.name}: no part has geometry that can be drawn; --no-plots goes without the picture")
-    properties = model.properties
-    x, y, z = properties.centre.round(3) + 0.0
-    whole = format_quantity(properties.mass, "t", 2)
-    subtitle = f"{model.form}: {whole}, centre of gravity {x:.3f}, {y:.3f}, {z:.3f} m"
     with writing(folder):
-        return write_pictures(
-            [("model", model_figure(model.name, subtitle, pieces, properties.centre))], folder
-        )[0]
-
-
-def plural(kind: str, count: int) -> str:
-    """A kind of part as it is called where there are so many."""
-    return str(kind) if count == 1 else f"{kind}s"
+        return write_pictures([("model", figure)], folder)[0]

@@ -48,7 +48,7 @@ def _mass(value: float | None) -> str:
 def _share(computed: float | None, declared: float | None) -> str:
     if computed is None or not declared:
         return ABSENT
-    return f"{100.0 * (computed - declared) / declared:+.2f} %"
+    return f"{round(100.0 * (computed - declared) / declared, 2) + 0.0:+.2f} %"  # no -0.00
 
 
 def _masses(part: Part) -> tuple[float | None, float | None]:
@@ -106,12 +106,17 @@ def _whole(model: CadModel) -> list[str]:
     inertia = body.inertia / 1000.0
     for row, axis in enumerate("xyz"):
         title = "Inertia [t m²]" if row == 0 else ""
-        lines.append(f"{title:<20}{axis} " + "  ".join(f"{value:>14.3f}" for value in inertia[row]))
+        lines.append(
+            f"{title:<20}{axis} " + "  ".join(f"{round(value, 3) + 0.0:>14.3f}" for value in inertia[row])
+        )
     return [line.rstrip() for line in lines]
 
 
 def _three(values: Any, unit: str) -> tuple[str, str, str]:
-    x, y, z = (ABSENT if not np.isfinite(value) else f"{round(float(value), 4) + 0.0:.4f} {unit}" for value in values)
+    # Adding zero leaves no minus before a zero.
+    x, y, z = (
+        ABSENT if not np.isfinite(value) else f"{round(value, 4) + 0.0:.4f} {unit}" for value in values
+    )
     return x, y, z
 
 

@@ -34,12 +34,14 @@ class Piece:
         label: what the legend says of them.
         corners: of all triangles (n, 3, 3) [m].
         part: number of the part that each triangle belongs to (n,).
+        tone: number of its colour.
         is_skin: whether it is drawn so that what lies behind shows through.
     """
 
     label: str
     corners: FloatArray
     part: FloatArray
+    tone: int = 0
     is_skin: bool = False
 
 
@@ -78,8 +80,8 @@ def model_figure(title: str, subtitle: str, pieces: Sequence[Piece], centre: Flo
             _dimensions(panel, pieces, view, axes)
             panel.set_title(name, fontsize=8, color=QUIET, loc="left", pad=2)
         handles = [
-            Patch(facecolor=_FILL[number % len(_FILL)], edgecolor=QUIET, linewidth=0.5, label=piece.label)
-            for number, piece in enumerate(pieces)
+            Patch(facecolor=_FILL[piece.tone % len(_FILL)], edgecolor=QUIET, linewidth=0.5, label=piece.label)
+            for piece in pieces
         ]
         figure.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.012, 0.005), ncols=4, fontsize=8)
     return figure
@@ -88,7 +90,7 @@ def model_figure(title: str, subtitle: str, pieces: Sequence[Piece], centre: Flo
 def _draw(
     panel: Axes, pieces: Sequence[Piece], view: View, size: tuple[int, int], centre: FloatArray | None
 ) -> None:
-    colours = [matplotlib.colors.to_rgb(_FILL[number % len(_FILL)]) for number in range(len(pieces))]
+    colours = [matplotlib.colors.to_rgb(_FILL[piece.tone % len(_FILL)]) for piece in pieces]
     image, extent = rendered(
         [piece.corners for piece in pieces],
         [piece.part for piece in pieces],

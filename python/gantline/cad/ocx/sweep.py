@@ -363,15 +363,17 @@ def _mesh(
 
 
 def _shown(stations: _Stations, webs: Array, tolerance: float, reach: float) -> npt.NDArray[np.int64]:
-    """Stations that triangles need: the ends, and each from which tangent or web have turned enough."""
-    most = math.sqrt(8.0 * tolerance / max(reach, tolerance))
+    """Stations that triangles need: the ends, and each without which they would miss the body.
+
+    A chord d long over a bend by φ misses by φ d/8, d longer by the reach of the section. Over a twist by φ
+    the two triangles of a side miss by φ/4 of its width.
+    """
     kept = [0]
     for station in range(1, len(webs) - 1):
         last = kept[-1]
-        turned = max(
-            float(np.linalg.norm(stations.tangents[station] - stations.tangents[last])),
-            float(np.linalg.norm(webs[station] - webs[last])),
-        )
-        if turned > most:
+        bend = float(np.linalg.norm(stations.tangents[station] - stations.tangents[last]))
+        chord = float(np.linalg.norm(stations.places[station] - stations.places[last])) + reach * bend
+        twist = abs(float(np.cross(stations.tangents[last], webs[last]) @ webs[station]))
+        if bend * chord / 8 > tolerance or twist * reach / 4 > tolerance:
             kept.append(station)
     return np.array([*kept, len(webs) - 1])

@@ -17,6 +17,7 @@ __all__ = ["prism", "simplified", "triangulated"]
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 
+_ASKEW = np.array([0.36, 0.48, 0.80])  # along no axis
 _BRIDGES = 1000  # that are tried, from the shortest on
 
 
@@ -166,12 +167,17 @@ def prism(loops: Sequence[Array], cap: Whole, stations: Array) -> tuple[Array, W
     last = (len(stations) - 1) * count
     triangles = [cap[:, ::-1], cap + last]
     start = 0
+    # Opposite faces of a thin web get parallel diagonals: where it twists, both bulge to one side.
+    rank = stations[0] @ _ASKEW
     for loop in loops:
         own = start + np.arange(len(loop))
         following = start + (np.arange(len(loop)) + 1) % len(loop)
+        is_up = (rank[own] <= rank[following])[:, None]
         for station in range(len(stations) - 1):
             low, high = station * count, (station + 1) * count
-            triangles.append(np.stack([own + low, following + low, following + high], axis=1))
-            triangles.append(np.stack([own + low, following + high, own + high], axis=1))
+            a, b, c, d = own + low, following + low, following + high, own + high
+            one = np.where(is_up, np.stack([a, b, c], axis=1), np.stack([a, b, d], axis=1))
+            other = np.where(is_up, np.stack([a, c, d], axis=1), np.stack([b, c, d], axis=1))
+            triangles += [one, other]
         start += len(loop)
     return stations.reshape(-1, 3), np.concatenate(triangles)
