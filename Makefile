@@ -56,7 +56,7 @@ pictures: setup ## draw the pictures of README and documentation anew
 
 lock: setup ## renew requirements/*.txt from requirements/uv.in and pyproject.toml
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 requirements/uv.in -o requirements/uv.txt
-	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --group dev --group docs pyproject.toml -o requirements/dev.txt
+	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --extra cad --group dev --group docs pyproject.toml -o requirements/dev.txt
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --group bench -c requirements/dev.txt -o requirements/bench.txt
 
 clean: ## remove everything that the other targets made

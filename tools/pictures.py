@@ -1,4 +1,4 @@
-"""Draws the pictures of README and documentation anew, from a run of the reference lift."""
+"""Draws the pictures of README and documentation anew, from a run of the reference lift and a ship block."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ import matplotlib
 from PIL import Image
 
 import gantline
+from gantline.cad.ship_block import ShipBlockSizes, ship_block
+from gantline.cli.cad_picture import model_picture
 from gantline.plot import comparison_figures, figures
 from gantline.plot.style import RC
 
@@ -19,6 +21,7 @@ PICTURES = {
     "sling_tension": "equalizer_tension",
     "system": "equalizer_views",
     "compare_sling_tension": "compare_tension",
+    "structure": "cad_structure",
 }
 DOTS_PER_INCH = 150
 
@@ -32,16 +35,21 @@ def main() -> None:
         gantline.simulate(lift, integrator="del", step=0.01),
         names=("equalizer", "equalizer, integrator=del, step=10 ms"),
     )
+    structure = model_picture(ship_block(ShipBlockSizes(length=20, breadth=12, height=9, mass=120e3)).model)
+    assert structure is not None
     folder = ROOT / "docs" / "images"
     folder.mkdir(exist_ok=True)
-    for plot, figure in chain(figures(recording), comparison_figures(comparison)):
+    for plot, figure in chain(figures(recording), comparison_figures(comparison), [("structure", structure)]):
         if plot not in PICTURES:
             continue
         drawn = io.BytesIO()
         with matplotlib.rc_context(RC):
             figure.savefig(drawn, format="png", dpi=DOTS_PER_INCH)
         path = folder / f"{PICTURES[plot]}.png"
-        Image.open(drawn).convert("RGB").save(path, optimize=True)
+        picture = Image.open(drawn).convert("RGB")
+        if plot == "structure":  # shaded: few colours keep it small
+            picture = picture.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+        picture.save(path, optimize=True)
         print(f"{path.relative_to(ROOT)}: {path.stat().st_size / 1e3:.0f} kB")
 
 

@@ -182,7 +182,7 @@ class Simulation:
     def recording(self) -> Recording:
         """Everything recorded so far."""
         remainder = self._core.energy_remainder()
-        warnings = list(getattr(self.assembly, "warnings", ()))
+        warnings = list(self.assembly.warnings)
         bound = energy_bound(self.settings)
         if remainder > bound:
             missed = f"remainder {remainder:.2g} of the largest energy, bound {bound:g}"

@@ -274,7 +274,7 @@ class Statics:
             scenario=self.scenario.text,
             settings=self.assembly.settings,
             axial_stiffness=self._stiffness(),
-            warnings=[],
+            warnings=list(self.assembly.warnings),
             scene=self.assembly.scene,
             counters={},
             status=status,

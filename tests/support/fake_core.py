@@ -94,7 +94,12 @@ def core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
 
     scenario = SimpleNamespace(text="format: 1\n", source="lift.yaml", mechanics=None)
     assembly = SimpleNamespace(
-        document={}, settings=SETTINGS, rig=sample_rig(), scene=sample_scene(), document_text=lambda: "{}"
+        document={},
+        settings=SETTINGS,
+        rig=sample_rig(),
+        scene=sample_scene(),
+        document_text=lambda: "{}",
+        warnings=(),
     )
     monkeypatch.setattr(gantline._core, "Simulation", Core)
     monkeypatch.setattr(gantline.simulation, "load_scenario", lambda lift: scenario)

@@ -28,12 +28,12 @@ def lint_imports(config: Path, python_path: Path) -> subprocess.CompletedProcess
 def test_the_import_contracts_hold() -> None:
     result = lint_imports(ROOT / "pyproject.toml", ROOT / "python")
     assert result.returncode == 0, result.stdout + result.stderr
-    assert "3 kept, 0 broken" in result.stdout
+    assert "4 kept, 0 broken" in result.stdout
 
 
 def test_an_arrow_that_points_backwards_is_found(tmp_path: Path) -> None:
     layers = ["cli", "simulation", "assembly", "scenario", "rope_data", "rule_data", "units"]
-    layers += ["checks", "plot", "results"]
+    layers += ["cad", "checks", "plot", "results", "statics", "study"]
     for module in layers:
         (tmp_path / "gantline").mkdir(exist_ok=True)
         (tmp_path / "gantline" / f"{module}.py").write_text("")
@@ -44,7 +44,7 @@ def test_an_arrow_that_points_backwards_is_found(tmp_path: Path) -> None:
     config.write_bytes((ROOT / "pyproject.toml").read_bytes())
     result = lint_imports(config, tmp_path)
     assert result.returncode != 0
-    assert "1 kept, 2 broken" in result.stdout, result.stdout + result.stderr
+    assert "2 kept, 2 broken" in result.stdout, result.stdout + result.stderr
 
 
 def imports_of(path: Path) -> set[str]:

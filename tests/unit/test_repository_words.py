@@ -59,9 +59,10 @@ RULES = [
     Rule(r"\bcables?\b", "rope"),
     Rule(
         r"\bblocks?\b",
-        "load, or the kind of block: hook block, sheave block, keel block",
+        "load, or the kind of block: hook block, sheave block, keel block, ship block",
         anywhere(
-            r"(hook|sheave|keel|code|sub|diagonal|matrix|dense|sparse|text|yaml|comment)[ _-]?blocks?",
+            r"(hook|sheave|keel|ship|cad)[ _-]?blocks?|ShipBlock\w*|make_ship_block",
+            r"(code|sub|diagonal|matrix|dense|sparse|text|yaml|comment)[ _-]?blocks?",
             r"block[ _](matri\w+|diagonal|principal|pivot\w*)",
             r"\d ?[x×] ?\d blocks?",
             r"sheaves? with (its )?block",
@@ -83,7 +84,11 @@ RULES = [
     Rule(r"\brigidity\b", "axial stiffness"),
     Rule(r"\belongations?\b", "stretch"),
     Rule(r"\b(anchor points?|rope anchors?|anchorages?)\b", "dead end (of a rope), lug (on a load)"),
-    Rule(r"\bcent(er|re)s? of mass\b|\bcenters? of gravity\b|(?-i:\bC[oO]G\b)", "centre of gravity"),
+    Rule(
+        r"\bcent(er|re)s? of mass\b|\bcenters? of gravity\b|(?-i:\bC[oO]G\b)",
+        "centre of gravity",
+        r"CentreOfMass\(\)|CenterOfGravity",  # names of other people's
+    ),
     Rule(r"\butilizations?\b", "utilisation"),
     Rule(r"\bequalisers?\b", "equalizer"),
     Rule(r"\bliftoff\b", "lift-off"),

@@ -31,12 +31,14 @@ class Assembly:
         settings: method, duration and sampling.
         rig: who carries whom and what is allowed, for results and checks.
         scene: what is needed to draw.
+        warnings: what does not agree in the lift file, a sentence each.
     """
 
     document: dict[str, Any]
     settings: dict[str, Any]
     rig: dict[str, Any]
     scene: dict[str, Any]
+    warnings: tuple[str, ...] = ()
 
     def document_text(self) -> str:
         """The document as JSON, floats exact."""
@@ -66,7 +68,7 @@ def assemble(scenario: Scenario) -> Assembly:
     add_equalizers(parts, rigging, pins.at_start)
     lifted: LiftedLoad | None = None
     if scenario.load is not None:
-        lifted = lifted_load(scenario.load, rigging)
+        lifted = lifted_load(scenario, scenario.load, rigging)
         add_load(parts, scenario, scenario.load, lifted)
         add_extension_sheaves(parts, scenario, rigging, lifted.lugs)
         add_slings(parts, scenario, rigging, lifted.lugs)
@@ -83,6 +85,7 @@ def assemble(scenario: Scenario) -> Assembly:
         settings=_settings(scenario),
         rig=rig(scenario, rigging, lifted, parts),
         scene=scene(scenario, rigging, lifted, parts),
+        warnings=() if lifted is None else lifted.body.warnings,
     )
 
 

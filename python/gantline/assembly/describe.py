@@ -347,8 +347,7 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     plain = scenario.mechanics.bodies.get(name) if scenario.mechanics is not None else None
     if load is not None and lifted is not None and name == load.name:
         kind = "load"
-        middle = np.array([0.0, 0.0, load.shape.box[2] / 2]) - lifted.centre
-        shape = {"type": "box", "size": list(load.shape.box), "centre": [float(part) for part in middle]}
+        shape = _load_shape(lifted)
     elif name in rigging.equalizers:
         kind = "frame"
         frame = rigging.equalizers[name].frame
@@ -364,6 +363,20 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif plain.shape is not None:
         shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
+
+
+def _load_shape(lifted: LiftedLoad) -> Json:
+    """A box, or a CAD file's light mesh with the corners of its contact hull, to a millimetre."""
+    body = lifted.body
+    if body.mesh is None:
+        size, middle = body.box[1] - body.box[0], body.box.mean(axis=0) - lifted.centre
+        return {"type": "box", "size": size.tolist(), "centre": middle.tolist()}
+    return {
+        "type": "mesh",
+        "vertices": np.round(body.mesh.vertices - lifted.centre, 3).tolist(),
+        "triangles": body.mesh.triangles.tolist(),
+        "hull": np.round(body.hull - lifted.centre, 3).tolist(),
+    }
 
 
 def _cheek(scenario: Scenario, hook: ReevedHook) -> Json:

@@ -6,22 +6,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.assembly.load_body import LoadBody, load_body
 from gantline.assembly.parts import Parts
 from gantline.assembly.resting import TipsOver, rest_on_ground
 from gantline.assembly.spatial import (
     Array,
     about_axis,
     inertia_list,
-    inertia_matrix,
     point_inertia,
     quaternion_product,
     rotation_matrix,
     rotation_vector,
-    solid_box,
 )
 from gantline.assembly.yard import lower_lump
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.load import Load, LoadInertia
+from gantline.scenario.load import Load
 
 __all__ = ["LiftedLoad", "add_load", "lifted_load"]
 
@@ -39,6 +38,7 @@ class LiftedLoad:
         inertia: about the centre of gravity, axes of the load (3, 3) [kg m^2].
         corners: corners of its box from the centre of gravity (8, 3) [m]; the lower four first.
         lugs: position of each lug from the centre of gravity [m].
+        body: the load by itself, measured from its datum.
     """
 
     mass: float
@@ -46,12 +46,17 @@ class LiftedLoad:
     inertia: Array
     corners: Array
     lugs: dict[str, list[float]]
+    body: LoadBody
 
 
-def lifted_load(load: Load, rigging: Rigging) -> LiftedLoad:
-    """Mass, centre of gravity and inertia of the load with lower shackles and lower halves of slings."""
-    own = load.weight.simulated
-    middle = np.array(load.centre_of_gravity.at)
+def lifted_load(scenario: Scenario, load: Load, rigging: Rigging) -> LiftedLoad:
+    """Mass, centre of gravity and inertia of the load with lower shackles and lower halves of slings.
+
+    Raises:
+        ScenarioError: if its CAD file cannot be used.
+    """
+    body = load_body(scenario, load)
+    own, middle = body.mass, body.centre
     lumps = [
         (lower_lump(sling), np.array(load.lugs[lug].at))
         for sling in rigging.slings.values()
@@ -62,21 +67,14 @@ def lifted_load(load: Load, rigging: Rigging) -> LiftedLoad:
     centre = middle
     if lumps:
         centre = (own * middle + np.sum([lump * at for lump, at in lumps], axis=0)) / mass
-    inertia = _own_inertia(load) + point_inertia(own, middle - centre)
+    inertia = body.inertia + point_inertia(own, middle - centre)
     for lump, at in lumps:
         inertia = inertia + point_inertia(lump, at - centre)
-    x, y, z = load.shape.box
-    around = [(-x / 2, -y / 2), (x / 2, -y / 2), (x / 2, y / 2), (-x / 2, y / 2)]
-    corners = np.array([(*plan, height) for height in (0.0, z) for plan in around]) - centre
+    (left, back, low), (right, front, high) = body.box
+    around = [(left, back), (right, back), (right, front), (left, front)]
+    corners = np.array([(*plan, height) for height in (low, high) for plan in around]) - centre
     lugs = {name: [float(part) for part in np.array(lug.at) - centre] for name, lug in load.lugs.items()}
-    return LiftedLoad(mass, centre, inertia, corners, lugs)
-
-
-def _own_inertia(load: Load) -> Array:
-    if isinstance(load.inertia, LoadInertia):
-        given = load.inertia
-        return inertia_matrix((given.xx, given.yy, given.zz, given.xy, given.xz, given.yz))
-    return solid_box(load.weight.simulated, load.shape.box)
+    return LiftedLoad(mass, centre, inertia, corners, lugs, body)
 
 
 def add_load(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -> None:
@@ -131,7 +129,7 @@ def _at_rest(
     corners = lifted.corners @ rotation_matrix(orientation).T
     weight = lifted.mass * scenario.simulation.gravity
     depth = weight / (4 * ground.stiffness)
-    if depth > _DEEPEST * load.shape.box[2]:
+    if depth > _DEEPEST * float(np.ptp(corners[:, 2])):
         sentence = f"the load would sink {depth:.3g} m into this ground; a greater stiffness is right"
         raise scenario.error(("ground", "stiffness"), f"{sentence}, such as 200 MN/m")
     try:

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from gantline.cli.cad_group import cad_app
 from gantline.cli.cases import cases
 from gantline.cli.check import check
 from gantline.cli.compare import compare
@@ -27,6 +28,7 @@ app.command()(statics)
 app.command()(cases)
 app.command()(compare)
 app.command()(check)
+app.add_typer(cad_app, name="cad")
 app.command()(new)
 app.command()(schema)
 

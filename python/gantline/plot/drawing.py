@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Polygon, Rectangle
@@ -22,6 +23,7 @@ from gantline.results.rig import Equalizer
 from gantline.results.variable import FloatArray
 
 _TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
+_EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _FILL = {"load": "#C9D6E2", "frame": "#8FA3B5"}
 # Directions in which a label may stand, the preferred ones first.
@@ -146,6 +148,9 @@ def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: boo
 def _draw_box(panel: Axes, box: Box, view: View) -> None:
     fill, edge = _FILL.get(box.kind, "#DDDDDD"), _EDGE.get(box.kind, QUIET)
     is_frame = box.kind == "frame"
+    if box.triangles is not None:
+        _draw_mesh(panel, box.triangles, view, fill)
+        return
     for face in box.faces:
         normal = np.cross(face[1] - face[0], face[2] - face[1])
         if normal @ view.toward > 1e-9 * np.linalg.norm(normal):
@@ -156,6 +161,25 @@ def _draw_box(panel: Axes, box: Box, view: View) -> None:
             panel.add_patch(
                 Polygon(outline, fill=False, edgecolor=edge, linewidth=0.8, zorder=2.5 if is_frame else 1)
             )
+
+
+def _draw_mesh(panel: Axes, triangles: FloatArray, view: View, fill: str) -> None:
+    """Triangles from the farthest to the nearest, both sides of each, the darker the steeper."""
+    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    sizes = np.linalg.norm(normals, axis=1)
+    facing = np.abs(normals @ view.toward) / np.where(sizes > 0.0, sizes, 1.0)
+    order = np.argsort(triangles.mean(axis=1) @ view.toward, kind="stable")
+    order = order[facing[order] > _EDGE_ON]
+    colours = np.array(to_rgb(fill)) * (0.6 + 0.4 * facing[order, None])
+    panel.add_collection(
+        PolyCollection(
+            list(view.project(triangles[order])),
+            facecolors=colours,
+            edgecolors=colours,
+            linewidths=0.2,
+            zorder=1,
+        )
+    )
 
 
 def _draw_hanger(panel: Axes, frame: Box, bearing: FloatArray, view: View) -> None:

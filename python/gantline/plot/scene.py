@@ -18,11 +18,19 @@ _CIRCLE = np.linspace(0.0, 2.0 * np.pi, 49)
 
 @dataclass(frozen=True)
 class Box:
-    """A box-shaped body: name, kind and its six faces [m], shape (6, 4, 3)."""
+    """A body with a shape.
+
+    Attributes:
+        name: Of the body.
+        kind: Of the body.
+        faces: The six faces of its box [m], shape (6, 4, 3).
+        triangles: Of its mesh [m], shape (triangles, 3, 3); None of a body that is a box.
+    """
 
     name: str
     kind: str
     faces: FloatArray
+    triangles: FloatArray | None = None
 
 
 @dataclass(frozen=True)
@@ -98,9 +106,9 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
     sheaves = [entry for entry in scene.get("sheaves", ()) if entry["body"] in bodies]
     plain = set(bodies) - {entry["body"] for entry in sheaves}
     boxes = [
-        Box(name, entry.get("kind", "body"), place.world(name, _box_faces(entry["shape"])))
+        _box(place, name, entry)
         for name, entry in bodies.items()
-        if (entry.get("shape") or {}).get("type") == "box"
+        if (entry.get("shape") or {}).get("type") in ("box", "mesh")
     ]
     plain -= {box.name for box in boxes}
     loads = {load.name: load.body for load in recording.rig.loads}
@@ -160,10 +168,21 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
     ]
 
 
+def _box(place: _Places, name: str, entry: Mapping[str, Any]) -> Box:
+    shape, kind = entry["shape"], entry.get("kind", "body")
+    if shape["type"] == "box":
+        return Box(name, kind, place.world(name, _box_faces(shape)))
+    vertices = np.asarray(shape["vertices"], dtype=np.float64)
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    around = _box_faces({"size": high - low, "centre": (low + high) / 2.0})
+    triangles = place.world(name, vertices)[np.asarray(shape["triangles"], dtype=np.int64)]
+    return Box(name, kind, place.world(name, around), triangles)
+
+
 def _box_faces(shape: Mapping[str, Any]) -> FloatArray:
     half = np.asarray(shape["size"], dtype=np.float64) / 2.0
     signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
-    corners = np.asarray(shape.get("centre") or (0.0, 0.0, 0.0)) + signs * half
+    corners = np.asarray(shape.get("centre", (0.0, 0.0, 0.0))) + signs * half
     return np.stack([corners[list(face)] for face in _FACES])
 
 

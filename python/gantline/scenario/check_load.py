@@ -6,38 +6,90 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
 
-__all__ = ["check_load"]
+__all__ = ["Extent", "check_centre", "check_load", "check_lug", "check_underside"]
 
 #: A load at rest may be given this far from the ground it stands on [m].
 _STANDING = 1e-3
 _ROUNDING = 1 + 1e-9
-_FROM = "positions are measured from its bottom centre"
+
+Triple = tuple[float, float, float]
+#: Least and largest x, y, z.
+Extent = tuple[Triple, Triple]
 
 
 def check_load(findings: Findings, load: Load) -> None:
     """Note everything that is wrong with the load."""
-    length, breadth, height = load.shape.box
-    x, y, z = load.centre_of_gravity.at
-    if abs(x) > length / 2 or abs(y) > breadth / 2 or not 0 <= z <= height:
-        sentence = f"({x:g}, {y:g}, {z:g}) m is outside the load's box; {_FROM}"
-        findings.add(("load", "centre_of_gravity", "at"), sentence)
+    _check_sources(findings, load)
+    box = load.shape.box
+    if box is not None and load.centre_of_gravity.at != "from_cad":
+        check_centre(findings, load.centre_of_gravity.at, _box_of(box))
     types = findings.scenario.lug_types or {}
     for name, lug in load.lugs.items():
         if lug.type is not None and lug.type not in types:
             sentence = f"'{lug.type}' is not a name of 'lug_types'; {nearest(lug.type, types)}"
             findings.add(("load", "lugs", name, "type"), sentence)
-        beside = max(abs(lug.at[0]) - length / 2, abs(lug.at[1]) - breadth / 2)
-        off = max(beside, -lug.at[2], lug.at[2] - height)
-        if off > max(load.shape.box) / 2:
-            findings.add(
-                ("load", "lugs", name, "at"), f"this lug is {off:g} m outside the load's box; {_FROM}"
-            )
+        if box is not None:
+            check_lug(findings, name, lug.at, _box_of(box))
     if isinstance(load.inertia, LoadInertia):
         _check_inertia(findings, load.inertia)
     if load.stands_on is not None:
         _check_standing(findings, load, load.stands_on)
     if findings.scenario.simulation.gravity == 0:
         findings.add(("simulation", "gravity"), "gravity is zero; a load needs gravity above zero")
+
+
+def _box_of(sizes: tuple[float, float, float]) -> Extent:
+    x, y, z = sizes
+    return (-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)
+
+
+def check_centre(findings: Findings, centre: Triple, box: Extent) -> None:
+    """Note a stated centre of gravity that is outside the load's box, its least and largest x, y, z [m]."""
+    if any(not low <= part <= high for low, part, high in zip(box[0], centre, box[1], strict=True)):
+        x, y, z = centre
+        sentence = f"({x:g}, {y:g}, {z:g}) m is outside the load's box; {_measured(findings)}"
+        findings.add(("load", "centre_of_gravity", "at"), sentence)
+
+
+def check_lug(findings: Findings, name: str, at: Triple, box: Extent) -> None:
+    """Note a lug that is far outside the load's box."""
+    off = max(max(low - part, part - high) for low, part, high in zip(box[0], at, box[1], strict=True))
+    if off > max(high - low for low, high in zip(*box, strict=True)) / 2:
+        sentence = f"this lug is {off:g} m outside the load's box; {_measured(findings)}"
+        findings.add(("load", "lugs", name, "at"), sentence)
+
+
+def _measured(findings: Findings) -> str:
+    load = findings.scenario.load
+    at_origin = load is not None and load.is_at_origin
+    return f"positions are measured from {'the origin of its CAD file' if at_origin else 'its bottom centre'}"
+
+
+def _check_sources(findings: Findings, load: Load) -> None:
+    """What comes from CAD needs a CAD file, and the other way round."""
+    if load.shape.cad is None:
+        wanted = "needs a CAD file: 'shape: {cad: load.3docx}'"
+        if load.centre_of_gravity.at == "from_cad":
+            findings.add(("load", "centre_of_gravity", "at"), f"'from_cad' {wanted}")
+        if load.inertia == "from_cad":
+            findings.add(("load", "inertia"), f"'from_cad' {wanted}; 'homogeneous' is a solid box")
+        if load.datum == "origin":
+            findings.add(("load", "datum"), f"'origin' {wanted}; 'bottom_centre' is right for a box")
+        if load.outfitting:
+            findings.add(("load", "outfitting"), f"outfitting {wanted}; a box has all of its weight in it")
+        return
+    if load.inertia == "homogeneous":
+        sentence = "'homogeneous' is a solid box; right for a shape from CAD is 'from_cad', or values"
+        findings.add(("load", "inertia"), sentence)
+    if load.outfitting and isinstance(load.inertia, LoadInertia):
+        sentence = "stated inertias have the outfitting in them; 'inertia: from_cad' adds it"
+        findings.add(("load", "outfitting"), sentence)
+    mass = sum(piece.mass for piece in load.outfitting)
+    if mass >= load.weight.calculated:
+        sentence = (
+            f"the outfitting weighs {mass / 1e3:g} t, all of the load's {load.weight.calculated / 1e3:g} t"
+        )
+        findings.add(("load", "outfitting"), f"{sentence}; the calculated weight includes it")
 
 
 def _check_inertia(findings: Findings, inertia: LoadInertia) -> None:
@@ -58,8 +110,16 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
     elif ground is None:
         sentence = "the load stands on the ground but there is no 'ground' in this file"
         findings.add(("load", "stands_on"), f"{sentence}; add 'ground: {{level: 0 m}}'")
-    elif findings.scenario.load_has_settled and abs(load.position[2] - ground.level) > _STANDING:
-        gap = load.position[2] - ground.level
+    elif not load.is_at_origin:
+        check_underside(findings, load.position[2], ground.level)
+
+
+def check_underside(findings: Findings, underside: float, level: float) -> None:
+    """Note a load at rest on the ground whose underside is not there; heights of both [m]."""
+    gap = underside - level
+    if findings.scenario.load_has_settled and abs(gap) > _STANDING:
         where = "above" if gap > 0 else "below"
         sentence = f"the load stands on the ground but its underside is {abs(gap):g} m {where} it"
-        findings.add(("load", "position"), f"{sentence}; right is z = {ground.level:g} m")
+        assert findings.scenario.load is not None  # it is its underside
+        right = findings.scenario.load.position[2] - gap
+        findings.add(("load", "position"), f"{sentence}; right is z = {right:g} m")

@@ -10,18 +10,23 @@ from gantline.scenario.base import Element, Named
 from gantline.scenario.quantities import (
     Angle,
     Inertia,
+    ListOf,
     Margins,
     Name,
     Number,
     Position,
     PositiveInertia,
+    PositiveLength,
     PositiveMass,
+    Quantity,
     Sizes,
+    Text,
+    WordOr,
     refuse,
 )
 from gantline.scenario.tree import MapNode
 
-__all__ = ["CentreOfGravity", "Load", "LoadInertia", "Lug", "LugType", "Shape", "Weight"]
+__all__ = ["CentreOfGravity", "Load", "LoadInertia", "Lug", "LugType", "Outfitting", "Shape", "Weight"]
 
 #: Directions that span the main plate of a lug, and the normal to them on the load.
 PLATE_NORMALS: dict[str, tuple[float, float, float]] = {
@@ -36,15 +41,30 @@ class Shape(Element):
 
     what: ClassVar[str] = "the shape of a load"
 
-    box: Sizes = Field(description="Length x, breadth y, height z.")
+    box: Sizes | None = Field(None, description="Length x, breadth y, height z.")
+    cad: Text | None = Field(
+        None, description="CAD file beside the lift file: OCX, STEP, IGES, STL, OBJ, glTF or GLB."
+    )
+    units: Literal["m", "mm", "cm"] | None = Field(
+        None, description="Unit of length of the CAD file; what it says itself, or a guess, if not given."
+    )
+    thickness: PositiveLength | None = Field(
+        None, description="Plate thickness of open surfaces of the CAD file, which say none."
+    )
+    up: Literal["y", "z"] | None = Field(
+        None, description="Axis of the CAD file that points up; y in glTF and z elsewhere if not given."
+    )
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:
-        """A shape from CAD is known to the format but not to this version."""
-        if "cad" in data:
-            raise refuse(
-                "a shape from CAD cannot be simulated yet; a box can: 'box: [10 m, 10 m, 5 m]'", "cad"
-            )
+        """A shape is one thing."""
+        if "box" in data and "cad" in data:
+            raise refuse("a shape is a 'box' or comes from 'cad', not both", "cad")
+        if "box" not in data and "cad" not in data:
+            raise refuse("a shape is 'box: [10 m, 10 m, 5 m]' or 'cad: load.3docx'")
+        for key in ("units", "thickness", "up"):
+            if key in data and "cad" not in data:
+                raise refuse(f"'{key}' is for a shape from 'cad'; a box says its units", key)
 
 
 class Weight(Element):
@@ -71,6 +91,12 @@ class Weight(Element):
         return self.design if self.simulate == "design" else self.calculated
 
 
+#: A position, or the word that CAD file and outfitting give it.
+PositionOrCad = Annotated[
+    tuple[float, float, float] | Literal["from_cad"], WordOr(("from_cad",), ListOf(Quantity("length"), 3))
+]
+
+
 class LoadInertia(Element):
     """Inertia about the centre of gravity, along the load's own axes; products as off-diagonal terms."""
 
@@ -89,8 +115,20 @@ class CentreOfGravity(Element):
 
     what: ClassVar[str] = "centre_of_gravity"
 
-    at: Position = Field(description="Position from the datum, along the load's axes.")
+    at: PositionOrCad = Field(description="Position from the datum, along the load's axes; or 'from_cad'.")
     envelope: Margins = Field((0.0, 0.0, 0.0), description="Plus and minus, along x, y, z.")
+
+
+class Outfitting(Element):
+    """What stands on a load and is not in its CAD file: a point mass."""
+
+    what: ClassVar[str] = "a piece of outfitting"
+
+    name: Text = Field(description="What it is.")
+    mass: PositiveMass = Field(description="Mass.")
+    at: Position = Field(
+        description="Position of its centre of gravity from the datum, along the load's axes."
+    )
 
 
 class LugType(Element):
@@ -126,7 +164,7 @@ def _inertia_kind(value: Any) -> str:
 
 
 InertiaOfLoad = Annotated[
-    Annotated[Literal["homogeneous"], Tag("a word")] | Annotated[LoadInertia, Tag("some values")],
+    Annotated[Literal["homogeneous", "from_cad"], Tag("a word")] | Annotated[LoadInertia, Tag("some values")],
     Discriminator(_inertia_kind),
 ]
 
@@ -137,17 +175,30 @@ class Load(Element):
     what: ClassVar[str] = "the load"
 
     name: Name = Field(description="Name of the load; lugs are called <name>.<lug>.")
-    shape: Shape = Field(description="Shape: a box.")
-    datum: Literal["bottom_centre"] = Field(
-        "bottom_centre",
-        description="Point from which positions on the load are measured, along its own axes.",
+    shape: Shape = Field(description="Shape: a box, or a CAD file.")
+    datum: Literal["bottom_centre", "origin"] | None = Field(
+        None,
+        description="Point from which positions on the load are measured, along its own axes: "
+        "'bottom_centre' of its box, or 'origin' of its CAD file. If not given: the origin of a CAD file, "
+        "else the bottom centre.",
     )
     position: Position = Field((0.0, 0.0, 0.0), description="Position of the datum in the world.")
     heading: Angle = Field(0.0, description="Direction of the load's x axis, from world x towards y.")
     weight: Weight = Field(description="Weight, as a mass.")
-    inertia: InertiaOfLoad = Field(
-        "homogeneous", description="'homogeneous' (a solid box), or values about the centre of gravity."
+    inertia: InertiaOfLoad | None = Field(
+        None,
+        description="'homogeneous' (a solid box), 'from_cad' (of its CAD file and the outfitting, scaled to "
+        "the weight), or values about the centre of gravity. If not given: 'from_cad' for a shape from CAD, "
+        "else 'homogeneous'.",
+    )
+    outfitting: list[Outfitting] = Field(
+        default_factory=list, description="Part of the weight that is not in the CAD file, as point masses."
     )
     centre_of_gravity: CentreOfGravity = Field(description="Centre of gravity.")
     stands_on: Name | None = Field(None, description="What the load stands on at the start: 'ground'.")
     lugs: Named[Lug] = Field(description="Lifting lugs by name.")
+
+    @property
+    def is_at_origin(self) -> bool:
+        """Whether positions are measured from the origin of the CAD file."""
+        return self.shape.cad is not None and self.datum != "bottom_centre"

@@ -1,0 +1,168 @@
+"""The load by itself: weight, centre of gravity, inertia and shape, from the lift file or from CAD."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from gantline.assembly.spatial import Array, inertia_matrix, solid_box
+from gantline.cad import Assumptions, CadError, CadModel, read, read_light_mesh
+from gantline.cad.mass_properties import MassProperties
+from gantline.cad.mesh import TriangleMesh
+from gantline.cad.simplify import contact_hull
+from gantline.scenario import Scenario
+from gantline.scenario.check_load import check_centre, check_lug, check_underside
+from gantline.scenario.findings import Findings
+from gantline.scenario.load import Load, LoadInertia
+
+__all__ = ["LoadBody", "load_body"]
+
+#: Triangles that stand for the load in pictures.
+_MOST_TRIANGLES = 4000
+#: Its convex hull may be missed by this share of its size.
+_HULL_ERROR = 1e-3
+#: Masses that differ by less than this share, and centres by less than this share of the size, agree.
+_MASSES_AGREE, _CENTRES_AGREE = 0.02, 0.002
+
+
+@dataclass(frozen=True)
+class LoadBody:
+    """A load without rigging, measured from its datum along its own axes.
+
+    Attributes:
+        mass: simulated mass [kg].
+        centre: centre of gravity (3,) [m].
+        inertia: about it (3, 3) [kg m^2].
+        box: least and largest x, y, z (2, 3) [m].
+        mesh: light triangles to draw it; None for a box.
+        hull: corners of a convex body to touch it with (n, 3) [m]; of a box its own.
+        warnings: where lift file and CAD do not agree, a sentence each.
+    """
+
+    mass: float
+    centre: Array
+    inertia: Array
+    box: Array
+    mesh: TriangleMesh | None
+    hull: Array
+    warnings: tuple[str, ...] = ()
+
+
+def load_body(scenario: Scenario, load: Load) -> LoadBody:
+    """The load that a lift file describes.
+
+    Raises:
+        ScenarioError: if its CAD file cannot be read, or does not fit what the lift file says.
+    """
+    return _from_cad(scenario, load) if load.shape.cad is not None else _of_box(load)
+
+
+def _of_box(load: Load) -> LoadBody:
+    assert load.shape.box is not None and load.centre_of_gravity.at != "from_cad"  # checked
+    x, y, z = load.shape.box
+    box = np.array([[-x / 2, -y / 2, 0.0], [x / 2, y / 2, z]])
+    mass = load.weight.simulated
+    inertia = (
+        _stated(load.inertia) if isinstance(load.inertia, LoadInertia) else solid_box(mass, load.shape.box)
+    )
+    return LoadBody(mass, np.array(load.centre_of_gravity.at), inertia, box, None, _corners(box))
+
+
+def _corners(box: Array) -> Array:
+    return np.array([(box[i, 0], box[j, 1], box[k, 2]) for k in (0, 1) for j in (0, 1) for i in (0, 1)])
+
+
+def _stated(given: LoadInertia) -> Array:
+    return inertia_matrix((given.xx, given.yy, given.zz, given.xy, given.xz, given.yz))
+
+
+def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
+    shape = load.shape
+    assert shape.cad is not None
+    path = Path(scenario.source).parent / shape.cad
+    try:
+        given = Assumptions(unit=shape.units, thickness=shape.thickness, up=shape.up)
+        model, light, hull = _read(path, _stamp(path), given)
+        own, box = model.properties, model.box
+    except CadError as problem:
+        raise scenario.error(("load", "shape", "cad"), str(problem).replace(str(path), shape.cad)) from None
+    shift = np.zeros(3)
+    if not load.is_at_origin:
+        shift = -np.array([*box.mean(axis=0)[:2], box[0, 2]])
+    box = box + shift
+    whole, warnings = _weighed(load, own.moved(np.eye(3), shift))
+    warnings += [f"the CAD file of the load: {doubt}" for doubt in model.doubts]
+    if model.without_weight:
+        count, total = len(model.without_weight), len(model.parts)
+        warnings.append(f"the CAD file of the load: {count} of {total} parts have no weight")
+    centre, mass = whole.centre, load.weight.simulated
+    stated = load.centre_of_gravity.at
+    if stated != "from_cad":
+        centre = np.array(stated)
+        warnings += _apart(centre, whole.centre, box)
+    _check(scenario, load, box)
+    if isinstance(load.inertia, LoadInertia):
+        inertia = _stated(load.inertia)
+    else:
+        inertia = whole.scaled_to(mass).inertia
+    drawn = light.moved(np.eye(3), shift)
+    return LoadBody(mass, centre, inertia, box, drawn, hull + shift, tuple(warnings))
+
+
+def _stamp(path: Path) -> tuple[int, int]:
+    """Changes when the file does."""
+    try:
+        found = path.stat()
+    except OSError:
+        return 0, 0  # reading it says what is wrong
+    return found.st_mtime_ns, found.st_size
+
+
+@lru_cache(maxsize=4)
+def _read(path: Path, _stamp: tuple[int, int], given: Assumptions) -> tuple[CadModel, TriangleMesh, Array]:
+    """The file's model, light mesh and contact hull, made once for all cases of a lift."""
+    model = read(path, given)
+    mesh = model.mesh
+    if not len(mesh.triangles):
+        raise CadError(f"{path}: no part has geometry")
+    hull = contact_hull(mesh, _HULL_ERROR * mesh.size)
+    return model, read_light_mesh(path, given, most=_MOST_TRIANGLES), hull.vertices
+
+
+def _weighed(load: Load, own: MassProperties) -> tuple[MassProperties, list[str]]:
+    """Structure scaled to what the outfitting leaves of the weight, joined with the outfitting."""
+    outfitting = [MassProperties.of_point(piece.mass, piece.at) for piece in load.outfitting]
+    steel = load.weight.calculated - sum(piece.mass for piece in outfitting)
+    warnings = []
+    if abs(own.mass - steel) > _MASSES_AGREE * steel:
+        without = " less outfitting" if outfitting else ""
+        warnings.append(
+            f"the CAD file of the load weighs {own.mass / 1e3:.4g} t, its calculated weight{without} is "
+            f"{steel / 1e3:.4g} t ({100 * (own.mass / steel - 1):+.1f} %): masses are scaled to the weight"
+        )
+    return MassProperties.combined([own.scaled_to(steel), *outfitting]), warnings
+
+
+def _apart(stated: Array, found: Array, box: Array) -> list[str]:
+    distance = float(np.linalg.norm(stated - found))
+    if distance <= _CENTRES_AGREE * float(np.linalg.norm(box[1] - box[0])):
+        return []
+    here, there = (f"({x:.3g}, {y:.3g}, {z:.3g}) m" for x, y, z in (stated, found))
+    sentence = f"the centre of gravity of the load is stated at {here}; CAD and outfitting give {there}"
+    return [f"{sentence}, {distance:.3g} m away: the stated one is simulated"]
+
+
+def _check(scenario: Scenario, load: Load, box: Array) -> None:
+    """What is checked of a box when the lift file is read, as soon as the CAD file's box is known."""
+    findings = Findings(scenario)
+    low, high = ((float(x), float(y), float(z)) for x, y, z in box)
+    if load.centre_of_gravity.at != "from_cad":
+        check_centre(findings, load.centre_of_gravity.at, (low, high))
+    for name, lug in load.lugs.items():
+        check_lug(findings, name, lug.at, (low, high))
+    if load.stands_on == "ground" and scenario.ground is not None and load.is_at_origin:
+        check_underside(findings, load.position[2] + low[2], scenario.ground.level)
+    findings.raise_any()

@@ -1,0 +1,129 @@
+"""Solids and open surfaces of plain geometry as parts: weighed, and what is doubtful about them said."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from gantline.cad.assumptions import Assumptions
+from gantline.cad.errors import CadError
+from gantline.cad.mass_properties import MassProperties
+from gantline.cad.mesh import TriangleMesh
+from gantline.cad.model import Part, PartKind
+
+__all__ = ["NO_THICKNESS", "NO_WEIGHT", "parts_of_mesh"]
+
+#: Vertices closer than this share of the whole are one; single precision has 6e-8.
+_WELD = 1e-6
+#: Closed pieces in one mesh.
+_MOST_PIECES = 100_000
+NO_THICKNESS = "its surface is open and no plate thickness is given, so it has no weight"
+NO_WEIGHT = "it encloses next to nothing, so it has no weight"
+
+
+def parts_of_mesh(name: str, mesh: TriangleMesh, size: float, given: Assumptions) -> Iterator[Part]:
+    """Parts of one mesh [m]: each closed piece with its cavities a solid, all open pieces together a shell.
+
+    Args:
+        name: of the parts; where there are several they are numbered.
+        mesh: in metres, not necessarily welded.
+        size: diagonal of the whole file's geometry [m].
+        given: density and plate thickness.
+
+    Raises:
+        CadError: if the mesh falls into too many pieces.
+    """
+    welded = mesh.welded(_WELD * size)
+    doubts = []
+    whole = welded.without(welded.duplicates)
+    if len(welded.duplicates):
+        doubts.append(
+            f"{len(welded.duplicates)} of {len(welded.triangles)} triangles are there twice; they count once"
+        )
+    if 4 * len(whole.backs) > len(whole.triangles):
+        doubts.append(f"{len(whole.backs)} triangles are there from both sides; they count once")
+        whole = whole.without(whole.backs)
+    closed: list[TriangleMesh] = []
+    opened: list[TriangleMesh] = []
+    for shell in whole.shells():
+        (closed if shell.is_closed else opened).append(shell)
+    if len(closed) > _MOST_PIECES:
+        raise CadError(f"'{name}' has more than {_MOST_PIECES} closed pieces")
+    found = [_solid(body, cavities, given) for body, cavities in _nested(closed)]
+    if opened:
+        found.append(_surface(opened, given))
+    for place, (kind, properties, body, own) in enumerate(found, start=1):
+        yield Part(
+            name=name if len(found) == 1 else f"{name} {place}",
+            kind=kind,
+            properties=properties,
+            declared=None,
+            mesh=body,
+            size=f"{given.thickness * 1e3:g} mm" if given.thickness and kind is PartKind.SHELL else "",
+            doubts=(*doubts, *own) if place == 1 else tuple(own),
+        )
+
+
+_Found = tuple[PartKind, MassProperties | None, TriangleMesh, list[str]]
+
+
+def _nested(closed: list[TriangleMesh]) -> Iterator[tuple[TriangleMesh, list[TriangleMesh]]]:
+    """Bodies with their cavities: pieces that face inwards and lie within one that faces outwards."""
+    outer = [shell for shell in closed if shell.volume >= 0]
+    cavities: dict[int, list[TriangleMesh]] = {}
+    alone = []
+    for shell in closed:
+        if shell.volume >= 0:
+            continue
+        within = [place for place, body in enumerate(outer) if _contains(body, shell)]
+        if within:
+            smallest = min(within, key=lambda place: outer[place].volume)
+            cavities.setdefault(smallest, []).append(shell)
+        else:
+            alone.append(shell)
+    for place, body in enumerate(outer):
+        yield body, cavities.get(place, [])
+    for body in alone:
+        yield body, []
+
+
+def _contains(outer: TriangleMesh, inner: TriangleMesh) -> bool:
+    """Whether a vertex of one is within the other: the solid angle that it sees of it is 4 π."""
+    if np.any(inner.box[0] < outer.box[0]) or np.any(inner.box[1] > outer.box[1]):
+        return False
+    a, b, c = (outer.corners - inner.vertices[0]).transpose(1, 0, 2)
+    la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
+    triple = np.einsum("mi,mi->m", a, np.cross(b, c))
+    dots = [np.einsum("mi,mi->m", one, other) for one, other in ((a, b), (b, c), (c, a))]
+    angle = 2 * np.arctan2(triple, la * lb * lc + dots[0] * lc + dots[1] * la + dots[2] * lb)
+    return abs(float(angle.sum())) > 2 * np.pi
+
+
+def _solid(body: TriangleMesh, cavities: list[TriangleMesh], given: Assumptions) -> _Found:
+    mesh, flipped = body.oriented()
+    doubts = [_flipped(flipped, len(mesh.triangles))] if flipped else []
+    if not mesh.is_consistent or mesh.volume <= 1e-12 * mesh.size**3:
+        return PartKind.SHELL, None, mesh, [*doubts, NO_WEIGHT]
+    mesh = TriangleMesh.combined([mesh, *cavities])
+    return PartKind.SOLID, MassProperties.of_closed_mesh(mesh, given.density), mesh, doubts
+
+
+def _surface(opened: list[TriangleMesh], given: Assumptions) -> _Found:
+    mesh, flipped = TriangleMesh.combined(opened).oriented()
+    edges = len(mesh.boundary_edges)
+    doubts = [f"open surface of {len(opened)} piece{'s' * (len(opened) > 1)} with {edges} free edges"]
+    if flipped:
+        doubts.append(_flipped(flipped, len(mesh.triangles)))
+    if given.thickness is None:
+        return PartKind.SHELL, None, mesh, [*doubts, NO_THICKNESS]
+    if not mesh.area > 0:
+        return PartKind.SHELL, None, mesh, [*doubts, NO_WEIGHT]
+    weighed = MassProperties.of_shell(mesh, given.density * given.thickness, given.thickness)
+    return PartKind.SHELL, weighed, mesh, doubts
+
+
+def _flipped(flipped: int, count: int) -> str:
+    if flipped == count:
+        return "all its triangles faced inwards; they are turned"
+    return f"{flipped} of {count} triangles faced the wrong side; they are turned"

@@ -1,0 +1,322 @@
+"""Plates: flat or curved areas with a thickness, and openings cut out of them.
+
+A flat plate is integrated exactly from the curves of its contour. A curved plate is its surface, if that
+ends where the contour runs, or the part of it that lies within the contour, seen along the contour's mean
+normal: the surface in facets, each cut along the contour and integrated exactly, facets halved until the
+area no longer changes. Across its thickness t a plate of mass m has m t²/12 about its middle. The contour
+lies in the middle of the plate, as exporters declare centres of gravity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.cad.mass_properties import MassProperties
+from gantline.cad.mesh import TriangleMesh
+from gantline.cad.ocx.curves import Curve, polyline
+from gantline.cad.ocx.moments import Frame, Moments, clipped, enclosed, of_polygon
+from gantline.cad.ocx.surface import Surface, along_edge, bounds
+from gantline.cad.ocx.triangulate import prism, simplified, triangulated
+
+__all__ = ["Sheet", "contour_frame", "curved_sheet", "flat_sheet", "is_flat", "spans"]
+
+Array = npt.NDArray[np.float64]
+_Edges = Sequence[Curve]
+
+_FLAT = 1e-3  # of the plate's size, and at least a millimetre
+_COARSE = (
+    2e-3  # chords of the polygons that openings and surfaces are cut along miss by this share of the size
+)
+_SETTLED = 1e-4  # of a curved plate's area
+_SAME_EDGE = 5e-3  # of the size: how far apart a contour and the edge of its surface may be
+_BOUNDARY_PARTS = 16
+_FINEST = 64  # parts of a surface's span
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """A plate's weight and triangles.
+
+    Attributes:
+        area: of one side, openings cut out [m^2].
+        properties: None if nothing is left of it.
+        mesh: triangles around it.
+        doubts: what is not certain.
+    """
+
+    area: float
+    properties: MassProperties | None
+    mesh: TriangleMesh
+    doubts: tuple[str, ...] = ()
+
+
+def contour_frame(path: _Edges) -> Frame | None:
+    """Plane of a contour: through its middle, normal to its vector area ½ ∮ r × dr; None if that is zero."""
+    points = polyline(path, 1e-3)
+    middle = points.mean(axis=0)
+    around = points - middle
+    normal = np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0) / 2
+    size = float(np.linalg.norm(normal))
+    if not size > 1e-12 * max(1e-6, float((around**2).sum(axis=1).max())):
+        return None
+    return Frame.across(middle, normal / size)
+
+
+def is_flat(path: _Edges, frame: Frame) -> bool:
+    """Whether a contour lies in its plane, within a thousandth of its size and a millimetre."""
+    around = polyline(path, 1e-3) - frame.origin
+    away = float(np.abs(around @ frame.normal).max())
+    return away <= max(1e-3, _FLAT * float(np.linalg.norm(around, axis=1).max()))
+
+
+def spans(surface: Surface, path: _Edges, frame: Frame) -> bool:
+    """Whether a flat contour is the edge of a surface that leaves its plane, such as a dome."""
+    outline = polyline(path, 1e-3)
+    size = float(np.linalg.norm(outline - frame.origin, axis=1).max())
+    facets = surface.facets(surface.parts(_BOUNDARY_PARTS))
+    is_bent = float(np.abs((facets.reshape(-1, 3) - frame.origin) @ frame.normal).max()) > max(
+        1e-3, _FLAT * size
+    )
+    return is_bent and bounds(facets, outline, _SAME_EDGE * size)
+
+
+def flat_sheet(
+    path: _Edges, frame: Frame, openings: Sequence[_Edges], thickness: float, density: float, tolerance: float
+) -> Sheet:
+    """A plate in a plane.
+
+    Args:
+        path: its contour, anticlockwise about the frame's normal.
+        frame: its plane.
+        openings: contours of what is cut out, in this plane; what lies outside the plate cuts nothing.
+        thickness: [m].
+        density: [kg/m^3].
+        tolerance: by how much triangles may miss the plate [m].
+    """
+    rim = simplified(frame.flat(polyline(path, tolerance)), tolerance)
+    moments = enclosed(path, frame)
+    inner, across = _cut(rim, [(each, frame.flat(polyline(each, tolerance))) for each in openings])
+    doubts = []
+    for opening in inner:
+        own = enclosed(opening, frame)
+        moments = moments - (own if own.area >= 0 else -own)
+    if across:
+        # What an opening takes from the plate: the opening cut along each triangle of the plate.
+        fine, triangles = triangulated(rim)
+        for opening in across:
+            polygon = frame.flat(polyline(opening, tolerance))
+            for triangle in _near(polygon, fine[triangles]):
+                moments = moments - _positive(of_polygon(clipped(polygon, triangle)))
+        doubts.append("an opening runs over its edge: it is left out of the weight, but not of the picture")
+    drawn = [simplified(frame.flat(polyline(each, tolerance)), tolerance) for each in inner]
+    corners, triangles = triangulated(rim, drawn)
+    mesh = _slab([rim, *drawn], triangles, frame.spatial(corners), frame.normal, thickness)
+    if not moments.area > 0:
+        return Sheet(0.0, None, mesh, (*doubts, "nothing is left of it within its contour"))
+    return Sheet(moments.area, _weighed([(moments, frame)], thickness, density), mesh, tuple(doubts))
+
+
+def curved_sheet(
+    path: _Edges,
+    frame: Frame,
+    surface: Surface,
+    openings: Sequence[_Edges],
+    thickness: float,
+    density: float,
+    tolerance: float,
+) -> Sheet | None:
+    """A plate on a curved surface; None if the surface does not reach over it.
+
+    A surface that ends where the contour runs is the plate. Of any other the part is taken that lies within
+    the contour, seen along its mean normal, as openings are; there it must not turn away. Other arguments as
+    for `flat_sheet`.
+    """
+    outline = polyline(path, tolerance)
+    size = float(np.linalg.norm(outline - frame.origin, axis=1).max())
+    rim = simplified(frame.flat(outline), _COARSE * 1e-2 * size)
+    cuts = [simplified(frame.flat(polyline(each, tolerance)), tolerance) for each in openings]
+    seen = abs(of_polygon(rim).area)
+    is_whole = bounds(surface.facets(surface.parts(_BOUNDARY_PARTS)), outline, _SAME_EDGE * size)
+    pieces: list[tuple[Moments, Frame]] = []
+    drawn: list[Array] = []
+    area, parts, is_steep = 0.0, surface.parts(2), False
+    while parts <= surface.parts(_FINEST):
+        facets = surface.facets(parts)
+        if is_whole:
+            pieces, drawn = _whole(facets, size)
+        else:
+            pieces, drawn, is_steep = _pieces(facets, rim, cuts, frame, size)
+            if _covered(pieces, frame) > 1.02 * seen:
+                # The surface comes over the contour twice, as the far side of a cylinder does.
+                near = along_edge(facets[_over(facets, rim, frame)], outline)
+                pieces, drawn, is_steep = _pieces(near, rim, cuts, frame, size)
+        before, area = area, sum(moments.area for moments, _ in pieces)
+        if surface.is_faceted or abs(area - before) <= _SETTLED * area:
+            break
+        parts *= 2
+    doubts = []
+    if is_whole and cuts:
+        doubts.append("openings in a curved surface that it bounds alone are not cut out")
+    if not is_whole:
+        covered = _covered(pieces, frame)
+        holes = sum(_positive(of_polygon(cut)).area for cut in cuts)
+        if not 0.98 * seen <= covered + holes <= 1.02 * seen + holes:
+            return None
+    if is_steep:
+        doubts.append("its surface is too steep to be seen along one direction: its area is doubtful")
+    if not pieces:
+        return None
+    corners = np.round(np.concatenate(drawn), 6)  # neighbours meet to a micrometre
+    mesh = TriangleMesh(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)).welded()
+    return Sheet(area, _weighed(pieces, thickness, density), mesh, tuple(doubts))
+
+
+def _covered(pieces: Sequence[tuple[Moments, Frame]], frame: Frame) -> float:
+    """Area of pieces as it is seen along a frame's normal [m^2]."""
+    return sum(abs(moments.area * float(own.normal @ frame.normal)) for moments, own in pieces)
+
+
+def _over(facets: Array, rim: Array, frame: Frame) -> npt.NDArray[np.bool_]:
+    """Which facets are seen within a polygon, even in part, and not edge on."""
+    flat = frame.flat(facets)
+    normals = np.cross(facets[:, 1] - facets[:, 0], facets[:, 2] - facets[:, 0])
+    slope = np.abs(normals @ frame.normal) > 0.02 * np.linalg.norm(normals, axis=1)
+    reach = np.all(flat.max(axis=1) >= rim.min(axis=0), axis=1) & np.all(
+        flat.min(axis=1) <= rim.max(axis=0), axis=1
+    )
+    rim = rim if of_polygon(rim).area > 0 else rim[::-1]
+    for index in np.flatnonzero(slope & reach):
+        triangle = flat[index] if of_polygon(flat[index]).area > 0 else flat[index][::-1]
+        reach[index] = len(clipped(rim, triangle)) >= 3
+    return np.asarray(slope & reach)
+
+
+def _whole(facets: Array, size: float) -> tuple[list[tuple[Moments, Frame]], list[Array]]:
+    """All facets of a surface, each in its own plane."""
+    pieces = []
+    for facet in facets:
+        normal = np.cross(facet[1] - facet[0], facet[2] - facet[0])
+        doubled = float(np.linalg.norm(normal))
+        if doubled > 1e-14 * size**2:
+            own = Frame.across(facet[0], normal / doubled)
+            pieces.append((of_polygon(own.flat(facet)), own))
+    return pieces, [facets]
+
+
+def _pieces(
+    facets: Array, rim: Array, cuts: Sequence[Array], frame: Frame, size: float
+) -> tuple[list[tuple[Moments, Frame]], list[Array], bool]:
+    """Each facet as far as it lies within the rim: moments in its own plane, triangles; is any too steep."""
+    rim = rim if of_polygon(rim).area > 0 else rim[::-1]
+    low, high = rim.min(axis=0), rim.max(axis=0)
+    pieces: list[tuple[Moments, Frame]] = []
+    drawn: list[Array] = []
+    steep = False
+    for facet in facets:
+        normal = np.cross(facet[1] - facet[0], facet[2] - facet[0])
+        doubled = float(np.linalg.norm(normal))
+        if not doubled > 1e-14 * size**2:
+            continue
+        normal = normal / doubled
+        slope = float(normal @ frame.normal)
+        flat = frame.flat(facet)
+        if np.any(flat.max(axis=0) < low) or np.any(flat.min(axis=0) > high):
+            continue
+        if float(np.abs((facet - frame.origin) @ frame.normal).max()) > 2.0 * size:
+            continue
+        if slope < 0:
+            normal, slope, flat = -normal, -slope, flat[::-1]
+        if slope < 0.02:
+            steep = True
+            continue
+        inside = clipped(rim, flat)
+        if len(inside) < 3:
+            continue
+        steep = steep or slope < 0.2
+        own = Frame.across(facet[0], normal)
+        moments = _lifted(inside, frame, own, slope)
+        for cut in cuts:
+            moments = moments - _positive_lifted(clipped(cut, flat), frame, own, slope)
+        if moments.area > 0:
+            pieces.append((moments, own))
+        points, triangles = triangulated(inside)
+        drawn.append(_raised(points, frame, own, slope)[triangles])
+    return pieces, drawn, steep
+
+
+def _raised(points: Array, frame: Frame, own: Frame, slope: float) -> Array:
+    """Points (n, 3) in a facet's plane that are seen at (n, 2) along the frame's normal."""
+    base = frame.spatial(points)
+    return np.asarray(base + ((own.origin - base) @ own.normal / slope)[:, None] * frame.normal)
+
+
+def _lifted(polygon: Array, frame: Frame, own: Frame, slope: float) -> Moments:
+    return _positive(of_polygon(own.flat(_raised(polygon, frame, own, slope))))
+
+
+def _positive_lifted(polygon: Array, frame: Frame, own: Frame, slope: float) -> Moments:
+    return _lifted(polygon, frame, own, slope) if len(polygon) >= 3 else Moments.none()
+
+
+def _positive(moments: Moments) -> Moments:
+    return moments if moments.area >= 0 else -moments
+
+
+def _cut(rim: Array, openings: Sequence[tuple[_Edges, Array]]) -> tuple[list[_Edges], list[_Edges]]:
+    """Openings within the rim, and those that run over it; others cut nothing."""
+    rim = rim if of_polygon(rim).area > 0 else rim[::-1]
+    if not openings:
+        return [], []
+    corners, triangles = triangulated(rim)
+    inner, across = [], []
+    for path, polygon in openings:
+        own = abs(of_polygon(polygon).area)
+        shared = sum(_shared(polygon, corners[triangles]))
+        if shared >= own * (1 - 1e-6):
+            inner.append(path)
+        elif shared > own * 1e-6:
+            across.append(path)
+    return inner, across
+
+
+def _shared(polygon: Array, triangles: Array) -> Iterator[float]:
+    """Areas that a polygon shares with triangles."""
+    for triangle in _near(polygon, triangles):
+        yield abs(of_polygon(clipped(polygon, triangle)).area)
+
+
+def _near(polygon: Array, triangles: Array) -> Array:
+    """Those triangles (n, 3, 2) whose boxes touch that of a polygon."""
+    touches = (triangles.max(axis=1) >= polygon.min(axis=0)) & (triangles.min(axis=1) <= polygon.max(axis=0))
+    return np.asarray(triangles[touches.all(axis=1)])
+
+
+def _weighed(pieces: Sequence[tuple[Moments, Frame]], thickness: float, density: float) -> MassProperties:
+    """Mass properties of flat pieces with a thickness, joined."""
+    origin = pieces[0][1].origin
+    area, first, second = 0.0, np.zeros(3), np.zeros((3, 3))
+    for moments, frame in pieces:
+        axes, shift = frame.axes, frame.origin - origin
+        own = axes @ moments.first
+        mixed = np.outer(shift, own)
+        area += moments.area
+        first = first + moments.area * shift + own
+        second = second + axes @ moments.second @ axes.T + mixed + mixed.T
+        second = second + moments.area * np.outer(shift, shift)
+        second = second + moments.area * thickness**2 / 12 * np.outer(frame.normal, frame.normal)
+    centre = first / area
+    about = second - area * np.outer(centre, centre)
+    about = (about + about.T) / 2
+    mass = density * thickness
+    return MassProperties(mass * area, origin + centre, mass * (np.trace(about) * np.eye(3) - about))
+
+
+def _slab(
+    loops: Sequence[Array], triangles: npt.NDArray[np.int64], middle: Array, normal: Array, thickness: float
+) -> TriangleMesh:
+    half = thickness / 2 * normal
+    return TriangleMesh(*prism(loops, triangles, np.stack([middle - half, middle + half])))
