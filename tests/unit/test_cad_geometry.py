@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gantline.cad import _occt, step
+from gantline.cad import _occt, mesh_file, step
 from gantline.cad.assumptions import Assumptions
 from gantline.cad.errors import CadError
 from gantline.cad.geometry import read_geometry
@@ -304,6 +304,15 @@ def test_reading_is_given_up_in_time_and_memory(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr(step, "_MOST_MEMORY", 200_000_000)
     with pytest.raises(CadError, match="Open CASCADE could not read this STEP file"):
         read(tmp_path / "a.step", text)
+
+
+def test_too_many_triangles_are_refused_before_they_are_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mesh_file, "_MOST_TRIANGLES", 11)
+    for name, content in (("a.stl", binary_stl(box((1, 1, 1)))), ("a.obj", obj(box((1, 1, 1))).encode())):
+        with pytest.raises(CadError, match="more than 11 triangles, so it is not read"):
+            read(tmp_path / name, content)
 
 
 def test_without_the_extra_one_sentence_says_how_to_install(
