@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import time
 import tracemalloc
@@ -13,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gantline.cad import CadError, CadModel, PartKind
-from gantline.cad.ocx import xml
+from gantline.cad.ocx import geometry, xml
 from gantline.cad.ocx.reader import read_ocx
 from ocx_files import NEW, OLD, SQUARE, Writer, sample
 
@@ -312,6 +313,30 @@ def test_too_many_elements_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_too_many_bytes_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(xml, "MOST_BYTES", 1000)
     assert "at most 1000 are read" in message(sample(W))
+
+
+def test_a_contour_of_very_many_lines_in_disorder_is_read_in_time() -> None:
+    """A circle of 8000 chords, shuffled: A = n r² sin(2π/n)/2."""
+    count = 8000
+    angles = np.arange(count + 1) * 2 * math.pi / count
+    ring = [(math.cos(angle), math.sin(angle), 0.0) for angle in angles[:-1]]
+    ring.append(ring[0])
+    order = np.random.default_rng(1).permutation(count)
+    data = W.file(W.plate("P", "".join(W.line(ring[place], ring[place + 1]) for place in order)))
+    began = time.perf_counter()
+    part = read(data).parts[0]
+    assert time.perf_counter() - began < 30.0
+    assert part.properties is not None and part.doubts == ()
+    area = count * math.sin(2 * math.pi / count) / 2
+    assert part.properties.mass == pytest.approx(78.5 * area, rel=1e-12)
+
+
+def test_bounds_of_contours_and_curves(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(geometry, "MOST_CURVES", 3)
+    assert "OuterContour has 4 curves; at most 3 are read" in message(W.file(W.plate("P", W.polygon(SQUARE))))
+    monkeypatch.setattr(geometry, "MOST_CONTROLS", 3)
+    curve = W.nurbs(3, [0.0] * 4 + [1.0] * 4, SQUARE, [1.0] * 4)
+    assert "NURBS3D has 4 control points; at most 3 are read" in message(W.file(W.plate("P", curve)))
 
 
 def test_references_in_a_circle_lead_nowhere() -> None:

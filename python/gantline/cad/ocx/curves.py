@@ -280,29 +280,32 @@ def chained(curves: Sequence[Curve], tolerance: float) -> tuple[list[Curve], flo
         the curves, and the widest gap between neighbours [m], from the last to the first left out. Where no
         curve begins within the tolerance [m], the next in the given order follows, so that a gap shows.
     """
-    rest = list(curves)
-    path = [rest.pop(0)] if rest else []
+    if not curves:
+        return [], 0.0
+    ends = np.array([[curve.start, curve.end] for curve in curves])  # (n, 2, 3)
+    free = np.ones(len(curves), dtype=bool)
+    free[0] = False
+    path = [curves[0]]
+    head, tail = ends[0]
     widest = 0.0
-    while rest:
-        here = path[-1].end
-        index, backwards, distance = 0, False, math.inf
-        for each, curve in enumerate(rest):
-            for turned, end in ((False, curve.start), (True, curve.end)):
-                away = float(np.linalg.norm(end - here))
-                if away < distance - 1e-12:
-                    index, backwards, distance = each, turned, away
-            if distance <= tolerance:
-                break
-        if len(path) == 1 and distance > tolerance:
-            # The first may itself run the other way.
-            other = path[0].start
-            if any(min(_away(curve.start, other), _away(curve.end, other)) <= tolerance for curve in rest):
-                path[0] = path[0].reversed()
-                continue
+    while free.any():
+        index, side, distance = _next(ends, free, tail)
+        if len(path) == 1 and distance > tolerance and _next(ends, free, head)[2] <= tolerance:
+            # The first itself runs the other way.
+            path[0], head, tail = path[0].reversed(), tail, head
+            continue
         widest = max(widest, distance)
-        curve = rest.pop(index)
-        path.append(curve.reversed() if backwards else curve)
+        free[index] = False
+        path.append(curves[index].reversed() if side else curves[index])
+        tail = ends[index, 1 - side]
     return path, widest
+
+
+def _next(ends: Array, free: npt.NDArray[np.bool_], here: Array) -> tuple[int, int, float]:
+    """The first of the nearest free curves: its number, its near end (0 start, 1 end), how far [m]."""
+    away = np.where(free[:, None], np.linalg.norm(ends - here, axis=2), np.inf)
+    index, side = divmod(int(np.argmin(away)), 2)
+    return index, side, float(away[index, side])
 
 
 def polyline(curves: Sequence[Curve], tolerance: float) -> Array:

@@ -18,6 +18,9 @@ Array = npt.NDArray[np.float64]
 
 #: Ends that are closer belong together [m]; the files' own tolerances are a micrometre to a millimetre.
 JOIN = 1e-3
+#: Bounds of one contour, and of one curve or surface.
+MOST_CURVES = 10_000
+MOST_CONTROLS = 40_000
 _SHORTEST = 1e-9
 _CURVES = {
     "Line3D",
@@ -41,15 +44,16 @@ def read_contour(element: Element, quantities: Quantities) -> tuple[list[Curve],
     Raises:
         CadError: if it has no curve, or one that cannot be read.
     """
-    path, gap = chained(_curves(element, quantities), JOIN)
-    if not path:
-        raise quantities.fail(element, "has no curve")
+    path, gap = read_trace(element, quantities)
     return path, max(gap, float(np.linalg.norm(path[-1].end - path[0].start)))
 
 
 def read_trace(element: Element, quantities: Quantities) -> tuple[list[Curve], float]:
     """As `read_contour`, of a path that need not be closed."""
-    path, gap = chained(_curves(element, quantities), JOIN)
+    curves = _curves(element, quantities)
+    if len(curves) > MOST_CURVES:
+        raise quantities.fail(element, f"has {len(curves)} curves; at most {MOST_CURVES} are read")
+    path, gap = chained(curves, JOIN)
     if not path:
         raise quantities.fail(element, "has no curve")
     return path, gap
@@ -126,6 +130,8 @@ def read_controls(element: Element, quantities: Quantities) -> tuple[Array, Arra
         weights.append(1.0 if weight is None else float(quantities.numbers(each, "weight", 1)[0]))
     if not points:
         raise quantities.fail(element, "has no control points")
+    if len(points) > MOST_CONTROLS:
+        raise quantities.fail(element, f"has {len(points)} control points; at most {MOST_CONTROLS} are read")
     return np.stack(points), np.array(weights)
 
 

@@ -9,7 +9,7 @@ lies in the middle of the plate, as exporters declare centres of gravity.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -77,7 +77,7 @@ def spans(surface: Surface, path: _Edges, frame: Frame) -> bool:
     """Whether a flat contour is the edge of a surface that leaves its plane, such as a dome."""
     outline = polyline(path, 1e-3)
     size = float(np.linalg.norm(outline - frame.origin, axis=1).max())
-    facets = surface.facets(_BOUNDARY_PARTS)
+    facets = surface.facets(surface.parts(_BOUNDARY_PARTS))
     is_bent = float(np.abs((facets.reshape(-1, 3) - frame.origin) @ frame.normal).max()) > max(
         1e-3, _FLAT * size
     )
@@ -106,10 +106,10 @@ def flat_sheet(
         moments = moments - (own if own.area >= 0 else -own)
     if across:
         # What an opening takes from the plate: the opening cut along each triangle of the plate.
-        fine, triangles = triangulated(frame.flat(polyline(path, tolerance)))
+        fine, triangles = triangulated(rim)
         for opening in across:
             polygon = frame.flat(polyline(opening, tolerance))
-            for triangle in fine[triangles]:
+            for triangle in _near(polygon, fine[triangles]):
                 moments = moments - _positive(of_polygon(clipped(polygon, triangle)))
         doubts.append("an opening runs over its edge: it is left out of the weight, but not of the picture")
     drawn = [simplified(frame.flat(polyline(each, tolerance)), tolerance) for each in inner]
@@ -140,11 +140,11 @@ def curved_sheet(
     rim = simplified(frame.flat(outline), _COARSE * 1e-2 * size)
     cuts = [simplified(frame.flat(polyline(each, tolerance)), tolerance) for each in openings]
     seen = abs(of_polygon(rim).area)
-    is_whole = bounds(surface.facets(_BOUNDARY_PARTS), outline, _SAME_EDGE * size)
+    is_whole = bounds(surface.facets(surface.parts(_BOUNDARY_PARTS)), outline, _SAME_EDGE * size)
     pieces: list[tuple[Moments, Frame]] = []
     drawn: list[Array] = []
-    area, parts, is_steep = 0.0, 2, False
-    while parts <= _FINEST:
+    area, parts, is_steep = 0.0, surface.parts(2), False
+    while parts <= surface.parts(_FINEST):
         facets = surface.facets(parts)
         if is_whole:
             pieces, drawn = _whole(facets, size)
@@ -269,16 +269,30 @@ def _positive(moments: Moments) -> Moments:
 def _cut(rim: Array, openings: Sequence[tuple[_Edges, Array]]) -> tuple[list[_Edges], list[_Edges]]:
     """Openings within the rim, and those that run over it; others cut nothing."""
     rim = rim if of_polygon(rim).area > 0 else rim[::-1]
+    if not openings:
+        return [], []
     corners, triangles = triangulated(rim)
     inner, across = [], []
     for path, polygon in openings:
         own = abs(of_polygon(polygon).area)
-        shared = sum(abs(of_polygon(clipped(polygon, each)).area) for each in corners[triangles])
+        shared = sum(_shared(polygon, corners[triangles]))
         if shared >= own * (1 - 1e-6):
             inner.append(path)
         elif shared > own * 1e-6:
             across.append(path)
     return inner, across
+
+
+def _shared(polygon: Array, triangles: Array) -> Iterator[float]:
+    """Areas that a polygon shares with triangles."""
+    for triangle in _near(polygon, triangles):
+        yield abs(of_polygon(clipped(polygon, triangle)).area)
+
+
+def _near(polygon: Array, triangles: Array) -> Array:
+    """Those triangles (n, 3, 2) whose boxes touch that of a polygon."""
+    touches = (triangles.max(axis=1) >= polygon.min(axis=0)) & (triangles.min(axis=1) <= polygon.max(axis=0))
+    return np.asarray(triangles[touches.all(axis=1)])
 
 
 def _weighed(pieces: Sequence[tuple[Moments, Frame]], thickness: float, density: float) -> MassProperties:

@@ -23,6 +23,7 @@ Array = npt.NDArray[np.float64]
 
 _JOIN = 3e-4  # corners of facets that are closer are one [m]: exporters round, and so do normals of faces
 _NEIGHBOURS = [(x, y, z) for x in (0, -1, 1) for y in (0, -1, 1) for z in (0, -1, 1)]
+_MOST_FACETS = 100_000
 _LOOKS = 40  # points of an outline that are looked at
 _CIRCLE = 8  # spans of a whole circle
 
@@ -43,6 +44,11 @@ class Surface:
     def of(cls, facets: Callable[[int], Array], is_faceted: bool = False) -> Surface:
         """A surface that makes its facets once for each number of parts."""
         return cls(cache(facets), is_faceted)
+
+    def parts(self, wanted: int) -> int:
+        """Parts of each span, as many as wanted unless that were too many facets."""
+        once = len(self.facets(1))
+        return max(1, min(wanted, math.isqrt(_MOST_FACETS // max(once, 1))))
 
 
 def read_surface(element: Element, quantities: Quantities) -> Surface | None:

@@ -18,6 +18,7 @@ Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 
 _ASKEW = np.array([0.36, 0.48, 0.80])  # along no axis
+_MOST_CORNERS = 2000  # of one polygon
 _BRIDGES = 1000  # that are tried, from the shortest on
 
 
@@ -27,6 +28,14 @@ def simplified(points: Array, tolerance: float) -> Array:
         points = points[:-1]
     if len(points) <= 3:
         return points
+    kept = _kept(points, tolerance)
+    while len(kept) > _MOST_CORNERS:  # whoever draws a line so fine will not miss it
+        tolerance *= 2.0
+        kept = _kept(points, tolerance)
+    return kept
+
+
+def _kept(points: Array, tolerance: float) -> Array:
     far = int(np.argmax(np.linalg.norm(points - points[0], axis=1)))
     halves = (points[: far + 1], np.concatenate([points[far:], points[:1]]))
     return np.concatenate([_thinned(half, tolerance)[:-1] for half in halves])
