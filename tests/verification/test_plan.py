@@ -49,7 +49,8 @@ def test_steps_side_by_side_end_by_themselves_and_the_next_waits_for_all() -> No
 _CRANE = """at: [0 m, 0 m, 20 m]
     rated_capacity: 100 t
     block: {mass: 2 t, height: 2 m}
-    reeving: {parts_each: 4, rope: thick, sheave_diameter: 0.6 m, upper_sheaves_at: 40 m, rope_weight: none}
+    reeving: {parts_each: 4, rope: thick, sheave_diameter: 0.6 m, upper_sheaves_at: 40 m,
+              rope_weight: none}
     drum: {diameter: 1 m}"""
 _PLAN = """\
   - {step: slack, hoist: hook, speed: 1 m/min, until: {load_transferred: 2 %}}

@@ -10,7 +10,7 @@ import numpy as np
 
 from gantline.assembly.catenary import end_mass
 from gantline.assembly.checked import bends, limits_and_rules, ratings
-from gantline.assembly.goliath import crane_shape
+from gantline.assembly.goliath import crane_rig, crane_shape
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -47,6 +47,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "remark": head.remark,
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
+        **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],

@@ -12,12 +12,13 @@ import math
 
 from gantline.assembly.operations import along_drive
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.reeving import upper_sheaves
 from gantline.scenario import Scenario
 from gantline.scenario.check_goliath import girder_body
-from gantline.scenario.goliath import Goliath
-from gantline.scenario.hooks import trolley_name
+from gantline.scenario.goliath import Goliath, TrolleyHook
+from gantline.scenario.hooks import Hook, trolley_name
 
-__all__ = ["BENDING_SHARE", "add_goliaths", "crane_shape", "goliaths", "rest_on_girders"]
+__all__ = ["BENDING_SHARE", "add_goliaths", "crane_rig", "crane_shape", "goliaths", "rest_on_girders"]
 
 #: Mass at mid-span of a girder on two supports that moves like it, over its mass: 17/35, from the shape in
 #: which a force there bends it (Rayleigh).
@@ -104,3 +105,52 @@ def crane_shape(scenario: Scenario, body: str) -> Json | None:
 
 def _box(size: tuple[float, float, float], above: float) -> Json:
     return {"type": "box", "size": list(size), "centre": [0.0, 0.0, above * size[2]]}
+
+
+def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:
+    """What results need to know of Goliath cranes [SI]."""
+    gravity = scenario.simulation.gravity
+    wind = 0.0 if scenario.wind == "none" else scenario.wind
+    return [
+        {
+            "name": name,
+            "span": crane.span,
+            "fixed_leg_at": crane.fixed_leg_at,
+            "base": crane.legs.base,
+            "weights": {
+                "girder": crane.girder.mass * gravity,
+                "fixed": crane.legs.fixed * gravity,
+                "hinged": crane.legs.hinged * gravity,
+                "bogies": crane.legs.bogies * gravity,
+            },
+            "hook_approach": crane.hook_approach,
+            "hook_distance": crane.hook_distance,
+            "wind_limit": crane.wind_limit,
+            "wind": wind,
+            "trolleys": [
+                {
+                    "name": trolley_name(name, trolley),
+                    "weight": given.mass * gravity,
+                    "hooks": [
+                        _hook_rig(parts, scenario.hooks[f"{name}.{hook}"], one)
+                        for hook, one in given.hooks.items()
+                    ],
+                }
+                for trolley, given in crane.trolleys.items()
+            ],
+        }
+        for name, crane in goliaths(scenario).items()
+    ]
+
+
+def _hook_rig(parts: Parts, hook: Hook, given: TrolleyHook) -> Json:
+    top = upper_sheaves(hook.name)
+    return {
+        "name": hook.name,
+        "highest": hook.highest,
+        "bearing": [-value for value in parts.bodies[hook.name]["centre_of_gravity"]],
+        "top": top,
+        "top_from": [-value for value in parts.bodies[top]["centre_of_gravity"]],
+        "along": given.along,
+        "across": given.across,
+    }

@@ -99,6 +99,10 @@ MEASURES = (
     "hoist_load",
     "load_tilt",
     "load_transferred",
+    "load_swing",
+    "hook_height",
+    "falls_out_of_plumb",
+    "corner_load",
 )
 
 
@@ -136,6 +140,9 @@ class Require(Element):
     sling_tension: ForceBound | None = Field(None, description="Tension of every sling.")
     hook_load: ForceBound | None = Field(None, description="Hook load of every hook.")
     load_transferred: RatioBound | None = Field(None, description="1 - support forces/weight.")
+    falls_out_of_plumb: AngleBound | None = Field(
+        None, description="Angle of the falls from plumb, of hooks of Goliath cranes."
+    )
 
 
 class _AnyStep(Element):
