@@ -85,7 +85,8 @@ def test_steps_end_on_loads_spreads_and_supports() -> None:
         time = at["step_end", step] - before
         return float(np.interp(time, recording.time, recording.column(variable, label)))
 
-    # From 0.6 m/min a hoist brakes within 0.01/0.1 = 0.1 s: so long before the end of a step its condition was met.
+    # From 0.6 m/min a hoist brakes within 0.01/0.1 = 0.1 s: that long before the end of a step was its
+    # condition met.
     assert value("hoist_load", "hook", "up", 0.1) == pytest.approx(400e3, rel=1e-3)
     slings = [recording.column("rope_tension", f"sling.S{n}") for n in (1, 2)]
     spread = np.abs(slings[0] - slings[1]) / ((slings[0] + slings[1]) / 2 + 1e-9)

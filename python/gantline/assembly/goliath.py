@@ -24,8 +24,9 @@ __all__ = ["BENDING_SHARE", "add_goliaths", "crane_rig", "crane_shape", "goliath
 #: which a force there bends it (Rayleigh).
 BENDING_SHARE = 17 / 35
 
-#: Sizes that pictures have where the lift file names none: height of a girder over its span; a trolley [m].
+#: Sizes that pictures have where the lift file names none: girder over its span, leg and trolley [m].
 _GIRDER = 0.06
+_LEG = 4.0
 _TROLLEY = 8.0
 
 
@@ -93,8 +94,12 @@ def rest_on_girders(parts: Parts, scenario: Scenario) -> None:
 
 
 def crane_shape(scenario: Scenario, body: str) -> Json | None:
-    """A box for pictures of a girder or trolley; None for the crane as a whole, whose legs are no box."""
+    """Boxes for pictures: two legs, a girder, or a trolley."""
     for name, crane in goliaths(scenario).items():
+        if body == name:
+            size = (_LEG, crane.legs.base or _LEG, crane.girder.underside)
+            sides = (-crane.span / 2, crane.span / 2)
+            return {"type": "boxes", "boxes": [_box(size, 0.5, side) for side in sides]}
         if body == girder_body(name):
             return _box((crane.span, _GIRDER * crane.span, _GIRDER * crane.span), 0.5)
         for trolley in crane.trolleys:
@@ -103,8 +108,8 @@ def crane_shape(scenario: Scenario, body: str) -> Json | None:
     return None
 
 
-def _box(size: tuple[float, float, float], above: float) -> Json:
-    return {"type": "box", "size": list(size), "centre": [0.0, 0.0, above * size[2]]}
+def _box(size: tuple[float, float, float], above: float, along: float = 0.0) -> Json:
+    return {"type": "box", "size": list(size), "centre": [along, 0.0, above * size[2]]}
 
 
 def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:

@@ -98,9 +98,9 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
     sheaves = [entry for entry in scene.get("sheaves", ()) if entry["body"] in bodies]
     plain = set(bodies) - {entry["body"] for entry in sheaves}
     boxes = [
-        Box(name, entry.get("kind", "body"), place.world(name, _box_faces(entry["shape"])))
+        Box(name, entry.get("kind", "body"), place.world(name, _box_faces(shape)))
         for name, entry in bodies.items()
-        if (entry.get("shape") or {}).get("type") == "box"
+        for shape in _boxes(entry.get("shape") or {})
     ]
     plain -= {box.name for box in boxes}
     loads = {load.name: load.body for load in recording.rig.loads}
@@ -158,6 +158,12 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
         for index, rope in enumerate(recording.coordinates["rope"])
         if (owner == rope).any()
     ]
+
+
+def _boxes(shape: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
+    """The boxes of a shape: itself, or those that it is put together of."""
+    boxes: Sequence[Mapping[str, Any]] = shape.get("boxes") or ([shape] if shape.get("type") == "box" else [])
+    return boxes
 
 
 def _box_faces(shape: Mapping[str, Any]) -> FloatArray:
