@@ -50,7 +50,7 @@ def test_the_reference_lift_in_si_units() -> None:
     assert [sling.upper_body for sling in rigging.slings.values()] == ["e1.1", "e1.2", "e1.3", "e1.4", "e1.5"]
     assert scenario.limits.load_tilt == pytest.approx(math.radians(2))
     hoist, hold = scenario.plan
-    assert isinstance(hoist, HoistStep) and hoist.hooks == ("test_hook",) and hoist.brake_from == 25.0
+    assert isinstance(hoist, HoistStep) and hoist.moved == ("test_hook",) and hoist.brake_from == 25.0
     assert isinstance(hold, HoldStep) and hold.hold == "until_end"
 
 

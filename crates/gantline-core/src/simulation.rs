@@ -270,7 +270,10 @@ impl Simulation {
             | EventKind::PinPutIn => self.system.constraints[event.subject].name().to_owned(),
             EventKind::LiftOff | EventKind::SetDown => self.system.groups[event.subject].name.clone(),
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => self.system.sheave_name(event.subject),
-            EventKind::StepBegin | EventKind::StepEnd => self.system.plan[event.subject].name.clone(),
+            EventKind::StepBegin | EventKind::StepEnd | EventKind::EmergencyStop => {
+                let step = self.system.plan.steps.get(event.subject);
+                step.map_or_else(String::new, |step| step.name.clone())
+            }
         }
     }
 

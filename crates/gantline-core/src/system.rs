@@ -4,7 +4,7 @@ use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::plan::drive::Timeline;
-use crate::plan::{Cut, Pinning, Step};
+use crate::plan::{Cut, Pinning, Plan};
 use crate::rope::coil::Layers;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
@@ -194,7 +194,7 @@ pub struct System {
     /// Groups of contacts.
     pub groups: Vec<ContactGroup>,
     /// Operations.
-    pub plan: Vec<Step>,
+    pub plan: Plan,
     /// Where the time goes: the one thing here that changes, since all that takes time sees the system.
     pub clock: Clock,
 }
@@ -238,6 +238,13 @@ impl System {
     /// How many rows the ropes have; they stand before those of contacts.
     pub fn rope_rows(&self) -> usize {
         self.rows.first[self.rope_count]
+    }
+
+    /// The tension that the force of a row stands for [N]; those of rows of ropes differ where rope is fed.
+    pub fn rope_tension(&self, row: usize, force: f64, q: &[f64]) -> f64 {
+        let index = self.constraint_index(row);
+        let AnyConstraint::Rope(rope) = &self.constraints[index] else { return force };
+        force * rope.spans[row - self.rows.first[index]].scale(q)
     }
 
     /// Constraint that a row belongs to.

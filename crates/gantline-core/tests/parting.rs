@@ -37,7 +37,7 @@ fn fragile(seeds: &[f64]) -> SystemSpec {
         if let JointSpec::Hinge(joint) | JointSpec::Slider(joint) = &mut body.joint {
             let (lower, upper) = (Some(joint.position - 0.3), Some(joint.position + 0.5));
             let stiffness = 1e4 * (1.0 + body.mass);
-            joint.stops = Some(StopsSpec { lower, upper, stiffness, damping_time: 0.01 });
+            joint.stops = Some(StopsSpec { lower, upper, stiffness, damping_time: 0.01, loaded: false });
         }
     }
     spec

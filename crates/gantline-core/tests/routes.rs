@@ -83,6 +83,7 @@ fn random_route(random: &mut Random) -> SystemSpec {
         contacts: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),
+        emergency_stop: None,
         adjusters: Vec::new(),
     };
     let mut place = random.vector(5.0);

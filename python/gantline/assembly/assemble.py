@@ -8,8 +8,9 @@ from typing import Any
 
 from gantline.assembly.describe import rig, scene
 from gantline.assembly.extension import add_extension_sheaves
+from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
-from gantline.assembly.operations import operations
+from gantline.assembly.operations import emergency_stop, operations
 from gantline.assembly.parting import add_partings
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
@@ -63,6 +64,7 @@ def assemble(scenario: Scenario) -> Assembly:
     """
     rigging = resolve(scenario)
     parts = Parts()
+    add_goliaths(parts, scenario)
     add_hooks(parts, scenario, rigging)
     pins = pins_of(scenario, rigging)
     add_equalizers(parts, rigging, pins.at_start)
@@ -75,10 +77,12 @@ def assemble(scenario: Scenario) -> Assembly:
     add_mechanics(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
+    rest_on_girders(parts, scenario)
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
-    parts.plan.extend(operations(scenario, mass * scenario.simulation.gravity))
+    parts.plan.extend(operations(scenario, rigging, mass * scenario.simulation.gravity))
     for step, pulled, put_in in zip(parts.plan, pins.pulled, pins.put_in, strict=True):
         step |= {key: names for key, names in (("pulls", pulled), ("pins", put_in)) if names}
+    parts.emergency_stop = emergency_stop(scenario)
     add_partings(parts, scenario)
     return Assembly(
         document=parts.document(scenario.simulation.gravity),

@@ -18,6 +18,8 @@ from gantline.rule_data import (
     dynamic_factor,
 )
 from gantline.scenario import Scenario
+from gantline.scenario.goliath import Goliath
+from gantline.scenario.hooks import trolley_name
 from gantline.scenario.limits import Rules
 from gantline.scenario.reeving import hoist_drum
 
@@ -85,20 +87,36 @@ def ratings(scenario: Scenario) -> list[Json]:
     """Rated capacities of hooks, trolleys and cranes [N]; None where a hook has none."""
     gravity = scenario.simulation.gravity
     found: list[Json] = []
+    hooks = scenario.hooks
+    for name, hook in hooks.items():
+        found.append(_rating(name, "hook", (name,), hook, gravity))
     for name, crane in (scenario.cranes or {}).items():
-        found.append(_rating(name, "hook", (name,), crane, gravity))
+        if not isinstance(crane, Goliath):
+            continue
+        for trolley, given in crane.trolleys.items():
+            full = trolley_name(name, trolley)
+            own = tuple(hook.name for hook in hooks.values() if hook.trolley == full)
+            if given.rated_capacity is not None:
+                found.append(_shared(full, "trolley", own, given.rated_capacity * gravity, crane))
+        own = tuple(hook.name for hook in hooks.values() if hook.crane == name)
+        if crane.rated_capacity is not None:
+            found.append(_shared(name, "crane", own, crane.rated_capacity * gravity, crane))
     for name, group in (scenario.hook_groups or {}).items():
         found.append(_rating(name, group.type, group.hooks, group, gravity))
     return found
 
 
 def _rating(name: str, level: str, hooks: tuple[str, ...], rated: Any, gravity: float) -> Json:
-    capacity = rated.rated_capacity
+    capacity = None if rated.rated_capacity is None else rated.rated_capacity * gravity
+    return _shared(name, level, hooks, capacity, rated)
+
+
+def _shared(name: str, level: str, hooks: tuple[str, ...], capacity: float | None, rated: Any) -> Json:
     return {
         "name": name,
         "level": level,
         "hooks": list(hooks),
-        "rated_capacity": None if capacity is None else capacity * gravity,
+        "rated_capacity": capacity,
         "includes_hook_block": rated.rating_includes_hook_block,
     }
 

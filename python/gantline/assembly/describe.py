@@ -10,6 +10,7 @@ import numpy as np
 
 from gantline.assembly.catenary import end_mass
 from gantline.assembly.checked import bends, limits_and_rules, ratings
+from gantline.assembly.goliath import crane_rig, crane_shape
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -18,6 +19,7 @@ from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.check_goliath import crane_bodies
 from gantline.scenario.drum import Drum
 from gantline.scenario.extension import lugs_below
 from gantline.scenario.gear import Shackle
@@ -45,7 +47,8 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "remark": head.remark,
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
-        "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.cranes or {}],
+        **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
+        "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
         "ropes": _ropes(scenario, rigging, parts),
@@ -56,7 +59,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "bends": bends(scenario, parts),
         **limits_and_rules(scenario, has_sheaves=bool(wrapped)),
         **_equalised_below(scenario),
-        "plan": [_step(step) for step in scenario.plan],
+        "plan": [_step(scenario, step) for step in scenario.plan],
     }
 
 
@@ -95,10 +98,10 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
 
 
 def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json:
-    crane = (scenario.cranes or {})[name]
+    hook = scenario.hooks[name]
     bearing = [equalizer.name for equalizer in rigging.equalizers.values() if equalizer.hook == name]
     direct = [s for s in rigging.slings.values() if s.equalizer is None and s.hook == name]
-    reeved = next((hook for hook in reeved_hooks(scenario) if hook.name == name), None)
+    reeved = next((one for one in reeved_hooks(scenario) if one.name == name), None)
     falls: Json = {}
     if reeved is not None:
         gravity = scenario.simulation.gravity
@@ -114,12 +117,12 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
         bearing = [name]  # the hook's own joint carries its slings, their shackles and its equalizers
     return {
         "name": name,
-        "crane": name,
+        "crane": hook.crane,
         "bearing_joints": bearing,
         "direct_slings": [],
-        "rated_capacity": _force(scenario, crane.rated_capacity),
-        "rating_includes_hook_block": crane.rating_includes_hook_block,
-        "hoist_weight_extra": crane.hook_block_mass * scenario.simulation.gravity,
+        "rated_capacity": _force(scenario, hook.rated_capacity),
+        "rating_includes_hook_block": hook.rating_includes_hook_block,
+        "hoist_weight_extra": hook.hook_block_mass * scenario.simulation.gravity,
         "drive_body": name,
         **falls,
     }
@@ -307,7 +310,7 @@ def _equalised_below(scenario: Scenario) -> Json:
     return {} if bound is None else {"equalised_below": bound}
 
 
-def _step(step: Any) -> Json:
+def _step(scenario: Scenario, step: Any) -> Json:
     kind = "hold" if isinstance(step, HoldStep) else step.verb
     require = {}
     if step.require is not None:
@@ -318,7 +321,7 @@ def _step(step: Any) -> Json:
     return {
         "step": step.step,
         "kind": kind,
-        "drives": moved_drives(step),
+        "drives": moved_drives(scenario, step),
         "report": list(step.report),
         "require": require,
     }
@@ -353,11 +356,13 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         frame = rigging.equalizers[name].frame
         size = [frame.length, frame.width, frame.height]
         shape = {"type": "box", "size": size, "centre": [0.0, 0.0, -frame.centre_of_gravity_below_hook]}
-    elif name in (scenario.cranes or {}):
+    elif name in scenario.hooks:
         kind = "hook"
         shape = next((_cheek(scenario, hook) for hook in reeved_hooks(scenario) if hook.name == name), None)
-    elif name in map(upper_sheaves, scenario.cranes or {}):
+    elif name in map(upper_sheaves, scenario.hooks):
         kind = "body"
+    elif name in crane_bodies(scenario.cranes or {}):
+        shape = crane_shape(scenario, name)
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:

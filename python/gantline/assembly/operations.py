@@ -5,94 +5,135 @@ from __future__ import annotations
 from gantline.assembly.parts import Json
 from gantline.assembly.plain import drum_drive
 from gantline.assembly.yard import hoist_drive
-from gantline.scenario import Scenario
-from gantline.scenario.plan import DrumStep, HoldStep, HookStep, MovingStep, Step
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.condition import Condition
+from gantline.scenario.hooks import full_name
+from gantline.scenario.movers import Mover, mover
+from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, Step
+from gantline.scenario.reeving import hoist_ropes
 
-__all__ = ["moved_drives", "operations"]
+__all__ = ["along_drive", "emergency_stop", "moved_drives", "operations"]
 
 #: Within this a motor is asked to stop in an emergency [s]; brakes slip far longer.
 _AT_ONCE = 1e-3
 
 
-def operations(scenario: Scenario, weight: float) -> list[Json]:
+def along_drive(name: str) -> str:
+    """Name of the drive of a trolley along its girder, or of a crane along its rails."""
+    return f"{name}.along"
+
+
+def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json]:
     """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
-    return [_operation(scenario, step, place, weight) for place, step in enumerate(scenario.plan)]
+    found = []
+    for place, step in enumerate(scenario.plan):
+        made = _hold(step) if isinstance(step, HoldStep) else _moving(scenario, step)
+        if step.until is not None:
+            down = isinstance(step, (LowerStep, PayOutStep))
+            made["until"] = _condition(scenario, rigging, step.until, weight, down=down)
+        if place == 0 and made["start_at"] is None:
+            made["start_at"] = 0.0
+        found.append(made)
+    return found
 
 
-def moved_drives(step: Step) -> list[str]:
+def moved_drives(scenario: Scenario, step: Step) -> list[str]:
     """Names of the drives that a step moves."""
-    if isinstance(step, HookStep):
-        return [hoist_drive(hook) for hook in step.hooks]
-    if isinstance(step, DrumStep):
-        return [drum_drive(drum) for drum in step.drums]
-    return []
+    return [] if isinstance(step, HoldStep) else [_drive(one) for one in _moved(scenario, step)]
 
 
-def _operation(scenario: Scenario, step: Step, place: int, weight: float) -> Json:
-    if isinstance(step, HoldStep):
-        until = (
-            {"type": "end_of_run"}
-            if isinstance(step.hold, str)
-            else {"type": "duration", "duration": step.hold}
-        )
-        return {"name": step.step, "moves": [], "start_at": 0.0 if place == 0 else None, "until": until}
+def emergency_stop(scenario: Scenario) -> Json | None:
+    """The emergency stop of the document, of all that the plan moves; None without one."""
+    stop = scenario.emergency_stop
+    if stop is None:
+        return None
+    at: Json = {"type": "time", "time": stop.at}
+    if stop.in_step is not None:
+        place = [step.step for step in scenario.plan].index(stop.in_step)
+        at = {"type": "in_step", "step": place, "after": stop.after or 0.0}
+    stopped = {}
+    for step in scenario.plan:
+        for one in [] if isinstance(step, HoldStep) else _moved(scenario, step):
+            drive = _drive(one)
+            stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed)}
+    return {"at": at, "drives": list(stopped.values())}
+
+
+def _drive(one: Mover) -> str:
+    if one.kind == "hook":
+        return hoist_drive(one.name)
+    return drum_drive(one.name) if one.kind == "drum" else along_drive(one.name)
+
+
+def _moved(scenario: Scenario, step: MovingStep) -> list[Mover]:
+    found = [mover(scenario, step.kind, text) for text in step.moved]
+    return [one for one in found if one is not None]
+
+
+def _stop(one: Mover, speed: float) -> Json:
+    """How a drive at a speed [m/s] is stopped in an emergency."""
+    acceleration = speed / _AT_ONCE if one.capacity or one.emergency is None else one.emergency
+    return {"acceleration": acceleration, "brake": one.brake}
+
+
+def _hold(step: HoldStep) -> Json:
+    until: Json = {"type": "end_of_run"}
+    if not isinstance(step.hold, str):
+        until = {"type": "duration", "duration": step.hold}
+    return {"name": step.step, "moves": [], "start_at": None, "until": until}
+
+
+def _moving(scenario: Scenario, step: MovingStep) -> Json:
+    moved = _moved(scenario, step)
     moves = [
         {
-            "drive": drive,
-            "velocity": step.direction * step.speed,
-            "acceleration": step.acceleration if step.acceleration is not None else most,
+            "drive": _drive(one),
+            "velocity": step.sign * step.speed,
+            "acceleration": step.acceleration if step.acceleration is not None else one.acceleration,
             "shape": "linear",
-            **emergency,
+            **({} if step.emergency_stop_at is None else {"emergency": _stop(one, step.speed)}),
         }
-        for drive, most, emergency in zip(
-            moved_drives(step), _accelerations(scenario, step), _emergencies(scenario, step), strict=True
-        )
+        for one in moved
     ]
-    start = step.start_at if step.start_at is not None or place > 0 else 0.0
-    return {
-        "name": step.step,
-        "moves": moves,
-        "start_at": start,
-        "until": _until(scenario, step, weight),
-    }
-
-
-def _accelerations(scenario: Scenario, step: MovingStep) -> list[float]:
-    """Highest acceleration of each drive that a step moves [m/s^2]."""
-    if isinstance(step, HookStep):
-        return [(scenario.cranes or {})[hook].hoist.acceleration for hook in step.hooks]
-    assert isinstance(step, DrumStep) and scenario.mechanics is not None  # checked when the file was read
-    drives = [(scenario.mechanics.drums or {})[drum].drive for drum in step.drums]
-    return [drive.acceleration for drive in drives if drive is not None]
-
-
-def _emergencies(scenario: Scenario, step: MovingStep) -> list[Json]:
-    """How each drive that a step moves is stopped in an emergency; nothing in a step without."""
-    if step.emergency_stop_at is None:
-        return [{} for _ in _accelerations(scenario, step)]
-    brakes: list[float | None] = []
-    if isinstance(step, HookStep):
-        for name in step.hooks:
-            crane = (scenario.cranes or {})[name]
-            parts = crane.reeving.parts if crane.reeving is not None else 1
-            brakes.append(None if crane.hoist.brake is None else crane.hoist.brake * parts)
-    elif isinstance(step, DrumStep):
-        assert scenario.mechanics is not None  # checked when the file was read
-        drives = [(scenario.mechanics.drums or {})[drum].drive for drum in step.drums]
-        brakes = [drive.brake for drive in drives if drive is not None]
-    at_once = step.speed / _AT_ONCE
-    return [{"emergency": {"acceleration": at_once, "brake": brake}} for brake in brakes]
-
-
-def _until(scenario: Scenario, step: MovingStep, weight: float) -> Json:
+    made: Json = {"name": step.step, "moves": moves, "start_at": step.start_at, "until": {}}
+    if step.starts == "with_previous":
+        made["with_previous"] = True
     at = step.brake_from if step.brake_from is not None else step.emergency_stop_at
+    to = getattr(step, "to", None)
     if at is not None:
-        return {"type": "brake_from", "time": at}
-    if step.by is not None:
-        return {"type": "distance", "distance": step.direction * step.by}
-    assert step.until is not None and scenario.load is not None  # checked when the file was read
+        made["until"] = {"type": "brake_from", "time": at}
+    elif step.by is not None:
+        made["until"] = {"type": "distance", "distance": step.sign * step.by}
+    elif to is not None:
+        made["until"] = {"type": "position", "positions": [to - one.zero for one in moved]}
+    return made
+
+
+def _condition(
+    scenario: Scenario, rigging: Rigging, condition: Condition, weight: float, *, down: bool
+) -> Json:
+    if condition.hoist_load is not None:
+        reached = condition.hoist_load
+        name = full_name(reached.hook, scenario.hooks) or ""
+        reeving = scenario.hooks[name].reeving
+        assert reeving is not None  # checked when the file was read
+        segments = [[rope, part] for rope in hoist_ropes(name, reeving) for part in range(reeving.parts_each)]
+        if reached.above is not None:
+            return {"type": "tension_above", "segments": segments, "bound": reached.above}
+        return {"type": "tension_below", "segments": segments, "bound": reached.below}
+    if condition.tension_spread is not None:
+        names = condition.of or tuple(rigging.equalizers)
+        groups = [
+            [f"sling.{one.name}" for one in rigging.slings.values() if one.equalizer == name]
+            for name in names
+        ]
+        groups = [group for group in groups if group]
+        return {"type": "spread", "groups": groups, "at_most": condition.tension_spread}
+    assert scenario.load is not None  # checked when the file was read
     group = scenario.load.name
-    if step.until.load_transferred is not None:
-        share = step.until.load_transferred
+    if condition.load_transferred is not None:
+        share = condition.load_transferred
+        if down:
+            return {"type": "load_returned", "group": group, "weight": weight, "at_most": share}
         return {"type": "load_transferred", "group": group, "weight": weight, "at_least": share}
-    return {"type": "clear", "group": group}
+    return {"type": "clear" if condition.supports == "clear" else "touched", "group": group}

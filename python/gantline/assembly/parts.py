@@ -44,6 +44,7 @@ class Parts:
         contacts: contact points in order.
         drives: drives by name.
         plan: steps in order.
+        emergency_stop: what stops all drives of the plan, and when.
     """
 
     bodies: dict[str, Json] = field(default_factory=dict)
@@ -57,6 +58,7 @@ class Parts:
     contacts: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
+    emergency_stop: Json | None = None
 
     def add_body(
         self,
@@ -184,6 +186,7 @@ class Parts:
             "contacts": self.contacts,
             "drives": list(self.drives.values()),
             "plan": self.plan,
+            **({} if self.emergency_stop is None else {"emergency_stop": self.emergency_stop}),
         }
 
 

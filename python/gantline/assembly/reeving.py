@@ -12,12 +12,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from gantline.assembly.parts import Json, Parts, drum_layers, end, half_turn, material
 from gantline.assembly.rope_weight import lump_rope
 from gantline.assembly.route import route_length
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.scenario import Scenario
-from gantline.scenario.crane import FixedHook
+from gantline.scenario.hooks import Hook
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving, hoist_drum, hoist_ropes
 from gantline.scenario.rope_weight import rope_weight
 
@@ -35,12 +37,12 @@ class ReevedHook:
 
     Attributes:
         name: name of the hook.
-        crane: what the lift file says.
+        hook: what the lift file says.
         hook_block, reeving, drum: its parts.
     """
 
     name: str
-    crane: FixedHook
+    hook: Hook
     hook_block: HookBlock
     reeving: Reeving
     drum: HoistDrum
@@ -54,9 +56,9 @@ class ReevedHook:
 def reeved_hooks(scenario: Scenario) -> list[ReevedHook]:
     """Hooks that hang in ropes, in the order of the lift file."""
     return [
-        ReevedHook(name, crane, crane.hook_block, crane.reeving, crane.drum)
-        for name, crane in (scenario.cranes or {}).items()
-        if crane.reeving is not None and crane.hook_block is not None and crane.drum is not None
+        ReevedHook(name, hook, hook.hook_block, hook.reeving, hook.drum)
+        for name, hook in scenario.hooks.items()
+        if hook.reeving is not None and hook.hook_block is not None and hook.drum is not None
     ]
 
 
@@ -75,12 +77,19 @@ def add_reeved_hook(parts: Parts, scenario: Scenario, hook: ReevedHook, drive: s
         drive: name of the drive that hoists it.
         own_mass: mass that hangs on it beside the hook block, of shackles and slings [kg].
     """
-    guided = {"type": "slider", "axis": [0.0, 0.0, 1.0], "position": 0.0, "velocity": 0.0, "damping": 0.0}
-    guided |= {"friction": 0.0, "drive": None, "stops": None}
-    x, y, _ = hook.crane.at
-    parts.add_body(hook.name, guided, position=hook.crane.at, mass=hook.hook_block.mass + own_mass)
-    top = (x, y, hook.reeving.upper_sheaves_at)
-    parts.add_body(upper_sheaves(hook.name), {"type": "fixed"}, position=top)
+    x, y, _ = hook.hook.at
+    top = np.array((x, y, hook.reeving.upper_sheaves_at))
+    mass, trolley = hook.hook_block.mass + own_mass, hook.hook.trolley
+    if trolley is None:
+        guided = {"type": "slider", "axis": [0.0, 0.0, 1.0], "position": 0.0, "velocity": 0.0, "damping": 0.0}
+        guided |= {"friction": 0.0, "drive": None, "stops": None}
+        parts.add_body(hook.name, guided, position=hook.hook.at, mass=mass)
+    else:  # it swings, upright
+        swings = {"type": "point", "position": list(hook.hook.at), "velocity": [0.0, 0.0, 0.0]}
+        parts.add_body(hook.name, swings, mass=mass)
+        top = top - parts.pose(trolley)[0]
+    at_trolley = [float(part) for part in top]
+    parts.add_body(upper_sheaves(hook.name), {"type": "fixed"}, parent=trolley, position=at_trolley)
     parts.add_drive(drive)
     _add_drum(parts, hook, drive)
     kind = (scenario.ropes or {})[hook.reeving.rope]
@@ -94,7 +103,7 @@ def add_reeved_hook(parts: Parts, scenario: Scenario, hook: ReevedHook, drive: s
                 passing = add_sheave_flow(parts, f"{name}/sheave_{at}", losses)
                 guide = half_turn(guide["body"], guide["enter"], guide["leave"], guide["bulge"], passing)
             route.append(guide)
-        route[-1] = _on_drum(hook, route[-1]["at"], kind.diameter)
+        route[-1] = _on_drum(hook, route[-1], kind.diameter)
         length = route_length(parts, route)
         parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
         lump_rope(parts, name, weight, length, route)
@@ -103,24 +112,25 @@ def add_reeved_hook(parts: Parts, scenario: Scenario, hook: ReevedHook, drive: s
 def _add_drum(parts: Parts, hook: ReevedHook, drive: str) -> None:
     parts_of_line, ropes = hook.reeving.parts_each, hook.reeving.ropes
     motor = {}
-    if hook.crane.hoist.capacity is not None:
+    if hook.hook.hoist.capacity is not None:
         # Of the hook, not of the ropes: forces are so many times as large.
         motor = {
-            "capacity": hook.crane.hoist.capacity * ropes * parts_of_line,
-            "power": hook.crane.hoist.power,
+            "capacity": hook.hook.hoist.capacity * ropes * parts_of_line,
+            "power": hook.hook.hoist.power,
         }
     inertia = (hook.drum.inertia or _DRIVEN) * parts_of_line**2
     parts.add_flow(hoist_drum(hook.name), inertia, drive=drive, **motor)
 
 
-def _on_drum(hook: ReevedHook, at: list[float], rope_diameter: float | None) -> Json:
+def _on_drum(hook: ReevedHook, lead: Json, rope_diameter: float | None) -> Json:
     layers = drum_layers(hook.drum, hook.drum.diameter, rope_diameter)
     rate = -float(hook.reeving.parts_each)
-    return end(None, at, (hoist_drum(hook.name), rate), laid_under=hook.drum.wound_under, layers=layers)
+    on = hoist_drum(hook.name), rate
+    return end(lead["body"], lead["at"], on, laid_under=hook.drum.wound_under, layers=layers)
 
 
 def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
-    """Dead end, sheaves in turn, and the place of the drum as an end on the world."""
+    """Dead end, sheaves in turn, and the place of the drum as an end on the world, or on the trolley."""
     count, above = hook.reeving.parts_each, upper_sheaves(hook.name)
     spacing = _SPACING * radius
     # Each rope takes as many places along the axle as it has sheaves below; mirrored from one to the next.
@@ -149,7 +159,9 @@ def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
             )
             enter, row = leave, row + 1
         is_below = not is_below
-    x, y, _ = hook.crane.at
+    if hook.hook.trolley is not None:
+        return [*guides, end(above, (enter, rows[2 * row], -hook.reeving.lead_line))]
+    x, y, _ = hook.hook.at
     lead = (x + enter, y + rows[2 * row], hook.reeving.upper_sheaves_at - hook.reeving.lead_line)
     return [*guides, end(None, lead)]
 

@@ -52,8 +52,8 @@ def lower_lump(sling: SlingRigging) -> float:
 
 def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
     """Each hook is a vertical slider, driven or hung in ropes; slings under it lump their mass on it."""
-    reeved = {hook.name: hook for hook in reeved_hooks(scenario)}
-    for name, crane in (scenario.cranes or {}).items():
+    reeved = {one.name: one for one in reeved_hooks(scenario)}
+    for name, hook in scenario.hooks.items():
         direct = [
             sling for sling in rigging.slings.values() if sling.equalizer is None and sling.hook == name
         ]
@@ -66,7 +66,7 @@ def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
         parts.add_body(
             name,
             _slider((0.0, 0.0, 1.0), drive),
-            position=crane.at,
+            position=hook.at,
             mass=math.fsum(upper_lump(sling) for sling in direct),
         )
 

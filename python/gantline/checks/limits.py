@@ -6,7 +6,7 @@ held against. Those that everybody has to hand in are listed without a limit too
 
 from __future__ import annotations
 
-from gantline.checks import equalizers, hooks, loads, lugs, ropes, shackles, slings
+from gantline.checks import cranes, equalizers, hooks, loads, lugs, ropes, shackles, slings
 from gantline.checks.measure import Measure
 
 _ALL = "by definition"
@@ -35,6 +35,55 @@ LIMITS: dict[str, Measure] = {
         "%",
         1,
         hooks.of_rated_capacity,
+        by_definition=1.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "falls_out_of_plumb": Measure(
+        "largest angle of the falls of a hook from plumb", "deg", 2, cranes.falls_out_of_plumb, is_listed=True
+    ),
+    "hook_height_margin": Measure(
+        "highest position of a hook - its height",
+        "m",
+        2,
+        cranes.height_margin,
+        at_least=True,
+        by_definition=0.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "hook_approach_margin": Measure(
+        "distance of a hook from a rail - smallest distance of its crane",
+        "m",
+        2,
+        cranes.approach_margin,
+        at_least=True,
+        by_definition=0.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "hook_distance_margin": Measure(
+        "distance along the girder of hooks of two trolleys - smallest distance of their crane",
+        "m",
+        2,
+        cranes.distance_margin,
+        at_least=True,
+        by_definition=0.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "corner_load": Measure(
+        "largest load of a corner of a crane, by moments of weights and hoist loads",
+        "kN",
+        0,
+        cranes.corner_load,
+        is_listed=True,
+    ),
+    "wind_of_limit": Measure(
+        "gusts of the lift / wind limit of the crane",
+        "%",
+        0,
+        cranes.wind_of_limit,
         by_definition=1.0,
         definition=_ALL,
         is_listed=True,

@@ -401,6 +401,7 @@ def _hold_points(recording: Recording) -> list[str]:
 def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
     """Values of a measure that a step reports, at one sample."""
     rig = recording.rig
+    hooks = {hook.name: hook.name for crane in rig.cranes for _, hook in crane.hooks}
     sources: dict[str, tuple[str, str, int, dict[str, str]]] = {
         "sling_tension": ("rope_tension", "kN", 1, {sling.name: sling.rope for sling in rig.slings}),
         "equalizing_rope_tension": (
@@ -419,6 +420,15 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
         "hoist_load": ("hoist_load", "kN", 1, {hook.name: hook.name for hook in rig.hooks}),
         "load_tilt": ("load_tilt", "deg", 2, {load.name: load.name for load in rig.loads}),
         "load_transferred": ("load_transferred", "%", 1, {load.name: load.name for load in rig.loads}),
+        "load_swing": ("load_swing", "m", 3, {load.name: load.name for load in rig.loads if rig.cranes}),
+        "hook_height": ("hook_height", "m", 3, hooks),
+        "falls_out_of_plumb": ("falls_out_of_plumb", "deg", 3, hooks),
+        "corner_load": (
+            "corner_load",
+            "kN",
+            0,
+            {name: name for crane in rig.cranes for name in crane.corners},
+        ),
     }
     if measure not in sources:
         yield "not known here"

@@ -16,6 +16,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Polygon, Rectangle
 
 from gantline.plot.moments import moments
+from gantline.plot.moments import stages as stages_of
 from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
 from gantline.plot.style import FAINT, INK, KILO, QUIET, force_unit, shortened
 from gantline.results.recording import Recording
@@ -24,6 +25,8 @@ from gantline.results.variable import FloatArray
 
 _TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
+_MOST_LUGS = 10  # that are labelled one by one
+_TITLES = 0.9  # height of the titles of a further row [inch]
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _FILL = {"load": "#C9D6E2", "frame": "#8FA3B5"}
 # Directions in which a label may stand, the preferred ones first.
@@ -68,11 +71,34 @@ def system(recording: Recording) -> Figure | None:
         if ground is not None:
             _draw_ground(panels[0][column], float(ground["level"]))
         _title(panels[0][column], name, snap.time)
-        _label_lugs(panels[1][column], snap)
+        _label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
     panels[1][0].set_ylabel("top view (x, y)", fontsize=8, color=QUIET)
     _scale_bar(panels[0][-1], 0.03)
     _tension_bar(figure, [panel for row in panels for panel in row], norm)
+    return figure
+
+
+def stages(recording: Recording) -> Figure | None:
+    """Side views of the stages of a lift under a crane that goes somewhere, two rows of three; else None."""
+    found = stages_of(recording)
+    if not recording.rig.cranes or len(found) < 4:
+        return None
+    shown = [(name, snapshot(recording, sample)) for name, sample in found]
+    norm = _norm(shown)
+    window = _window(SIDE.project(np.concatenate([snap.extent() for _, snap in shown])))
+    ground = (recording.attributes.get("scene") or {}).get("ground")
+    figure, rows = _strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
+    panels = [panel for row in rows for panel in row]
+    for panel, (name, snap) in zip(panels, shown, strict=False):
+        if ground is not None:
+            _draw_ground(panel, float(ground["level"]))
+        draw(panel, snap, SIDE, norm)
+        _title(panel, name, snap.time)
+    for panel in panels[len(shown) :]:
+        panel.set_visible(False)
+    _scale_bar(panels[min(len(shown), 6) - 1], 0.03)
+    _tension_bar(figure, panels, norm)
     return figure
 
 
@@ -256,13 +282,23 @@ def _window(points: FloatArray, below: float = 0.0, above: float = 0.0) -> Float
 
 
 def _strip(
-    recording: Recording, title: str, columns: int, windows: Sequence[FloatArray]
+    recording: Recording,
+    title: str,
+    columns: int,
+    windows: Sequence[FloatArray],
+    *,
+    scale: float = 2.2,
+    titles: int = 1,
 ) -> tuple[Figure, list[list[Axes]]]:
-    """A figure with a column for each moment and a row for each window, all to one scale."""
+    """A figure with a column for each moment and a row for each window, all to one scale.
+
+    A panel is `scale` inches wide, unless that makes the figure too high; `titles` rows have titles.
+    """
     width = float(np.ptp(windows[0][0]))
     heights = [float(np.ptp(window[1])) for window in windows]
-    scale = min(2.2 / width, 8.2 / sum(heights))
-    size = (max(6.0, scale * width * columns + 0.5), scale * sum(heights) + 1.0 + 0.22 * len(heights))
+    scale = min(scale / width, 8.2 / sum(heights))
+    high = scale * sum(heights) + 1.0 + 0.22 * len(heights) + _TITLES * (titles - 1)
+    size = (max(6.0, scale * width * columns + 0.5), high)
     figure = Figure(figsize=size)
     figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.04, w_pad=0.03, hspace=0.01, wspace=0.01))
     figure.suptitle(
@@ -300,16 +336,28 @@ def _title(panel: Axes, name: str, time: float) -> None:
     panel.set_title(f"{name}\n{time:.2f} s" if name else f"{time:.2f} s", fontsize=9, color=INK)
 
 
-def _label_lugs(panel: Axes, snap: Snapshot) -> None:
-    """Names of the slings beside their lugs in a top view, where ropes, edges and centres leave room."""
+def _label_lugs(panel: Axes, recording: Recording, snap: Snapshot) -> None:
+    """Names of the slings beside their lugs in a top view, where ropes, edges and centres leave room.
+
+    Where there are many, equalizers have names in place of their slings.
+    """
     lines = [rope.path for rope in snap.ropes]
     lines += [np.concatenate([face, face[:1]]) for box in snap.boxes for face in box.faces]
     centres = [TOP.project(centre)[None] for centre in snap.centres.values()]
     taken = np.concatenate([_densely(TOP.project(line)) for line in lines] + centres)
     width = float(np.ptp(panel.get_xlim()))
-    for name, lug in snap.lugs.items():
+    for lug in snap.lugs.values():
+        panel.plot(*TOP.project(lug), "o", color=INK, markersize=2.2, zorder=4)
+    named = dict(snap.lugs)
+    if len(named) > _MOST_LUGS:
+        of = {sling.name: recording.rig.equalizer_of(sling) for sling in recording.rig.slings}
+        groups = {
+            one.name: [lug for name, lug in snap.lugs.items() if of[name] is one]
+            for one in recording.rig.equalizers
+        }
+        named = {name: np.mean(lugs, axis=0) for name, lugs in groups.items() if lugs}
+    for name, lug in named.items():
         place = TOP.project(lug)
-        panel.plot(*place, "o", color=INK, markersize=2.2, zorder=4)
         right, up = _beside(place, taken, 0.05 * width)
         panel.text(right, up, name, fontsize=6.5, ha="center", va="center", zorder=5)
 

@@ -7,6 +7,9 @@ import numpy as np
 from gantline.results import series
 from gantline.results.recording import Recording
 
+#: Most stages of a lift that one picture shows.
+_STAGES = 6
+
 
 def moments(recording: Recording) -> list[tuple[str, int]]:
     """Name and sample of each moment in order: start, slings taut, lift-off, peak, end.
@@ -40,6 +43,26 @@ def moments(recording: Recording) -> list[tuple[str, int]]:
     for name, sample in named:
         taken.setdefault(sample, name)
     return [(name, sample) for sample, name in sorted(taken.items())]
+
+
+def stages(recording: Recording) -> list[tuple[str, int]]:
+    """Up to six stages: start, slings taut, lift-off, ends of the last steps that move something.
+
+    Args:
+        recording: Any recording.
+
+    Returns:
+        Name and sample of each; fewer than four where the plan does little after the load is clear.
+    """
+    moving = {step.step for step in recording.rig.plan if step.kind != "hold"}
+    lift_off = series.lift_off_time(recording)
+    known = [(name, sample) for name, sample in moments(recording) if name not in ("peak tension", "end")]
+    after = [
+        (f"end of '{name}'", _sample(recording, time))
+        for time, _, name in recording.events("step_end")
+        if name in moving and lift_off is not None and time > lift_off
+    ]
+    return known + after[-(_STAGES - len(known)) :]
 
 
 def _all_taut(recording: Recording, slings: set[str], peak: float) -> float | None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import matplotlib
 from matplotlib.figure import Figure
 
-from gantline.plot import drawing, traces
+from gantline.plot import by_equalizer, drawing, traces
 from gantline.plot.comparison import comparison_figures
 from gantline.plot.energy import energy
 from gantline.plot.style import RC
@@ -20,6 +20,7 @@ from gantline.results.recording import Recording
 #: Every kind of picture by its file name; those that a lift does not have give None.
 PICTURES: dict[str, Callable[[Recording], Figure | None]] = {
     "sling_tension": traces.sling_tension,
+    "slings_by_equalizer": by_equalizer.slings,
     "equalizing_rope_tension": traces.equalizing_rope_tension,
     "rope_tension": traces.rope_tension,
     "sheave_travel": traces.sheave_travel,
@@ -29,6 +30,7 @@ PICTURES: dict[str, Callable[[Recording], Figure | None]] = {
     "hook_load": traces.hook_load,
     "energy": energy,
     "system": drawing.system,
+    "stages": drawing.stages,
 }
 
 

@@ -106,9 +106,9 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
     sheaves = [entry for entry in scene.get("sheaves", ()) if entry["body"] in bodies]
     plain = set(bodies) - {entry["body"] for entry in sheaves}
     boxes = [
-        _box(place, name, entry)
+        box
         for name, entry in bodies.items()
-        if (entry.get("shape") or {}).get("type") in ("box", "mesh")
+        for box in _boxes(place, name, entry)
     ]
     plain -= {box.name for box in boxes}
     loads = {load.name: load.body for load in recording.rig.loads}
@@ -168,15 +168,17 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
     ]
 
 
-def _box(place: _Places, name: str, entry: Mapping[str, Any]) -> Box:
-    shape, kind = entry["shape"], entry.get("kind", "body")
-    if shape["type"] == "box":
-        return Box(name, kind, place.world(name, _box_faces(shape)))
-    vertices = np.asarray(shape["vertices"], dtype=np.float64)
-    low, high = vertices.min(axis=0), vertices.max(axis=0)
-    around = _box_faces({"size": high - low, "centre": (low + high) / 2.0})
-    triangles = place.world(name, vertices)[np.asarray(shape["triangles"], dtype=np.int64)]
-    return Box(name, kind, place.world(name, around), triangles)
+def _boxes(place: _Places, name: str, entry: Mapping[str, Any]) -> list[Box]:
+    """What is drawn of a body: its box, the boxes that it is put together of, or its triangles in their box."""
+    shape, kind = entry.get("shape") or {}, entry.get("kind", "body")
+    if shape.get("type") == "mesh":
+        vertices = np.asarray(shape["vertices"], dtype=np.float64)
+        low, high = vertices.min(axis=0), vertices.max(axis=0)
+        around = _box_faces({"size": high - low, "centre": (low + high) / 2.0})
+        triangles = place.world(name, vertices)[np.asarray(shape["triangles"], dtype=np.int64)]
+        return [Box(name, kind, place.world(name, around), triangles)]
+    alone = [shape] if shape.get("type") == "box" else []
+    return [Box(name, kind, place.world(name, _box_faces(box))) for box in shape.get("boxes") or alone]
 
 
 def _box_faces(shape: Mapping[str, Any]) -> FloatArray:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from gantline.results.crane import crane_events, crane_state
 from gantline.results.flows import rope_flows
 from gantline.results.nodes import joined
 from gantline.results.recording import Recording
@@ -143,6 +145,9 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     ):
         variables |= derived
         coordinates |= labels
+    of_cranes, labels = _cranes(columns, names, lift, variables)
+    variables |= of_cranes
+    coordinates |= labels
     used = {dim for variable in variables.values() for dim in variable.dims}
     coordinates = {dim: labels for dim, labels in coordinates.items() if dim in used}
     return Recording(variables, coordinates, {**attributes, "rig": dict(rig)})
@@ -207,6 +212,30 @@ def _hook_load(columns: Columns, names: Names, hook: Hook) -> FloatArray:
         down = -pull[:, 2] / np.linalg.norm(pull, axis=1)
         total += columns["rope_tension"][:, ropes.index(rope)] * down
     return total
+
+
+def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]) -> _Derived:
+    """What is particular to Goliath cranes; moments at which their limits are passed join the events."""
+    if not rig.cranes:
+        return {}, {}
+    loads = {
+        name: {hook.name: known[name].values[:, place] for place, hook in enumerate(rig.hooks)}
+        for name in ("hook_load", "hoist_load")
+    }
+    found, labels = crane_state(
+        columns, names, rig.cranes, [load.name for load in rig.loads], loads["hoist_load"]
+    )
+    height = found["hook_height"].values
+    heights = {name: height[:, place] for place, name in enumerate(labels["crane_hook"])}
+    passed = list(crane_events(columns["time"], rig.ratings, loads, rig.cranes, heights))
+    if passed:
+        events = [known[f"event_{key}"].values for key in ("time", "kind", "name")]
+        together = [*zip(*(values.tolist() for values in events), strict=True), *passed]
+        together.sort(key=lambda event: event[0])
+        for key, values in zip(("time", "kind", "name"), zip(*together, strict=True), strict=True):
+            kind = np.float64 if key == "time" else np.str_
+            found[f"event_{key}"] = replace(known[f"event_{key}"], values=np.array(values, dtype=kind))
+    return found, labels
 
 
 def _load_state(columns: Columns, names: Names, rig: Rig) -> _Derived:

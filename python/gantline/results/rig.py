@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
+from gantline.results.crane import Crane
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
@@ -310,6 +311,7 @@ class Rig(FromJson):
         gravity: Acceleration of gravity [m/s^2].
         loads: What is lifted.
         hooks: Hooks of all cranes.
+        cranes: Goliath cranes, with what is particular to their hooks.
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
         ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
@@ -334,6 +336,7 @@ class Rig(FromJson):
     gravity: float = 9.81
     loads: Sequence[Load] = ()
     hooks: Sequence[Hook] = ()
+    cranes: Sequence[Crane] = ()
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
     ropes: Sequence[Rope] = ()
@@ -356,6 +359,7 @@ class Rig(FromJson):
         parts = {
             "loads": tuple(Load.from_json(d) for d in document.get("loads") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
+            "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),

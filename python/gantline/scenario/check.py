@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gantline.scenario.check_equalizer import check_equalizer
+from gantline.scenario.check_goliath import check_goliaths, crane_parts
 from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
@@ -31,6 +32,8 @@ def check(scenario: Scenario) -> None:
         ScenarioError: with every problem found.
     """
     findings = Findings(scenario)
+    check_goliaths(findings)
+    findings.raise_any()  # nothing can be said of what hangs from hooks that are not whole
     _check_names(findings)
     try:
         rigging = resolve(scenario)
@@ -43,8 +46,8 @@ def check(scenario: Scenario) -> None:
             findings.add(("simulation", "integrator"), sentence)
     except ScenarioError as error:
         findings.problems.extend(error.problems)
-    for name, crane in (scenario.cranes or {}).items():
-        check_reeving(findings, name, crane)
+    for hook in scenario.hooks.values():
+        check_reeving(findings, hook)
     if scenario.load is not None:
         check_load(findings, scenario.load)
     elif scenario.mechanics is None:
@@ -66,10 +69,11 @@ def _check_names(findings: Findings) -> None:
     scenario = findings.scenario
     named: list[tuple[str, str, Path]] = []
     named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
+    named += crane_parts(scenario.cranes or {})
     named += [
-        (hoist_drum(name), "the drum of a hook", ("cranes", name, "drum"))
-        for name, crane in (scenario.cranes or {}).items()
-        if crane.reeving is not None
+        (hoist_drum(name), "the drum of a hook", hook.paths["drum"])
+        for name, hook in scenario.hooks.items()
+        if hook.reeving is not None
     ]
     named += [(name, "an equalizer", ("equalizers", name)) for name in scenario.equalizers or {}]
     named += [
@@ -98,12 +102,12 @@ def _check_names(findings: Findings) -> None:
 
 
 def _check_hook_groups(findings: Findings) -> None:
-    cranes = findings.scenario.cranes or {}
+    hooks = findings.scenario.hooks
     for name, group in (findings.scenario.hook_groups or {}).items():
         path = ("hook_groups", name, "hooks")
         for place, hook in enumerate(group.hooks):
-            if hook not in cranes:
-                findings.add(path, f"'{hook}' is not a hook; {nearest(hook, cranes)}")
+            if hook not in hooks:
+                findings.add(path, f"'{hook}' is not a hook; {nearest(hook, hooks)}")
             elif hook in group.hooks[:place]:
                 findings.add(path, f"'{hook}' is named twice; each hook counts once")
 
@@ -145,9 +149,9 @@ def _has_friction(scenario: Scenario) -> bool:
         kind = (scenario.equalizer_types or {}).get(given.type or "")
         hinge = given.hinge or (kind and kind.hinge)
         found |= bool(hinge and hinge.friction)
-    for crane in (scenario.cranes or {}).values():
-        found |= crane.reeving is not None and crane.reeving.words.bearing_efficiency < 1
-        found |= crane.hoist.capacity is not None
+    for hook in scenario.hooks.values():
+        found |= hook.reeving is not None and hook.reeving.words.bearing_efficiency < 1
+        found |= hook.hoist.capacity is not None
     if scenario.mechanics is not None:
         guides = [guide for rope in (scenario.mechanics.ropes or {}).values() for guide in rope.route]
         found |= any(isinstance(guide, HalfTurn) and guide.bearing_efficiency < 1 for guide in guides)

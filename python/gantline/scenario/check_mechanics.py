@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from gantline.scenario.check_goliath import crane_bodies
 from gantline.scenario.drum import Drum
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
@@ -48,8 +49,8 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
         _check_mass(findings, path, body)
     slings = [f"sling.{sling}" for sling in scenario.slings or {}]
     taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
-    for name, crane in (scenario.cranes or {}).items():
-        taken += hoist_ropes(name, crane.reeving) if crane.reeving is not None else []
+    for name, hook in scenario.hooks.items():
+        taken += hoist_ropes(name, hook.reeving) if hook.reeving is not None else []
     for name, rope in (mechanics.ropes or {}).items():
         path = ("mechanics", "ropes", name)
         if rope.rope not in (scenario.ropes or {}):
@@ -76,7 +77,7 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
 
 def _yard_bodies(scenario: Scenario) -> list[str]:
     """Names of the bodies that the yard words make."""
-    names = list(scenario.cranes or {})
+    names = [*scenario.hooks, *crane_bodies(scenario.cranes or {})]
     for name, equalizer in (scenario.equalizers or {}).items():
         kind = (scenario.equalizer_types or {}).get(equalizer.type or "")
         sheaves = equalizer.moving_sheaves or (kind.moving_sheaves if kind is not None else None)

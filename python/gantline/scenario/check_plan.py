@@ -1,83 +1,111 @@
-"""Whether the plan can be carried out by the hooks and drums there are."""
+"""Whether the plan can be carried out by the hooks, drums, trolleys and cranes there are."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from gantline.scenario.crane import Hoist
-from gantline.scenario.drum import DrumDrive
+from gantline.scenario.check_travel import check_travel
+from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
-from gantline.scenario.findings import Findings
-from gantline.scenario.model import Scenario
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.hooks import full_name
+from gantline.scenario.movers import Mover, movers
 from gantline.scenario.plan import DrumStep, HoldStep, HookStep, LowerStep, MovingStep, PayOutStep
 
 __all__ = ["check_plan"]
 
 _ROUNDING = 1 + 1e-9
+#: What can be moved, and what it does, in the words of messages.
+_WORDS = {
+    "hook": ("hook", "hoist", "hoist"),
+    "drum": ("drum", "turn", "drive"),
+    "trolley": ("trolley", "traverse", "traverse"),
+    "crane": ("crane that travels", "travel", "travel"),
+}
 
 
 def check_plan(findings: Findings) -> None:
     """Note everything that is wrong with the plan."""
     plan = findings.scenario.plan
-    earliest = 0.0
+    earliest = began = 0.0
+    busy: set[str] = set()  # what the steps that go on side by side move
     for place, step in enumerate(plan):
         if isinstance(step, HoldStep):
             if step.hold == "until_end" and place + 1 < len(plan):
                 sentence = "'until_end' stands before other steps, which would never begin"
                 findings.add(("plan", place, "hold"), f"{sentence}; only the last step holds until the end")
+            if step.until is not None:
+                _check_condition(findings, place, step)
+            busy = set()
             continue
-        _check_moved(findings, place, step)
-        earliest = _check_times(findings, place, step, earliest)
+        aside = step.starts == "with_previous"
+        if aside and place == 0:
+            sentence = "there is no step before the first; leave 'starts' out"
+            findings.add(("plan", place, "starts"), sentence)
+        moved = _check_moved(findings, place, step)
+        busy = busy if aside else set()
+        for name in moved & busy:
+            sentence = f"'{name}' is moved by two steps at once"
+            right = "leave 'starts: with_previous' out, or move it in one of them"
+            findings.add(("plan", place, step.verb), f"{sentence}; {right}")
+        busy |= moved
+        began, latest = _check_times(findings, place, step, began if aside else earliest)
+        earliest = max(earliest, latest)
         if step.until is not None:
             _check_condition(findings, place, step)
+    check_travel(findings)
+    _check_emergency_stop(findings)
 
 
-def _check_moved(findings: Findings, place: int, step: MovingStep) -> None:
+def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
     """Each step moves what there is, once, and not faster than its hoist or drive can."""
-    what = "hook" if isinstance(step, HookStep) else "drum"
-    names = step.hooks if isinstance(step, HookStep) else step.drums if isinstance(step, DrumStep) else ()
-    known = _movable(findings.scenario, what)
-    for name in names:
-        if name not in known:
-            sentence = f"'{name}' is not a {what}; {nearest(name, known)}"
+    what, can, drive = _WORDS[step.kind]
+    known = movers(findings.scenario, step.kind)
+    moved: list[str] = []
+    for text in step.moved:
+        name = full_name(text, known)
+        if name is None:
+            sentence = f"'{text}' is not a {what}; {nearest(text, known)}"
             findings.add(("plan", place, step.verb), sentence)
             continue
-        drive = known[name]
-        if drive is None:
+        moved.append(name)
+        one = known[name]
+        if one is None:
             sentence = f"drum '{name}' has no 'drive' that could turn it"
             right = "'drive: {speed: 30 m/min, acceleration: 0.1 m/s^2}'"
             findings.add(("plan", place, step.verb), f"{sentence}; give it one, such as {right}")
             continue
-        if step.emergency_stop_at is not None and drive.capacity is None:
-            sentence = f"'{name}' has no 'capacity', so that it would stop at once, with any force"
-            findings.add(
-                ("plan", place, "emergency_stop_at"),
-                f"{sentence}; give its {'hoist' if what == 'hook' else 'drive'} a capacity",
-            )
-        if step.speed > drive.speed * _ROUNDING:
-            can = "hoist" if what == "hook" else "turn"
+        if step.emergency_stop_at is not None:
+            _check_stop(findings, ("plan", place, "emergency_stop_at"), one, drive)
+        if step.speed > one.speed * _ROUNDING:
             sentence = f"{step.speed:g} m/s is faster than '{name}' can {can}"
-            findings.add(("plan", place, "speed"), f"{sentence}; its highest speed is {drive.speed:g} m/s")
-        if step.acceleration is not None and step.acceleration > drive.acceleration * _ROUNDING:
+            findings.add(("plan", place, "speed"), f"{sentence}; its highest speed is {one.speed:g} m/s")
+        if step.acceleration is not None and step.acceleration > one.acceleration * _ROUNDING:
             sentence = f"{step.acceleration:g} m/s^2 is more than '{name}' can do"
             findings.add(
-                ("plan", place, "acceleration"), f"{sentence}; its most is {drive.acceleration:g} m/s^2"
+                ("plan", place, "acceleration"), f"{sentence}; its most is {one.acceleration:g} m/s^2"
             )
-    if len(set(names)) < len(names):
-        findings.add(("plan", place, step.verb), f"names a {what} twice; each {what} stands once")
+    if len(set(moved)) < len(moved):
+        short = what.partition(" ")[0]
+        findings.add(("plan", place, step.verb), f"names a {short} twice; each {short} stands once")
+    return set(moved)
 
 
-def _movable(scenario: Scenario, what: str) -> Mapping[str, Hoist | DrumDrive | None]:
-    """Hooks or drums by name, with what moves them."""
-    if what == "hook":
-        return {name: crane.hoist for name, crane in (scenario.cranes or {}).items()}
-    drums = scenario.mechanics.drums if scenario.mechanics is not None else None
-    return {name: drum.drive for name, drum in (drums or {}).items()}
+def _check_stop(findings: Findings, path: Path, one: Mover, drive: str) -> None:
+    """What shall stop in an emergency needs a way to do so that takes a finite force."""
+    if one.capacity or one.emergency is not None:
+        return
+    sentence = f"'{one.name}' has no 'capacity', so that it would stop at once, with any force"
+    right = f"give its {drive} a capacity"
+    right += " or an 'emergency_acceleration', such as 0.2 m/s^2" if one.kind == "hook" else ""
+    findings.add(path, f"{sentence}; {right}")
 
 
-def _check_times(findings: Findings, place: int, step: MovingStep, earliest: float) -> float:
-    """Check when a step starts and brakes; gives the time before which no later step can start [s]."""
-    duration = findings.scenario.duration
+def _check_times(findings: Findings, place: int, step: MovingStep, earliest: float) -> tuple[float, float]:
+    """Check when a step starts and brakes.
+
+    Returns:
+        The time before which it cannot start, and that before which no step after it can [s].
+    """
+    duration, began = findings.scenario.duration, earliest
     ends = (("brake_from", step.brake_from), ("emergency_stop_at", step.emergency_stop_at))
     for key, time in (("start_at", step.start_at), *ends):
         if time is None:
@@ -89,15 +117,79 @@ def _check_times(findings: Findings, place: int, step: MovingStep, earliest: flo
             sentence = f"{time:g} s is not after what comes before it, at {earliest:g} s"
             findings.add(("plan", place, key), f"{sentence}; steps go in order of time")
         earliest = max(earliest, time)
-    return earliest
+        began = earliest if key == "start_at" else began
+    return began, earliest
 
 
-def _check_condition(findings: Findings, place: int, step: MovingStep) -> None:
-    path = ("plan", place, "until")
+def _check_condition(findings: Findings, place: int, step: MovingStep | HoldStep) -> None:
+    path: Path = ("plan", place, "until")
+    condition = step.until
+    assert condition is not None
+    if condition.hoist_load is not None:
+        _check_hoist_load(findings, (*path, "hoist_load", "hook"), condition.hoist_load.hook)
+        return
+    if condition.tension_spread is not None:
+        _check_spread(findings, path, condition)
+        return
     if findings.scenario.load is None or findings.scenario.ground is None:
         sentence = "this waits for a load to leave the ground"
         findings.add(path, f"{sentence}; there is no 'load' on a 'ground' in this file")
-    elif isinstance(step, (LowerStep, PayOutStep)):
-        doing = "lowering" if isinstance(step, LowerStep) else "paying out"
-        sentence = f"{doing} until something happens cannot be simulated yet"
-        findings.add(path, f"{sentence}; end the step with 'by' or 'brake_from'")
+        return
+    down = isinstance(step, (LowerStep, PayOutStep))
+    up = isinstance(step, (HookStep, DrumStep)) and not down
+    if down and condition.supports == "clear":
+        sentence = "a load that is let down does not leave its supports"
+        findings.add(path, f"{sentence}; 'supports: touched' is right here")
+    if up and condition.supports == "touched":
+        sentence = "a load that is lifted does not come down on supports"
+        findings.add(path, f"{sentence}; 'supports: clear' is right here")
+
+
+def _check_hoist_load(findings: Findings, path: Path, text: str) -> None:
+    hooks = findings.scenario.hooks
+    name = full_name(text, hooks)
+    if name is None:
+        findings.add(path, f"'{text}' is not a hook; {nearest(text, hooks)}")
+    elif hooks[name].reeving is None:
+        sentence = f"'{text}' has no 'reeving', and so no ropes in which its load could be read"
+        findings.add(path, f"{sentence}; give it one or wait for 'load_transferred'")
+
+
+def _check_spread(findings: Findings, path: Path, condition: Condition) -> None:
+    equalizers = findings.scenario.equalizers or {}
+    if not equalizers:
+        findings.add(
+            path, "this waits for the slings of an equalizer; there are no 'equalizers' in this file"
+        )
+    for name in condition.of:
+        if name not in equalizers:
+            findings.add((*path, "of"), f"'{name}' is not an equalizer; {nearest(name, equalizers)}")
+
+
+def _check_emergency_stop(findings: Findings) -> None:
+    stop, scenario = findings.scenario.emergency_stop, findings.scenario
+    if stop is None:
+        return
+    path: Path = ("emergency_stop",)
+    steps = [step.step for step in scenario.plan]
+    if stop.at is not None and stop.at > scenario.duration:
+        sentence = f"{stop.at:g} s is after the end of the lift at {scenario.duration:g} s"
+        findings.add((*path, "at"), f"{sentence}; make 'duration' longer or this time earlier")
+    if stop.in_step is not None and steps.count(stop.in_step) != 1:
+        if stop.in_step in steps:
+            sentence = f"'{stop.in_step}' is the name of {steps.count(stop.in_step)} steps; one is needed"
+        else:
+            sentence = f"'{stop.in_step}' is not a step of the plan; {nearest(stop.in_step, steps)}"
+        findings.add((*path, "in_step"), sentence)
+    moved = {
+        name: one
+        for step in scenario.plan
+        if isinstance(step, MovingStep)
+        for known in [movers(scenario, step.kind)]
+        for name, one in ((full_name(text, known), step) for text in step.moved)
+        if name is not None
+    }
+    for name, step in moved.items():
+        one = movers(scenario, step.kind)[name]
+        if one is not None:
+            _check_stop(findings, path, one, _WORDS[step.kind][2])

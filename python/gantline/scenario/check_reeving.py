@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from gantline.scenario.crane import FixedHook
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
+from gantline.scenario.hooks import Hook
 from gantline.scenario.reeving import Reeving
 from gantline.scenario.rope_weight import check_rope_weight
 from gantline.scenario.sheave import check_losses
@@ -12,12 +12,12 @@ from gantline.scenario.sheave import check_losses
 __all__ = ["check_reeving"]
 
 
-def check_reeving(findings: Findings, name: str, crane: FixedHook) -> None:
+def check_reeving(findings: Findings, hook: Hook) -> None:
     """Note everything that is wrong with the reeving of a hook."""
-    reeving = crane.reeving
+    reeving = hook.reeving
     if reeving is None:
         return
-    path: Path = ("cranes", name, "reeving")
+    path: Path = hook.paths["reeving"]
     ropes = findings.scenario.ropes or {}
     kind = ropes.get(reeving.rope)
     if kind is None:
@@ -47,21 +47,21 @@ def check_reeving(findings: Findings, name: str, crane: FixedHook) -> None:
         over_sheaves="a hoist rope",
         gravity=findings.scenario.simulation.gravity,
     )
-    assert crane.drum is not None  # the model has seen to that
-    if crane.drum.layers > 1 and crane.drum.layer_step is None and kind.diameter is None:
+    assert hook.drum is not None  # the model has seen to that
+    if hook.drum.layers > 1 and hook.drum.layer_step is None and kind.diameter is None:
         sentence = f"the diameter of rope '{reeving.rope}' is not known, which says how thick a layer is"
-        findings.add(("cranes", name, "drum"), f"{sentence}; give 'layer_step', such as 'layer_step: 36 mm'")
-    _check_room(findings, name, crane, reeving, reeving.diameter(kind.diameter))
+        findings.add(hook.paths["drum"], f"{sentence}; give 'layer_step', such as 'layer_step: 36 mm'")
+    _check_room(findings, hook, reeving, reeving.diameter(kind.diameter))
 
 
-def _check_room(findings: Findings, name: str, crane: FixedHook, reeving: Reeving, diameter: float) -> None:
+def _check_room(findings: Findings, hook: Hook, reeving: Reeving, diameter: float) -> None:
     """The hook block has to start below the upper sheaves, and the hook has something to lift."""
-    assert crane.hook_block is not None
-    sheaves = crane.at[2] + crane.hook_block.height
+    assert hook.hook_block is not None
+    sheaves = hook.at[2] + hook.hook_block.height
     if reeving.upper_sheaves_at < sheaves + diameter:
         sentence = f"the sheaves of the hook block start at {sheaves:g} m, and the upper ones at "
         sentence += f"{reeving.upper_sheaves_at:g} m, not a sheave's diameter above"
         findings.add(
-            ("cranes", name, "reeving", "upper_sheaves_at"),
+            (*hook.paths["reeving"], "upper_sheaves_at"),
             f"{sentence}; {sheaves + 2 * diameter:g} m or more is right",
         )

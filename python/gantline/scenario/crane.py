@@ -54,7 +54,7 @@ __all__ = [
 ]
 
 #: Crane types that the format will have and that this version cannot simulate.
-_COMING_CRANES = ("goliath", "sheerleg", "floating_crane", "crawler", "crawler_crane")
+_COMING_CRANES = ("sheerleg", "floating_crane", "crawler", "crawler_crane")
 
 
 class Hoist(Element):
@@ -79,11 +79,21 @@ class Hoist(Element):
         "thrown it in; the capacity if not given.",
     )
 
+    emergency_acceleration: PositiveAcceleration | None = Field(
+        None,
+        description="Deceleration of the hook in an emergency stop, of a hoist without a capacity.",
+    )
+
     @model_validator(mode="after")
     def _power_needs_a_capacity(self) -> Hoist:
         for key in ("power", "brake"):
             if getattr(self, key) is not None and self.capacity is None:
                 raise refuse(f"'{key}' is given without 'capacity', the largest pull at low speed", key)
+        if self.emergency_acceleration is not None and self.capacity is not None:
+            sentence = "'emergency_acceleration' and 'capacity' are given together"
+            raise refuse(
+                f"{sentence}; a hoist with a capacity is stopped by its brake", "emergency_acceleration"
+            )
         return self
 
 
@@ -145,9 +155,12 @@ class FixedHook(Element):
             return
         if kind in _COMING_CRANES:
             raise refuse(
-                f"cranes of type {found(kind)} cannot be simulated yet; 'type: fixed_hook' can", "type"
+                f"cranes of type {found(kind)} cannot be simulated yet; 'fixed_hook' and 'goliath' can",
+                "type",
             )
-        raise refuse(f"{found(kind)} is not a type of crane; {nearest(str(kind), ['fixed_hook'])}", "type")
+        raise refuse(
+            f"{found(kind)} is not a type of crane; {nearest(str(kind), ['fixed_hook', 'goliath'])}", "type"
+        )
 
 
 class EqualizerFrame(Element):

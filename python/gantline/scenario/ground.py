@@ -20,7 +20,7 @@ from gantline.scenario.quantities import (
     Text,
 )
 
-__all__ = ["Ground", "LiftHead", "SimulationSettings"]
+__all__ = ["Axes", "Ground", "LiftHead", "SimulationSettings"]
 
 
 class LiftHead(Element):
@@ -32,6 +32,17 @@ class LiftHead(Element):
     number: Text | None = Field(None, description="Number of the lift plan.")
     revision: Text | None = Field(None, description="Revision of the lift plan.")
     remark: Text | None = Field(None, description="A remark for people.")
+
+
+class Axes(Element):
+    """Where the axes of the world point, for people who read the file or its pictures."""
+
+    what: ClassVar[str] = "axes"
+
+    x: Text | None = Field(None, description="Direction of x.")
+    y: Text | None = Field(None, description="Direction of y.")
+    z: Text | None = Field(None, description="Direction of z.")
+    origin: Text | None = Field(None, description="Where the origin is.")
 
 
 class Ground(Element):

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from gantline.rule_data import PRESETS
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
+    NotNegativeLength,
     Number,
     PositiveAngle,
     PositiveForce,
@@ -98,6 +99,24 @@ class Limits(Element):
     hoist_load_of_rated_capacity: Ratio | None = Field(
         None,
         description="Hoist load of rated capacity, of hooks and of 'hook_groups'; 100 % if not given.",
+    )
+    falls_out_of_plumb: PositiveAngle | None = Field(
+        None, description="Angle of the falls from plumb, of hooks of Goliath cranes."
+    )
+    hook_height_margin: NotNegativeLength | None = Field(
+        None, description="Least distance of a hook below its highest position; 0 if not given."
+    )
+    hook_approach_margin: NotNegativeLength | None = Field(
+        None, description="Least distance of a hook from a rail beyond that of the crane; 0 if not given."
+    )
+    hook_distance_margin: NotNegativeLength | None = Field(
+        None, description="Least distance of hooks of two trolleys beyond that of the crane; 0 if not given."
+    )
+    corner_load: PositiveForce | None = Field(
+        None, description="Load of a corner of a Goliath crane, by moments of weights and hoist loads."
+    )
+    wind_of_limit: Ratio | None = Field(
+        None, description="Gusts of the lift of the wind limit of the crane; 100 % if not given."
     )
     lug_load_of_capacity: Ratio | None = Field(
         None, description="Load of a lug of its capacity; 100 % if not given."

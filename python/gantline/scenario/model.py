@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, PrivateAttr
+from pydantic import Discriminator, Field, PrivateAttr, Tag
 
 from gantline.scenario.base import Element, Named
 from gantline.scenario.case import Case
@@ -12,19 +12,25 @@ from gantline.scenario.crane import Equalizer, EqualizerType, FixedHook
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
-from gantline.scenario.ground import Ground, LiftHead, SimulationSettings
+from gantline.scenario.goliath import Goliath, HookType, crane_type
+from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
 from gantline.scenario.hook_group import HookGroup
+from gantline.scenario.hooks import Hook, hooks_of
 from gantline.scenario.limits import Limits, Rules
 from gantline.scenario.load import Load, LugType
 from gantline.scenario.mechanics import Mechanics
-from gantline.scenario.plan import Step
-from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
+from gantline.scenario.plan import EmergencyStop, Step
+from gantline.scenario.quantities import PositiveTime, Quantity, Reader, WordOr, found, refuse
 from gantline.scenario.tree import MapNode, line_of
 
 __all__ = ["COMING", "Scenario"]
 
 #: Sections that the format will have and that this version does not know.
-COMING = ("axes", "hook_types", "structures", "supports", "vessels", "watch", "wind")
+COMING = ("structures", "supports", "vessels", "watch")
+
+Crane = Annotated[
+    Annotated[FixedHook, Tag("fixed_hook")] | Annotated[Goliath, Tag("goliath")], Discriminator(crane_type)
+]
 
 
 class _FormatReader(Reader):
@@ -55,12 +61,21 @@ class Scenario(Element):
         "has settled on the ground, all else is as given; 'as_given': from the positions given. If not "
         "given: 'rest' for a lift with a 'load', else 'as_given'.",
     )
+    axes: Axes | None = Field(None, description="Where the axes point, for people.")
+    wind: Annotated[float | Literal["none"], WordOr(("none",), Quantity("speed", "not_negative"))] | None = (
+        Field(
+            None,
+            description="Gusts at the height of the girder: held against the wind limit of cranes; they push "
+            "nothing.",
+        )
+    )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
     lug_types: Named[LugType] | None = Field(None, description="Types of lug by name.")
     load: Load | None = Field(None, description="The load.")
-    cranes: Named[FixedHook] | None = Field(None, description="Cranes by name.")
+    hook_types: Named[HookType] | None = Field(None, description="Types of hook of trolleys, by name.")
+    cranes: Named[Crane] | None = Field(None, description="Cranes by name.")
     hook_groups: Named[HookGroup] | None = Field(
         None, description="Hooks that share a trolley or a crane, by name."
     )
@@ -74,6 +89,9 @@ class Scenario(Element):
         None, description="Sheaves that hang on slings and serve two lugs each, by name."
     )
     plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
+    emergency_stop: EmergencyStop | None = Field(
+        None, description="Stops all that the plan moves, and the plan."
+    )
     cases: Named[Case] | None = Field(None, description="What may be otherwise than planned, by name.")
     limits: Limits | None = Field(None, description="Limits that the lift is checked against.")
     rules: Rules | None = Field(None, description="Factors on loads and strengths for the checks.")
@@ -111,6 +129,11 @@ class Scenario(Element):
     def error(self, path: tuple[PathPart, ...], sentence: str) -> ScenarioError:
         """An error with one problem at a path of this file."""
         return ScenarioError(self._source, [self.problem(path, sentence)])
+
+    @property
+    def hooks(self) -> dict[str, Hook]:
+        """Hooks of all cranes by their full names."""
+        return hooks_of(self.cranes or {}, self.hook_types or {})
 
     @property
     def starts_at_rest(self) -> bool:

@@ -59,10 +59,10 @@ def partings(scenario: Scenario) -> dict[str, Parting]:
         rope = sling.rope or (defaults.rope if defaults is not None else None)
         own = sling.breaks_at or (defaults.breaks_at if defaults is not None else None)
         found[f"sling.{name}"] = Parting(breaking_force(kinds[str(rope)], own), sling.cut_at)
-    for name, crane in (scenario.cranes or {}).items():
-        if crane.reeving is not None:
-            of_kind = Parting(breaking_force(kinds[crane.reeving.rope], None), None)
-            found |= dict.fromkeys(hoist_ropes(name, crane.reeving), of_kind)
+    for name, hook in scenario.hooks.items():
+        if hook.reeving is not None:
+            of_kind = Parting(breaking_force(kinds[hook.reeving.rope], None), None)
+            found |= dict.fromkeys(hoist_ropes(name, hook.reeving), of_kind)
     mechanics = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, plain in (mechanics or {}).items():
         found[name] = Parting(breaking_force(kinds[plain.rope], plain.breaks_at), plain.cut_at)
@@ -86,9 +86,9 @@ def check_partings(findings: Findings) -> None:
     equalizing = [f"{name}.equalizing" for name in scenario.equalizers or {}]
     hoisting = [
         rope
-        for name, crane in (scenario.cranes or {}).items()
-        if crane.reeving is not None
-        for rope in hoist_ropes(name, crane.reeving)
+        for name, hook in scenario.hooks.items()
+        if hook.reeving is not None
+        for rope in hoist_ropes(name, hook.reeving)
     ]
     known = [*equalizing, *hoisting, *(f"sling.{name}" for name in scenario.slings or {}), *mechanics]
     for place, step in enumerate(scenario.plan):

@@ -9,8 +9,10 @@ from pydantic import Discriminator, Field, Tag, model_validator
 from pydantic.json_schema import JsonSchemaValue
 
 from gantline.scenario.base import Element
+from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import (
+    Length,
     Names,
     PositiveAcceleration,
     PositiveLength,
@@ -25,20 +27,26 @@ from gantline.scenario.quantities import (
 )
 from gantline.units import example, units_of
 
+Kind = Literal["hook", "drum", "trolley", "crane"]
+
 __all__ = [
     "MEASURES",
     "Bound",
     "Condition",
     "DrumStep",
+    "EmergencyStop",
     "HaulInStep",
     "HoistStep",
     "HoldStep",
     "HookStep",
+    "Kind",
     "LowerStep",
     "MovingStep",
     "PayOutStep",
     "Require",
     "Step",
+    "TravelStep",
+    "TraverseStep",
 ]
 
 
@@ -91,6 +99,10 @@ MEASURES = (
     "hoist_load",
     "load_tilt",
     "load_transferred",
+    "load_swing",
+    "hook_height",
+    "falls_out_of_plumb",
+    "corner_load",
 )
 
 
@@ -128,28 +140,9 @@ class Require(Element):
     sling_tension: ForceBound | None = Field(None, description="Tension of every sling.")
     hook_load: ForceBound | None = Field(None, description="Hook load of every hook.")
     load_transferred: RatioBound | None = Field(None, description="1 - support forces/weight.")
-
-
-class Condition(Element):
-    """What a step waits for."""
-
-    what: ClassVar[str] = "until"
-
-    load_transferred: Annotated[float, Quantity("ratio", "positive")] | None = Field(
-        None, description="Share of the load's weight that has left its supports."
+    falls_out_of_plumb: AngleBound | None = Field(
+        None, description="Angle of the falls from plumb, of hooks of Goliath cranes."
     )
-    supports: Literal["clear"] | None = Field(
-        None, description="'clear': the load has left all its supports."
-    )
-
-    @model_validator(mode="after")
-    def _exactly_one(self) -> Condition:
-        given = [self.load_transferred is not None, self.supports is not None]
-        if sum(given) != 1:
-            raise refuse("a step waits for one thing: 'load_transferred: 50 %' or 'supports: clear'")
-        if self.load_transferred is not None and self.load_transferred > 1:
-            raise refuse(f"load_transferred is {self.load_transferred * 100:g} %; it can reach 100 % at most")
-        return self
 
 
 class _AnyStep(Element):
@@ -172,16 +165,26 @@ class _AnyStep(Element):
 
 
 class MovingStep(_AnyStep):
-    """A step that moves hooks or drums."""
+    """A step that moves hooks, drums, trolleys or cranes."""
 
     #: The key that says what is moved.
     verb: ClassVar[str]
+    #: What that is.
+    kind: ClassVar[Kind]
     #: Sign of the motion of its drives.
-    direction: ClassVar[float]
+    direction: ClassVar[float] = 1.0
+    #: The ways to end it.
+    ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by")
 
-    speed: PositiveSpeed = Field(description="Speed of the hooks, or of the rope on the drums.")
+    speed: PositiveSpeed = Field(
+        description="Speed of hooks, trolleys or crane, or of the rope on the drums."
+    )
     acceleration: PositiveAcceleration | None = Field(
         None, description="That of the hoist or drive itself if not given."
+    )
+    starts: Literal["after_previous", "with_previous"] = Field(
+        "after_previous",
+        description="'with_previous': it begins as the step before begins, and both go on side by side.",
     )
     start_at: Time | None = Field(
         None, description="Time of the start; when the step before ends if not given."
@@ -192,17 +195,27 @@ class MovingStep(_AnyStep):
         description="Time of an emergency stop: brakes are thrown in, and drums slip to rest against them.",
     )
     until: Condition | None = Field(None, description="Condition on which they brake.")
-    by: PositiveLength | None = Field(
+    by: Length | None = Field(
         None, description="Distance of the hooks, or length of rope, after which they are at rest."
     )
 
+    @property
+    def moved(self) -> tuple[str, ...]:
+        """What moves, in the words of the file."""
+        names: tuple[str, ...] = getattr(self, self.verb)
+        return names
+
+    @property
+    def sign(self) -> float:
+        """Sign of the motion of its drives, where neither a signed `by` nor `to` says it."""
+        return self.direction
+
     @model_validator(mode="after")
     def _one_end(self) -> MovingStep:
-        ends = ("brake_from", "emergency_stop_at", "until", "by")
-        given = [name for name in ends if getattr(self, name) is not None]
+        given = [name for name in self.ends if getattr(self, name) is not None]
         if len(given) != 1:
             listed = " and ".join(f"'{name}'" for name in given) or "none of them"
-            ways = "'brake_from', 'emergency_stop_at', 'until' and 'by'"
+            ways = ", ".join(f"'{name}'" for name in self.ends[:-1]) + f" and '{self.ends[-1]}'"
             raise refuse(f"a step ends by one of {ways}; found {listed}")
         return self
 
@@ -210,21 +223,44 @@ class MovingStep(_AnyStep):
 class HookStep(MovingStep):
     """A step that moves hooks up or down."""
 
-    @property
-    def hooks(self) -> tuple[str, ...]:
-        """Hooks that move."""
-        moved: tuple[str, ...] = getattr(self, self.verb)
-        return moved
+    kind: ClassVar[Kind] = "hook"
+    ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by", "to")
+
+    by: PositiveLength | None = Field(None, description="Distance of the hooks after which they are at rest.")
+    to: Length | None = Field(None, description="Height of the hooks' bearings in which they are at rest.")
 
 
 class DrumStep(MovingStep):
     """A step that turns drums."""
 
+    kind: ClassVar[Kind] = "drum"
+
+    by: PositiveLength | None = Field(None, description="Length of rope after which the drums are at rest.")
+
+
+class AlongStep(MovingStep):
+    """A step that moves trolleys along the girder, or a crane along its rails."""
+
+    ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by", "to")
+
+    by: Length | None = Field(None, description="Way after which they are at rest; negative goes back.")
+    to: Length | None = Field(None, description="Position in which they are at rest.")
+    towards: Literal["plus", "minus"] = Field(
+        "plus", description="Where they go if neither 'by' nor 'to' says it: to larger positions, or smaller."
+    )
+
     @property
-    def drums(self) -> tuple[str, ...]:
-        """Drums that turn."""
-        moved: tuple[str, ...] = getattr(self, self.verb)
-        return moved
+    def sign(self) -> float:
+        """Sign of the motion."""
+        return 1.0 if self.towards == "plus" else -1.0
+
+    @model_validator(mode="after")
+    def _goes_somewhere(self) -> AlongStep:
+        if self.by == 0:
+            raise refuse("'0' goes nowhere; a way like '75 m' or '-75 m' is needed", "by")
+        if "towards" in self.model_fields_set and (self.by is not None or self.to is not None):
+            raise refuse("'by' and 'to' say where it goes; leave 'towards' out", "towards")
+        return self
 
 
 class HoistStep(HookStep):
@@ -235,7 +271,6 @@ class HoistStep(HookStep):
     hoist: Names = Field(description="Hook or hooks to hoist.")
 
     verb: ClassVar[str] = "hoist"
-    direction: ClassVar[float] = 1.0
 
 
 class LowerStep(HookStep):
@@ -247,6 +282,28 @@ class LowerStep(HookStep):
 
     verb: ClassVar[str] = "lower"
     direction: ClassVar[float] = -1.0
+
+
+class TraverseStep(AlongStep):
+    """A step in which trolleys traverse."""
+
+    what: ClassVar[str] = "a traverse step"
+
+    traverse: Names = Field(description="Trolley or trolleys that traverse along the girder.")
+
+    verb: ClassVar[str] = "traverse"
+    kind: ClassVar[Kind] = "trolley"
+
+
+class TravelStep(AlongStep):
+    """A step in which cranes travel."""
+
+    what: ClassVar[str] = "a travel step"
+
+    travel: Names = Field(description="Crane or cranes that travel along their rails.")
+
+    verb: ClassVar[str] = "travel"
+    kind: ClassVar[Kind] = "crane"
 
 
 class HaulInStep(DrumStep):
@@ -268,7 +325,6 @@ class PayOutStep(DrumStep):
     pay_out: Names = Field(description="Drum or drums of 'mechanics' that pay out.")
 
     verb: ClassVar[str] = "pay_out"
-    direction: ClassVar[float] = 1.0
 
 
 class HoldStep(_AnyStep):
@@ -276,14 +332,46 @@ class HoldStep(_AnyStep):
 
     what: ClassVar[str] = "a hold step"
 
-    hold: Annotated[float | Literal["until_end"], WordOr(("until_end",), Quantity("time", "positive"))] = (
-        Field(description="How long, or 'until_end'.")
-    )
+    hold: Annotated[
+        float | Literal["until_end", "until_met"],
+        WordOr(("until_end", "until_met"), Quantity("time", "positive")),
+    ] = Field(description="How long, 'until_end', or 'until_met': as long as 'until' asks for.")
+    until: Condition | None = Field(None, description="What 'hold: until_met' waits for.")
+
+    @model_validator(mode="after")
+    def _condition_where_asked(self) -> HoldStep:
+        if (self.hold == "until_met") != (self.until is not None):
+            raise refuse("'hold: until_met' and 'until' stand together, or none of them does")
+        return self
+
+
+class EmergencyStop(Element):
+    """An emergency stop of all hoists, trolleys, cranes and drums at once."""
+
+    what: ClassVar[str] = "emergency_stop"
+
+    at: Time | None = Field(None, description="When.")
+    in_step: Text | None = Field(None, description="The step of the plan in which it is, in place of 'at'.")
+    after: Time | None = Field(None, description="How long after that step has begun; at once if not given.")
+
+    @model_validator(mode="after")
+    def _one_time(self) -> EmergencyStop:
+        if (self.at is None) == (self.in_step is None):
+            raise refuse(
+                "it has one of 'at' and 'in_step', such as {at: 321 s} or {in_step: hoist, after: 10 s}"
+            )
+        if self.after is not None and self.in_step is None:
+            raise refuse("'after' stands without 'in_step', the step from which it counts", "after")
+        return self
+
+
+#: Keys by which a step says what it does.
+VERBS = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "hold")
 
 
 def _verb(data: Any) -> str | None:
     if isinstance(data, dict):
-        verbs = [verb for verb in ("hoist", "lower", "haul_in", "pay_out", "hold") if verb in data]
+        verbs = [verb for verb in VERBS if verb in data]
         return f"{verbs[0]} step" if verbs else None
     return None
 
@@ -291,13 +379,15 @@ def _verb(data: Any) -> str | None:
 Step = Annotated[
     Annotated[HoistStep, Tag("hoist step")]
     | Annotated[LowerStep, Tag("lower step")]
+    | Annotated[TraverseStep, Tag("traverse step")]
+    | Annotated[TravelStep, Tag("travel step")]
     | Annotated[HaulInStep, Tag("haul_in step")]
     | Annotated[PayOutStep, Tag("pay_out step")]
     | Annotated[HoldStep, Tag("hold step")],
     Discriminator(
         _verb,
         custom_error_type="gantline",
-        custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', "
-        "'haul_in', 'pay_out' and 'hold'",
+        custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', "
+        "'travel', 'haul_in', 'pay_out' and 'hold'",
     ),
 ]

@@ -245,7 +245,7 @@ def _equalizing_rope_weight(
 def _check_hook(findings: Findings, name: str, given: Equalizer) -> None:
     equalizers = findings.scenario.equalizers or {}
     hook = given.hangs_from
-    if hook in (findings.scenario.cranes or {}):
+    if hook in findings.scenario.hooks:
         return
     chain = [name]
     while hook in equalizers and hook not in chain:
@@ -257,9 +257,7 @@ def _check_hook(findings: Findings, name: str, given: Equalizer) -> None:
     elif given.hangs_from in equalizers:
         sentence = f"'{given.hangs_from}' is an equalizer; an equalizer hangs from the hook of a crane"
     else:
-        sentence = (
-            f"'{given.hangs_from}' is not a hook; {nearest(given.hangs_from, findings.scenario.cranes or {})}"
-        )
+        sentence = f"'{given.hangs_from}' is not a hook; {nearest(given.hangs_from, findings.scenario.hooks)}"
     findings.add(("equalizers", name, "hangs_from"), sentence)
 
 
@@ -329,12 +327,12 @@ def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial |
 
 
 def _upper_end(findings: Findings, text: str, path: Path) -> _Upper | None:
-    cranes, equalizers = findings.scenario.cranes or {}, findings.scenario.equalizers or {}
-    if text in cranes:
+    hooks, equalizers = findings.scenario.hooks, findings.scenario.equalizers or {}
+    if text in hooks:
         return text, None, None
     split = split_reference(text, equalizers)
     if split is None:
-        holders = [*(f"{name}.1" for name in equalizers), *cranes]
+        holders = [*(f"{name}.1" for name in equalizers), *hooks]
         sentence = f"'{text}' is neither a moving sheave nor a hook; {nearest(text, holders)}"
         findings.add(path, sentence)
         return None

@@ -36,12 +36,12 @@ def begin_of_step(scenario: Scenario, name: str) -> float | None:
     start = step.start_at if isinstance(step, MovingStep) else None
     if start is not None or place == 0:
         return start or 0.0
-    told = [hook for hook, crane in (scenario.cranes or {}).items() if crane.reeving is None]
+    told = [name for name, hook in scenario.hooks.items() if hook.reeving is None]
     if not told:
         sentence = "when this step begins is not known in a lift without a hook that moves as told"
         raise scenario.error(("plan", place), sentence)
     hook, end = told[0], scenario.duration
-    acceleration = (scenario.cranes or {})[hook].hoist.acceleration
+    acceleration = scenario.hooks[hook].hoist.acceleration
     steps = scenario.tree["plan"]
     probe = map_node(
         {

@@ -3,6 +3,7 @@
 mod adjusters;
 mod brakes;
 mod coils;
+mod conditions;
 mod plan;
 mod rows;
 mod tree;
@@ -28,7 +29,7 @@ use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use adjusters::build_adjusters;
 use coils::places_of_coils;
-use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_step};
+use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
 use tree::{build_tree, start_of_joint};
 
@@ -80,7 +81,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let is_rope_row = |row: &usize| matches!(rows.laws[*row], Law::Unilateral { .. });
     let inextensible = rigid.iter().copied().filter(is_rope_row).collect();
     let adjusters = build_adjusters(spec, &constraints, &rows)?;
-    let plan = spec.plan.iter().map(|step| build_step(step, &drives, &groups)).collect::<Result<_, _>>()?;
+    let plan = build_plan(spec, &drives, &groups, (&constraints, &rows))?;
     let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
     let pins = build_pinnings(spec, &constraints)?;
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
@@ -192,13 +193,13 @@ fn first_state(
     let rows = system.rows.count();
     let timelines = system.drives.iter().zip(&spec.drives).map(|(drive, given)| {
         let start = q[system.tree.bodies[drive.body].first_position];
-        let mut timeline = Timeline::new(start, given.ramps.len() + 2 * spec.plan.len());
+        let mut timeline = Timeline::new(start, given.ramps.len() + 2 * spec.plan.len() + 1);
         for ramp in &given.ramps {
             timeline.ramp(ramp.at, ramp.duration, ramp.velocity, ramp.shape);
         }
         timeline
     });
-    let plan = PlanState::new(timelines.collect());
+    let plan = PlanState::new(&system.plan, timelines.collect());
     let mut state = State {
         time: 0.0,
         steps: 0,

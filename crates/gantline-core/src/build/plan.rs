@@ -1,10 +1,13 @@
 //! Drives and the steps of the plan.
 
+use super::conditions::build_condition;
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
-use crate::plan::{Cut, Due, Emergency, Move, Pinning, Step, Until};
-use crate::spec::{AxisJointSpec, BodySpec, EmergencySpec, JointSpec, StepSpec, SystemSpec, UntilSpec};
-use crate::system::{ContactGroup, DriveJoint};
+use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Pinning, Plan, Step, StopAt, Until};
+use crate::spec::{
+    AxisJointSpec, BodySpec, EmergencySpec, JointSpec, StepSpec, StopAtSpec, SystemSpec, UntilSpec,
+};
+use crate::system::{ContactGroup, DriveJoint, Rows};
 use crate::tree::Tree;
 
 pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJoint>, BuildError> {
@@ -43,35 +46,75 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
     Ok(drives)
 }
 
-pub(super) fn build_step(
+/// The steps, and what stops them.
+pub(super) fn build_plan(
+    spec: &SystemSpec,
+    drives: &[DriveJoint],
+    groups: &[ContactGroup],
+    ropes: (&[AnyConstraint], &Rows),
+) -> Result<Plan, BuildError> {
+    let steps = spec.plan.iter().map(|step| build_step(step, drives, groups, ropes));
+    let steps: Vec<Step> = steps.collect::<Result<_, _>>()?;
+    let stop = match &spec.emergency_stop {
+        None => None,
+        Some(given) => {
+            let name = "the emergency stop";
+            let at = match given.at {
+                StopAtSpec::Time { time } => StopAt::Time(time),
+                StopAtSpec::InStep { step, after } if step < steps.len() => StopAt::InStep(step, after),
+                StopAtSpec::InStep { step, .. } => return error(name, format!("there is no step {step}")),
+            };
+            let (StopAt::Time(time) | StopAt::InStep(_, time)) = at;
+            at_least_zero(name, "its time", time)?;
+            let mut stopped = Vec::with_capacity(given.drives.len());
+            for one in &given.drives {
+                let drive = find_drive(name, &one.drive, drives)?;
+                stopped.push((drive, build_emergency(name, &one.stop, &drives[drive])?));
+            }
+            Some(EmergencyStop { at, drives: stopped })
+        }
+    };
+    Ok(Plan { steps, stop })
+}
+
+fn find_drive(element: &str, wanted: &str, drives: &[DriveJoint]) -> Result<usize, BuildError> {
+    match drives.iter().position(|drive| drive.name == wanted) {
+        Some(drive) => Ok(drive),
+        None => error(element, format!("there is no drive `{wanted}`")),
+    }
+}
+
+fn build_emergency(
+    element: &str,
+    given: &EmergencySpec,
+    drive: &DriveJoint,
+) -> Result<Emergency, BuildError> {
+    let EmergencySpec { acceleration, brake } = *given;
+    positive(element, "the acceleration of an emergency stop", acceleration)?;
+    if let Some(brake) = brake {
+        positive(element, "the capacity of a brake", brake)?;
+        if !drive.is_limited {
+            return error(element, "a brake takes the place of a motor with a capacity");
+        }
+    }
+    Ok(Emergency { acceleration, brake })
+}
+
+fn build_step(
     given: &StepSpec,
     drives: &[DriveJoint],
     groups: &[ContactGroup],
+    ropes: (&[AnyConstraint], &Rows),
 ) -> Result<Step, BuildError> {
     let name = &given.name;
-    let group_index = |wanted: &str| match groups.iter().position(|group| group.name == wanted) {
-        Some(index) => Ok(index),
-        None => error(name, format!("there are no contacts of `{wanted}`")),
-    };
     let mut moves = Vec::with_capacity(given.moves.len());
     for motion in &given.moves {
-        let Some(drive) = drives.iter().position(|drive| drive.name == motion.drive) else {
-            return error(name, format!("there is no drive `{}`", motion.drive));
-        };
+        let drive = find_drive(name, &motion.drive, drives)?;
         positive(name, "the acceleration", motion.acceleration)?;
         positive(name, "the speed", motion.velocity.abs())?;
         let (velocity, acceleration, shape) = (motion.velocity, motion.acceleration, motion.shape);
         let emergency = match &motion.emergency {
-            Some(EmergencySpec { acceleration, brake }) => {
-                positive(name, "the acceleration of an emergency stop", *acceleration)?;
-                if let Some(brake) = brake {
-                    positive(name, "the capacity of a brake", *brake)?;
-                    if !drives[drive].is_limited {
-                        return error(name, "a brake takes the place of a motor with a capacity");
-                    }
-                }
-                Some(Emergency { acceleration: *acceleration, brake: *brake })
-            }
+            Some(stop) => Some(build_emergency(name, stop, &drives[drive])?),
             None => None,
         };
         moves.push(Move { drive, velocity, acceleration, shape, emergency });
@@ -82,18 +125,20 @@ pub(super) fn build_step(
             positive(name, "the distance", distance.abs())?;
             Until::Distance(*distance)
         }
+        UntilSpec::Position { positions } if positions.len() == moves.len() => {
+            finite(name, "a position", positions)?;
+            Until::Positions(positions.clone())
+        }
+        UntilSpec::Position { .. } => return error(name, "each drive that moves needs one position"),
         UntilSpec::Duration { duration } => {
             at_least_zero(name, "the duration", *duration)?;
             Until::Duration(*duration)
         }
-        UntilSpec::LoadTransferred { group, weight, at_least } => {
-            positive(name, "the weight", *weight)?;
-            Until::LoadTransferred { group: group_index(group)?, weight: *weight, at_least: *at_least }
-        }
-        UntilSpec::Clear { group } => Until::Clear(group_index(group)?),
         UntilSpec::EndOfRun {} => Until::EndOfRun,
+        condition => Until::Condition(build_condition(name, condition, groups, ropes)?),
     };
-    Ok(Step { name: name.clone(), moves, start_at: given.start_at, until })
+    let (start_at, with_previous) = (given.start_at, given.with_previous);
+    Ok(Step { name: name.clone(), moves, start_at, with_previous, until })
 }
 
 /// Ropes that break, with the tension at which they do [N].

@@ -338,7 +338,7 @@ fn build_rope(
 /// The stops of a body's joint.
 fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>, BuildError> {
     let (JointSpec::Hinge(joint) | JointSpec::Slider(joint)) = &given.joint else { return Ok(Vec::new()) };
-    let Some(StopsSpec { lower, upper, stiffness, damping_time }) = &joint.stops else {
+    let Some(StopsSpec { lower, upper, stiffness, damping_time, loaded }) = &joint.stops else {
         return Ok(Vec::new());
     };
     let name = &given.name;
@@ -352,7 +352,7 @@ fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>,
     for (end, side) in [(lower, -1.0), (upper, 1.0)] {
         let Some(end) = *end else { continue };
         finite(name, "a stop", &[end])?;
-        if side * (joint.position - end) > 0.0 {
+        if side * (joint.position - end) > 0.0 && !loaded {
             return error(name, format!("its joint starts at {}, beyond its stop at {end}", joint.position));
         }
         stops.push(Stop {

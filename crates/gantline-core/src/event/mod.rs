@@ -37,6 +37,8 @@ pub enum EventKind {
     StepBegin,
     /// A step of the plan ends.
     StepEnd,
+    /// All drives are stopped, and the plan with them; the subject is the step that began last.
+    EmergencyStop,
 }
 
 impl EventKind {
@@ -59,6 +61,7 @@ impl EventKind {
             Self::PinPutIn => "pin_put_in",
             Self::StepBegin => "step_begin",
             Self::StepEnd => "step_end",
+            Self::EmergencyStop => "emergency_stop",
         }
     }
 }

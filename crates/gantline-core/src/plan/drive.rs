@@ -150,6 +150,9 @@ impl Timeline {
 
     /// Moves by `distance` from rest and stops; returns the end [s].
     pub fn travel(&mut self, at: f64, distance: f64, speed: f64, acceleration: f64, shape: RampShape) -> f64 {
+        if distance == 0.0 {
+            return at;
+        }
         // Each of the two ramps covers v·d/2, d = c v/a; the speed is lowered where both do not fit.
         let gentle = acceleration / shape.peak_acceleration();
         let speed = speed.abs().min((distance.abs() * gentle).sqrt());

@@ -1,10 +1,12 @@
 //! Operations as data: drives that follow ramps, steps that start and end on times and conditions.
 
+pub mod condition;
 pub mod cut;
 pub mod drive;
 pub mod operation;
 pub mod pinning;
 
+pub use condition::{Condition, Seen};
 pub use cut::{Cut, Due};
-pub use operation::{Emergency, Move, PlanState, Step, Until};
+pub use operation::{Emergency, EmergencyStop, Move, Plan, PlanState, Step, StopAt, Until};
 pub use pinning::Pinning;

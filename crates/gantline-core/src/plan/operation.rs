@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::condition::{Condition, Seen};
 use super::drive::Timeline;
 use crate::event::{EventKind, EventLog};
 use crate::spec::RampShape;
@@ -37,19 +38,12 @@ pub enum Until {
     BrakeFrom(f64),
     /// At rest after this signed distance [m or rad].
     Distance(f64),
+    /// At rest where each drive, in the order of the moves, has this position [m or rad].
+    Positions(Vec<f64>),
     /// Brakes after this time [s] in the step.
     Duration(f64),
-    /// The contacts of a group have lost a share of the weight.
-    LoadTransferred {
-        /// Index of the group.
-        group: usize,
-        /// Weight [N].
-        weight: f64,
-        /// Share.
-        at_least: f64,
-    },
-    /// No contact of the group carries.
-    Clear(usize),
+    /// Brakes when this first holds.
+    Condition(Condition),
     /// Never.
     EndOfRun,
 }
@@ -63,29 +57,79 @@ pub struct Step {
     pub moves: Vec<Move>,
     /// Earliest time [s].
     pub start_at: Option<f64>,
+    /// Begins as the step before begins, not as it ends.
+    pub with_previous: bool,
     /// What ends it.
     pub until: Until,
 }
 
+/// When all drives are stopped.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StopAt {
+    /// At this time [s].
+    Time(f64),
+    /// So long [s] after a step has begun.
+    InStep(usize, f64),
+}
+
+/// An emergency stop of everything that the plan drives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EmergencyStop {
+    /// When.
+    pub at: StopAt,
+    /// Drives that it stops, and how.
+    pub drives: Vec<(usize, Emergency)>,
+}
+
+/// Steps in order, and what ends them all.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The steps.
+    pub steps: Vec<Step>,
+    /// An emergency stop, if there is one.
+    pub stop: Option<EmergencyStop>,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Phase {
-    /// Until the step may begin, at the earliest at this time.
-    Waiting(f64),
+    /// It has not begun.
+    Ahead,
     /// Until a condition holds.
     UntilCondition,
     /// Until this time.
     UntilTime(f64),
-    /// All steps are done, or the last never ends.
-    Done,
+    /// It never ends.
+    Open,
+    /// It ended at this time.
+    Ended(f64),
 }
 
 /// Where the plan stands, and the course of every drive.
+///
+/// Steps that begin with one another are a stage; a step that does not waits until all of the stage before have
+/// ended. Steps begin in their order.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanState {
     /// Course of every drive.
     pub timelines: Vec<Timeline>,
-    step: usize,
-    phase: Phase,
+    phases: Vec<Phase>,
+    /// First step of the stage that is under way or comes next.
+    stage: usize,
+    /// How many steps have begun.
+    begun: usize,
+    /// When the step that began last did [s].
+    begin: f64,
+    /// When the emergency stop is due [s], as far as that is known; after it infinity.
+    stop_at: f64,
+    stopped: bool,
+}
+
+/// What is due next.
+#[derive(Debug, Clone, Copy)]
+enum Due {
+    End(usize),
+    Begin,
+    Stop,
 }
 
 impl PlanState {
@@ -94,94 +138,155 @@ impl PlanState {
         for (timeline, other) in self.timelines.iter_mut().zip(&other.timelines) {
             timeline.copy_from(other);
         }
-        self.step = other.step;
-        self.phase = other.phase;
+        self.phases.copy_from_slice(&other.phases);
+        (self.stage, self.begun, self.begin) = (other.stage, other.begun, other.begin);
+        (self.stop_at, self.stopped) = (other.stop_at, other.stopped);
     }
 
-    /// Before the first step.
-    pub fn new(timelines: Vec<Timeline>) -> Self {
-        Self { timelines, step: 0, phase: Phase::Waiting(0.0) }
+    /// Before the first step of `plan`.
+    pub fn new(plan: &Plan, timelines: Vec<Timeline>) -> Self {
+        let stop_at = match plan.stop {
+            Some(EmergencyStop { at: StopAt::Time(at), .. }) => at,
+            _ => f64::MAX,
+        };
+        let phases = vec![Phase::Ahead; plan.steps.len()];
+        Self { timelines, phases, stage: 0, begun: 0, begin: 0.0, stop_at, stopped: false }
     }
 
     /// Lets the plan act on the interval from `from` to `to` [s]: everything that is due before `to`.
-    /// Conditions see `support`, the normal force of each contact group [N] at `from`.
-    pub fn advance(&mut self, plan: &[Step], from: f64, to: f64, support: &[f64], log: &mut EventLog) {
-        while let Some(step) = plan.get(self.step) {
-            match self.phase {
-                Phase::Waiting(ready) => {
-                    let begin = ready.max(step.start_at.unwrap_or(ready));
-                    if begin >= to {
-                        return;
-                    }
-                    log.push(begin, EventKind::StepBegin, self.step);
-                    self.phase = self.begin(step, begin);
+    /// Conditions see what there is at `from`; none holds where nothing is seen.
+    pub fn advance(&mut self, plan: &Plan, from: f64, to: f64, seen: Option<&Seen>, log: &mut EventLog) {
+        while !self.stopped {
+            for index in self.stage..self.begun {
+                let step = &plan.steps[index];
+                if self.phases[index] == Phase::UntilCondition && is_met(step, seen) {
+                    self.phases[index] = Phase::UntilTime(self.brake(step, from));
                 }
-                Phase::UntilCondition => {
-                    if !holds(&step.until, support) {
-                        return;
-                    }
-                    self.phase = Phase::UntilTime(self.brake(step, from));
+            }
+            let (at, due) = self.next_due(plan);
+            if at >= to {
+                return;
+            }
+            match due {
+                Due::End(index) => {
+                    log.push(at, EventKind::StepEnd, index);
+                    self.phases[index] = Phase::Ended(at);
                 }
-                Phase::UntilTime(end) => {
-                    if end >= to {
-                        return;
-                    }
-                    log.push(end, EventKind::StepEnd, self.step);
-                    self.step += 1;
-                    self.phase = Phase::Waiting(end);
-                }
-                Phase::Done => return,
+                Due::Begin => self.begin_next(plan, at, log),
+                Due::Stop => self.stop(plan, at, log),
             }
         }
     }
 
-    /// The next time after `time` [s] at which something is due that is known now: the start or end of a step,
-    /// of a ramp.
-    pub fn next_time(&self, plan: &[Step], time: f64) -> f64 {
-        let due = match (self.phase, plan.get(self.step)) {
-            (Phase::Waiting(ready), Some(step)) => ready.max(step.start_at.unwrap_or(ready)),
-            (Phase::UntilTime(end), Some(_)) => end,
-            _ => f64::INFINITY,
+    /// What is due next, and when [s]; infinity where nothing is known to be.
+    fn next_due(&self, plan: &Plan) -> (f64, Due) {
+        let mut next = (f64::INFINITY, Due::Begin);
+        for index in self.stage..self.begun {
+            if let Phase::UntilTime(end) = self.phases[index]
+                && end < next.0
+            {
+                next = (end, Due::End(index));
+            }
+        }
+        let begin = self.next_begin(plan);
+        if begin < next.0 {
+            next = (begin, Due::Begin);
+        }
+        if self.stop_at < next.0.min(f64::MAX) {
+            next = (self.stop_at, Due::Stop);
+        }
+        next
+    }
+
+    /// When the next step begins [s]; infinity while that is not known.
+    fn next_begin(&self, plan: &Plan) -> f64 {
+        let Some(step) = plan.steps.get(self.begun) else { return f64::INFINITY };
+        let ready = if step.with_previous && self.begun > self.stage {
+            self.begin
+        } else {
+            let ended = |phase: &Phase| if let Phase::Ended(at) = phase { *at } else { f64::INFINITY };
+            self.phases[self.stage..self.begun].iter().map(ended).fold(0.0, f64::max)
         };
+        ready.max(step.start_at.unwrap_or(ready))
+    }
+
+    fn begin_next(&mut self, plan: &Plan, at: f64, log: &mut EventLog) {
+        let (index, step) = (self.begun, &plan.steps[self.begun]);
+        if !step.with_previous {
+            self.stage = index;
+        }
+        log.push(at, EventKind::StepBegin, index);
+        (self.begun, self.begin) = (index + 1, at);
+        self.phases[index] = self.begin_step(step, at);
+        if let Some(EmergencyStop { at: StopAt::InStep(step, after), .. }) = plan.stop
+            && step == index
+        {
+            self.stop_at = at + after;
+        }
+    }
+
+    /// All drives brake, and the plan ends.
+    fn stop(&mut self, plan: &Plan, at: f64, log: &mut EventLog) {
+        log.push(at, EventKind::EmergencyStop, self.begun.saturating_sub(1));
+        for (drive, how) in plan.stop.iter().flat_map(|stop| &stop.drives) {
+            let timeline = &mut self.timelines[*drive];
+            timeline.change(at, 0.0, how.acceleration, RampShape::Linear);
+            if let Some(brake) = how.brake {
+                timeline.brake(at, brake);
+            }
+        }
+        self.stopped = true;
+    }
+
+    /// The next time after `time` [s] at which something is due that is known now: the start or end of a step,
+    /// of a ramp, an emergency stop.
+    pub fn next_time(&self, plan: &Plan, time: f64) -> f64 {
+        let due = if self.stopped { f64::INFINITY } else { self.next_due(plan).0 };
         let due = if due > time { due } else { f64::INFINITY };
         self.timelines.iter().map(|timeline| timeline.next_break(time)).fold(due, f64::min)
     }
 
-    /// True where the step under way ends on a condition.
+    /// True where a step under way ends on a condition.
     pub fn waits_for_condition(&self) -> bool {
-        self.phase == Phase::UntilCondition
+        !self.stopped && self.phases[self.stage..self.begun].contains(&Phase::UntilCondition)
     }
 
-    /// True where the step under way waits for a condition and `support`, the normal force of each contact group
-    /// [N], fulfils it.
-    pub fn is_fulfilled(&self, plan: &[Step], support: &[f64]) -> bool {
-        self.phase == Phase::UntilCondition
-            && plan.get(self.step).is_some_and(|step| holds(&step.until, support))
+    /// True where a step under way waits for a condition that holds by what is `seen`.
+    pub fn is_fulfilled(&self, plan: &Plan, seen: &Seen) -> bool {
+        let waits = |index: &usize| self.phases[*index] == Phase::UntilCondition;
+        !self.stopped
+            && (self.stage..self.begun).filter(waits).any(|index| is_met(&plan.steps[index], Some(seen)))
     }
 
     /// How many steps have begun.
     pub fn begun(&self) -> usize {
-        match self.phase {
-            Phase::Waiting(_) => self.step,
-            _ => self.step + 1,
-        }
+        self.begun
     }
 
-    /// Name of the step that has begun and not ended, if any.
-    pub fn current<'a>(&self, plan: &'a [Step]) -> Option<&'a str> {
-        match self.phase {
-            Phase::UntilCondition | Phase::UntilTime(_) => plan.get(self.step).map(|step| step.name.as_str()),
-            Phase::Waiting(_) | Phase::Done => None,
-        }
+    /// Name of the step that began last of those that have not ended, if any.
+    pub fn current<'a>(&self, plan: &'a Plan) -> Option<&'a str> {
+        let under_way =
+            |index: &usize| matches!(self.phases[*index], Phase::UntilCondition | Phase::UntilTime(_));
+        let last = (self.stage..self.begun).rev().find(under_way).filter(|_| !self.stopped);
+        last.map(|index| plan.steps[index].name.as_str())
     }
 
-    fn begin(&mut self, step: &Step, begin: f64) -> Phase {
-        if let Until::Distance(distance) = step.until {
-            let end = step.moves.iter().map(|motion| {
+    fn begin_step(&mut self, step: &Step, begin: f64) -> Phase {
+        let distances: Option<&[f64]> = match &step.until {
+            Until::Distance(distance) => Some(std::slice::from_ref(distance)),
+            Until::Positions(positions) => Some(positions),
+            _ => None,
+        };
+        if let Some(given) = distances {
+            let is_position = matches!(step.until, Until::Positions(_));
+            let mut last = begin;
+            for (motion, given) in step.moves.iter().zip(given.iter().cycle()) {
                 let Move { drive, velocity, acceleration, shape, .. } = *motion;
-                self.timelines[drive].travel(begin, distance, velocity, acceleration, shape)
-            });
-            return Phase::UntilTime(end.fold(begin, f64::max));
+                let timeline = &mut self.timelines[drive];
+                let from = if is_position { timeline.motion(begin).position } else { 0.0 };
+                last = timeline.travel(begin, given - from, velocity, acceleration, shape).max(last);
+            }
+            return Phase::UntilTime(last);
         }
         for motion in &step.moves {
             let Move { drive, velocity, acceleration, shape, .. } = *motion;
@@ -190,8 +295,8 @@ impl PlanState {
         match step.until {
             Until::BrakeFrom(time) => Phase::UntilTime(self.brake(step, time.max(begin))),
             Until::Duration(duration) => Phase::UntilTime(self.brake(step, begin + duration)),
-            Until::LoadTransferred { .. } | Until::Clear(_) => Phase::UntilCondition,
-            Until::EndOfRun | Until::Distance(_) => Phase::Done,
+            Until::Condition(_) => Phase::UntilCondition,
+            Until::EndOfRun | Until::Distance(_) | Until::Positions(_) => Phase::Open,
         }
     }
 
@@ -209,10 +314,9 @@ impl PlanState {
     }
 }
 
-fn holds(until: &Until, support: &[f64]) -> bool {
-    match *until {
-        Until::LoadTransferred { group, weight, at_least } => 1.0 - support[group] / weight >= at_least,
-        Until::Clear(group) => support[group] <= 0.0,
+fn is_met(step: &Step, seen: Option<&Seen>) -> bool {
+    match (&step.until, seen) {
+        (Until::Condition(condition), Some(seen)) => condition.holds(seen),
         _ => false,
     }
 }

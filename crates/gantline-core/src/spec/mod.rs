@@ -36,6 +36,9 @@ pub struct SystemSpec {
     /// Operations, one after another.
     #[serde(default)]
     pub plan: Vec<StepSpec>,
+    /// An emergency stop of what the plan drives.
+    #[serde(default)]
+    pub emergency_stop: Option<EmergencyStopSpec>,
 }
 
 /// Position [m] and unit quaternion (w, x, y, z) of a frame in another.
@@ -184,6 +187,9 @@ pub struct StopsSpec {
     /// Damping over stiffness [s].
     #[serde(default)]
     pub damping_time: f64,
+    /// Whether the joint may start beyond a stop, which pushes from then on: a spring.
+    #[serde(default)]
+    pub loaded: bool,
 }
 
 /// A point of a body that may touch a plane of the world.

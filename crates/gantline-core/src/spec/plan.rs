@@ -51,6 +51,9 @@ pub struct StepSpec {
     /// Earliest time [s].
     #[serde(default)]
     pub start_at: Option<f64>,
+    /// Begins as the step before begins, not as it ends.
+    #[serde(default)]
+    pub with_previous: bool,
     /// What ends the step.
     pub until: UntilSpec,
     /// Names of ropes that are cut as it begins.
@@ -107,6 +110,11 @@ pub enum UntilSpec {
         /// Distance [m or rad].
         distance: f64,
     },
+    /// At rest where each drive, in the order of the moves, has this position [m or rad].
+    Position {
+        /// Positions [m or rad].
+        positions: Vec<f64>,
+    },
     /// Brakes after this time [s] in the step.
     Duration {
         /// Duration [s].
@@ -121,6 +129,41 @@ pub enum UntilSpec {
         /// Share, 0 to 1.
         at_least: f64,
     },
+    /// They bear again what leaves no more than this share transferred.
+    LoadReturned {
+        /// Contact group.
+        group: String,
+        /// Weight [N].
+        weight: f64,
+        /// Share, 0 to 1.
+        at_most: f64,
+    },
+    /// The tensions of some segments of rope together have reached a bound.
+    TensionAbove {
+        /// Rope and number of the segment along it.
+        segments: Vec<(String, usize)>,
+        /// Bound [N].
+        bound: f64,
+    },
+    /// They have come down to a bound.
+    TensionBelow {
+        /// Rope and number of the segment along it.
+        segments: Vec<(String, usize)>,
+        /// Bound [N].
+        bound: f64,
+    },
+    /// In every group of ropes (max - min)/mean of their tensions is no more than a share, and all carry.
+    Spread {
+        /// Names of ropes.
+        groups: Vec<Vec<String>>,
+        /// Share.
+        at_most: f64,
+    },
+    /// A contact of the group carries.
+    Touched {
+        /// Contact group.
+        group: String,
+    },
     /// No contact of the group carries any more.
     Clear {
         /// Contact group.
@@ -128,4 +171,42 @@ pub enum UntilSpec {
     },
     /// Lasts until the run ends.
     EndOfRun {},
+}
+
+/// An emergency stop of everything that the plan drives; no step begins or goes on after it.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EmergencyStopSpec {
+    /// When.
+    pub at: StopAtSpec,
+    /// How each drive is stopped.
+    pub drives: Vec<DriveStopSpec>,
+}
+
+/// When all drives are stopped.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum StopAtSpec {
+    /// At a time.
+    Time {
+        /// Time [s].
+        time: f64,
+    },
+    /// After a step has begun.
+    InStep {
+        /// Number of the step, from 0.
+        step: usize,
+        /// How long after that [s].
+        after: f64,
+    },
+}
+
+/// A drive and its emergency stop.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DriveStopSpec {
+    /// Name of the drive.
+    pub drive: String,
+    /// How it is stopped.
+    pub stop: EmergencySpec,
 }

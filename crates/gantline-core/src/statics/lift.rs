@@ -73,9 +73,9 @@ impl StaticLift {
             system.tree.advance(&mut state.q, &free);
         }
         let mut log = EventLog::new();
-        let mut support = vec![f64::INFINITY; system.groups.len()];
+        let mut support = vec![0.0; system.groups.len()];
         let mut ahead = state.plan.clone();
-        ahead.advance(&system.plan, 0.0, time, &support, &mut log);
+        ahead.advance(&system.plan, 0.0, time, None, &mut log);
         if ahead.waits_for_condition() {
             let mut now = 0.0;
             while now < time {
@@ -84,7 +84,7 @@ impl StaticLift {
                 statics.settle(system, state, losses)?;
                 flows::supports(system, &state.tension, &mut support);
                 let next = (now + LOOK).min(time);
-                state.plan.advance(&system.plan, now, next, &support, &mut log);
+                flows::advance_plan(system, state, next, &support, &mut log);
                 now = next;
             }
         } else {

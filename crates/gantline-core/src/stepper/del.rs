@@ -125,7 +125,7 @@ impl Del {
         let h = self.h;
         let end = (state.steps + 1) as f64 * h;
         flows::supports(system, &state.tension, &mut self.support);
-        state.plan.advance(&system.plan, state.time, end, &self.support, log);
+        flows::advance_plan(system, state, end, &self.support, log);
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);
         pinning::act(system, state, frame, log)?;

@@ -4,6 +4,7 @@
 use crate::audit::{elastic_energy, gravity_energy, spring_energy};
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
+use crate::plan::Seen;
 use crate::record::Sample;
 use crate::solver::complementarity::{Complementarity, Mode};
 use crate::solver::stiffness::Stiffness;
@@ -279,6 +280,14 @@ pub fn supports(system: &System, tension: &[f64], out: &mut [f64]) {
     for (sum, group) in out.iter_mut().zip(&system.groups) {
         *sum = group.contacts.iter().map(|&contact| tension[system.rows.first[contact]]).sum();
     }
+}
+
+/// Lets the plan act on everything that is due before `to` [s], by the support forces [N] and what is in the state.
+pub fn advance_plan(system: &System, state: &mut State, to: f64, support: &[f64], log: &mut EventLog) {
+    let (force, q) = (&state.tension, &state.q);
+    let tension = |row: usize| system.rope_tension(row, force[row], q);
+    let seen = Seen { support, tension: &tension };
+    state.plan.advance(&system.plan, state.time, to, Some(&seen), log);
 }
 
 /// Puts driven joints exactly where their drives are, so rounding does not add up.

@@ -151,6 +151,7 @@ pub fn rig(seeds: &[f64]) -> SystemSpec {
         adjusters: Vec::new(),
         drives,
         plan: Vec::new(),
+        emergency_stop: None,
     }
 }
 
@@ -258,6 +259,7 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
         adjusters: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),
+        emergency_stop: None,
     };
     let (system, state) = build(&spec).expect("bodies are valid");
     let mut frame = Frame::new(&system);

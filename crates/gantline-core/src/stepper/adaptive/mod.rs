@@ -185,7 +185,7 @@ impl Adaptive {
         let mut report = StepReport { converged: true, ..StepReport::default() };
         flows::supports(system, &state.tension, &mut self.support);
         let soon = state.time + 1e-12 * (1.0 + state.time);
-        state.plan.advance(&system.plan, state.time, soon, &self.support, log);
+        flows::advance_plan(system, state, soon, &self.support, log);
         state.restart |= parting::cut(system, state, frame, soon, log);
         state.restart |= pinning::act(system, state, frame, log)?;
         self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;

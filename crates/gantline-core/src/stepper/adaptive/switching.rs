@@ -8,6 +8,7 @@ use crate::audit::Flows;
 use crate::constraint::brake::Brake;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
+use crate::plan::Seen;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
@@ -138,7 +139,9 @@ impl Adaptive {
             let normals = group.contacts.iter().map(|&contact| system.rows.first[contact]);
             *sum = normals.map(|row| self.probe.tension[row].max(0.0)).sum();
         }
-        state.plan.is_fulfilled(&system.plan, &self.support)
+        let probe = &self.probe;
+        let tension = |row: usize| system.rope_tension(row, probe.tension[row], &probe.q);
+        state.plan.is_fulfilled(&system.plan, &Seen { support: &self.support, tension: &tension })
     }
 
     /// The largest distance of a row from its law [N].

@@ -1,0 +1,72 @@
+//! Conditions on which steps of the plan end.
+
+use super::{BuildError, at_least_zero, error, positive};
+use crate::constraint::AnyConstraint;
+use crate::plan::Condition;
+use crate::spec::UntilSpec;
+use crate::system::{ContactGroup, Rows};
+
+/// A condition of the step `name`; an end that is none is an error of the caller.
+pub(super) fn build_condition(
+    name: &str,
+    given: &UntilSpec,
+    groups: &[ContactGroup],
+    ropes: (&[AnyConstraint], &Rows),
+) -> Result<Condition, BuildError> {
+    let group_index = |wanted: &str| match groups.iter().position(|group| group.name == wanted) {
+        Some(index) => Ok(index),
+        None => error(name, format!("there are no contacts of `{wanted}`")),
+    };
+    let rows_of = |segments: &[(String, usize)]| -> Result<Vec<usize>, BuildError> {
+        segments.iter().map(|(rope, segment)| row_of(name, rope, *segment, ropes)).collect()
+    };
+    match given {
+        UntilSpec::LoadTransferred { group, weight, at_least } => {
+            positive(name, "the weight", *weight)?;
+            let group = group_index(group)?;
+            Ok(Condition::LoadTransferred { group, weight: *weight, at_least: *at_least })
+        }
+        UntilSpec::LoadReturned { group, weight, at_most } => {
+            positive(name, "the weight", *weight)?;
+            Ok(Condition::LoadReturned { group: group_index(group)?, weight: *weight, at_most: *at_most })
+        }
+        UntilSpec::Clear { group } => Ok(Condition::Clear(group_index(group)?)),
+        UntilSpec::Touched { group } => Ok(Condition::Touched(group_index(group)?)),
+        UntilSpec::TensionAbove { segments, bound } => {
+            positive(name, "the bound of a tension", *bound)?;
+            Ok(Condition::TensionAbove { rows: rows_of(segments)?, bound: *bound })
+        }
+        UntilSpec::TensionBelow { segments, bound } => {
+            at_least_zero(name, "the bound of a tension", *bound)?;
+            Ok(Condition::TensionBelow { rows: rows_of(segments)?, bound: *bound })
+        }
+        UntilSpec::Spread { groups, at_most } => {
+            at_least_zero(name, "the spread", *at_most)?;
+            let rows_of_group =
+                |group: &Vec<String>| group.iter().map(|rope| row_of(name, rope, 0, ropes)).collect();
+            let groups = groups.iter().map(rows_of_group).collect::<Result<_, _>>()?;
+            Ok(Condition::Spread { groups, at_most: *at_most })
+        }
+        other => error(name, format!("{other:?} is no condition")),
+    }
+}
+
+/// The row that has the tension of a segment of a rope.
+fn row_of(
+    name: &str,
+    wanted: &str,
+    segment: usize,
+    (constraints, rows): (&[AnyConstraint], &Rows),
+) -> Result<usize, BuildError> {
+    for (index, constraint) in constraints.iter().enumerate() {
+        let AnyConstraint::Rope(rope) = constraint else { break };
+        if rope.name != wanted {
+            continue;
+        }
+        return match rope.span_of[..rope.route.parts.len()].get(segment) {
+            Some(span) => Ok(rows.first[index] + span),
+            None => error(name, format!("rope `{wanted}` has no segment {segment}")),
+        };
+    }
+    error(name, format!("there is no rope `{wanted}`"))
+}

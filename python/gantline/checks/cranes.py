@@ -1,0 +1,81 @@
+"""Goliath cranes: falls out of plumb, height, approach and distance of hooks, loads of corners, wind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+import numpy as np
+
+from gantline.checks.measure import Finding, Found, Missing, extreme
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray, FloatArray
+
+
+def falls_out_of_plumb(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Angle of the falls of a hook from plumb."""
+    for crane in recording.rig.cranes:
+        for _, hook in crane.hooks:
+            yield from extreme(
+                recording, recording.column("falls_out_of_plumb", hook.name), during, hook.name
+            )
+
+
+def height_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """How far a hook stays below its highest position."""
+    for crane in recording.rig.cranes:
+        for _, hook in crane.hooks:
+            if hook.highest is None:
+                yield Missing(hook.name, "highest position not known")
+                continue
+            left = hook.highest - recording.column("hook_height", hook.name)
+            yield from extreme(recording, left, during, hook.name, smallest=True)
+
+
+def approach_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """How far a hook stays from a rail, beyond the smallest distance of the crane."""
+    for crane in recording.rig.cranes:
+        for trolley, hook in crane.hooks:
+            if crane.hook_approach is None:
+                yield Missing(hook.name, "hook approach not known")
+                continue
+            along = recording.column("joint_position", trolley.name) + hook.along
+            left = crane.span / 2 - np.abs(along) - crane.hook_approach
+            yield from extreme(recording, left, during, hook.name, smallest=True)
+
+
+def distance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """How far hooks of two trolleys stay apart along the girder, beyond the least of the crane."""
+    for crane in recording.rig.cranes:
+        for (one, first), (other, second) in combinations(crane.hooks, 2):
+            if one.name == other.name:
+                continue
+            element = f"{first.name} to {second.name}"
+            if crane.hook_distance is None:
+                yield Missing(element, "smallest distance of hooks not known")
+                continue
+            places: list[FloatArray] = [
+                recording.column("joint_position", trolley.name) + hook.along
+                for trolley, hook in ((one, first), (other, second))
+            ]
+            left = np.abs(places[0] - places[1]) - crane.hook_distance
+            yield from extreme(recording, left, during, element, smallest=True)
+
+
+def corner_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Load of a corner of a crane by moments."""
+    for crane in recording.rig.cranes:
+        for name in crane.corners:
+            yield from extreme(recording, recording.column("corner_load", name), during, name)
+
+
+def wind_of_limit(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Gust of the lift over the wind limit of a crane."""
+    for crane in recording.rig.cranes:
+        if crane.wind_limit is None:
+            yield Missing(crane.name, "wind limit not known")
+        elif crane.wind is None:
+            yield Missing(crane.name, "wind not said")
+        elif during.any():
+            text = f"{crane.wind:g} m/s / {crane.wind_limit:g} m/s"
+            yield Found(crane.wind / crane.wind_limit, crane.name, formula=text)

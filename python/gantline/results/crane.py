@@ -1,0 +1,238 @@
+"""Goliath cranes in a recording: hooks under their trolleys, loads of the corners of legs, overloads.
+
+Sizes and weights come with the rig; docs/concepts/goliath.md has the equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Self
+
+import numpy as np
+
+from gantline.results.strength import FromJson, Rating
+from gantline.results.variable import FloatArray, Variable
+
+__all__ = ["CORNERS", "Crane", "CraneHook", "Trolley", "crane_events", "crane_state"]
+
+#: Corners of a crane: leg, and side along the rails.
+CORNERS = ("fixed.front", "fixed.back", "hinged.front", "hinged.back")
+
+Columns = Mapping[str, FloatArray]
+Names = Mapping[str, Sequence[str]]
+
+
+@dataclass(frozen=True)
+class CraneHook(FromJson):
+    """A hook under a trolley.
+
+    Attributes:
+        name: Its name.
+        highest: Highest position of its bearing [m]; None if not said.
+        bearing: Its bearing from the centre of gravity of its body [m].
+        top: Body of its upper sheaves.
+        top_from: Their middle from the centre of gravity of that body [m].
+        along: Where it is under its trolley, along the girder [m].
+        across: Where it is across the girder [m].
+    """
+
+    name: str
+    highest: float | None = None
+    bearing: Sequence[float] = (0.0, 0.0, 0.0)
+    top: str = ""
+    top_from: Sequence[float] = (0.0, 0.0, 0.0)
+    along: float = 0.0
+    across: float = 0.0
+
+
+@dataclass(frozen=True)
+class Trolley(FromJson):
+    """A trolley.
+
+    Attributes:
+        name: Its name, also of its body and its joint, whose position is its place along the girder.
+        weight: Without hook blocks and falls [N].
+        hooks: Its hooks.
+    """
+
+    name: str
+    weight: float = 0.0
+    hooks: Sequence[CraneHook] = ()
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        hooks = tuple(CraneHook.from_json(one) for one in document.get("hooks", ()))
+        return super().from_json({**document, "hooks": hooks})
+
+
+@dataclass(frozen=True)
+class Crane(FromJson):
+    """A Goliath crane.
+
+    Attributes:
+        name: Its name.
+        span: Distance of its rails [m].
+        fixed_leg_at: Place of the fixed leg along the girder [m].
+        base: Distance of the corners of a leg along the rails [m]; None if not said.
+        weights: Of `girder`, `fixed`, `hinged` (legs) and `bogies` [N].
+        hook_approach: Smallest distance of a hook from a rail [m]; None if not said.
+        hook_distance: Smallest distance of hooks of two trolleys along the girder [m]; None if not said.
+        wind_limit: Largest gust [m/s]; None if not said.
+        wind: Gust of this lift [m/s]; None if not said.
+        trolleys: Its trolleys.
+    """
+
+    name: str
+    span: float = 0.0
+    fixed_leg_at: float = 0.0
+    base: float | None = None
+    weights: Mapping[str, float] = field(default_factory=dict)
+    hook_approach: float | None = None
+    hook_distance: float | None = None
+    wind_limit: float | None = None
+    wind: float | None = None
+    trolleys: Sequence[Trolley] = ()
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        trolleys = tuple(Trolley.from_json(one) for one in document.get("trolleys", ()))
+        return super().from_json({**document, "trolleys": trolleys})
+
+    @property
+    def hooks(self) -> list[tuple[Trolley, CraneHook]]:
+        """All hooks with their trolleys."""
+        return [(trolley, hook) for trolley in self.trolleys for hook in trolley.hooks]
+
+    @property
+    def corners(self) -> list[str]:
+        """Names of its corners."""
+        return [f"{self.name}.{corner}" for corner in CORNERS]
+
+
+_Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
+
+
+def crane_state(
+    columns: Columns,
+    names: Names,
+    cranes: Sequence[Crane],
+    loads: Sequence[str],
+    hoist: Mapping[str, FloatArray],
+) -> _Derived:
+    """Heights and angles of hooks, swing of loads, loads of corners.
+
+    Args:
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+        cranes: Goliath cranes of the rig.
+        loads: Names of the loads, which hang from their hooks together.
+        hoist: Hoist load by hook, shape (time,) [N].
+    """
+    if not cranes:
+        return {}, {}
+    bodies = list(names["body"])
+    position = columns["body_position"]
+    heights, angles, aside, hooks = [], [], [], []
+    for crane in cranes:
+        for _, hook in crane.hooks:
+            bearing = position[:, bodies.index(hook.name)] + np.asarray(hook.bearing)
+            falls = position[:, bodies.index(hook.top)] + np.asarray(hook.top_from) - bearing
+            aside.append(-falls[:, :2])
+            heights.append(bearing[:, 2])
+            angles.append(np.arctan2(np.linalg.norm(falls[:, :2], axis=1), falls[:, 2]))
+            hooks.append(hook.name)
+    corners = [corner for crane in cranes for corner in crane.corners]
+    carried = np.concatenate([_corner_loads(columns, names, crane, hoist) for crane in cranes], axis=1)
+    swing = np.linalg.norm(np.mean(aside, axis=0), axis=1)
+    dims = ("time", "crane_hook")
+    found = {
+        "hook_height": Variable(dims, np.stack(heights, axis=1), "m", "height of a hook's bearing"),
+        "falls_out_of_plumb": Variable(
+            dims, np.stack(angles, axis=1), "rad", "angle of the falls of a hook from plumb"
+        ),
+        "corner_load": Variable(
+            ("time", "corner"),
+            carried,
+            "N",
+            "load of a corner of a crane by moments of weights and hoist loads, without inertia and wind",
+        ),
+    }
+    if loads:
+        found["load_swing"] = Variable(
+            ("time", "load"),
+            np.repeat(swing[:, None], len(loads), axis=1),
+            "m",
+            "distance of a load from its place under the trolleys: mean of its hooks' offsets, as a vector",
+        )
+    return found, {"crane_hook": hooks, "corner": corners}
+
+
+def _corner_loads(
+    columns: Columns, names: Names, crane: Crane, hoist: Mapping[str, FloatArray]
+) -> FloatArray:
+    """Loads of the four corners, in the order of `CORNERS`, shape (time, 4) [N]."""
+    joints = list(names["joint"])
+    time = len(columns["time"])
+    own = crane.weights
+    loads = np.zeros((time, 4))
+    loads[:, :2] += own["fixed"] / 2 + own["bogies"] / 4
+    loads[:, 2:] += own["hinged"] / 2 + own["bogies"] / 4
+    loads += own["girder"] / 4
+    sign = -np.sign(crane.fixed_leg_at)  # of a place towards the hinged leg
+
+    def put(weight: FloatArray | float, along: FloatArray, across: float) -> None:
+        share = 0.5 + sign * along / crane.span  # of the hinged leg
+        lever = across / crane.base if crane.base else 0.0
+        for place, (of_leg, side) in enumerate(
+            ((1 - share, 0.5 + lever), (1 - share, 0.5 - lever), (share, 0.5 + lever), (share, 0.5 - lever))
+        ):
+            loads[:, place] += weight * of_leg * side
+
+    for trolley in crane.trolleys:
+        along = columns["joint_position"][:, joints.index(trolley.name)]
+        put(trolley.weight, along, 0.0)
+        for hook in trolley.hooks:
+            put(hoist[hook.name], along + hook.along, hook.across)
+    return loads
+
+
+def crane_events(
+    time: FloatArray,
+    ratings: Sequence[Rating],
+    loads: Mapping[str, Mapping[str, FloatArray]],
+    cranes: Sequence[Crane],
+    heights: Mapping[str, FloatArray],
+) -> Iterator[tuple[float, str, str]]:
+    """Moments at which a rated capacity or a highest position is passed: time [s], kind, element.
+
+    Args:
+        time: Shape (time,) [s].
+        ratings: Rated capacities.
+        loads: `hook_load` and `hoist_load` by hook, shape (time,) [N].
+        cranes: Goliath cranes of the rig.
+        heights: Height of the bearing by hook, shape (time,) [m].
+    """
+    own = {hook.name for crane in cranes for _, hook in crane.hooks}
+    for rating in ratings:
+        if rating.rated_capacity and set(rating.hooks) <= own:
+            of = loads["hoist_load" if rating.includes_hook_block else "hook_load"]
+            total = np.sum([of[name] for name in rating.hooks], axis=0)
+            for at in _passed(time, total - rating.rated_capacity):
+                yield at, "overload", rating.name
+    for crane in cranes:
+        for _, hook in crane.hooks:
+            if hook.highest is not None:
+                for at in _passed(time, heights[hook.name] - hook.highest):
+                    yield at, "hook_too_high", hook.name
+
+
+def _passed(time: FloatArray, beyond: FloatArray) -> list[float]:
+    """Times at which a series rises above 0, between samples on a line; the first if it starts there."""
+    after = np.flatnonzero((beyond[:-1] <= 0) & (beyond[1:] > 0))
+    share = -beyond[after] / (beyond[after + 1] - beyond[after])
+    times = time[after] + share * (time[after + 1] - time[after])
+    first = [float(time[0])] if len(beyond) and beyond[0] > 0 else []
+    return first + [float(one) for one in times]

@@ -1,0 +1,108 @@
+"""Whether the steps of a plan keep to the limits of height, traverse and travel, as far as that is known.
+
+A step that ends on a condition or a time leaves a hook or trolley somewhere on its way, so positions are
+followed as bounds: what passes its limit for sure is a mistake of the plan, what may is left to the run.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.goliath import Goliath
+from gantline.scenario.hooks import trolley_name
+from gantline.scenario.movers import Mover, mover
+from gantline.scenario.plan import HoldStep, HookStep, MovingStep
+
+__all__ = ["check_travel"]
+
+#: Rounding of positions that steps add up [m].
+_ROUNDING = 1e-9
+
+_Bounds = tuple[float, float]
+
+
+def check_travel(findings: Findings) -> None:
+    """Note steps that leave the range of a trolley or crane, or hoist a hook too high."""
+    where: dict[str, _Bounds] = {}
+    plan = findings.scenario.plan
+    for place, step in enumerate(plan):
+        if isinstance(step, HoldStep):
+            continue
+        for text in dict.fromkeys(step.moved):
+            one = mover(findings.scenario, step.kind, text)
+            if one is None or one.start is None:
+                continue
+            before = where.get(one.name, (one.start, one.start))
+            where[one.name] = after = _after(step, before)
+            key = (
+                "to" if getattr(step, "to", None) is not None else "by" if step.by is not None else step.verb
+            )
+            path: Path = ("plan", place, key)
+            if isinstance(step, HookStep):
+                _check_direction(findings, path, step, before)
+            _check_range(findings, path, one, after)
+        aside = place + 1 < len(plan) and getattr(plan[place + 1], "starts", "") == "with_previous"
+        if not aside:
+            _check_distances(findings, ("plan", place), where)
+
+
+def _after(step: MovingStep, before: _Bounds) -> _Bounds:
+    to = getattr(step, "to", None)
+    if to is not None:
+        return to, to
+    if step.by is not None:
+        way = step.sign * step.by
+        return before[0] + way, before[1] + way
+    return (before[0], math.inf) if step.sign > 0 else (-math.inf, before[1])
+
+
+def _check_direction(findings: Findings, path: Path, step: HookStep, before: _Bounds) -> None:
+    if step.to is None:
+        return
+    if step.sign > 0 and step.to < before[0] - _ROUNDING:
+        sentence = f"the hook is at {before[0]:g} m or higher, and hoisting does not bring it down"
+        findings.add(path, f"{sentence} to {step.to:g} m; a 'lower' step is right here")
+    if step.sign < 0 and step.to > before[1] + _ROUNDING:
+        sentence = f"the hook is at {before[1]:g} m or lower, and lowering does not bring it up"
+        findings.add(path, f"{sentence} to {step.to:g} m; a 'hoist' step is right here")
+
+
+def _check_range(findings: Findings, path: Path, one: Mover, after: _Bounds) -> None:
+    if one.range is None:
+        return
+    low, high = one.range
+    far = (
+        max(after[0], low)
+        if after[0] > high + _ROUNDING
+        else after[1]
+        if after[1] < low - _ROUNDING
+        else None
+    )
+    if far is None:
+        return
+    if one.kind == "hook":
+        findings.add(path, f"'{one.name}' would come to {far:g} m; its highest position is {high:g} m")
+    else:
+        findings.add(path, f"'{one.name}' would come to {far:g} m; its range is {low:g} m to {high:g} m")
+
+
+def _check_distances(findings: Findings, path: Path, where: dict[str, _Bounds]) -> None:
+    """Hooks of different trolleys keep their distance where the trolleys come to rest."""
+    for name, crane in (findings.scenario.cranes or {}).items():
+        if not isinstance(crane, Goliath) or crane.hook_distance is None:
+            continue
+        places: list[tuple[str, Any, float]] = []
+        for trolley, given in crane.trolleys.items():
+            low, high = where.get(trolley_name(name, trolley), (given.position, given.position))
+            if low != high:
+                continue
+            for hook, one in given.hooks.items():
+                for other, second, there in places:
+                    apart = abs(low + one.along - there)
+                    if other != trolley and apart < crane.hook_distance - _ROUNDING:
+                        sentence = f"'{hook}' would be {apart:g} m from '{second}' along the girder"
+                        right = f"{crane.hook_distance:g} m is the least"
+                        findings.add(path, f"{sentence}; {right}")
+                places.append((trolley, hook, low + one.along))

@@ -1,0 +1,63 @@
+"""What a step of the plan waits for."""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from gantline.scenario.base import Element
+from gantline.scenario.quantities import Name, Names, PositiveForce, Quantity, refuse
+
+__all__ = ["Condition", "HoistLoadReached"]
+
+
+class HoistLoadReached(Element):
+    """A load in the falls of a hook."""
+
+    what: ClassVar[str] = "hoist_load"
+
+    hook: Name = Field(description="The hook.")
+    above: PositiveForce | None = Field(None, description="The step ends when the hoist load is above this.")
+    below: PositiveForce | None = Field(None, description="The step ends when the hoist load is below this.")
+
+    @model_validator(mode="after")
+    def _one_side(self) -> HoistLoadReached:
+        if (self.above is None) == (self.below is None):
+            raise refuse("it has one of 'above' and 'below', such as {hook: U1, above: 400 kN}")
+        return self
+
+
+class Condition(Element):
+    """What a step waits for."""
+
+    what: ClassVar[str] = "until"
+
+    load_transferred: Annotated[float, Quantity("ratio", "positive")] | None = Field(
+        None,
+        description="Share of the load's weight that has left its supports; lowering, what is left of it.",
+    )
+    supports: Literal["clear", "touched"] | None = Field(
+        None, description="'clear': the load has left all its supports; 'touched': one bears again."
+    )
+    hoist_load: HoistLoadReached | None = Field(
+        None, description="Load in the falls of a hook that hangs in ropes."
+    )
+    tension_spread: Annotated[float, Quantity("ratio", "positive")] | None = Field(
+        None, description="(max - min)/mean of the slings of every equalizer is below this, and all carry."
+    )
+    of: Names = Field((), description="tension_spread: equalizers that count; all if not given.")
+
+    @model_validator(mode="after")
+    def _exactly_one(self) -> Condition:
+        ways = ("load_transferred", "supports", "hoist_load", "tension_spread")
+        if sum(getattr(self, way) is not None for way in ways) != 1:
+            raise refuse(
+                "a step waits for one thing: 'load_transferred: 50 %', 'supports: clear', "
+                "'hoist_load: {hook: U1, above: 400 kN}' or 'tension_spread: 5 %'"
+            )
+        if self.load_transferred is not None and self.load_transferred > 1:
+            raise refuse(f"load_transferred is {self.load_transferred * 100:g} %; it can reach 100 % at most")
+        if self.of and self.tension_spread is None:
+            raise refuse("'of' stands without 'tension_spread', whose equalizers it names", "of")
+        return self

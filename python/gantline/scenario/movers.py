@@ -1,0 +1,116 @@
+"""What steps of the plan can move: hooks, drums, trolleys, cranes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gantline.scenario.goliath import Goliath, Traverse
+from gantline.scenario.hooks import full_name, trolley_name
+from gantline.scenario.model import Scenario
+from gantline.scenario.plan import Kind
+
+__all__ = ["Mover", "mover", "movers"]
+
+
+@dataclass(frozen=True)
+class Mover:
+    """Something that a step of the plan can move.
+
+    Attributes:
+        name: its full name.
+        kind: what it is.
+        speed: highest speed [m/s].
+        acceleration: highest acceleration [m/s^2].
+        capacity: whether a motor with a limit drives it.
+        brake: force that its brake holds, along what its drive counts [N]; None is that of the motor.
+        emergency: deceleration of an emergency stop [m/s^2]; None where nobody has said it.
+        start: position at the start, as `to` counts it [m]; None for a drum, which has none.
+        zero: what `to` counts where the drive is at 0 [m].
+        range: least and largest position as `to` counts it [m]; None where there is no limit.
+    """
+
+    name: str
+    kind: Kind
+    speed: float
+    acceleration: float
+    capacity: bool
+    brake: float | None
+    emergency: float | None
+    start: float | None
+    zero: float
+    range: tuple[float, float] | None
+
+
+def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
+    """Everything of a kind by its full name; None for a drum that has no drive."""
+    if kind == "hook":
+        return dict(_hooks(scenario))
+    if kind == "drum":
+        return _drums(scenario)
+    found: dict[str, Mover | None] = {}
+    for name, crane in (scenario.cranes or {}).items():
+        if not isinstance(crane, Goliath):
+            continue
+        if kind == "crane" and crane.travel is not None:
+            found[name] = _along(name, kind, crane.travel, crane.position)
+        if kind == "trolley":
+            for trolley, given in crane.trolleys.items():
+                of = trolley_name(name, trolley)
+                found[of] = _along(of, kind, given.traverse, given.position)
+    return found
+
+
+def mover(scenario: Scenario, kind: Kind, text: str) -> Mover | None:
+    """What a word of the plan means; None where it means nothing, or a drum without a drive."""
+    known = movers(scenario, kind)
+    name = full_name(text, known)
+    return None if name is None else known[name]
+
+
+def _along(name: str, kind: Kind, drive: Traverse, start: float) -> Mover:
+    emergency = drive.emergency_acceleration or drive.acceleration
+    return Mover(
+        name, kind, drive.speed, drive.acceleration, False, None, emergency, start, 0.0, drive.range_
+    )
+
+
+def _hooks(scenario: Scenario) -> dict[str, Mover]:
+    found = {}
+    for name, hook in scenario.hooks.items():
+        hoist, parts = hook.hoist, hook.reeving.parts if hook.reeving is not None else 1
+        found[name] = Mover(
+            name=name,
+            kind="hook",
+            speed=hoist.speed,
+            acceleration=hoist.acceleration,
+            capacity=hoist.capacity is not None,
+            brake=None if hoist.brake is None else hoist.brake * parts,
+            emergency=hoist.emergency_acceleration,
+            start=hook.at[2],
+            zero=hook.at[2],
+            range=None if hook.highest is None else (-float("inf"), hook.highest),
+        )
+    return found
+
+
+def _drums(scenario: Scenario) -> dict[str, Mover | None]:
+    drums = scenario.mechanics.drums if scenario.mechanics is not None else None
+    found: dict[str, Mover | None] = {}
+    for name, drum in (drums or {}).items():
+        drive = drum.drive
+        if drive is None:
+            found[name] = None
+            continue
+        found[name] = Mover(
+            name=name,
+            kind="drum",
+            speed=drive.speed,
+            acceleration=drive.acceleration,
+            capacity=drive.capacity is not None,
+            brake=drive.brake,
+            emergency=None,
+            start=None,
+            zero=0.0,
+            range=None,
+        )
+    return found
