@@ -83,6 +83,10 @@ fn random_route(random: &mut Random) -> SystemSpec {
         contacts: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),
+        supports: Vec::new(),
+        shapes: Vec::new(),
+        pairs: Vec::new(),
+        watches: Vec::new(),
         adjusters: Vec::new(),
     };
     let mut place = random.vector(5.0);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.scenario.check_supports import top_of
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
@@ -52,9 +53,13 @@ def _check_inertia(findings: Findings, inertia: LoadInertia) -> None:
 
 
 def _check_standing(findings: Findings, load: Load, base: str) -> None:
-    ground = findings.scenario.ground
-    if base != "ground":
-        findings.add(("load", "stands_on"), f"'{base}' cannot carry the load yet; 'ground' can")
+    scenario = findings.scenario
+    ground, supports = scenario.ground, scenario.supports or {}
+    if base in supports:
+        _check_on_supports(findings, load, base)
+    elif base != "ground":
+        sentence = f"'{base}' is not a group of 'supports' and not 'ground'"
+        findings.add(("load", "stands_on"), f"{sentence}; {nearest(base, ['ground', *supports])}")
     elif ground is None:
         sentence = "the load stands on the ground but there is no 'ground' in this file"
         findings.add(("load", "stands_on"), f"{sentence}; add 'ground: {{level: 0 m}}'")
@@ -63,3 +68,15 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
         where = "above" if gap > 0 else "below"
         sentence = f"the load stands on the ground but its underside is {abs(gap):g} m {where} it"
         findings.add(("load", "position"), f"{sentence}; right is z = {ground.level:g} m")
+
+
+def _check_on_supports(findings: Findings, load: Load, group: str) -> None:
+    top = top_of(findings.scenario, group)
+    if findings.scenario.start == "settled":
+        sentence = "'settled' is for a load on the ground"
+        findings.add(("start",), f"{sentence}; one on supports starts at 'rest', or 'as_given'")
+    elif findings.scenario.load_has_settled and abs(load.position[2] - top) > _STANDING:
+        gap = load.position[2] - top
+        where = "above" if gap > 0 else "below"
+        sentence = f"the load stands on {group} but its underside is {abs(gap):g} m {where} the highest of them"
+        findings.add(("load", "position"), f"{sentence}; right is z = {top:g} m")

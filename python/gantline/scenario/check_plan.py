@@ -94,9 +94,10 @@ def _check_times(findings: Findings, place: int, step: MovingStep, earliest: flo
 
 def _check_condition(findings: Findings, place: int, step: MovingStep) -> None:
     path = ("plan", place, "until")
-    if findings.scenario.load is None or findings.scenario.ground is None:
+    scenario = findings.scenario
+    if scenario.load is None or (scenario.ground is None and not scenario.supports):
         sentence = "this waits for a load to leave the ground"
-        findings.add(path, f"{sentence}; there is no 'load' on a 'ground' in this file")
+        findings.add(path, f"{sentence}; there is no 'load' on a 'ground' or on 'supports' in this file")
     elif isinstance(step, (LowerStep, PayOutStep)):
         doing = "lowering" if isinstance(step, LowerStep) else "paying out"
         sentence = f"{doing} until something happens cannot be simulated yet"

@@ -19,12 +19,15 @@ from gantline.scenario.load import Load, LugType
 from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.plan import Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
+from gantline.scenario.structures import Structure
+from gantline.scenario.supports import Supports
 from gantline.scenario.tree import MapNode, line_of
+from gantline.scenario.watch import Watch
 
 __all__ = ["COMING", "Scenario"]
 
 #: Sections that the format will have and that this version does not know.
-COMING = ("axes", "hook_types", "structures", "supports", "vessels", "watch", "wind")
+COMING = ("axes", "hook_types", "vessels", "wind")
 
 
 class _FormatReader(Reader):
@@ -60,6 +63,8 @@ class Scenario(Element):
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
     lug_types: Named[LugType] | None = Field(None, description="Types of lug by name.")
     load: Load | None = Field(None, description="The load.")
+    supports: Named[Supports] | None = Field(None, description="Groups of supports under the load by name.")
+    structures: Named[Structure] | None = Field(None, description="What stands in the yard, by name.")
     cranes: Named[FixedHook] | None = Field(None, description="Cranes by name.")
     hook_groups: Named[HookGroup] | None = Field(
         None, description="Hooks that share a trolley or a crane, by name."
@@ -74,6 +79,9 @@ class Scenario(Element):
         None, description="Sheaves that hang on slings and serve two lugs each, by name."
     )
     plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
+    watch: list[Watch] = Field(
+        default_factory=list, description="Pairs whose smallest distance is recorded and watched."
+    )
     cases: Named[Case] | None = Field(None, description="What may be otherwise than planned, by name.")
     limits: Limits | None = Field(None, description="Limits that the lift is checked against.")
     rules: Rules | None = Field(None, description="Factors on loads and strengths for the checks.")

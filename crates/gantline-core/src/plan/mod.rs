@@ -4,7 +4,9 @@ pub mod cut;
 pub mod drive;
 pub mod operation;
 pub mod pinning;
+pub mod removal;
 
 pub use cut::{Cut, Due};
 pub use operation::{Emergency, Move, PlanState, Step, Until};
 pub use pinning::Pinning;
+pub use removal::Removal;

@@ -254,6 +254,10 @@ impl Complementarity {
                 row += 1;
                 continue;
             };
+            if self.modes[normal] == Mode::Parted {
+                row += 2;
+                continue;
+            }
             let bound = coefficient * self.tension[normal].max(0.0);
             let trial = [self.trial[row], self.trial[row + 1]];
             let size = trial[0].hypot(trial[1]);

@@ -16,6 +16,7 @@ use super::search::LEAST;
 use super::{NoEquilibrium, Statics};
 use crate::constraint::AnyConstraint;
 use crate::state::State;
+use crate::stepper::frame::Remembered;
 use crate::system::System;
 
 /// Solutions with λM moved to the right side, each of which leaves λ/ω² of the error.
@@ -59,7 +60,7 @@ impl Statics {
     ) -> Result<Vec<Sensitivity>, NoEquilibrium> {
         let Self { search, bearings } = self;
         search.here.update_mass(system);
-        search.matrix.linearise(system, &search.here, &state.seats);
+        search.matrix.linearise(system, &search.here, &Remembered::of(state));
         search.matrix.extra.fill(0.0);
         let follows = &search.here.follows;
         let compliance = |row: usize| {
