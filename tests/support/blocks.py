@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import yaml
 
 from gantline.results.variable import FloatArray
 
@@ -47,7 +47,8 @@ BLOCK: dict[str, Any] = {
         }
     },
     "slings": {
-        name: {"from": "hook", "to": f"block.{name}", "length": "29 m", "rope": "sling"} for name in ("A", "B")
+        name: {"from": "hook", "to": f"block.{name}", "length": "29 m", "rope": "sling"}
+        for name in ("A", "B")
     },
     "plan": [{"step": "hold", "hold": "until_end"}],
 }
@@ -60,8 +61,8 @@ def lift(**changes: Any) -> dict[str, Any]:
 
 
 def text(given: Mapping[str, Any]) -> str:
-    """A lift file."""
-    return str(yaml.safe_dump(dict(given), sort_keys=False, allow_unicode=True))
+    """A lift file; JSON is YAML."""
+    return json.dumps(given, indent=1)
 
 
 def shares_of_springs(
@@ -69,9 +70,9 @@ def shares_of_springs(
 ) -> FloatArray:
     """Forces of springs under a rigid load that only push, by the complementarity of gap and force.
 
-    The load sinks by z and turns by a, b, little: a spring i carries k_i max(0, z + a y_i - b x_i - gap_i), and all of
-    them the weight at `centre`. Springs that would pull are left out, one after the other; with those that carry
-    the three unknowns solve a linear system.
+    The load sinks by z and turns by a, b, little: a spring i carries k_i max(0, z + a y_i - b x_i - gap_i),
+    and all of them the weight at `centre`. Springs that would pull are left out; with those that carry the
+    three unknowns solve a linear system.
 
     Args:
         places: (n, 2) [m].

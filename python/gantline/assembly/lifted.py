@@ -150,7 +150,7 @@ def _at_rest(
 def _on_supports(
     scenario: Scenario, load: Load, lifted: LiftedLoad, orientation: list[float]
 ) -> tuple[float, list[float]]:
-    """The same on supports, all as stiff as on the average: from here on statics finds where it rests exactly."""
+    """The same on supports, all as stiff as on the average; from there statics finds where it rests."""
     assert load.stands_on is not None
     group = (scenario.supports or {})[load.stands_on]
     supports = supports_of(load.stands_on, group)

@@ -86,7 +86,7 @@ class Parts:
         self.bodies[name] = given
 
     def add_shape(self, name: str, body: str | None, parts: Sequence[Json]) -> None:
-        """Add a shape on a body (None: the world); see `gantline.assembly.shapes` for its parts and its name."""
+        """Add a shape on a body (None: the world); `gantline.assembly.shapes` says what its parts are."""
         self.shapes[name] = {"name": name, "body": body, "parts": list(parts)}
 
     def add_flow(self, name: str, inertia: float, **rest: Any) -> None:
@@ -191,7 +191,9 @@ class Parts:
         points = [contact["name"] for contact in self.contacts if contact["group"] == group]
         points += [support["name"] for support in self.supports if support["group"] == group]
         pairs = [pair for pair in self.pairs if pair["group"] == group]
-        return points + [f"{pair['name']}/{place}" for pair in pairs for place in range(1, pair["places"] + 1)]
+        return points + [
+            f"{pair['name']}/{place}" for pair in pairs for place in range(1, pair["places"] + 1)
+        ]
 
     def document(self, gravity: float) -> Json:
         """The document for the core; of shapes those that may touch something or are watched."""

@@ -1,9 +1,9 @@
 """Shapes of everything that has one, which of them may touch, and which distances are watched.
 
-A shape is a list of parts on one body: `{"type": "box", "size": …, "centre": …}`, `{"type": "convex", "vertices": …}` or
-`{"type": "mesh", "vertices": …, "triangles": …}`, in the frame of the body [m]. Shapes are named as people name what they
-belong to, parts of it with a dot: `dock.walls`, `goliath.legs.1`. A name stands for the shape of that name and for all
-whose names go on after it with a dot.
+A shape is a list of parts on one body, in its frame [m]: `{"type": "box", "size": ..., "centre": ...}`,
+`{"type": "convex", "vertices": ...}` or `{"type": "mesh", "vertices": ..., "triangles": ...}`. Shapes are
+named as people name what they belong to, parts of it with a dot: `dock.walls`, `goliath.legs.1`. A name
+stands for the shape of that name and for all whose names go on after it with a dot.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _PLACES = 8
 
 
 def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> None:
-    """Give a shape to the load, the ground around a dock, structures, supports, equalizer frames and plain bodies."""
+    """Give a shape to load, ground, structures, supports, equalizer frames and bodies of `mechanics`."""
     load = scenario.load
     if load is not None and lifted is not None:
         parts.add_shape(load.name, load.name, load_parts(scenario, lifted))
@@ -117,7 +117,7 @@ def pair_name(one: str, other: str) -> str:
 
 
 def add_touching(parts: Parts, scenario: Scenario) -> None:
-    """Let the load touch the ground around a dock and all structures, and bodies of `mechanics` what they say.
+    """Let the load touch the ground around a dock and all structures; bodies touch what `mechanics` says.
 
     Raises:
         ScenarioError: if a contact of bodies names what has no shape.
@@ -125,7 +125,9 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
     load, ground = scenario.load, scenario.ground or Ground.model_construct()
     if load is not None:
         if scenario.ground is not None and dock_of(scenario) is not None:
-            parts.pairs.append(_pair(pair_name(load.name, "ground"), load.name, (load.name, "ground"), _law(ground)))
+            parts.pairs.append(
+                _pair(pair_name(load.name, "ground"), load.name, (load.name, "ground"), _law(ground))
+            )
         for name, structure in (scenario.structures or {}).items():
             law = [
                 getattr(ground if getattr(structure, key) is None else structure, key)
@@ -201,7 +203,9 @@ def add_watches(parts: Parts, scenario: Scenario, diameters: Mapping[str, float 
         for side in (0, 1):
             against = {parts.shapes[shape]["body"] for shape in shapes[1 - side]}
             watched = [
-                one for rope in ropes[side] for one in _watched(parts, rope, against, watch.from_ends, diameters)
+                one
+                for rope in ropes[side]
+                for one in _watched(parts, rope, against, watch.from_ends, diameters)
             ]
             sides.append({"shapes": shapes[side], "ropes": watched})
         name = watch_name(watch)

@@ -1,4 +1,4 @@
-"""Distances that are watched, and forces of supports: warnings, and moments at which a distance is too small."""
+"""Distances that are watched, and supports: warnings, and when a distance is too small."""
 
 from __future__ import annotations
 
@@ -18,11 +18,13 @@ _Names = Mapping[str, Sequence[str]]
 _AT_ONCE = 1e-9
 
 
-def clearance_events(rig: Rig, columns: _Columns, names: _Names) -> tuple[_Columns, _Names]:
+def clearance_events(
+    rig: Rig, columns: dict[str, FloatArray], names: dict[str, list[str]]
+) -> tuple[dict[str, FloatArray], dict[str, list[str]]]:
     """Columns and names with an event whenever a watched distance becomes too small and large enough again.
 
-    Their kinds are `too_close` and `clear_again`. Between samples the distance is taken as straight; a pair that is too
-    close from the first sample on is so at its time.
+    Their kinds are `too_close` and `clear_again`. Between samples the distance is taken as straight; a pair
+    that is too close from the first sample on is so at its time.
     """
     found = [event for watch in rig.watches for event in _crossings(watch, columns, names)]
     if not found:
@@ -71,11 +73,13 @@ def contact_warnings(rig: Rig, columns: _Columns, names: _Names) -> list[str]:
         least = margin[worst] + watch.smallest
         one, other = watch.between
         if least <= 0.0:
-            warnings.append(f"{one} touches {other}, for the first time at {time[first]:.2f} s")
+            warnings.append(f"{one} and {other} touch, for the first time at {time[first]:.2f} s")
         else:
             sentence = f"{one} comes within {least:.2f} m of {other} at {time[worst]:.2f} s"
             warnings.append(f"{sentence}, below {watch.smallest:g} m from {time[first]:.2f} s on")
-    for moment, kind, name in zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True):
+    for moment, kind, name in zip(
+        columns["event_time"], names["event_kind"], names["event_name"], strict=True
+    ):
         if kind == "support_removed":
             force = _force_before(columns, names, name, float(moment))
             warnings.append(f"{name} is taken away at {moment:.2f} s under {force / 1e3:.0f} kN")

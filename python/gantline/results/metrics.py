@@ -92,7 +92,19 @@ def metrics_of(recording: Recording) -> dict[str, float]:
     """
     if not len(recording.time):
         return {}
-    parts = (_ropes, _parted, _slings, _spread, _sheaves, _loads, _supports, _hooks, _travel, _lengthening, _audit)
+    parts = (
+        _ropes,
+        _parted,
+        _slings,
+        _spread,
+        _sheaves,
+        _loads,
+        _supports,
+        _hooks,
+        _travel,
+        _lengthening,
+        _audit,
+    )
     return {name: value for part in parts for name, value in part(recording) if value is not None}
 
 

@@ -78,5 +78,7 @@ def _check_on_supports(findings: Findings, load: Load, group: str) -> None:
     elif findings.scenario.load_has_settled and abs(load.position[2] - top) > _STANDING:
         gap = load.position[2] - top
         where = "above" if gap > 0 else "below"
-        sentence = f"the load stands on {group} but its underside is {abs(gap):g} m {where} the highest of them"
+        sentence = (
+            f"the load stands on {group} but its underside is {abs(gap):g} m {where} the highest of them"
+        )
         findings.add(("load", "position"), f"{sentence}; right is z = {top:g} m")

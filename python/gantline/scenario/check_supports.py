@@ -69,7 +69,9 @@ def _check_group(findings: Findings, name: str, group: Supports) -> list[str]:
         findings.add((*path, "places", key), f"'{key}' is a support of the grid already")
     for one in supports:
         if one.height <= 0.0:
-            findings.add((*path, "height"), f"the height of '{one.name}' is not known; 'height: 1.5 m' is usual")
+            findings.add(
+                (*path, "height"), f"the height of '{one.name}' is not known; 'height: 1.5 m' is usual"
+            )
             break
     for one in supports:
         if load is not None and group.measured_from == "load":

@@ -149,5 +149,7 @@ class Load(Element):
         "homogeneous", description="'homogeneous' (a solid box), or values about the centre of gravity."
     )
     centre_of_gravity: CentreOfGravity = Field(description="Centre of gravity.")
-    stands_on: Name | None = Field(None, description="What the load stands on at the start: 'ground', or a group of 'supports'.")
+    stands_on: Name | None = Field(
+        None, description="What the load stands on at the start: 'ground', or a group of 'supports'."
+    )
     lugs: Named[Lug] = Field(description="Lifting lugs by name.")

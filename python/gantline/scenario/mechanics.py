@@ -214,7 +214,7 @@ class Body(Element):
     inertia: BodyInertia | None = Field(
         None, description="Inertia about the centre of gravity; 0 if not given."
     )
-    shape: BodyShape | None = Field(None, description="A box to draw.")
+    shape: BodyShape | None = Field(None, description="A box to draw, and with which it touches others.")
     remark: Text | None = Field(None, description="A remark for people.")
 
 

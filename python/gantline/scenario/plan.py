@@ -161,8 +161,8 @@ class _AnyStep(Element):
     cut: Names = Field((), description="Rope or ropes that are cut as it begins, like 'sling.S1'.")
     remove_supports: Names = Field(
         (),
-        description="Supports that are taken away as it begins: a whole group, like 'keel_blocks', or one, like "
-        "'keel_blocks.2.3'.",
+        description="Supports that are taken away as it begins: a whole group, like 'keel_blocks', or one, "
+        "like 'keel_blocks.2.3'.",
     )
     pull_pins: Names = Field(
         (),

@@ -20,8 +20,8 @@ class Watch(Element):
     what: ClassVar[str] = "a watched pair"
 
     between: _Two = Field(
-        description="Two names: of the load, a structure or a part of it ('dock.walls'), 'ground', a group of "
-        "supports, an equalizer, a body of 'mechanics' with a shape; and on one side also of a rope "
+        description="Two names: of the load, a structure or a part of it ('dock.walls'), 'ground', a group "
+        "of supports, an equalizer, a body of 'mechanics' with a shape; and on one side also of a rope "
         "('sling.S1'), or 'slings', or 'ropes'."
     )
     smallest: NotNegativeLength = Field(

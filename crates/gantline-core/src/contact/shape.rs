@@ -10,7 +10,7 @@ use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
 use parry3d_f64::query::{
     self, ContactManifold, DefaultQueryDispatcher, PersistentQueryDispatcher, TrackedContact,
 };
-use parry3d_f64::shape::{PackedFeatureId, SharedShape};
+use parry3d_f64::shape::{PackedFeatureId, PolygonalFeature, SharedShape};
 
 use super::plane::Plane;
 use super::spot::Spot;
@@ -18,6 +18,9 @@ use crate::tree::pose::Pose;
 
 /// Points of two parts that are closer than this are one [m].
 const SAME: f64 = 1e-3;
+/// Cosine of the angle between a face and the direction in which shapes part, at most, for them to part along the face:
+/// 1.8°.
+const ALIGNED: f64 = 0.9995;
 
 /// A part of a shape, in the frame of its body.
 #[derive(Debug, Clone, PartialEq)]
@@ -140,6 +143,12 @@ impl Shape {
         distances.fold(f64::INFINITY, f64::min)
     }
 
+    /// True where a world point is in the shape or within a millimetre of it.
+    pub fn holds(&self, pose: &Pose, point: DVec3) -> bool {
+        let (own, point) = (placed(pose), given(point));
+        self.parts.iter().any(|(local, part)| part.distance_to_point(&(own * *local), point, true) < SAME)
+    }
+
     /// Finds where two shapes on bodies at `poses` are not farther apart than `reach` [m], nearest first.
     pub fn meet(&self, other: &Self, poses: [&Pose; 2], reach: f64, found: &mut Vec<Meeting>) {
         found.clear();
@@ -169,8 +178,9 @@ impl Shape {
                 let parts = ((index as u64) << 20) ^ other_index as u64;
                 for manifold in &manifolds {
                     let near = manifold.points.iter().filter(|point| point.dist <= reach);
-                    let frames = [local, other_local];
-                    found.extend(near.map(|point| meeting(manifold, point, frames, parts)));
+                    let one = Located { local, body: &own, part };
+                    let located = [one, Located { local: other_local, body: &its, part: other_part }];
+                    found.extend(near.map(|point| meeting(manifold, point, located, parts)));
                 }
             }
         }
@@ -189,28 +199,64 @@ fn distance(one: (&ParryPose, &SharedShape), other: (&ParryPose, &SharedShape)) 
     overlap.ok().flatten().map_or(apart, |contact| contact.dist.min(0.0))
 }
 
-/// A point of a manifold as a spot. The plane is on the side that has a face there, the point on that with a corner;
-/// where both have edges the plane is on the second.
+/// A part of a shape where it is: its frame in the body, the body in the world, and itself.
+#[derive(Clone, Copy)]
+struct Located<'a> {
+    local: &'a ParryPose,
+    body: &'a ParryPose,
+    part: &'a SharedShape,
+}
+
+impl Located<'_> {
+    /// Frame in the body of the piece of the part that a manifold speaks of.
+    fn frame(&self, inner: Option<ParryPose>) -> ParryPose {
+        inner.map_or(*self.local, |pose| *self.local * pose)
+    }
+
+    /// Normal of the face that looks most along `direction`, in the frame of the part, where it does so closely.
+    fn face(&self, direction: Vector) -> Option<Vector> {
+        let (map, _) = self.part.as_polygonal_feature_map()?;
+        let mut feature = PolygonalFeature::default();
+        map.local_support_feature(direction, &mut feature);
+        if feature.num_vertices < 3 {
+            return None;
+        }
+        let [first, second, third, _] = feature.vertices;
+        let across = (second - first).cross(third - first).try_normalize()?;
+        let normal = if across.dot(direction) < 0.0 { -across } else { across };
+        (normal.dot(direction) > ALIGNED).then_some(normal)
+    }
+}
+
+/// A point of a manifold as a spot. The plane is a face of the second body where that looks the right way, else one of
+/// the first; where neither does, edges meet, and the plane is that between them, on the second. Of meshes corners tell.
 fn meeting(
     manifold: &ContactManifold<(), ()>,
     point: &TrackedContact<()>,
-    [local, other_local]: [&ParryPose; 2],
+    [one, other]: [Located; 2],
     parts: u64,
 ) -> Meeting {
     let inner = manifold.subshape_poses.as_ref();
-    let own = inner.and_then(|poses| poses.pos1).map_or(*local, |pose| *local * pose);
-    let its = inner.and_then(|poses| poses.pos2).map_or(*other_local, |pose| *other_local * pose);
-    let [first, second] =
-        [own.transform_point(point.local_p1), its.transform_point(point.local_p2)].map(taken);
-    let is_swapped = point.fid2.is_vertex() && !point.fid1.is_vertex();
-    let (place, plane) = if is_swapped {
-        (second, Plane::new(first, taken(own.transform_vector(manifold.local_n1)).normalize()))
+    let own = one.frame(inner.and_then(|poses| poses.pos1));
+    let its = other.frame(inner.and_then(|poses| poses.pos2));
+    let [first, second] = [own.transform_point(point.local_p1), its.transform_point(point.local_p2)];
+    let faces = [one.face(manifold.local_n1), other.face(manifold.local_n2)];
+    let corner = faces == [None, None] && point.fid2.is_vertex() && !point.fid1.is_vertex();
+    let is_swapped = corner || (faces[1].is_none() && faces[0].is_some());
+    let (place, origin, normal, frames) = if is_swapped {
+        let normal = own.transform_vector(faces[0].unwrap_or(manifold.local_n1));
+        (second, first, normal, [other.body, one.body])
     } else {
-        (first, Plane::new(second, taken(its.transform_vector(manifold.local_n2)).normalize()))
+        let normal = its.transform_vector(faces[1].unwrap_or(manifold.local_n2));
+        (first, second, normal, [one.body, other.body])
     };
+    let [with_point, with_plane] = frames;
+    let apart = with_point.transform_point(place) - with_plane.transform_point(origin);
+    let gap = with_plane.transform_vector(normal).dot(apart);
+    let plane = Plane::new(taken(origin), taken(normal).normalize());
     let subshapes = (u64::from(manifold.subshape1) << 16) ^ u64::from(manifold.subshape2);
     let feature = mixed(parts, mixed(subshapes, features(point.fid1, point.fid2)));
-    Meeting { spot: Spot { is_near: true, is_swapped, point: place, plane, feature }, gap: point.dist }
+    Meeting { spot: Spot { is_near: true, is_swapped, point: taken(place), plane, feature }, gap }
 }
 
 fn features(first: PackedFeatureId, second: PackedFeatureId) -> u64 {
@@ -236,7 +282,8 @@ fn drop_repeated(found: &mut Vec<Meeting>, poses: [&Pose; 2]) {
         let (place, normal) = world(&found[index]);
         let is_new = found[..kept].iter().all(|other| {
             let (there, other_normal) = world(other);
-            (there - place).length() > SAME || normal.dot(other_normal) < 0.99
+            let apart = there - place;
+            (apart - normal * normal.dot(apart)).length() > SAME || normal.dot(other_normal) < 0.99
         });
         if is_new {
             found.swap(kept, index);

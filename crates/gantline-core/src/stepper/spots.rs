@@ -28,6 +28,8 @@ const SAME_DEPTH: f64 = 1e-7;
 const STAYS_ON_PAD: f64 = 1e-3;
 /// How far beyond the edge of a support a place that carries is seen to have left it [m].
 const EDGE: f64 = 1e-2;
+/// Cosine of the angle between normals that are the same.
+const ALIKE: f64 = 0.99;
 /// A spot between other features is still the same place within this [m].
 const SAME_PLACE: f64 = 0.1;
 
@@ -72,7 +74,11 @@ pub fn find(
                 one.shape.meet(&other.shape, [&poses[0], &poses[1]], REACH, &mut meetings);
                 let AnyConstraint::Touch(touch) = &system.constraints[*first] else { continue };
                 let own = &mut spots[touch.spot..touch.spot + count];
-                assign([&poses[0], &poses[1]], own, &meetings, |place, found| {
+                let holds = |is_first: bool, foot| {
+                    let (shape, pose) = if is_first { (one, &poses[0]) } else { (other, &poses[1]) };
+                    shape.shape.holds(pose, foot)
+                };
+                assign([&poses[0], &poses[1]], own, &meetings, holds, |place, found| {
                     if let AnyConstraint::Touch(touch) = &system.constraints[first + place] {
                         changed(touch, &found.0, &found.1);
                     }
@@ -97,11 +103,14 @@ fn gap(spot: &Spot, poses: [&Pose; 2]) -> f64 {
 }
 
 /// Gives each meeting of two shapes a spot: its own, that of its place, or a free one, the nearest first; meetings
-/// beyond the number of spots, the farthest, have none.
+/// beyond the number of spots, the farthest, have none. A spot that the shapes no longer name, since their edges
+/// coincide and rounding decides, stays as long as its point is over the face: `holds` says whether a world point belongs
+/// to the first shape, or the second.
 fn assign(
     poses: [&Pose; 2],
     spots: &mut [Spot],
     meetings: &[Meeting],
+    holds: impl Fn(bool, DVec3) -> bool,
     mut changed: impl FnMut(usize, (Spot, Spot)),
 ) {
     let mut owner: Vec<Option<usize>> = vec![None; spots.len()];
@@ -127,12 +136,25 @@ fn assign(
             (owner[slot], taken[index]) = (Some(index), true);
         }
     }
+    let mut kept = vec![false; spots.len()];
+    for (slot, spot) in spots.iter().enumerate().filter(|(slot, spot)| spot.is_near && owner[*slot].is_none())
+    {
+        let (place, normal) = in_world(spot, poses);
+        let is_alike = |meeting: &Meeting| normal.dot(in_world(&meeting.spot, poses).1) > ALIKE;
+        let apart = gap(spot, poses);
+        let foot = if spot.is_swapped { place + normal * apart } else { place - normal * apart };
+        kept[slot] = meetings.iter().any(is_alike) && apart < REACH && holds(spot.is_swapped, foot);
+    }
     for index in (0..meetings.len()).filter(|&index| !taken[index]) {
-        let free = owner.iter().zip(&*spots).position(|(owner, spot)| owner.is_none() && !spot.is_near);
-        let Some(slot) = free.or_else(|| owner.iter().position(Option::is_none)) else { break };
+        let is_free = |slot: &usize| owner[*slot].is_none() && !kept[*slot];
+        let free = (0..spots.len()).filter(is_free).min_by_key(|&slot| spots[slot].is_near);
+        let Some(slot) = free else { break };
         owner[slot] = Some(index);
     }
     for (slot, spot) in spots.iter_mut().enumerate() {
+        if kept[slot] {
+            continue;
+        }
         let found = owner[slot].map_or_else(Spot::none, |index| meetings[index].spot);
         if (!spot.is_near && !found.is_near) || stays(spot, &found, poses) {
             spot.feature = found.feature;
@@ -230,7 +252,7 @@ pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: 
         }
         let poses = [one.body, other.body].map(|body| pose(kinematics, body));
         let apart = one.shape.distance(&other.shape, [&poses[0], &poses[1]]);
-        most = most.min((apart.max(0.0) + 0.5 * REACH) / speed);
+        most = most.min((apart - 0.5 * REACH).max(0.5 * REACH) / speed);
     }
     most
 }
@@ -250,6 +272,7 @@ fn to_edge(
     let place = kinematics.point(touch.bodies[0], state.spots[touch.spot].point);
     let velocity = kinematics.point_velocity(twists, touch.bodies[0], place);
     let sides = pad.top.along(place).into_iter().zip(pad.top.tangents).zip(pad.half);
-    let times = sides.map(|((along, tangent), half)| (half - along.abs()).max(EDGE) / tangent.dot(velocity).abs());
+    let times =
+        sides.map(|((along, tangent), half)| (half - along.abs()).max(EDGE) / tangent.dot(velocity).abs());
     times.fold(f64::INFINITY, f64::min)
 }
