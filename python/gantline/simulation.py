@@ -16,6 +16,7 @@ from typing import Any
 
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
+from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.metrics import energy_bound
@@ -189,7 +190,10 @@ class Simulation:
             warnings.append(f"the energy balance does not close: {missed}")
         names, columns = self._core.names(), self._core.columns()
         warnings += _off_sheaves(self.assembly.rig, columns, names)
-        warnings += drum_warnings(Rig.from_json(self.assembly.rig), columns, names)
+        rig = Rig.from_json(self.assembly.rig)
+        columns, names = clearance_events(rig, columns, names)
+        warnings += contact_warnings(rig, columns, names)
+        warnings += drum_warnings(rig, columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):

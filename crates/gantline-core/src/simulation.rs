@@ -264,6 +264,8 @@ impl Simulation {
             | EventKind::Broken
             | EventKind::Stick
             | EventKind::Slip
+            | EventKind::OffSupport
+            | EventKind::SupportRemoved
             | EventKind::StopHit
             | EventKind::StopLeft
             | EventKind::PinPulled

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::audit::Ledger;
+use crate::contact::spot::Spot;
 use crate::plan::PlanState;
 use crate::rope::coil::Coil;
 use crate::rope::seat::Seat;
@@ -34,6 +35,8 @@ pub struct State {
     pub memory: Vec<f64>,
     /// How ropes lie on sheaves with true tangents, by [`crate::system::System::sheaves`].
     pub seats: Vec<Seat>,
+    /// Where bodies may touch, by [`crate::constraint::touch::Touch::spot`].
+    pub spots: Vec<Spot>,
     /// What drums have wound, by [`crate::system::System::coils`].
     pub coils: Vec<Coil>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
@@ -66,6 +69,7 @@ impl State {
             modes,
             memory,
             seats,
+            spots,
             coils,
             next_step,
             restart,
@@ -86,6 +90,7 @@ impl State {
         self.modes.copy_from_slice(modes);
         self.memory.copy_from_slice(memory);
         self.seats.copy_from_slice(seats);
+        self.spots.copy_from_slice(spots);
         for (coil, other) in self.coils.iter_mut().zip(coils) {
             coil.copy_from(other);
         }

@@ -3,8 +3,10 @@
 use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
+use crate::contact::pad::Pad;
+use crate::contact::shape::Shape;
 use crate::plan::drive::Timeline;
-use crate::plan::{Cut, Pinning, Plan};
+use crate::plan::{Cut, Pinning, Plan, Removal};
 use crate::rope::coil::Layers;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
@@ -77,6 +79,72 @@ pub struct ContactGroup {
     pub name: String,
     /// Indices of the constraints.
     pub contacts: Vec<usize>,
+}
+
+impl ContactGroup {
+    /// Number of the group of that name, which is added where it is not there yet.
+    pub fn named(groups: &mut Vec<Self>, name: &str) -> usize {
+        groups.iter().position(|group| group.name == name).unwrap_or_else(|| {
+            groups.push(Self { name: name.to_owned(), contacts: Vec::new() });
+            groups.len() - 1
+        })
+    }
+}
+
+/// A shape on a body.
+#[derive(Debug, Clone)]
+pub struct BodyShape {
+    /// Name.
+    pub name: String,
+    /// Index of its body; none is the world.
+    pub body: Option<usize>,
+    /// The shape, in the body's frame.
+    pub shape: Shape,
+}
+
+/// What finds the spots of touches anew as bodies move. A touch is named by the index of its constraint.
+#[derive(Debug, Clone)]
+pub enum Finder {
+    /// The top of a support, and its touch.
+    Pad(usize, Box<Pad>),
+    /// Two shapes, by their numbers, and the first of so many touches that are reserved for where they meet.
+    Pair {
+        /// Numbers of the shapes; the first may be near the second.
+        shapes: [usize; 2],
+        /// The first touch.
+        first: usize,
+        /// How many there are.
+        count: usize,
+    },
+}
+
+/// What distances are measured from: shapes and straight parts of ropes.
+#[derive(Debug, Clone, Default)]
+pub struct Watched {
+    /// Numbers of the shapes.
+    pub shapes: Vec<usize>,
+    /// Ropes.
+    pub ropes: Vec<WatchedRope>,
+}
+
+/// A rope whose distance is watched.
+#[derive(Debug, Clone, Copy)]
+pub struct WatchedRope {
+    /// Its index.
+    pub rope: usize,
+    /// Half its diameter [m].
+    pub radius: f64,
+    /// What is left out at its two ends [m].
+    pub without: [f64; 2],
+}
+
+/// A pair whose smallest distance is recorded.
+#[derive(Debug, Clone)]
+pub struct Watch {
+    /// Name.
+    pub name: String,
+    /// Between what.
+    pub between: [Watched; 2],
 }
 
 /// Where a sheave with true tangents is.
@@ -155,7 +223,7 @@ pub struct Adjuster {
 pub struct System {
     /// Bodies and joints.
     pub tree: Tree,
-    /// Ropes first, contacts after them, then stops, then pins, then brakes.
+    /// Ropes first, contacts and touches after them, then stops, then pins, then brakes.
     pub constraints: Vec<AnyConstraint>,
     /// How many of the constraints are ropes.
     pub rope_count: usize,
@@ -193,6 +261,14 @@ pub struct System {
     pub driven: Vec<Option<usize>>,
     /// Groups of contacts.
     pub groups: Vec<ContactGroup>,
+    /// Shapes of bodies and of the world.
+    pub shapes: Vec<BodyShape>,
+    /// What finds where bodies may touch.
+    pub finders: Vec<Finder>,
+    /// Supports that are taken away.
+    pub removals: Vec<Removal>,
+    /// Distances that are recorded.
+    pub watches: Vec<Watch>,
     /// Operations.
     pub plan: Plan,
     /// Where the time goes: the one thing here that changes, since all that takes time sees the system.

@@ -182,7 +182,7 @@ proptest! {
                 let mut block = vec![0.0; dofs.len() * dofs.len()];
                 let mut columns = vec![DVec3::ZERO; dofs.len()];
                 let row = system.rows.first[index] + row;
-                let at = Placed { tree: &system.tree, kinematics: &frame.kinematics, q: &state.q, seats: &state.seats, feeding: &frame.feeding };
+                let at = Placed { tree: &system.tree, kinematics: &frame.kinematics, q: &state.q, seats: &state.seats, spots: &state.spots, feeding: &frame.feeding };
                 constraint.curvature(&at, frame.value[row], group, &mut columns, &mut block);
                 let range = system.rows.start[row]..system.rows.start[row + 1];
                 for (j, &dof) in dofs.iter().enumerate() {
@@ -297,7 +297,7 @@ proptest! {
         for (group, (row, dofs)) in rope.curvature_groups().into_iter().enumerate() {
             let mut block = vec![0.0; dofs.len() * dofs.len()];
             let mut columns = vec![DVec3::ZERO; dofs.len()];
-            let at = Placed { tree: &system.tree, kinematics: &frame.kinematics, q: &state.q, seats: &state.seats, feeding: &frame.feeding };
+            let at = Placed { tree: &system.tree, kinematics: &frame.kinematics, q: &state.q, seats: &state.seats, spots: &state.spots, feeding: &frame.feeding };
             rope.curvature(&at, frame.value[row], group, &mut columns, &mut block);
             let range = system.rows.start[row]..system.rows.start[row + 1];
             for (j, dof) in dofs.iter().enumerate() {

@@ -84,6 +84,10 @@ fn random_route(random: &mut Random) -> SystemSpec {
         drives: Vec::new(),
         plan: Vec::new(),
         emergency_stop: None,
+        supports: Vec::new(),
+        shapes: Vec::new(),
+        pairs: Vec::new(),
+        watches: Vec::new(),
         adjusters: Vec::new(),
     };
     let mut place = random.vector(5.0);

@@ -44,7 +44,7 @@ proptest! {
         prop_assert!((slope - first).abs() < 1e-7 * scale.max(here.energy.abs()), "{slope} {first}");
         here.update_mass(&system);
         let mut matrix = Matrix::new(&system);
-        matrix.linearise(&system, &here, &state.seats);
+        matrix.linearise(&system, &here, &Remembered::of(&state));
         let (_, stiffness) = matrix.dense(&system, &bearings, &here.follows);
         let size = direction.len();
         let second: f64 = (0..size * size).map(|k| stiffness[k] * direction[k / size] * direction[k % size]).sum();

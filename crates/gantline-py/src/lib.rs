@@ -201,7 +201,7 @@ fn column_arrays<'py>(
     let (bodies, kinds) = (names.body.len(), gantline_core::audit::KINDS.len());
     let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
     let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
-    let all: [(&str, Vec<f64>, Vec<usize>); 22] = [
+    let all: [(&str, Vec<f64>, Vec<usize>); 23] = [
         ("time", samples.time.clone(), vec![count]),
         ("rope_tension", columns.rope_tension, vec![count, ropes]),
         ("rope_lengthening", columns.rope_lengthening, vec![count, adjusted]),
@@ -218,6 +218,7 @@ fn column_arrays<'py>(
         ("joint_force", columns.joint_force, vec![count, bodies, 3]),
         ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
         ("pin_force", columns.pin_force, vec![count, names.pin.len()]),
+        ("clearance", columns.clearance, vec![count, names.pair.len()]),
         ("energy", samples.energy.clone(), vec![count, kinds]),
         ("constraint_residual", columns.constraint_residual, vec![count]),
         ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),
@@ -243,6 +244,7 @@ fn name_lists(py: Python<'_>, names: Names) -> PyResult<Bound<'_, PyDict>> {
     out.set_item("joint", names.joint)?;
     out.set_item("contact", names.contact)?;
     out.set_item("pin", names.pin)?;
+    out.set_item("pair", names.pair)?;
     out.set_item("energy_kind", gantline_core::audit::KINDS.to_vec())?;
     Ok(out)
 }

@@ -6,7 +6,7 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-from gantline.assembly.describe import rig, scene
+from gantline.assembly.describe import rig, rope_kinds, scene
 from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
@@ -15,6 +15,8 @@ from gantline.assembly.parting import add_partings
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
 from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
+from gantline.assembly.shapes import add_shapes, add_touching, add_watches
+from gantline.assembly.supports import add_supports, removals
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Scenario, resolve
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
@@ -72,16 +74,23 @@ def assemble(scenario: Scenario) -> Assembly:
     if scenario.load is not None:
         lifted = lifted_load(scenario, scenario.load, rigging)
         add_load(parts, scenario, scenario.load, lifted)
+        add_supports(parts, scenario, scenario.load, lifted)
         add_extension_sheaves(parts, scenario, rigging, lifted.lugs)
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
     rest_on_girders(parts, scenario)
+    add_shapes(parts, scenario, rigging, lifted)
+    add_touching(parts, scenario)
+    kinds = rope_kinds(scenario, rigging)
+    add_watches(parts, scenario, {name: kind.diameter for name, (kind, _) in kinds.items()})
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
     parts.plan.extend(operations(scenario, rigging, mass * scenario.simulation.gravity))
-    for step, pulled, put_in in zip(parts.plan, pins.pulled, pins.put_in, strict=True):
-        step |= {key: names for key, names in (("pulls", pulled), ("pins", put_in)) if names}
+    changes = zip(parts.plan, pins.pulled, pins.put_in, removals(scenario), strict=True)
+    for step, pulled, put_in, removed in changes:
+        said = (("pulls", pulled), ("pins", put_in), ("removes", removed))
+        step |= {key: names for key, names in said if names}
     parts.emergency_stop = emergency_stop(scenario)
     add_partings(parts, scenario)
     return Assembly(

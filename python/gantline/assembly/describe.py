@@ -15,23 +15,25 @@ from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
+from gantline.assembly.shapes import watch_name
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
+from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.check_goliath import crane_bodies
 from gantline.scenario.drum import Drum
 from gantline.scenario.extension import lugs_below
-from gantline.scenario.gear import Shackle
+from gantline.scenario.gear import RopeMaterial, Shackle
 from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.mechanics import RopeEnd
 from gantline.scenario.parting import partings
 from gantline.scenario.plan import Bound, HoldStep
 from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
-from gantline.scenario.rope_weight import rope_weight
+from gantline.scenario.rope_weight import RopeWeight, rope_weight
 
-__all__ = ["rig", "scene"]
+__all__ = ["rig", "rope_kinds", "scene"]
 
 #: Joints with translations of their own: a sheave on such a body is a moving sheave.
 _MOVING = ("slider", "point", "free")
@@ -60,7 +62,27 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **limits_and_rules(scenario, has_sheaves=bool(wrapped)),
         **_equalised_below(scenario),
         "plan": [_step(scenario, step) for step in scenario.plan],
+        **_supports_and_watches(scenario),
     }
+
+
+def _supports_and_watches(scenario: Scenario) -> Json:
+    """Supports with what they bear, and pairs that are watched; nothing in a lift without."""
+    supports = [
+        {
+            "name": support_contact(support),
+            "group": support.group,
+            "load": group.under,
+            "capacity": _force(scenario, support.capacity),
+            "removed_at": support.removed_at,
+        }
+        for group, support in every_support(scenario)
+    ]
+    watches = [
+        {"name": watch_name(watch), "between": list(watch.between), "smallest": watch.smallest}
+        for watch in scenario.watch
+    ]
+    return {key: given for key, given in (("supports", supports), ("watches", watches)) if given}
 
 
 def _force(scenario: Scenario, mass: float | None) -> float | None:
@@ -73,7 +95,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
     body = parts.bodies[load.name]
     # Ropes of `mechanics` may have been lumped on it: that moves its centre of gravity, not its frame.
     centre = lifted.centre + np.array(body["centre_of_gravity"])
-    contacts = [f"{load.name}.corner_{place}" for place in range(1, len(lifted.corners) + 1)]
+    contacts = parts.contacts_of(load.name)
     return {
         "name": load.name,
         "body": load.name,
@@ -82,8 +104,8 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "calculated_mass": load.weight.calculated,
         "contingency": load.weight.contingency,
         "design_mass": load.weight.design,
-        "contact_group": load.name if scenario.ground is not None else None,
-        "contacts": contacts if scenario.ground is not None else [],
+        "contact_group": load.name if contacts else None,
+        "contacts": contacts,
         "lugs": {
             name: {
                 "at": lifted.lugs[name],
@@ -187,8 +209,8 @@ def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
     }
 
 
-def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
-    """Every rope of the lift with what is known of it."""
+def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMaterial, RopeWeight]]:
+    """Every rope of the lift by its name: its kind, and how its weight acts."""
     kinds = {
         f"{name}.equalizing": (one.rope, one.weight)
         for name, one in rigging.equalizers.items()
@@ -199,11 +221,16 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
         kind = (scenario.ropes or {})[hook.reeving.rope]
         weight = rope_weight(kind, hook.reeving.rope_weight, None)
         kinds |= dict.fromkeys(hook.ropes, (kind, weight))
-    parting = partings(scenario)
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, rope in (plain or {}).items():
         kind = (scenario.ropes or {})[rope.rope]
         kinds[name] = kind, rope_weight(kind, rope.rope_weight, rope.rope_nodes)
+    return kinds
+
+
+def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
+    """Every rope of the lift with what is known of it."""
+    parting = partings(scenario)
     return [
         {
             "name": name,
@@ -219,7 +246,7 @@ def _ropes(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "nodes": weight.nodes,
             "end_mass": end_mass(mass, weight.nodes) if weight.nodes else None,
         }
-        for name, (kind, weight) in kinds.items()
+        for name, (kind, weight) in rope_kinds(scenario, rigging).items()
         for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
 

@@ -20,7 +20,11 @@ from gantline.assembly.spatial import (
 )
 from gantline.assembly.yard import lower_lump
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.check_supports import foot_of
+from gantline.scenario.errors import ScenarioError
 from gantline.scenario.load import Load
+from gantline.scenario.structures import dock_of
+from gantline.scenario.supports import supports_of
 
 __all__ = ["LiftedLoad", "add_load", "lifted_load"]
 
@@ -102,8 +106,8 @@ def add_load(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -
         inertia=inertia_list(lifted.inertia),
     )
     ground = scenario.ground
-    if ground is None:
-        return
+    if ground is None or dock_of(scenario) is not None:
+        return  # around a dock the ground is a body like others
     for place, corner in enumerate(lifted.corners, start=1):
         parts.contacts.append(
             {
@@ -124,6 +128,8 @@ def _at_rest(
     scenario: Scenario, load: Load, lifted: LiftedLoad, orientation: list[float]
 ) -> tuple[float, list[float]]:
     """Height of the centre of gravity and the turn from the given attitude when the load has settled."""
+    if load.stands_on != "ground":
+        return _on_supports(scenario, load, lifted, orientation)
     ground = scenario.ground
     assert ground is not None  # a load that stands on the ground has been checked to have one
     corners = lifted.corners @ rotation_matrix(orientation).T
@@ -135,8 +141,39 @@ def _at_rest(
     try:
         resting = rest_on_ground(corners, weight, ground.stiffness)
     except TipsOver:
-        x, y, _ = lifted.centre
-        sentence = f"the load would tip over: its centre of gravity, with rigging, is at ({x:g}, {y:g}) m"
-        advice = "which is not well within the corners it stands on; move it towards the middle"
-        raise scenario.error(("load", "centre_of_gravity"), f"{sentence}, {advice}") from None
+        raise _tips_over(scenario, lifted, "corners") from None
     return ground.level + resting.height, rotation_vector(resting.turn)
+
+
+def _on_supports(
+    scenario: Scenario, load: Load, lifted: LiftedLoad, orientation: list[float]
+) -> tuple[float, list[float]]:
+    """The same on supports, all as stiff as on the average; from there statics finds where it rests."""
+    assert load.stands_on is not None
+    group = (scenario.supports or {})[load.stands_on]
+    supports = supports_of(load.stands_on, group)
+    foot = foot_of(scenario, group)
+    turned = rotation_matrix(orientation)
+    if group.measured_from == "load":
+        places = np.array([(*one.at, 0.0) for one in supports]) @ turned.T
+    else:
+        upright = rotation_matrix(about_axis((0.0, 0.0, 1.0), group.heading))
+        places = np.array([(*one.at, 0.0) for one in supports]) @ upright.T - np.array(load.position)
+    bottom = places - turned @ lifted.centre
+    # A support that is lower is one under a point of the load that is higher.
+    highest = max(one.height for one in supports)
+    bottom[:, 2] = float(lifted.corners[:, 2].min()) + np.array([highest - one.height for one in supports])
+    stiffness = float(np.mean([one.stiffness for one in supports]))
+    weight = lifted.mass * scenario.simulation.gravity
+    try:
+        resting = rest_on_ground(bottom, weight, stiffness)
+    except TipsOver:
+        raise _tips_over(scenario, lifted, "supports") from None
+    return foot + highest + resting.height, rotation_vector(resting.turn)
+
+
+def _tips_over(scenario: Scenario, lifted: LiftedLoad, what: str) -> ScenarioError:
+    x, y, _ = lifted.centre
+    sentence = f"the load would tip over: its centre of gravity, with rigging, is at ({x:g}, {y:g}) m"
+    advice = f"which is not well within the {what} it stands on; move it towards the middle"
+    return scenario.error(("load", "centre_of_gravity"), f"{sentence}, {advice}")

@@ -163,6 +163,6 @@ def _check(scenario: Scenario, load: Load, box: Array) -> None:
         check_centre(findings, load.centre_of_gravity.at, (low, high))
     for name, lug in load.lugs.items():
         check_lug(findings, name, lug.at, (low, high))
-    if load.stands_on == "ground" and scenario.ground is not None and load.is_at_origin:
-        check_underside(findings, load.position[2] + low[2], scenario.ground.level)
+    if load.is_at_origin:
+        check_underside(findings, load, load.position[2] + low[2])
     findings.raise_any()

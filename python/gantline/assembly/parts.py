@@ -42,6 +42,10 @@ class Parts:
         rope_mass: by rope with weight its mass, and what of it the world bears [kg].
         adjusters: groups of ropes whose lengths are adjusted.
         contacts: contact points in order.
+        supports: tops of supports in order.
+        shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
+        pairs: shapes that may touch.
+        watches: distances that are recorded.
         drives: drives by name.
         plan: steps in order.
         emergency_stop: what stops all drives of the plan, and when.
@@ -56,6 +60,10 @@ class Parts:
     rope_mass: dict[str, tuple[float, float]] = field(default_factory=dict)
     adjusters: list[Json] = field(default_factory=list)
     contacts: list[Json] = field(default_factory=list)
+    supports: list[Json] = field(default_factory=list)
+    shapes: dict[str, Json] = field(default_factory=dict)
+    pairs: list[Json] = field(default_factory=list)
+    watches: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
     emergency_stop: Json | None = None
@@ -78,6 +86,10 @@ class Parts:
         given["placement"] = {"position": list(position), "orientation": list(orientation)}
         given |= {"centre_of_gravity": list(centre_of_gravity), "inertia": list(inertia)}
         self.bodies[name] = given
+
+    def add_shape(self, name: str, body: str | None, parts: Sequence[Json]) -> None:
+        """Add a shape on a body (None: the world); `gantline.assembly.shapes` says what its parts are."""
+        self.shapes[name] = {"name": name, "body": body, "parts": list(parts)}
 
     def add_flow(self, name: str, inertia: float, **rest: Any) -> None:
         """Add rope that passes a sheave or leaves a drum.
@@ -176,8 +188,25 @@ class Parts:
         place: Array = position + rotation @ np.array(at)
         return place
 
+    def contacts_of(self, group: str) -> list[str]:
+        """Names of all contacts of a group, in the order of the recording."""
+        points = [contact["name"] for contact in self.contacts if contact["group"] == group]
+        points += [support["name"] for support in self.supports if support["group"] == group]
+        pairs = [pair for pair in self.pairs if pair["group"] == group]
+        return points + [
+            f"{pair['name']}/{place}" for pair in pairs for place in range(1, pair["places"] + 1)
+        ]
+
     def document(self, gravity: float) -> Json:
-        """The document for the core."""
+        """The document for the core; of shapes those that may touch something or are watched."""
+        used = {shape for pair in self.pairs for shape in pair["shapes"]}
+        used |= {shape for watch in self.watches for side in watch["between"] for shape in side["shapes"]}
+        touching = {
+            "supports": self.supports,
+            "shapes": [shape for name, shape in self.shapes.items() if name in used],
+            "pairs": self.pairs,
+            "watches": self.watches,
+        }
         return {
             "gravity": [0.0, 0.0, -gravity],
             "bodies": [*self.bodies.values(), *self.flows.values()],
@@ -187,6 +216,7 @@ class Parts:
             "drives": list(self.drives.values()),
             "plan": self.plan,
             **({} if self.emergency_stop is None else {"emergency_stop": self.emergency_stop}),
+            **{key: given for key, given in touching.items() if given},
         }
 
 

@@ -6,7 +6,7 @@ held against. Those that everybody has to hand in are listed without a limit too
 
 from __future__ import annotations
 
-from gantline.checks import cranes, equalizers, hooks, loads, lugs, ropes, shackles, slings
+from gantline.checks import contacts, cranes, equalizers, hooks, loads, lugs, ropes, shackles, slings
 from gantline.checks.measure import Measure
 
 _ALL = "by definition"
@@ -231,6 +231,25 @@ LIMITS: dict[str, Measure] = {
         "deg",
         1,
         lugs.out_of_plane_angle,
+        is_listed=True,
+    ),
+    "support_force_of_capacity": Measure(
+        "largest force of a support / its capacity",
+        "%",
+        1,
+        contacts.of_capacity,
+        by_definition=1.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "clearance_margin": Measure(
+        "smallest distance of a watched pair - the distance that it has to keep",
+        "m",
+        2,
+        contacts.clearance_margin,
+        at_least=True,
+        by_definition=0.0,
+        definition="'watch' of the lift file",
         is_listed=True,
     ),
     "load_tilt": Measure(

@@ -80,6 +80,12 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "force that a locking pin takes, positive where its sheave is pulled down; 0 while it is out",
     ),
     "contact_force": ("contact_force", ("time", "contact"), "N", "normal force of a contact point"),
+    "clearance": (
+        "clearance",
+        ("time", "pair"),
+        "m",
+        "smallest distance of a watched pair, 0 or less where they touch",
+    ),
     "energy": (
         "energy",
         ("time", "energy_kind"),
@@ -102,7 +108,7 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
     "rope_peak_time": ("rope_peak_time", ("rope",), "s", "time of the largest tension of a rope"),
     "event_time": ("event_time", ("event",), "s", "time of an event"),
 }
-_NAMED = ("rope", "segment", "wrapped_sheave", "body", "joint", "contact", "pin", "energy_kind")
+_NAMED = ("rope", "segment", "wrapped_sheave", "body", "joint", "contact", "pin", "pair", "energy_kind")
 # name in the recording, name among the names, dimension, description
 _TEXTS = (
     ("rope_of_point", "rope_point", "rope_point", "rope to which a drawn point belongs"),

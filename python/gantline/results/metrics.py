@@ -28,6 +28,9 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
 - `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
 - `lift_off_time` [s]: when the last contact force under the last load became zero
+- `peak_support_force.<support>` [N]: largest force of that support at any sample
+- `peak_support_force` [N]: the largest of them
+- `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample
 - `static_hook_load`, `peak_hook_load` [N]: hook load, the largest over the hooks
 - `static_hoist_load`, `peak_hoist_load` [N]: hook load with hook block and hanging falls, the largest over
   the hooks
@@ -60,6 +63,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
+from gantline.results.clearances import peak_support_force
 from gantline.results.equalising import equalising
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
@@ -88,7 +92,19 @@ def metrics_of(recording: Recording) -> dict[str, float]:
     """
     if not len(recording.time):
         return {}
-    parts = (_ropes, _parted, _slings, _spread, _sheaves, _loads, _hooks, _travel, _lengthening, _audit)
+    parts = (
+        _ropes,
+        _parted,
+        _slings,
+        _spread,
+        _sheaves,
+        _loads,
+        _supports,
+        _hooks,
+        _travel,
+        _lengthening,
+        _audit,
+    )
     return {name: value for part in parts for name, value in part(recording) if value is not None}
 
 
@@ -117,6 +133,16 @@ def _parted(recording: Recording) -> Iterator[_Metric]:
     for one in parted:
         yield f"parting_time.{one.rope}", one.time
         yield f"parting_tension.{one.rope}", one.tension
+
+
+def _supports(recording: Recording) -> Iterator[_Metric]:
+    rig = recording.rig
+    for support in rig.supports:
+        yield f"peak_support_force.{support.name}", peak_support_force(recording, support.name)[0]
+    peaks = [peak_support_force(recording, support.name)[0] for support in rig.supports]
+    yield "peak_support_force", _largest(peaks)
+    for watch in rig.watches:
+        yield f"smallest_clearance.{watch.name}", float(recording.column("clearance", watch.name).min())
 
 
 def _slings(recording: Recording) -> Iterator[_Metric]:

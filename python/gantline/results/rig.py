@@ -68,6 +68,40 @@ class Load(FromJson):
 
 
 @dataclass(frozen=True)
+class Support(FromJson):
+    """A support under a load.
+
+    Attributes:
+        name: Its name among the contacts of the recording, `support.<group>.<name>`.
+        group: Name of its group.
+        load: The load that stands on it.
+        capacity: What it may carry [N]; None if not said.
+        removed_at: When it is taken away [s]; None if not at a time of its own.
+    """
+
+    name: str
+    group: str = ""
+    load: str = ""
+    capacity: float | None = None
+    removed_at: float | None = None
+
+
+@dataclass(frozen=True)
+class Watch(FromJson):
+    """A pair whose distance is watched.
+
+    Attributes:
+        name: Its name among the pairs of the recording.
+        between: The two.
+        smallest: Distance that they have to keep [m].
+    """
+
+    name: str
+    between: Sequence[str] = ("", "")
+    smallest: float = 0.0
+
+
+@dataclass(frozen=True)
 class Hook(FromJson):
     """A crane's hook.
 
@@ -310,6 +344,8 @@ class Rig(FromJson):
         remark: Remark of its author.
         gravity: Acceleration of gravity [m/s^2].
         loads: What is lifted.
+        supports: What the loads stand on, where that is more than the ground.
+        watches: Pairs whose distance is watched.
         hooks: Hooks of all cranes.
         cranes: Goliath cranes, with what is particular to their hooks.
         equalizers: Equalizers of all hooks.
@@ -335,6 +371,8 @@ class Rig(FromJson):
     remark: str = ""
     gravity: float = 9.81
     loads: Sequence[Load] = ()
+    supports: Sequence[Support] = ()
+    watches: Sequence[Watch] = ()
     hooks: Sequence[Hook] = ()
     cranes: Sequence[Crane] = ()
     equalizers: Sequence[Equalizer] = ()
@@ -358,6 +396,8 @@ class Rig(FromJson):
         """Make one from its JSON object."""
         parts = {
             "loads": tuple(Load.from_json(d) for d in document.get("loads") or ()),
+            "supports": tuple(Support.from_json(d) for d in document.get("supports") or ()),
+            "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),

@@ -8,6 +8,7 @@ from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
 from gantline.scenario.check_reeving import check_reeving
+from gantline.scenario.check_supports import check_supports
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
@@ -60,6 +61,7 @@ def check(scenario: Scenario) -> None:
     _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)
+    check_supports(findings)
     _check_simulation(findings)
     findings.raise_any()
 
@@ -82,12 +84,16 @@ def _check_names(findings: Findings) -> None:
     ]
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
+    named += [(name, "a group of supports", ("supports", name)) for name in scenario.supports or {}]
+    named += [(name, "a structure", ("structures", name)) for name in scenario.structures or {}]
     if scenario.mechanics is not None:
         named += [(name, "a body", ("mechanics", "bodies", name)) for name in scenario.mechanics.bodies]
         drums = scenario.mechanics.drums or {}
         named += [(name, "a drum", ("mechanics", "drums", name)) for name in drums]
     taken: dict[str, str] = {}
     for name, what, path in named:
+        if name == "ground":
+            findings.add(path, f"'ground' means the ground; {what} needs another name")
         if name == "world":
             findings.add(path, f"'world' means what stands still; {what} needs another name")
         if name in taken:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.scenario.check_supports import top_of
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
@@ -104,22 +105,34 @@ def _check_inertia(findings: Findings, inertia: LoadInertia) -> None:
 
 
 def _check_standing(findings: Findings, load: Load, base: str) -> None:
-    ground = findings.scenario.ground
-    if base != "ground":
-        findings.add(("load", "stands_on"), f"'{base}' cannot carry the load yet; 'ground' can")
+    scenario = findings.scenario
+    ground, supports = scenario.ground, scenario.supports or {}
+    if base in supports:
+        if scenario.start == "settled":
+            sentence = "'settled' is for a load on the ground"
+            findings.add(("start",), f"{sentence}; one on supports starts at 'rest', or 'as_given'")
+    elif base != "ground":
+        sentence = f"'{base}' is not a group of 'supports' and not 'ground'"
+        findings.add(("load", "stands_on"), f"{sentence}; {nearest(base, ['ground', *supports])}")
     elif ground is None:
         sentence = "the load stands on the ground but there is no 'ground' in this file"
         findings.add(("load", "stands_on"), f"{sentence}; add 'ground: {{level: 0 m}}'")
-    elif not load.is_at_origin:
-        check_underside(findings, load.position[2], ground.level)
+    if not load.is_at_origin:
+        check_underside(findings, load, load.position[2])
 
 
-def check_underside(findings: Findings, underside: float, level: float) -> None:
-    """Note a load at rest on the ground whose underside is not there; heights of both [m]."""
+def check_underside(findings: Findings, load: Load, underside: float) -> None:
+    """Note a load at rest whose underside, at this height [m], is not on what it stands on."""
+    scenario, base = findings.scenario, load.stands_on
+    if base in (scenario.supports or {}):
+        level, what, where_from = top_of(scenario, base), base, "the highest of them"
+    elif base == "ground" and scenario.ground is not None:
+        level, what, where_from = scenario.ground.level, "the ground", "it"
+    else:
+        return  # nothing to stand on, or nothing that there is
     gap = underside - level
-    if findings.scenario.load_has_settled and abs(gap) > _STANDING:
+    if scenario.load_has_settled and abs(gap) > _STANDING:
         where = "above" if gap > 0 else "below"
-        sentence = f"the load stands on the ground but its underside is {abs(gap):g} m {where} it"
-        assert findings.scenario.load is not None  # it is its underside
-        right = findings.scenario.load.position[2] - gap
+        sentence = f"the load stands on {what} but its underside is {abs(gap):g} m {where} {where_from}"
+        right = load.position[2] - gap
         findings.add(("load", "position"), f"{sentence}; right is z = {right:g} m")

@@ -131,9 +131,10 @@ def _check_condition(findings: Findings, place: int, step: MovingStep | HoldStep
     if condition.tension_spread is not None:
         _check_spread(findings, path, condition)
         return
-    if findings.scenario.load is None or findings.scenario.ground is None:
+    scenario = findings.scenario
+    if scenario.load is None or (scenario.ground is None and not scenario.supports):
         sentence = "this waits for a load to leave the ground"
-        findings.add(path, f"{sentence}; there is no 'load' on a 'ground' in this file")
+        findings.add(path, f"{sentence}; there is no 'load' on a 'ground' or on 'supports' in this file")
         return
     down = isinstance(step, (LowerStep, PayOutStep))
     up = isinstance(step, (HookStep, DrumStep)) and not down

@@ -32,6 +32,9 @@ class Limits(Element):
     what: ClassVar[str] = "limits"
 
     rule: Text | None = Field(None, description="Rule and edition that the limits come from.")
+    support_force_of_capacity: Ratio | None = Field(
+        None, description="Force of a support of its capacity; 100 % if not given."
+    )
     load_tilt: PositiveAngle | None = Field(None, description="Tilt of the load.")
     sling_angle_from_vertical: PositiveAngle | None = Field(
         None, description="Angle of slings from the vertical."

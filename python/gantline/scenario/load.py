@@ -195,7 +195,9 @@ class Load(Element):
         default_factory=list, description="Part of the weight that is not in the CAD file, as point masses."
     )
     centre_of_gravity: CentreOfGravity = Field(description="Centre of gravity.")
-    stands_on: Name | None = Field(None, description="What the load stands on at the start: 'ground'.")
+    stands_on: Name | None = Field(
+        None, description="What the load stands on at the start: 'ground', or a group of 'supports'."
+    )
     lugs: Named[Lug] = Field(description="Lifting lugs by name.")
 
     @property

@@ -22,6 +22,7 @@ from gantline.scenario.quantities import (
     ListOf,
     Mass,
     Name,
+    NameText,
     NotNegativeForce,
     Number,
     Position,
@@ -46,6 +47,7 @@ from gantline.scenario.sheave import SheaveWords
 __all__ = [
     "Ball",
     "Body",
+    "BodyContact",
     "BodyInertia",
     "BodyShape",
     "Contact",
@@ -212,7 +214,7 @@ class Body(Element):
     inertia: BodyInertia | None = Field(
         None, description="Inertia about the centre of gravity; 0 if not given."
     )
-    shape: BodyShape | None = Field(None, description="A box to draw.")
+    shape: BodyShape | None = Field(None, description="A box to draw, and with which it touches others.")
     remark: Text | None = Field(None, description="A remark for people.")
 
 
@@ -335,6 +337,22 @@ class Contact(Element):
     )
 
 
+class BodyContact(Element):
+    """Two bodies with shapes that may touch each other."""
+
+    what: ClassVar[str] = "a contact of bodies"
+
+    between: Annotated[tuple[str, str], ListOf(NameText(), 2)] = Field(
+        description="Two names as in 'watch', no ropes."
+    )
+    stiffness: PositiveStiffness = Field(description="Stiffness at each place that touches.")
+    damping: Damping = Field(0.0, description="Damping at each place that touches.")
+    friction: Ratio = Field(0.0, description="Coefficient of friction.")
+    group: Name | None = Field(
+        None, description="Contacts of one group lift off together; the first that moves if not given."
+    )
+
+
 class Mechanics(Element):
     """Plain bodies, drums, ropes and contacts."""
 
@@ -344,3 +362,6 @@ class Mechanics(Element):
     drums: Named[Drum] | None = Field(None, description="Drums by name.")
     ropes: Named[MechanicsRope] | None = Field(None, description="Ropes by name.")
     contacts: Named[Contact] | None = Field(None, description="Contacts by name.")
+    body_contacts: Named[BodyContact] | None = Field(
+        None, description="Bodies that may touch each other, by name."
+    )

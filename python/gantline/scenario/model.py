@@ -21,12 +21,15 @@ from gantline.scenario.load import Load, LugType
 from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.plan import EmergencyStop, Step
 from gantline.scenario.quantities import PositiveTime, Quantity, Reader, WordOr, found, refuse
+from gantline.scenario.structures import Structure
+from gantline.scenario.supports import Supports
 from gantline.scenario.tree import MapNode, line_of
+from gantline.scenario.watch import Watch
 
 __all__ = ["COMING", "Scenario"]
 
 #: Sections that the format will have and that this version does not know.
-COMING = ("structures", "supports", "vessels", "watch")
+COMING = ("vessels",)
 
 Crane = Annotated[
     Annotated[FixedHook, Tag("fixed_hook")] | Annotated[Goliath, Tag("goliath")], Discriminator(crane_type)
@@ -76,6 +79,8 @@ class Scenario(Element):
     load: Load | None = Field(None, description="The load.")
     hook_types: Named[HookType] | None = Field(None, description="Types of hook of trolleys, by name.")
     cranes: Named[Crane] | None = Field(None, description="Cranes by name.")
+    supports: Named[Supports] | None = Field(None, description="Groups of supports under the load by name.")
+    structures: Named[Structure] | None = Field(None, description="What stands in the yard, by name.")
     hook_groups: Named[HookGroup] | None = Field(
         None, description="Hooks that share a trolley or a crane, by name."
     )
@@ -91,6 +96,9 @@ class Scenario(Element):
     plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
     emergency_stop: EmergencyStop | None = Field(
         None, description="Stops all that the plan moves, and the plan."
+    )
+    watch: list[Watch] = Field(
+        default_factory=list, description="Pairs whose smallest distance is recorded and watched."
     )
     cases: Named[Case] | None = Field(None, description="What may be otherwise than planned, by name.")
     limits: Limits | None = Field(None, description="Limits that the lift is checked against.")

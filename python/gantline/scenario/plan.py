@@ -152,6 +152,11 @@ class _AnyStep(Element):
     )
     require: Require | None = Field(None, description="What has to hold at its end.")
     cut: Names = Field((), description="Rope or ropes that are cut as it begins, like 'sling.S1'.")
+    remove_supports: Names = Field(
+        (),
+        description="Supports that are taken away as it begins: a whole group, like 'keel_blocks', or one, "
+        "like 'keel_blocks.2.3'.",
+    )
     pull_pins: Names = Field(
         (),
         description="Locking pins that are pulled as it begins: those of an equalizer, like 'e1', or of a "

@@ -6,6 +6,7 @@ mod coils;
 mod conditions;
 mod plan;
 mod rows;
+mod touches;
 mod tree;
 
 use glam::DVec3;
@@ -15,6 +16,7 @@ use crate::audit::{Ledger, elastic_energy, gravity_energy};
 use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
+use crate::contact::spot::Spot;
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;
@@ -24,6 +26,7 @@ use crate::solver::complementarity::Mode;
 use crate::spec::SystemSpec;
 use crate::state::State;
 use crate::stepper::frame::Frame;
+use crate::stepper::spots::find;
 use crate::system::{Rows, SheavePlace, System};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
@@ -31,6 +34,7 @@ use adjusters::build_adjusters;
 use coils::places_of_coils;
 use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
+use touches::{Touches, build_shapes, build_watches};
 use tree::{build_tree, start_of_joint};
 
 /// What is wrong with a document.
@@ -55,7 +59,11 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     unique("body", spec.bodies.iter().map(|body| body.name.as_str()))?;
     unique("rope", spec.ropes.iter().map(|rope| rope.name.as_str()))?;
     unique("adjuster", spec.adjusters.iter().map(|adjuster| adjuster.name.as_str()))?;
-    unique("contact", spec.contacts.iter().map(|contact| contact.name.as_str()))?;
+    let contacts = spec.contacts.iter().map(|contact| contact.name.as_str());
+    let supports = spec.supports.iter().map(|support| support.name.as_str());
+    unique("contact", contacts.chain(supports).chain(spec.pairs.iter().map(|pair| pair.name.as_str())))?;
+    unique("shape", spec.shapes.iter().map(|shape| shape.name.as_str()))?;
+    unique("watch", spec.watches.iter().map(|watch| watch.name.as_str()))?;
     unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
     let mut tree = build_tree(spec)?;
     let mut q = vec![0.0; tree.positions];
@@ -71,7 +79,10 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     }
     let mut start = Kinematics::new(&tree);
     start.update(&tree, &q);
-    let Built { constraints, groups, seats } = build_constraints(spec, &tree, &start)?;
+    let shapes = build_shapes(spec, &tree)?;
+    let Built { constraints, groups, seats, touches } = build_constraints(spec, &tree, &start, &shapes)?;
+    let Touches { finders, removals, mut spots } = touches;
+    let watches = build_watches(spec, &shapes, &constraints)?;
     let rows = Rows::new(&constraints);
     let coils = places_of_coils(spec, &tree, &constraints, &rows);
     tree.supplies = coils.len();
@@ -88,7 +99,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let feeds = |constraint: &AnyConstraint| match constraint {
         AnyConstraint::Rope(rope) => is_fed(rope),
         AnyConstraint::Stop(_) | AnyConstraint::Pin(_) | AnyConstraint::Brake(_) => true,
-        AnyConstraint::Contact(_) => false,
+        AnyConstraint::Contact(_) | AnyConstraint::Touch(_) => false,
     };
     let fed = (0..constraints.len()).filter(|&index| feeds(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
@@ -126,10 +137,15 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         drives,
         driven,
         groups,
+        shapes,
+        finders,
+        removals,
+        watches,
         plan,
         clock: Clock::default(),
     };
-    let state = first_state(spec, &mut system, (q, v), seats)?;
+    find(&system, &start, &mut spots, |_, _, _| {});
+    let state = first_state(spec, &mut system, (q, v), (seats, spots))?;
     Ok((system, state))
 }
 
@@ -188,7 +204,7 @@ fn first_state(
     spec: &SystemSpec,
     system: &mut System,
     (q, v): (Vec<f64>, Vec<f64>),
-    seats: Vec<Seat>,
+    (seats, spots): (Vec<Seat>, Vec<Spot>),
 ) -> Result<State, BuildError> {
     let rows = system.rows.count();
     let timelines = system.drives.iter().zip(&spec.drives).map(|(drive, given)| {
@@ -212,6 +228,7 @@ fn first_state(
         modes: vec![Mode::Slack; rows],
         memory: vec![0.0; rows],
         seats,
+        spots,
         coils: vec![Coil::new(0.0); system.coils.len()],
         next_step: 0.0,
         restart: true,

@@ -4,6 +4,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 use super::brakes::build_brakes;
 use super::coils::check_drum;
+use super::touches::{Touches, build_touches};
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
@@ -18,7 +19,7 @@ use crate::rope::seat::Seat;
 use crate::spec::{
     BodySpec, ContactSpec, GrooveSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, StopsSpec, SystemSpec,
 };
-use crate::system::ContactGroup;
+use crate::system::{BodyShape, ContactGroup};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use crate::tree::{Body, Tree};
@@ -40,12 +41,14 @@ pub(super) struct Built {
     pub groups: Vec<ContactGroup>,
     /// How ropes lie on sheaves with true tangents at the start, in the order of ropes and routes.
     pub seats: Vec<Seat>,
+    pub touches: Touches,
 }
 
 pub(super) fn build_constraints(
     spec: &SystemSpec,
     tree: &Tree,
     start: &Kinematics,
+    shapes: &[BodyShape],
 ) -> Result<Built, BuildError> {
     let mut constraints = Vec::with_capacity(spec.ropes.len() + spec.contacts.len());
     let mut seats = Vec::new();
@@ -57,19 +60,17 @@ pub(super) fn build_constraints(
     let brakes = build_brakes(spec, tree, &constraints)?;
     let mut groups: Vec<ContactGroup> = Vec::new();
     for given in &spec.contacts {
-        let group = groups.iter().position(|group| group.name == given.group).unwrap_or_else(|| {
-            groups.push(ContactGroup { name: given.group.clone(), contacts: Vec::new() });
-            groups.len() - 1
-        });
+        let group = ContactGroup::named(&mut groups, &given.group);
         groups[group].contacts.push(constraints.len());
         constraints.push(AnyConstraint::Contact(build_contact(given, group, tree)?));
     }
+    let touches = build_touches(spec, tree, shapes, &mut constraints, &mut groups)?;
     for (index, given) in spec.bodies.iter().enumerate() {
         constraints.extend(build_stops(given, index, tree)?.into_iter().map(AnyConstraint::Stop));
     }
     constraints.extend(build_pins(spec, tree)?.into_iter().map(AnyConstraint::Pin));
     constraints.extend(brakes);
-    Ok(Built { constraints, groups, seats })
+    Ok(Built { constraints, groups, seats, touches })
 }
 
 /// The flow of that name.

@@ -8,9 +8,11 @@ pub mod contact;
 pub mod pin;
 pub mod rope;
 pub mod stop;
+pub mod touch;
 
 use glam::DVec3;
 
+use crate::contact::spot::Spot;
 use crate::rope::seat::Seat;
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;
@@ -20,6 +22,7 @@ use contact::Contact;
 use pin::Pin;
 use rope::Rope;
 use stop::Stop;
+use touch::Touch;
 
 /// How a row answers its value e = g.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,6 +111,8 @@ pub struct Placed<'a> {
     pub q: &'a [f64],
     /// How ropes lie on their sheaves.
     pub seats: &'a [Seat],
+    /// Where bodies may touch.
+    pub spots: &'a [Spot],
     /// Unstretched rope that coils on drums let go per velocity of their flows; not used for values and gradients.
     pub feeding: &'a [f64],
 }
@@ -125,6 +130,8 @@ pub struct Moving<'a> {
     pub v: &'a [f64],
     /// How ropes lie on their sheaves.
     pub seats: &'a [Seat],
+    /// Where bodies may touch.
+    pub spots: &'a [Spot],
 }
 
 /// What a kind of constraint has to say.
@@ -178,6 +185,8 @@ pub enum AnyConstraint {
     Rope(Rope),
     /// A point that may touch a plane.
     Contact(Contact),
+    /// A place at which two bodies may touch.
+    Touch(Touch),
     /// An end of the stroke of a joint.
     Stop(Stop),
     /// A locking pin of a joint.
@@ -193,6 +202,7 @@ impl std::ops::Deref for AnyConstraint {
         match self {
             Self::Rope(rope) => rope,
             Self::Contact(contact) => contact,
+            Self::Touch(touch) => touch,
             Self::Stop(stop) => stop,
             Self::Pin(pin) => pin,
             Self::Brake(brake) => brake,

@@ -1,9 +1,10 @@
-//! A half space of the world.
+//! A half space of the world or of a body.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// A plane with a free side.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Plane {
     /// A point of it [m].
     pub point: DVec3,
@@ -20,7 +21,12 @@ impl Plane {
         Self { point, normal, tangents: [first, second] }
     }
 
-    /// How deep a world point lies below the plane [m].
+    /// How far a point of the plane's frame is from its own point along the two tangents [m].
+    pub fn along(&self, point: DVec3) -> [f64; 2] {
+        self.tangents.map(|tangent| tangent.dot(point - self.point))
+    }
+
+    /// How deep a point of the plane's frame lies below the plane [m].
     pub fn depth(&self, point: DVec3) -> f64 {
         (self.point - point).dot(self.normal)
     }

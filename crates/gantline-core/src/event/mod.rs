@@ -21,6 +21,10 @@ pub enum EventKind {
     Stick,
     /// A contact starts to slide.
     Slip,
+    /// The load has left a support beyond its edge.
+    OffSupport,
+    /// A support has been taken away.
+    SupportRemoved,
     /// The wrap of a rope on a sheave has become zero.
     RopeOffSheave,
     /// A rope that was off a sheave touches it again.
@@ -53,6 +57,8 @@ impl EventKind {
             Self::SetDown => "set_down",
             Self::Stick => "stick",
             Self::Slip => "slip",
+            Self::OffSupport => "off_support",
+            Self::SupportRemoved => "support_removed",
             Self::RopeOffSheave => "rope_off_sheave",
             Self::RopeOnSheave => "rope_on_sheave",
             Self::StopHit => "stop_hit",

@@ -5,8 +5,10 @@ pub mod cut;
 pub mod drive;
 pub mod operation;
 pub mod pinning;
+pub mod removal;
 
 pub use condition::{Condition, Seen};
 pub use cut::{Cut, Due};
 pub use operation::{Emergency, EmergencyStop, Move, Plan, PlanState, Step, StopAt, Until};
 pub use pinning::Pinning;
+pub use removal::Removal;

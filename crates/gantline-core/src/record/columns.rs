@@ -3,9 +3,12 @@
 use glam::{DQuat, DVec3};
 
 use super::Samples;
+use super::clearance::clearance;
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
+use crate::constraint::touch::Touch;
+use crate::contact::spot::Spot;
 use crate::event::{EventKind, EventLog};
 use crate::rope::route::Straight;
 use crate::rope::seat::Seat;
@@ -50,6 +53,8 @@ pub struct Columns {
     pub contact_force: Vec<f64>,
     /// (pin) force that it holds, or moment, positive where that would move the joint forwards [N or N m].
     pub pin_force: Vec<f64>,
+    /// (pair) smallest distance [m], not positive where they touch.
+    pub clearance: Vec<f64>,
     /// Largest e of an inextensible rope beyond its length [m].
     pub constraint_residual: Vec<f64>,
 }
@@ -73,14 +78,17 @@ impl Columns {
         }
         let (positions, velocities) = (system.tree.positions, system.tree.velocities);
         let (rows, sheaves) = (system.rows.count(), system.sheaves.len());
+        let spots = samples.spots.len() / samples.time.len().max(1);
         for index in 0..samples.time.len() {
             let q = &samples.q[index * positions..][..positions];
             let v = &samples.v[index * velocities..][..velocities];
             let acceleration = &samples.acceleration[index * velocities..][..velocities];
             let tension = &samples.tension[index * rows..][..rows];
             let seats = &samples.seats[index * sheaves..][..sheaves];
+            let spots = &samples.spots[index * spots..][..spots];
             sampled.kinematics.update(&system.tree, q);
-            sampled.add_rows(system, samples.time[index], [q, tension], seats, &mut columns);
+            sampled.add_rows(system, samples.time[index], [q, tension], (seats, spots), &mut columns);
+            sampled.add_clearances(system, samples.time[index], seats, &mut columns);
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
         }
         columns.rope_lengthening = lengthenings(system, samples);
@@ -107,6 +115,7 @@ impl Columns {
             joint_force: room(3 * bodies),
             contact_force: room(names.contact.len()),
             pin_force: room(names.pin.len()),
+            clearance: room(names.pair.len()),
             constraint_residual: room(1),
         }
     }
@@ -172,7 +181,7 @@ impl Sampled {
         system: &System,
         time: f64,
         [q, tension]: [&[f64]; 2],
-        seats: &[Seat],
+        (seats, spots): (&[Seat], &[Spot]),
         columns: &mut Columns,
     ) {
         self.applied.fill(Wrench::default());
@@ -193,6 +202,10 @@ impl Sampled {
                 AnyConstraint::Pin(_) => columns.pin_force.push(tension[row]),
                 AnyConstraint::Contact(contact) => {
                     self.add_contact(contact, [0, 1, 2].map(|k| tension[row + k]), columns)
+                }
+                AnyConstraint::Touch(touch) => {
+                    let forces = [0, 1, 2].map(|k| tension[row + k]);
+                    self.add_touch(touch, &spots[touch.spot], forces, columns);
                 }
             }
         }
@@ -264,6 +277,21 @@ impl Sampled {
         let force = contact.plane.normal * normal - tangents[0] * first - tangents[1] * second;
         let point = self.kinematics.point(Some(contact.body), contact.at);
         self.apply(Some(contact.body), point, force, DVec3::ZERO);
+    }
+
+    fn add_touch(&mut self, touch: &Touch, spot: &Spot, forces: [f64; 3], columns: &mut Columns) {
+        columns.contact_force.push(forces[0]);
+        let (point, force) = touch.force(&self.kinematics, spot, forces);
+        let [first, second] = touch.bodies;
+        self.apply(first, point, force, DVec3::ZERO);
+        self.apply(second, point, -force, DVec3::ZERO);
+    }
+
+    fn add_clearances(&mut self, system: &System, time: f64, seats: &[Seat], columns: &mut Columns) {
+        let is_whole = |rope: usize| time <= self.whole_until[rope];
+        let all =
+            system.watches.iter().map(|watch| clearance(system, &self.kinematics, seats, watch, is_whole));
+        columns.clearance.extend(all);
     }
 
     fn apply(&mut self, body: Option<usize>, point: DVec3, force: DVec3, couple: DVec3) {

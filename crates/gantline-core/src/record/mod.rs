@@ -4,10 +4,12 @@
 use serde::{Deserialize, Serialize};
 
 use crate::audit::KINDS;
+use crate::contact::spot::Spot;
 use crate::rope::seat::Seat;
 use crate::state::State;
 use crate::system::System;
 
+mod clearance;
 pub mod columns;
 pub mod names;
 
@@ -39,6 +41,8 @@ pub struct Samples {
     pub tension: Vec<f64>,
     /// (sheave) how ropes lie on sheaves with true tangents.
     pub seats: Vec<Seat>,
+    /// (spot) where bodies may touch.
+    pub spots: Vec<Spot>,
     /// (row that is adjusted) by how much it is longer than at the start [m].
     pub lengthening: Vec<f64>,
     /// (kind) [J].
@@ -57,12 +61,14 @@ const MOST_ROOM: usize = 1 << 24;
 impl Samples {
     /// Room for `count` samples of `state`, so that a run need not move them as it goes.
     pub fn with_room(state: &State, count: f64) -> Self {
-        let State { q, v, tension, seats, .. } = state;
-        let width = q.len() + 2 * v.len() + tension.len() + 2 * seats.len() + KINDS.len() + 2;
+        let State { q, v, tension, seats, spots, .. } = state;
+        let width =
+            q.len() + 2 * v.len() + tension.len() + 2 * seats.len() + 16 * spots.len() + KINDS.len() + 2;
         let count = (count as usize).saturating_add(1).min(MOST_ROOM / width);
         let room = |width: usize| Vec::with_capacity(count * width);
         Self {
             seats: Vec::with_capacity(count * seats.len()),
+            spots: Vec::with_capacity(count * spots.len()),
             time: room(1),
             q: room(q.len()),
             v: room(v.len()),
@@ -77,19 +83,20 @@ impl Samples {
     /// Adds a state as it is, as a sample at `time` [s].
     pub fn push_state(&mut self, system: &System, time: f64, state: &State) {
         let State { q, v, acceleration, tension, .. } = state.clone();
-        self.push(time, &Sample { q, v, acceleration, tension }, &state.seats, 0.0);
+        self.push(time, &Sample { q, v, acceleration, tension }, state, 0.0);
         let adjusted = system.adjusters.iter().flat_map(|adjuster| &adjuster.rows);
         self.lengthening.extend(adjusted.map(|&row| state.memory[row]));
         self.energy.extend(state.ledger.values());
     }
 
-    fn push(&mut self, time: f64, sample: &Sample, seats: &[Seat], residual: f64) {
+    fn push(&mut self, time: f64, sample: &Sample, by: &State, residual: f64) {
         self.time.push(time);
         self.q.extend_from_slice(&sample.q);
         self.v.extend_from_slice(&sample.v);
         self.acceleration.extend_from_slice(&sample.acceleration);
         self.tension.extend_from_slice(&sample.tension);
-        self.seats.extend_from_slice(seats);
+        self.seats.extend_from_slice(&by.seats);
+        self.spots.extend_from_slice(&by.spots);
         self.complementarity_residual.push(residual);
     }
 
@@ -161,7 +168,7 @@ impl Recorder {
             }
             let share = ((time - from) / (to - from)).clamp(0.0, 1.0);
             motion(span, share, &mut self.sample);
-            samples.push(time, &self.sample, &span.before.seats, span.residual);
+            samples.push(time, &self.sample, span.before, span.residual);
             // Lengths are adjusted when a step has been made, at once.
             let memory = if share < 1.0 { &span.before.memory } else { &span.after.memory };
             samples.lengthening.extend(self.adjusted.iter().map(|&row| memory[row]));

@@ -23,6 +23,8 @@ pub struct Names {
     pub contact: Vec<String>,
     /// Bodies whose joints have locking pins.
     pub pin: Vec<String>,
+    /// Pairs whose distance is recorded.
+    pub pair: Vec<String>,
 }
 
 impl Names {
@@ -42,6 +44,7 @@ impl Names {
             joint: bodies.iter().filter(|body| body.joint.has_axis()).map(|body| body.name.clone()).collect(),
             contact: Vec::new(),
             pin: Vec::new(),
+            pair: system.watches.iter().map(|watch| watch.name.clone()).collect(),
         };
         for constraint in &system.constraints {
             match constraint {
@@ -54,7 +57,9 @@ impl Names {
                 }
                 AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => {}
                 AnyConstraint::Pin(pin) => names.pin.push(pin.name.clone()),
-                AnyConstraint::Contact(contact) => names.contact.push(contact.name.clone()),
+                AnyConstraint::Contact(_) | AnyConstraint::Touch(_) => {
+                    names.contact.push(constraint.name().to_owned());
+                }
             }
         }
         names

@@ -4,7 +4,9 @@
 //! while that lowers their number; where it does not, one at a time by Murty's least-index rule, which
 //! ends for the positive definite problems that ropes and normal forces pose. Warm-started from the last
 //! step, so a step without change costs one factorisation. Friction rows stick until their bound is
-//! reached; then their force is μN against the slip, found by fixed point.
+//! reached; then their force is μN against the slip, found by fixed point. Light bodies on stiff springs, k h²/m well
+//! above one, turn too far in that: where it has not settled after [`PLAIN_ROUNDS`] rounds, the direction is that of the pull
+//! without what the force itself does to it, as far as the row's own inertia tells (projected Gauss–Seidel).
 
 use super::kkt::Kkt;
 use super::symbolic::ZeroPivot;
@@ -35,6 +37,8 @@ impl Mode {
 
 /// Block changes without progress before one row at a time is changed.
 const PATIENCE: usize = 3;
+/// Rounds of the plain fixed point of friction.
+const PLAIN_ROUNDS: usize = 30;
 /// Rounding in a law's value, relative to the terms it is the sum of.
 const ROUNDING: f64 = 1e-12;
 /// Fixed point of friction forces, relative to the bound μN.
@@ -114,7 +118,7 @@ impl Complementarity {
         let rows = system.rows.count();
         let mut outcome = Outcome::default();
         let (mut least, mut patience) = (usize::MAX, PATIENCE);
-        for _ in 0..100 + 4 * rows {
+        for round in 0..100 + 4 * rows {
             if !self.factored {
                 let acts = |row: usize| self.modes[row] == Mode::Acting;
                 system.clock.time(Stage::Factorisation, || kkt.factorise(system, acts))?;
@@ -126,7 +130,7 @@ impl Complementarity {
                 .clock
                 .time(Stage::Solution, || kkt.solve(&self.force, &self.row_right, v, &mut self.impulse));
             self.read_forces(system, problem, v);
-            let settled = self.friction(system);
+            let settled = self.friction(system, (round > PLAIN_ROUNDS).then_some(problem));
             self.find_wrong(system, problem, v);
             if self.wrong.is_empty() && settled {
                 outcome.converged = true;
@@ -245,8 +249,17 @@ impl Complementarity {
         }
     }
 
-    /// Sets modes and forces of friction rows after the normal forces; true when nothing changed.
-    fn friction(&mut self, system: &System) -> bool {
+    /// What a unit of force in a friction row takes from what spring and damper ask of it at the end of the step.
+    fn yielding(&self, system: &System, problem: &Problem, row: usize) -> f64 {
+        let law = &system.rows.laws[row];
+        let entries = system.rows.entries(problem.gradient, row);
+        let mobility: f64 = entries.map(|(dof, entry)| entry * entry / system.tree.inertia_scale[dof]).sum();
+        (problem.h + law.damping_time()) * problem.h * mobility / law.compliance()
+    }
+
+    /// Sets modes and forces of friction rows after the normal forces; true when nothing changed. With a `problem` the
+    /// direction of slip is that without the force's own part.
+    fn friction(&mut self, system: &System, problem: Option<&Problem>) -> bool {
         let mut settled = true;
         let mut row = 0;
         while row < system.rows.count() {
@@ -254,6 +267,10 @@ impl Complementarity {
                 row += 1;
                 continue;
             };
+            if self.modes[normal] == Mode::Parted {
+                row += 2;
+                continue;
+            }
             let bound = coefficient * self.tension[normal].max(0.0);
             let trial = [self.trial[row], self.trial[row + 1]];
             let size = trial[0].hypot(trial[1]);
@@ -264,7 +281,15 @@ impl Complementarity {
             } else {
                 Mode::Slipping
             };
-            for (k, pull) in trial.into_iter().enumerate() {
+            let mut free = trial;
+            if let (Some(problem), Mode::Slipping) = (problem, self.modes[row]) {
+                let rows = [row, row + 1];
+                let most =
+                    rows.map(|row| self.yielding(system, problem, row)).into_iter().fold(0.0, f64::max);
+                free = [0, 1].map(|k| trial[k] + most * self.slip[row + k]);
+            }
+            let free_size = free[0].hypot(free[1]);
+            for (k, pull) in free.into_iter().enumerate() {
                 if self.modes[row + k] != mode {
                     let was_fixed = self.modes[row + k] != Mode::Acting;
                     let is_fixed = mode != Mode::Acting;
@@ -273,7 +298,7 @@ impl Complementarity {
                     settled = false;
                 }
                 if mode == Mode::Slipping {
-                    let force = bound * pull / size;
+                    let force = bound * pull / free_size;
                     settled &= (force - self.slip[row + k]).abs() <= FRICTION_TOLERANCE * bound;
                     self.slip[row + k] = force;
                 }

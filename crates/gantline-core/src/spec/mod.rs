@@ -3,12 +3,14 @@
 //! SI units, radians, z up. Bodies stand after their parents. Everything is checked by
 //! [`crate::build`]; a document is private to gantline and never kept by users.
 
+mod contact;
 mod plan;
 mod rope;
 mod settings;
 
 use serde::Deserialize;
 
+pub use contact::*;
 pub use plan::*;
 pub use rope::*;
 pub use settings::*;
@@ -27,6 +29,18 @@ pub struct SystemSpec {
     /// Points of bodies that may touch a plane.
     #[serde(default)]
     pub contacts: Vec<ContactSpec>,
+    /// Supports under bodies.
+    #[serde(default)]
+    pub supports: Vec<SupportSpec>,
+    /// Shapes of bodies and of the world.
+    #[serde(default)]
+    pub shapes: Vec<ShapeSpec>,
+    /// Pairs of shapes that may touch.
+    #[serde(default)]
+    pub pairs: Vec<PairSpec>,
+    /// Distances that are recorded.
+    #[serde(default)]
+    pub watches: Vec<WatchSpec>,
     /// Groups of ropes whose lengths are adjusted to one tension.
     #[serde(default)]
     pub adjusters: Vec<AdjusterSpec>,

@@ -59,6 +59,9 @@ pub struct StepSpec {
     /// Names of ropes that are cut as it begins.
     #[serde(default)]
     pub cuts: Vec<String>,
+    /// Names of supports that are taken away as it begins.
+    #[serde(default)]
+    pub removes: Vec<String>,
     /// Names of bodies whose pins are pulled as it begins.
     #[serde(default)]
     pub pulls: Vec<String>,

@@ -8,7 +8,6 @@ use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::AnyConstraint;
 use crate::event::EventLog;
-use crate::plan::Due;
 use crate::record::Samples;
 use crate::record::columns::Columns;
 use crate::record::names::Names;
@@ -224,13 +223,13 @@ impl StaticLift {
 /// Ropes that have been cut before now, and pins as the steps that have begun have them.
 fn part(system: &System, state: &mut State) {
     for cut in &system.cuts {
-        let is_due = match cut.due {
-            Due::At(at) => at < state.time,
-            Due::Step(step) => step < state.plan.begun(),
-        };
-        if is_due {
+        if cut.due.is_before(state.time, &state.plan) {
             state.modes[system.rows.first[cut.rope]..system.rows.first[cut.rope + 1]].fill(RowMode::Parted);
         }
+    }
+    for removal in system.removals.iter().filter(|removal| removal.due.is_before(state.time, &state.plan)) {
+        let rows = system.rows.first[removal.touch]..system.rows.first[removal.touch + 1];
+        state.modes[rows].fill(RowMode::Parted);
     }
     for pinning in &system.pins {
         let (is_in, _) = pinning.wanted(state.plan.begun());

@@ -14,11 +14,11 @@ use glam::DVec3;
 
 use super::potential::{Bearing, Potential};
 use crate::constraint::Placed;
-use crate::rope::seat::Seat;
 use crate::solver::layout::{Layout, NONE};
 use crate::solver::ldl::Ldl;
 use crate::solver::slots::Slots;
 use crate::solver::symbolic::ZeroPivot;
+use crate::stepper::frame::Remembered;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 use crate::tree::tangent::DynamicsTangent;
@@ -81,7 +81,7 @@ impl Matrix {
     }
 
     /// Evaluates M, K and G where `here` has been updated, its mass matrix too.
-    pub fn linearise(&mut self, system: &System, here: &Potential, seats: &[Seat]) {
+    pub fn linearise(&mut self, system: &System, here: &Potential, by: &Remembered) {
         let mass = &here.frame.mass;
         self.dynamics.update(&system.tree, &here.frame.kinematics, mass, &here.dynamics, &self.still);
         self.mass.fill(0.0);
@@ -108,7 +108,8 @@ impl Matrix {
         }
         let mut cursor = 0;
         let (kinematics, feeding) = (&here.frame.kinematics, here.frame.feeding.as_slice());
-        let at = Placed { tree: &system.tree, kinematics, q: &here.q, seats, feeding };
+        let Remembered { seats, spots, .. } = *by;
+        let at = Placed { tree: &system.tree, kinematics, q: &here.q, seats, spots, feeding };
         for group in &self.layout.groups {
             let size = group.dofs.len();
             let slots = &self.slots.blocks[cursor..cursor + size * (size + 1) / 2];

@@ -157,7 +157,7 @@ impl Statics {
     fn inertia(&mut self, system: &System, state: &State) -> (usize, usize) {
         let Self { search, bearings } = self;
         search.here.update_mass(system);
-        search.matrix.linearise(system, &search.here, &state.seats);
+        search.matrix.linearise(system, &search.here, &Remembered::of(state));
         search.matrix.extra.fill(0.0);
         let follows = &search.here.follows;
         let compliance = |row: usize| follows[row].then_some(bearings[row].compliance);

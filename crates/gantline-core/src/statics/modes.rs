@@ -11,6 +11,7 @@
 use super::eigen::{Square, vibrations};
 use super::{Part, Statics};
 use crate::state::State;
+use crate::stepper::frame::Remembered;
 use crate::system::System;
 
 /// A mode.
@@ -30,7 +31,7 @@ impl Statics {
     /// All modes about the equilibrium in which `state` is since the last [`Statics::settle`], slowest first.
     pub fn modes(&mut self, system: &System, state: &State) -> Vec<Mode> {
         self.search.here.update_mass(system);
-        self.search.matrix.linearise(system, &self.search.here, &state.seats);
+        self.search.matrix.linearise(system, &self.search.here, &Remembered::of(state));
         let (follows, matrix) = (&self.search.here.follows, &self.search.matrix);
         let size = matrix.layout.free.len();
         let (mass, stiffness) = matrix.dense(system, &self.bearings, follows);

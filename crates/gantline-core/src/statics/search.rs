@@ -22,7 +22,7 @@ use super::potential::{Bearing, Part, Potential};
 use crate::rope::seat::Winding;
 use crate::state::State;
 use crate::stepper::frame::Remembered;
-use crate::stepper::seats;
+use crate::stepper::{seats, spots};
 use crate::system::System;
 use crate::tree::joint::Motion;
 
@@ -132,7 +132,7 @@ impl Search {
         let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
         for _ in 0..STEPS {
             self.here.update_mass(system);
-            self.matrix.linearise(system, &self.here, &state.seats);
+            self.matrix.linearise(system, &self.here, &Remembered::of(state));
             if !self.find_step(system, state, bearings, &mut lambda)? {
                 return Ok(());
             }
@@ -140,6 +140,7 @@ impl Search {
             std::mem::swap(&mut self.here, &mut self.there);
             state.q.copy_from_slice(&self.here.q);
             self.seat(system, state, bearings);
+            self.find_spots(system, state, bearings);
             if let Some(body) = self.endless(system, &start) {
                 return Err(Stuck::Falls(body));
             }
@@ -215,6 +216,16 @@ impl Search {
             changed |= place.may_lift_off && seats::has_crossed(seat, wound.wrap);
             (seat.is_off, seat.wound) = (wound.wrap < 0.0, wound);
         }
+        if changed {
+            self.here.update(system, bearings, &Remembered::of(state));
+        }
+    }
+
+    /// Bodies may touch where they are near each other here.
+    fn find_spots(&mut self, system: &System, state: &mut State, bearings: &[Bearing]) {
+        let mut changed = false;
+        let kinematics = &self.here.frame.kinematics;
+        spots::find(system, kinematics, &mut state.spots, |_, _, _| changed = true);
         if changed {
             self.here.update(system, bearings, &Remembered::of(state));
         }

@@ -77,7 +77,7 @@ impl Statics {
     ) -> Result<Vec<Sensitivity>, NoEquilibrium> {
         let Self { search, bearings } = self;
         search.here.update_mass(system);
-        search.matrix.linearise(system, &search.here, &state.seats);
+        search.matrix.linearise(system, &search.here, &Remembered::of(state));
         search.matrix.extra.fill(0.0);
         let follows = &search.here.follows;
         let compliance = |row: usize| {

@@ -31,7 +31,7 @@
 
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
-use super::{StepError, StepReport, adjust, coils, parting, pinning, seats};
+use super::{StepError, StepReport, adjust, coils, parting, pinning, removing, seats, spots};
 use crate::clock::Stage;
 use crate::event::EventLog;
 use crate::record::Sample;
@@ -128,6 +128,7 @@ impl Del {
         flows::advance_plan(system, state, end, &self.support, log);
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);
+        removing::remove(system, state, frame, end, log);
         pinning::act(system, state, frame, log)?;
 
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
@@ -232,9 +233,22 @@ impl Del {
             }
             self.follow_seats(system, state, frame, log);
         }
+        if !system.finders.is_empty() {
+            self.follow_spots(system, state, frame, log);
+        }
         adjust::adjust(system, state, frame);
         flows::store(system, state, frame);
         Ok(report)
+    }
+
+    /// Follows where bodies may touch; what that does to springs at once is the method's loss.
+    fn follow_spots(&mut self, system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog) {
+        let held = |state: &State, frame: &Frame| flows::stored(system, state, frame)[2];
+        let before = held(state, frame);
+        if spots::follow(system, &frame.kinematics, &frame.value, state, log).any {
+            frame.update(system, state);
+            state.ledger.flows.method += before - held(state, frame);
+        }
     }
 
     /// Follows wraps; where a rope leaves a sheave or comes back, its time by running the wrap linearly, and what its

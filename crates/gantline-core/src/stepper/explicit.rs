@@ -89,6 +89,12 @@ impl Explicit {
         if !system.cuts.is_empty() || !system.fragile.is_empty() {
             return Some("the integrator explicit knows no ropes that part; use adaptive or del".to_owned());
         }
+        if !system.finders.is_empty() {
+            return Some(
+                "the integrator explicit knows no supports and no contact between bodies; use adaptive or del"
+                    .to_owned(),
+            );
+        }
         let row = *system.rigid.first()?;
         let name = system.constraint_of_row(row).name();
         Some(match system.rows.laws[row] {

@@ -214,7 +214,7 @@ impl Change<'_> {
                     _ => continue,
                 };
                 log.push(self.crossing(state, first), kind, index);
-            } else if matches!(constraint, AnyConstraint::Contact(_)) {
+            } else if matches!(constraint, AnyConstraint::Contact(_) | AnyConstraint::Touch(_)) {
                 let kind = match modes(first + 1) {
                     (Mode::Acting, Mode::Slipping) => EventKind::Slip,
                     (Mode::Slipping, Mode::Acting) => EventKind::Stick,

@@ -3,6 +3,7 @@
 use super::coils::Passing;
 use crate::clock::Stage;
 use crate::constraint::Placed;
+use crate::contact::spot::Spot;
 use crate::rope::coil::Coil;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
@@ -18,6 +19,8 @@ pub struct Remembered<'a> {
     pub memory: &'a [f64],
     /// How ropes lie on their sheaves.
     pub seats: &'a [Seat],
+    /// Where bodies may touch.
+    pub spots: &'a [Spot],
     /// What drums have wound.
     pub coils: &'a [Coil],
     /// How rows take part.
@@ -27,8 +30,8 @@ pub struct Remembered<'a> {
 impl<'a> Remembered<'a> {
     /// That of a state.
     pub fn of(state: &'a State) -> Self {
-        let State { memory, seats, coils, modes, .. } = state;
-        Self { memory, seats, coils, modes }
+        let State { memory, seats, spots, coils, modes, .. } = state;
+        Self { memory, seats, spots, coils, modes }
     }
 }
 
@@ -87,10 +90,10 @@ impl Frame {
 
     /// Evaluates rows at the poses, which belong to the configuration `q`.
     pub fn rows(&mut self, system: &System, q: &[f64], by: &Remembered) {
-        let Remembered { memory, seats, .. } = *by;
+        let Remembered { memory, seats, spots, .. } = *by;
         self.value.copy_from_slice(memory);
         let rows = &system.rows;
-        let at = Placed { tree: &system.tree, kinematics: &self.kinematics, q, seats, feeding: &[] };
+        let at = Placed { tree: &system.tree, kinematics: &self.kinematics, q, seats, spots, feeding: &[] };
         for (constraint, first) in system.constraints.iter().zip(rows.first.windows(2)) {
             let entries = rows.start[first[0]]..rows.start[first[1]];
             constraint.evaluate(&at, &mut self.value[first[0]..first[1]], &mut self.gradient[entries]);

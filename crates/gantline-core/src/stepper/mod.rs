@@ -9,7 +9,9 @@ pub(crate) mod flows;
 pub mod frame;
 mod parting;
 mod pinning;
+mod removing;
 pub mod seats;
+pub mod spots;
 
 use thiserror::Error;
 

@@ -17,16 +17,8 @@ const ROUNDING: f64 = 1e-9;
 pub fn cut(system: &System, state: &mut State, frame: &Frame, to: f64, log: &mut EventLog) -> bool {
     let mut any = false;
     for cut in &system.cuts {
-        let is_due = match cut.due {
-            Due::At(time) => time < to,
-            Due::Step(step) => step < state.plan.begun(),
-        };
-        if is_due && is_whole(system, state, cut.rope) {
-            let time = match cut.due {
-                Due::At(time) => time,
-                Due::Step(step) => log.begin_of(step).unwrap_or(state.time),
-            };
-            log.push(time, EventKind::Cut, cut.rope);
+        if cut.due.is_before(to, &state.plan) && is_whole(system, state, cut.rope) {
+            log.push(moment(cut.due, state, log), EventKind::Cut, cut.rope);
             part(system, state, frame, cut.rope);
             any = true;
         }
@@ -36,11 +28,15 @@ pub fn cut(system: &System, state: &mut State, frame: &Frame, to: f64, log: &mut
 
 /// When the next rope is cut, not before `from` [s], as far as that is a time.
 pub fn next_cut(system: &System, from: f64) -> f64 {
-    let times = system.cuts.iter().filter_map(|cut| match cut.due {
-        Due::At(time) if time >= from => Some(time),
-        _ => None,
-    });
-    times.fold(f64::INFINITY, f64::min)
+    system.cuts.iter().map(|cut| cut.due.time_from(from)).fold(f64::INFINITY, f64::min)
+}
+
+/// When what is due happens [s].
+pub fn moment(due: Due, state: &State, log: &EventLog) -> f64 {
+    match due {
+        Due::At(time) => time,
+        Due::Step(step) => log.begin_of(step).unwrap_or(state.time),
+    }
 }
 
 /// Breaks the ropes whose tension has reached their breaking force; true where any did. `frame` belongs to the state.

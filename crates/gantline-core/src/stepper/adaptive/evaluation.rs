@@ -15,6 +15,7 @@ use super::rodas::Increment;
 use crate::clock::Stage;
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
+use crate::contact::spot::Spot;
 use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;
 use crate::rope::route::Attachment;
@@ -172,7 +173,7 @@ impl Evaluation {
             let own = rows.first[index]..rows.first[index + 1];
             let lines = &mut self.lines[rows.lines[index]..rows.lines[index + 1]];
             let (kinematics, twists) = (&self.frame.kinematics, self.dynamics.twists.as_slice());
-            let moving = Moving { kinematics, twists, q: &self.q, v: at.v, seats: at.seats };
+            let moving = Moving { kinematics, twists, q: &self.q, v: at.v, seats: at.seats, spots: at.spots };
             let value = &mut self.frame.value[own.clone()];
             constraint.locate(&moving, value, &mut self.rate[own], lines);
         }
@@ -337,6 +338,8 @@ pub struct Point<'a> {
     pub memory: &'a [f64],
     /// How ropes lie on their sheaves.
     pub seats: &'a [Seat],
+    /// Where bodies may touch.
+    pub spots: &'a [Spot],
     /// What drums have wound.
     pub coils: &'a [Coil],
     /// φ, with the supplies of drums.
@@ -355,12 +358,13 @@ impl<'a> Point<'a> {
     /// At an increment from `state`, where a step starts, `elapsed` [s] later.
     pub fn of(state: &'a State, by: &'a Increment, elapsed: f64) -> Self {
         let Increment { phi, v, a, rigid, anchor } = by;
-        let State { q: base, memory, seats, coils, .. } = state;
+        let State { q: base, memory, seats, spots, coils, .. } = state;
         Self {
             schedule: Schedule::after(state, elapsed),
             base,
             memory,
             seats,
+            spots,
             coils,
             phi,
             v,
@@ -371,7 +375,8 @@ impl<'a> Point<'a> {
     }
 
     fn remembered(&self, modes: &'a [Mode]) -> Remembered<'a> {
-        Remembered { memory: self.memory, seats: self.seats, coils: self.coils, modes }
+        let Self { memory, seats, spots, coils, .. } = *self;
+        Remembered { memory, seats, spots, coils, modes }
     }
 }
 

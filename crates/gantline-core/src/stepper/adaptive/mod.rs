@@ -22,7 +22,7 @@ pub mod tangent;
 mod winding;
 
 use super::frame::Frame;
-use super::{StepError, StepReport, coils, flows, parting, pinning, seats};
+use super::{StepError, StepReport, coils, flows, parting, pinning, removing, seats, spots};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -187,14 +187,20 @@ impl Adaptive {
         let soon = state.time + 1e-12 * (1.0 + state.time);
         flows::advance_plan(system, state, soon, &self.support, log);
         state.restart |= parting::cut(system, state, frame, soon, log);
+        state.restart |= removing::remove(system, state, frame, soon, log);
         state.restart |= pinning::act(system, state, frame, log)?;
         self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;
-        let stop = state.plan.next_time(&system.plan, soon).min(parting::next_cut(system, soon)).min(until);
+        let due = parting::next_cut(system, soon).min(removing::next_removal(system, soon));
+        let stop = state.plan.next_time(&system.plan, soon).min(due).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };
         if state.engaged {
             h = h.min(2.0 * state.engaged_step);
         }
         h = h.min(self.winding_limit(system, state));
+        if !system.finders.is_empty() {
+            let here = &self.rodas.here;
+            h = h.min(spots::limit(system, &here.frame.kinematics, &here.dynamics.twists, state));
+        }
         let (mut rejected, mut last) = (0, f64::INFINITY);
         let (error, reach) = loop {
             let reach = stop - state.time;
@@ -335,6 +341,9 @@ impl Adaptive {
             self.rodas.evaluate(system, state);
             state.ledger.flows.method += held - self.held(system, state);
         }
+        if !system.finders.is_empty() {
+            self.follow_spots(system, state, log);
+        }
         let held = self.held(system, state);
         if system.clock.time(Stage::Events, || self.switch(system, state, log, start, length)) {
             state.restart = true;
@@ -362,6 +371,18 @@ impl Adaptive {
         }
         flows::store(system, state, frame);
         Ok(())
+    }
+
+    /// Follows where bodies may touch; what that does to springs at once is the method's loss.
+    fn follow_spots(&mut self, system: &System, state: &mut State, log: &mut EventLog) {
+        let held = self.held(system, state);
+        let Frame { kinematics, value, .. } = &self.rodas.here.frame;
+        let followed = spots::follow(system, kinematics, value, state, log);
+        if followed.any {
+            state.restart |= followed.carrying;
+            self.rodas.evaluate(system, state);
+            state.ledger.flows.method += held - self.held(system, state);
+        }
     }
 
     /// Forces at the start of the next step, into the state.

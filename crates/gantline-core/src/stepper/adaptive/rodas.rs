@@ -219,6 +219,7 @@ impl Rodas {
             base: &state.q,
             memory: &state.memory,
             seats: &state.seats,
+            spots: &state.spots,
             coils: &state.coils,
             phi: &self.none.phi,
             v: &state.v,

@@ -6,6 +6,8 @@ use super::winding::Paid;
 use super::{Adaptive, LOOKS, SWITCHING};
 use crate::audit::Flows;
 use crate::constraint::brake::Brake;
+use crate::constraint::contact::Contact;
+use crate::constraint::touch::Touch;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
 use crate::plan::Seen;
@@ -196,12 +198,12 @@ impl Adaptive {
                         log.push(start + length * crossing, kind, index);
                     }
                 }
-                AnyConstraint::Contact(contact) => {
+                AnyConstraint::Contact(Contact { group, .. }) | AnyConstraint::Touch(Touch { group, .. }) => {
                     let row = system.rows.first[index];
                     if let Some((taut, crossing)) = self.turn_over(system, state, row) {
                         any = true;
                         self.set_friction(system, state, row, state.modes[row]);
-                        self.log_group(system, state, log, contact.group, taut, start + length * crossing);
+                        self.log_group(system, state, log, *group, taut, start + length * crossing);
                     }
                     any |= self.switch_friction(system, state, log, index);
                 }
@@ -346,7 +348,7 @@ impl Adaptive {
         time: f64,
     ) {
         let touching = system.groups[group].contacts.iter();
-        let touching = touching.filter(|&&contact| state.modes[system.rows.first[contact]] != Mode::Slack);
+        let touching = touching.filter(|&&contact| state.modes[system.rows.first[contact]].carries());
         match (touching.count(), closed) {
             (0, false) => log.push(time, EventKind::LiftOff, group),
             (1, true) => log.push(time, EventKind::SetDown, group),

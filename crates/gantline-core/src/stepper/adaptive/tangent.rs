@@ -148,7 +148,8 @@ impl TangentMatrix {
         let curvature = &mut self.curvature[..size * size];
         let kinematics = &here.frame.kinematics;
         let feeding = &here.frame.feeding;
-        let at = Placed { tree: &system.tree, kinematics, q: &state.q, seats: &state.seats, feeding };
+        let State { q, seats, spots, .. } = state;
+        let at = Placed { tree: &system.tree, kinematics, q, seats, spots, feeding };
         let value = here.frame.value[*row];
         system.constraints[*constraint].curvature(&at, value, *number, &mut self.columns, curvature);
         for (place, value) in places.iter().zip(&*curvature) {

@@ -1,0 +1,243 @@
+//! Shapes, supports, pairs of shapes that may touch, and distances that are recorded.
+
+use glam::{DQuat, DVec3};
+
+use super::{BuildError, at_least_zero, error, finite, positive, unit};
+use crate::constraint::AnyConstraint;
+use crate::constraint::touch::Touch;
+use crate::contact::pad::{Pad, top};
+use crate::contact::plane::Plane;
+use crate::contact::shape::{Part, Shape};
+use crate::contact::spot::Spot;
+use crate::plan::{Due, Removal};
+use crate::spec::{PairSpec, PartSpec, ShapeSpec, SupportSpec, SystemSpec, WatchedSpec};
+use crate::system::{BodyShape, ContactGroup, Finder, Watch, Watched, WatchedRope};
+use crate::tree::Tree;
+
+/// Corners of an underside may be off its plane by this share of its size.
+const FLAT: f64 = 1e-6;
+/// Most places of a pair.
+const MOST_PLACES: usize = 64;
+
+fn vector(given: [f64; 3]) -> DVec3 {
+    DVec3::from_array(given)
+}
+
+/// Number of the body of that name; none is the world.
+fn body_of(element: &str, tree: &Tree, name: Option<&String>) -> Result<Option<usize>, BuildError> {
+    let Some(name) = name else { return Ok(None) };
+    match tree.bodies.iter().position(|body| &body.name == name) {
+        Some(index) => Ok(Some(index)),
+        None => error(element, format!("there is no body `{name}`")),
+    }
+}
+
+/// All shapes of the document.
+pub(super) fn build_shapes(spec: &SystemSpec, tree: &Tree) -> Result<Vec<BodyShape>, BuildError> {
+    spec.shapes.iter().map(|given| build_shape(given, tree)).collect()
+}
+
+fn build_shape(given: &ShapeSpec, tree: &Tree) -> Result<BodyShape, BuildError> {
+    let name = &given.name;
+    let body = body_of(name, tree, given.body.as_ref())?;
+    let mut parts = Vec::with_capacity(given.parts.len());
+    for part in &given.parts {
+        parts.push(match part {
+            PartSpec::Box { size, centre, orientation } => {
+                for side in size {
+                    positive(name, "a side of its box", *side)?;
+                }
+                finite(name, "the middle of its box", centre)?;
+                let [w, x, y, z] = *orientation;
+                let turn = DQuat::from_xyzw(x, y, z, w);
+                if (turn.length() - 1.0).abs() > 1e-6 || !turn.is_finite() {
+                    return error(name, "the orientation of its box must be a unit quaternion");
+                }
+                Part::Box { size: vector(*size), centre: vector(*centre), orientation: turn.normalize() }
+            }
+            PartSpec::Convex { vertices } => {
+                finite(name, "a corner of its shape", vertices.as_flattened())?;
+                Part::Convex(vertices.iter().copied().map(vector).collect())
+            }
+            PartSpec::Mesh { vertices, triangles } => {
+                finite(name, "a corner of its shape", vertices.as_flattened())?;
+                let corners = triangles.as_flattened();
+                if corners.iter().any(|corner| *corner as usize >= vertices.len()) {
+                    return error(name, "a triangle of its mesh names a corner that is not there");
+                }
+                Part::Mesh(vertices.iter().copied().map(vector).collect(), triangles.clone())
+            }
+        });
+    }
+    match Shape::new(&parts) {
+        Ok(shape) => Ok(BodyShape { name: name.clone(), body, shape }),
+        Err(problem) => error(name, problem),
+    }
+}
+
+fn shape_named(element: &str, shapes: &[BodyShape], name: &str) -> Result<usize, BuildError> {
+    match shapes.iter().position(|shape| shape.name == name) {
+        Some(index) => Ok(index),
+        None => error(element, format!("there is no shape `{name}`")),
+    }
+}
+
+/// Constraints of touches, what finds their spots, and what takes supports away.
+#[derive(Default)]
+pub(super) struct Touches {
+    pub finders: Vec<Finder>,
+    pub removals: Vec<Removal>,
+    pub spots: Vec<Spot>,
+}
+
+/// Adds the touches of supports and pairs to the constraints and groups.
+pub(super) fn build_touches(
+    spec: &SystemSpec,
+    tree: &Tree,
+    shapes: &[BodyShape],
+    constraints: &mut Vec<AnyConstraint>,
+    groups: &mut Vec<ContactGroup>,
+) -> Result<Touches, BuildError> {
+    let mut made = Touches::default();
+    let mut add = |name: String, group: &str, bodies: [Option<usize>; 2], law: [f64; 3], is_support: bool| {
+        let index = constraints.len();
+        let group = ContactGroup::named(groups, group);
+        groups[group].contacts.push(index);
+        let touch = Touch::new(name, (index, group), bodies, law, tree);
+        made.spots.push(Spot::none());
+        constraints.push(AnyConstraint::Touch(Touch { spot: made.spots.len() - 1, is_support, ..touch }));
+        index
+    };
+    for given in &spec.supports {
+        let law = law(&given.name, [given.stiffness, given.damping_time, given.friction])?;
+        let (pad, body) = build_pad(given, tree)?;
+        let touch = add(given.name.clone(), &given.group, [Some(body), None], law, true);
+        made.finders.push(Finder::Pad(touch, Box::new(pad)));
+        if let Some(time) = given.removed_at {
+            at_least_zero(&given.name, "the time at which it is taken away", time)?;
+            made.removals.push(Removal { touch, due: Due::At(time) });
+        }
+    }
+    for given in &spec.pairs {
+        let PairSpec { name, places, .. } = given;
+        let law = law(name, [given.stiffness, given.damping_time, given.friction])?;
+        let [one, other] = &given.shapes;
+        let pair = [shape_named(name, shapes, one)?, shape_named(name, shapes, other)?];
+        let bodies = pair.map(|shape| shapes[shape].body);
+        if bodies[0] == bodies[1] {
+            return error(name, "both shapes are on one body; a body does not touch itself");
+        }
+        if *places == 0 || *places > MOST_PLACES {
+            return error(name, format!("it has {places} places; 1 to {MOST_PLACES} are right"));
+        }
+        let touches =
+            (1..=*places).map(|place| add(format!("{name}/{place}"), &given.group, bodies, law, false));
+        let touches: Vec<usize> = touches.collect();
+        made.finders.push(Finder::Pair { shapes: pair, first: touches[0], count: *places });
+    }
+    for (index, step) in spec.plan.iter().enumerate() {
+        for name in &step.removes {
+            let own = |finder: &Finder| matches!(finder, Finder::Pad(touch, _) if constraints[*touch].name() == name);
+            let Some(Finder::Pad(touch, _)) = made.finders.iter().find(|finder| own(finder)) else {
+                return error(&step.name, format!("there is no support `{name}` to take away"));
+            };
+            if made.removals.iter().any(|removal| removal.touch == *touch) {
+                return error(&step.name, format!("`{name}` is taken away already; once is right"));
+            }
+            made.removals.push(Removal { touch: *touch, due: Due::Step(index) });
+        }
+    }
+    Ok(made)
+}
+
+fn law(name: &str, [stiffness, damping_time, friction]: [f64; 3]) -> Result<[f64; 3], BuildError> {
+    positive(name, "its stiffness", stiffness)?;
+    at_least_zero(name, "its damping time", damping_time)?;
+    at_least_zero(name, "its friction", friction)?;
+    Ok([stiffness, damping_time, friction])
+}
+
+fn build_pad(given: &SupportSpec, tree: &Tree) -> Result<(Pad, usize), BuildError> {
+    let name = &given.name;
+    finite(name, "its place", &given.at)?;
+    for half in given.half {
+        positive(name, "half a side of its top", half)?;
+    }
+    let Some(body) = body_of(name, tree, Some(&given.body))? else { return error(name, "it has no body") };
+    let along = unit(name, "the direction of its first side", given.along)?;
+    let Some(top) = top(vector(given.at), DVec3::Z, along) else {
+        return error(name, "the direction of its first side is upright; it must be level");
+    };
+    let (face, outline) = underside(name, &given.outline)?;
+    Ok((Pad { top, half: given.half, face, outline }, body))
+}
+
+/// Plane of an underside, its normal downwards in the body, and its corners along the plane's tangents.
+fn underside(name: &str, given: &[[f64; 3]]) -> Result<(Plane, Vec<[f64; 2]>), BuildError> {
+    finite(name, "a corner of the underside", given.as_flattened())?;
+    let corners: Vec<DVec3> = given.iter().copied().map(vector).collect();
+    if corners.len() < 3 {
+        return error(name, "the underside needs three corners at least");
+    }
+    let area: DVec3 = corners.windows(2).map(|pair| (pair[0] - corners[0]).cross(pair[1] - corners[0])).sum();
+    let size = corners.iter().map(|corner| (*corner - corners[0]).length()).fold(0.0, f64::max);
+    let Some(mut normal) = area.try_normalize().filter(|_| area.length() > 1e-9 * size * size) else {
+        return error(name, "the corners of the underside are in one line");
+    };
+    if normal.z > 0.0 {
+        normal = -normal;
+    }
+    let face = Plane::new(corners[0], normal);
+    if corners.iter().any(|corner| face.depth(*corner).abs() > FLAT * size) {
+        return error(name, "the corners of the underside are not in one plane");
+    }
+    let outline: Vec<[f64; 2]> = corners.iter().map(|corner| face.along(*corner)).collect();
+    let turn = |at: usize| {
+        let [from, to, next] = [0, 1, 2].map(|ahead| outline[(at + ahead) % outline.len()]);
+        (to[0] - from[0]) * (next[1] - to[1]) - (to[1] - from[1]) * (next[0] - to[0])
+    };
+    let turns: Vec<f64> = (0..outline.len()).map(turn).collect();
+    let is_convex = turns.iter().all(|turn| *turn > 0.0) || turns.iter().all(|turn| *turn < 0.0);
+    if !is_convex {
+        return error(name, "the underside is not convex, or has a corner in a straight side");
+    }
+    Ok((face, outline))
+}
+
+/// Distances that are recorded.
+pub(super) fn build_watches(
+    spec: &SystemSpec,
+    shapes: &[BodyShape],
+    constraints: &[AnyConstraint],
+) -> Result<Vec<Watch>, BuildError> {
+    let watched = |name: &str, given: &WatchedSpec| {
+        let mut watched = Watched::default();
+        for shape in &given.shapes {
+            watched.shapes.push(shape_named(name, shapes, shape)?);
+        }
+        for rope in &given.ropes {
+            let Some(index) = spec.ropes.iter().position(|one| one.name == rope.rope) else {
+                return error(name, format!("there is no rope `{}`", rope.rope));
+            };
+            debug_assert!(matches!(constraints[index], AnyConstraint::Rope(_)));
+            at_least_zero(name, "the radius of a rope", rope.radius)?;
+            for part in rope.without {
+                at_least_zero(name, "what is left out of a rope", part)?;
+            }
+            watched.ropes.push(WatchedRope { rope: index, radius: rope.radius, without: rope.without });
+        }
+        if watched.shapes.is_empty() && watched.ropes.is_empty() {
+            return error(name, "one side of it names no shape and no rope");
+        }
+        Ok(watched)
+    };
+    let watch = |given: &crate::spec::WatchSpec| {
+        let [one, other] = &given.between;
+        let between = [watched(&given.name, one)?, watched(&given.name, other)?];
+        if between.iter().all(|side| !side.ropes.is_empty()) {
+            return error(&given.name, "both sides of it name ropes; one side has shapes only");
+        }
+        Ok(Watch { name: given.name.clone(), between })
+    };
+    spec.watches.iter().map(watch).collect()
+}

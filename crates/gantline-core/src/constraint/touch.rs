@@ -1,0 +1,279 @@
+//! A point of one body against a plane of another: one normal row and two tangential rows, as of a point against the
+//! ground ([`super::contact`]). Either body may be the world, and which of them has the plane is said by a
+//! [`Spot`] that the state remembers.
+//!
+//! With the point x of body P, the plane through o with normal n and tangents t₁, t₂ in body Q, each row is
+//!
+//! ```text
+//! g = d·(x − o)        d = −n for the depth, t₁ and t₂ along the plane, fixed in Q
+//! ġ = d·(ẋ_P − ẋ_Q)    the velocities that both bodies have at x: d turns with Q, and (ω×d)·(x − o) is what the
+//!                      velocity of Q at x has beyond that at o
+//! ∂G_j/∂q_k = d·(∂_k C_j^P − ∂_k C_j^Q) + (a_k^Q × d)·(C_j^P − C_j^Q)
+//! ∂_k C_j^Q = change of the column of a point of Q at x + a_j × (C_k^P − C_k^Q), since x moves with P
+//! ```
+//!
+//! C_j is the column of degree of freedom j at x, a_j its angular part.
+
+use glam::DVec3;
+
+use super::{Constraint, Law, Line, Moving, Placed};
+use crate::contact::spot::Spot;
+use crate::tree::Tree;
+use crate::tree::bias::Wrench;
+use crate::tree::kinematics::{Kinematics, Twist};
+
+/// Value of the depth of a spot that is not near [m].
+const FAR: f64 = -1.0;
+/// Damping time of a tangential spring [s], at least, as of other contacts.
+const LEAST_DAMPING: f64 = 1e-5;
+
+/// A place at which two bodies may touch.
+#[derive(Debug, Clone)]
+pub struct Touch {
+    /// Unique name.
+    pub name: String,
+    /// Index of this constraint.
+    pub index: usize,
+    /// Index of the group whose forces are added up.
+    pub group: usize,
+    /// True for the top of a support.
+    pub is_support: bool,
+    /// The two bodies; none is the world.
+    pub bodies: [Option<usize>; 2],
+    /// Number of its spot in the state.
+    pub spot: usize,
+    /// 1/k [m/N].
+    pub compliance: f64,
+    /// τ [s].
+    pub damping_time: f64,
+    /// μ.
+    pub friction: f64,
+    /// Degrees of freedom that move either body, ascending.
+    pub dofs: Vec<usize>,
+    /// For each of them whether it moves the first and the second body.
+    pub moves: Vec<[bool; 2]>,
+}
+
+/// The rows of a spot where its bodies are.
+struct Pointed {
+    /// x [m].
+    point: DVec3,
+    /// x − o [m].
+    offset: DVec3,
+    /// d of the three rows.
+    directions: [DVec3; 3],
+    /// 1 where the first body has the point, −1 where it has the plane.
+    sign: f64,
+}
+
+impl Touch {
+    /// A touch between two bodies of `tree` with stiffness [N/m], damping time [s] and friction `law`.
+    pub fn new(
+        name: String,
+        (index, group): (usize, usize),
+        bodies: [Option<usize>; 2],
+        law: [f64; 3],
+        tree: &Tree,
+    ) -> Self {
+        let support = |body: Option<usize>| body.map_or(&[][..], |body| &tree.support[body]);
+        let [first, second] = bodies.map(support);
+        let mut dofs = [first, second].concat();
+        dofs.sort_unstable();
+        dofs.dedup();
+        let moves = dofs.iter().map(|dof| [first.contains(dof), second.contains(dof)]).collect();
+        let [stiffness, damping_time, friction] = law;
+        let compliance = 1.0 / stiffness;
+        let is_support = false;
+        Self {
+            name,
+            index,
+            group,
+            is_support,
+            bodies,
+            spot: 0,
+            compliance,
+            damping_time,
+            friction,
+            dofs,
+            moves,
+        }
+    }
+
+    /// Normal of the plane and its tangents in the world, times −1 the first: d of the rows.
+    fn pointed(&self, kinematics: &Kinematics, spot: &Spot) -> Pointed {
+        let [first, second] = self.bodies;
+        let (with_point, with_plane, sign) =
+            if spot.is_swapped { (second, first, -1.0) } else { (first, second, 1.0) };
+        let point = kinematics.point(with_point, spot.point);
+        let origin = kinematics.point(with_plane, spot.plane.point);
+        let [one, other] = spot.plane.tangents;
+        let directions = [-spot.plane.normal, one, other].map(|local| kinematics.turn(with_plane, local));
+        Pointed { point, offset: point - origin, directions, sign }
+    }
+
+    /// World direction of the normal, from the body with the plane to that with the point.
+    pub fn normal(&self, kinematics: &Kinematics, spot: &Spot) -> DVec3 {
+        -self.pointed(kinematics, spot).directions[0]
+    }
+
+    /// How the first body is displaced along the plane against the second where a spot's tangential rows have these
+    /// values [m], world axes.
+    pub fn displaced(&self, kinematics: &Kinematics, spot: &Spot, values: [f64; 2]) -> DVec3 {
+        let Pointed { directions: [_, one, other], sign, .. } = self.pointed(kinematics, spot);
+        (one * values[0] + other * values[1]) * sign
+    }
+
+    /// What the tangential rows of a spot have to remember so that the first body is displaced by that [m].
+    pub fn remembered(&self, kinematics: &Kinematics, spot: &Spot, displaced: DVec3) -> [f64; 2] {
+        let Pointed { offset, directions: [_, one, other], sign, .. } = self.pointed(kinematics, spot);
+        [one, other].map(|tangent| tangent.dot(offset - displaced * sign))
+    }
+
+    /// The point at which it presses [m] and the force on the first body with these forces of its rows [N].
+    pub fn force(&self, kinematics: &Kinematics, spot: &Spot, tension: [f64; 3]) -> (DVec3, DVec3) {
+        let Pointed { point, directions, sign, .. } = self.pointed(kinematics, spot);
+        let sum: DVec3 =
+            directions.into_iter().zip(tension).map(|(direction, force)| direction * force).sum();
+        (point, -sum * sign)
+    }
+
+    /// C_j^0 − C_j^1 at a world point of the entry of a degree of freedom.
+    fn column(&self, tree: &Tree, kinematics: &Kinematics, entry: usize, point: DVec3) -> DVec3 {
+        match self.moves[entry] {
+            [true, false] => kinematics.point_column(tree, self.dofs[entry], point),
+            [false, true] => -kinematics.point_column(tree, self.dofs[entry], point),
+            // What moves both moves neither against the other.
+            _ => DVec3::ZERO,
+        }
+    }
+}
+
+impl Constraint for Touch {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn row_dofs(&self) -> Vec<Vec<usize>> {
+        vec![self.dofs.clone(); 3]
+    }
+
+    fn laws(&self, first_row: usize) -> Vec<Law> {
+        let (compliance, damping_time) = (self.compliance, self.damping_time);
+        let friction = Law::Friction {
+            compliance,
+            damping_time: damping_time.max(LEAST_DAMPING),
+            coefficient: self.friction,
+            normal: first_row,
+        };
+        vec![Law::Unilateral { compliance, damping_time }, friction, friction]
+    }
+
+    /// One for each row, with the direction in which it pushes the first body against the second.
+    fn lines(&self) -> usize {
+        3
+    }
+
+    fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
+        let spot = &at.spots[self.spot];
+        if !spot.is_near {
+            value.copy_from_slice(&[FAR, 0.0, 0.0]);
+            rate.fill(0.0);
+            lines.fill(Line::default());
+            return;
+        }
+        let Pointed { point, offset, directions, sign } = self.pointed(at.kinematics, spot);
+        let arms =
+            self.bodies.map(|body| body.map_or(point, |body| point - at.kinematics.pose[body].position));
+        for (row, direction) in directions.into_iter().enumerate() {
+            let remembered = if row == 0 { 0.0 } else { value[row] };
+            value[row] = direction.dot(offset) - remembered;
+            let [from, to] = arms;
+            lines[row] = Line { from, to, direction: direction * sign, ..Line::default() };
+        }
+        self.rates(at.twists, at.v, lines, rate);
+    }
+
+    fn rates(&self, twists: &[Twist], _v: &[f64], lines: &[Line], rate: &mut [f64]) {
+        let at = |body: Option<usize>, arm| body.map_or(DVec3::ZERO, |body| twists[body].at(arm));
+        let apart = at(self.bodies[0], lines[0].from) - at(self.bodies[1], lines[0].to);
+        for (rate, line) in rate.iter_mut().zip(lines) {
+            *rate = line.direction.dot(apart);
+        }
+    }
+
+    fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]) {
+        let needed: DVec3 = lines.iter().zip(tension).map(|(line, tension)| line.direction * *tension).sum();
+        let [first, second] = self.bodies;
+        if let Some(body) = first {
+            wrenches[body].add(needed, lines[0].from);
+        }
+        if let Some(body) = second {
+            wrenches[body].add(-needed, lines[0].to);
+        }
+    }
+
+    fn evaluate(&self, at: &Placed, value: &mut [f64], gradient: &mut [f64]) {
+        let Placed { tree, kinematics, spots, .. } = *at;
+        let spot = &spots[self.spot];
+        if !spot.is_near {
+            value.copy_from_slice(&[FAR, 0.0, 0.0]);
+            gradient.fill(0.0);
+            return;
+        }
+        let Pointed { point, offset, directions, sign } = self.pointed(kinematics, spot);
+        let count = self.dofs.len();
+        for (row, direction) in directions.into_iter().enumerate() {
+            let remembered = if row == 0 { 0.0 } else { value[row] };
+            value[row] = direction.dot(offset) - remembered;
+        }
+        for entry in 0..count {
+            let column = self.column(tree, kinematics, entry, point) * sign;
+            for (row, direction) in directions.into_iter().enumerate() {
+                gradient[row * count + entry] = direction.dot(column);
+            }
+        }
+    }
+
+    fn curvature_groups(&self) -> Vec<(usize, Vec<usize>)> {
+        (0..3).map(|row| (row, self.dofs.clone())).collect()
+    }
+
+    fn curvature(&self, at: &Placed, _value: f64, group: usize, columns: &mut [DVec3], block: &mut [f64]) {
+        let Placed { tree, kinematics, spots, .. } = *at;
+        let spot = &spots[self.spot];
+        if !spot.is_near {
+            block.fill(0.0);
+            return;
+        }
+        let Pointed { point, directions, sign, .. } = self.pointed(kinematics, spot);
+        let direction = directions[group];
+        let with_plane = usize::from(!spot.is_swapped);
+        for (column, &dof) in columns.iter_mut().zip(&self.dofs) {
+            *column = kinematics.point_column(tree, dof, point);
+        }
+        let size = self.dofs.len();
+        for j in 0..size {
+            let apart_j = self.column(tree, kinematics, j, point) * sign;
+            for k in 0..size {
+                let apart_k = self.column(tree, kinematics, k, point) * sign;
+                let change = |body: usize| {
+                    let [by_j, by_k] = [j, k].map(|entry| self.moves[entry][body]);
+                    if !by_j || !by_k {
+                        return DVec3::ZERO;
+                    }
+                    let [row, dof] = [j, k].map(|entry| (self.dofs[entry], columns[entry]));
+                    kinematics.column_change(tree, row, dof, point)
+                };
+                let mut change = (change(0) - change(1)) * sign;
+                if self.moves[j][with_plane] {
+                    change -= kinematics.columns[self.dofs[j]].angular.cross(apart_k);
+                }
+                let mut curvature = direction.dot(change);
+                if self.moves[k][with_plane] {
+                    curvature += kinematics.columns[self.dofs[k]].angular.cross(direction).dot(apart_j);
+                }
+                block[j * size + k] = curvature;
+            }
+        }
+    }
+}

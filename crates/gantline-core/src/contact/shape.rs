@@ -1,0 +1,294 @@
+//! Shapes of bodies, their distances and where they meet: boxes, convex parts and triangle meshes, by parry.
+//!
+//! parry has its own version of the vector types: what goes in and out of it is converted here and nowhere else.
+
+use std::fmt;
+
+use glam::{DQuat, DVec3};
+use parry3d_f64::bounding_volume::BoundingVolume;
+use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
+use parry3d_f64::query::{
+    self, ContactManifold, DefaultQueryDispatcher, PersistentQueryDispatcher, TrackedContact,
+};
+use parry3d_f64::shape::{PackedFeatureId, PolygonalFeature, SharedShape};
+
+use super::plane::Plane;
+use super::spot::Spot;
+use crate::tree::pose::Pose;
+
+/// Points of two parts that are closer than this are one [m].
+const SAME: f64 = 1e-3;
+/// Cosine of the angle between a face and the direction in which shapes part, at most, for them to part along the face:
+/// 1.8°.
+const ALIGNED: f64 = 0.9995;
+
+/// A part of a shape, in the frame of its body.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Part {
+    /// A box along the axes of `orientation` about its middle.
+    Box {
+        /// Its three sides [m].
+        size: DVec3,
+        /// Its middle [m].
+        centre: DVec3,
+        /// How it is turned.
+        orientation: DQuat,
+    },
+    /// The convex hull of points [m].
+    Convex(Vec<DVec3>),
+    /// Triangles by the numbers of their corners [m].
+    Mesh(Vec<DVec3>, Vec<[u32; 3]>),
+}
+
+/// Parts that belong together on one body.
+#[derive(Clone)]
+pub struct Shape {
+    parts: Vec<(ParryPose, SharedShape)>,
+    /// Distance of its farthest point from the origin of the body [m].
+    pub radius: f64,
+}
+
+impl fmt::Debug for Shape {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "Shape of {} parts within {} m", self.parts.len(), self.radius)
+    }
+}
+
+/// A place where two shapes are near, and how far apart they are there [m], negative where they overlap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Meeting {
+    /// The place, in the frames of the two bodies.
+    pub spot: Spot,
+    /// Distance [m].
+    pub gap: f64,
+}
+
+fn given(vector: DVec3) -> Vector {
+    Vector::new(vector.x, vector.y, vector.z)
+}
+
+fn taken(vector: Vector) -> DVec3 {
+    DVec3::new(vector.x, vector.y, vector.z)
+}
+
+fn turned(turn: DQuat) -> Rotation {
+    Rotation::from_xyzw(turn.x, turn.y, turn.z, turn.w)
+}
+
+fn placed(pose: &Pose) -> ParryPose {
+    ParryPose::from_parts(given(pose.position), turned(DQuat::from_mat3(&pose.rotation)))
+}
+
+impl Shape {
+    /// A shape of these parts.
+    ///
+    /// # Errors
+    /// A sentence that says what is wrong with a part.
+    pub fn new(parts: &[Part]) -> Result<Self, String> {
+        let mut made = Vec::with_capacity(parts.len());
+        let mut radius = 0.0_f64;
+        for part in parts {
+            made.push(match part {
+                Part::Box { size, centre, orientation } => {
+                    let half = *size / 2.0;
+                    radius = radius.max(centre.length() + half.length());
+                    let pose = ParryPose::from_parts(given(*centre), turned(*orientation));
+                    (pose, SharedShape::cuboid(half.x, half.y, half.z))
+                }
+                Part::Convex(vertices) => {
+                    radius = vertices.iter().fold(radius, |most, vertex| most.max(vertex.length()));
+                    let vertices: Vec<Vector> = vertices.iter().copied().map(given).collect();
+                    let hull = SharedShape::convex_hull(&vertices);
+                    let hull = hull.ok_or(
+                        "a convex part has no volume; it needs four corners that are not in one plane",
+                    )?;
+                    (ParryPose::identity(), hull)
+                }
+                Part::Mesh(vertices, triangles) => {
+                    radius = vertices.iter().fold(radius, |most, vertex| most.max(vertex.length()));
+                    let vertices: Vec<Vector> = vertices.iter().copied().map(given).collect();
+                    let mesh = SharedShape::trimesh(vertices, triangles.clone());
+                    (ParryPose::identity(), mesh.map_err(|error| format!("a mesh cannot be used: {error}"))?)
+                }
+            });
+        }
+        if made.is_empty() {
+            return Err("a shape needs at least one part".to_owned());
+        }
+        Ok(Self { parts: made, radius })
+    }
+
+    /// Distance of two shapes on bodies at `poses` [m]; where they overlap minus how deep, as far as that has a
+    /// meaning: triangle meshes are skins without an inside, whose distance is then 0.
+    pub fn distance(&self, other: &Self, poses: [&Pose; 2]) -> f64 {
+        let [own, its] = poses.map(placed);
+        let mut least = f64::INFINITY;
+        for (local, part) in &self.parts {
+            let pose = own * *local;
+            for (other_local, other_part) in &other.parts {
+                let other_pose = its * *other_local;
+                least = least.min(distance((&pose, part), (&other_pose, other_part)));
+            }
+        }
+        least
+    }
+
+    /// Distance to the straight line between two world points [m].
+    pub fn distance_to_line(&self, pose: &Pose, [from, to]: [DVec3; 2]) -> f64 {
+        let own = placed(pose);
+        let line = SharedShape::segment(given(from), given(to));
+        let there = ParryPose::identity();
+        let distances =
+            self.parts.iter().map(|(local, part)| distance((&(own * *local), part), (&there, &line)));
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
+    /// True where a world point is in the shape or within a millimetre of it.
+    pub fn holds(&self, pose: &Pose, point: DVec3) -> bool {
+        let (own, point) = (placed(pose), given(point));
+        self.parts.iter().any(|(local, part)| part.distance_to_point(&(own * *local), point, true) < SAME)
+    }
+
+    /// Finds where two shapes on bodies at `poses` are not farther apart than `reach` [m], nearest first.
+    pub fn meet(&self, other: &Self, poses: [&Pose; 2], reach: f64, found: &mut Vec<Meeting>) {
+        found.clear();
+        let [own, its] = poses.map(placed);
+        let mut manifolds: Vec<ContactManifold<(), ()>> = Vec::new();
+        for (index, (local, part)) in self.parts.iter().enumerate() {
+            let pose = own * *local;
+            let bounds = part.compute_aabb(&pose);
+            for (other_index, (other_local, other_part)) in other.parts.iter().enumerate() {
+                let other_pose = its * *other_local;
+                if !bounds.loosened(reach).intersects(&other_part.compute_aabb(&other_pose)) {
+                    continue;
+                }
+                manifolds.clear();
+                let between = pose.inv_mul(&other_pose);
+                let made = DefaultQueryDispatcher.contact_manifolds(
+                    &between,
+                    part.as_ref(),
+                    other_part.as_ref(),
+                    reach,
+                    &mut manifolds,
+                    &mut None,
+                );
+                if made.is_err() {
+                    continue;
+                }
+                let parts = ((index as u64) << 20) ^ other_index as u64;
+                for manifold in &manifolds {
+                    let near = manifold.points.iter().filter(|point| point.dist <= reach);
+                    let one = Located { local, body: &own, part };
+                    let located = [one, Located { local: other_local, body: &its, part: other_part }];
+                    found.extend(near.map(|point| meeting(manifold, point, located, parts)));
+                }
+            }
+        }
+        found.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.spot.feature.cmp(&b.spot.feature)));
+        drop_repeated(found, poses);
+    }
+}
+
+fn distance(one: (&ParryPose, &SharedShape), other: (&ParryPose, &SharedShape)) -> f64 {
+    let apart = query::distance(one.0, one.1.as_ref(), other.0, other.1.as_ref())
+        .map_or(f64::NAN, |found| found.distance);
+    if apart > 0.0 {
+        return apart;
+    }
+    let overlap = query::contact(one.0, one.1.as_ref(), other.0, other.1.as_ref(), 0.0);
+    overlap.ok().flatten().map_or(apart, |contact| contact.dist.min(0.0))
+}
+
+/// A part of a shape where it is: its frame in the body, the body in the world, and itself.
+#[derive(Clone, Copy)]
+struct Located<'a> {
+    local: &'a ParryPose,
+    body: &'a ParryPose,
+    part: &'a SharedShape,
+}
+
+impl Located<'_> {
+    /// Frame in the body of the piece of the part that a manifold speaks of.
+    fn frame(&self, inner: Option<ParryPose>) -> ParryPose {
+        inner.map_or(*self.local, |pose| *self.local * pose)
+    }
+
+    /// Normal of the face that looks most along `direction`, in the frame of the part, where it does so closely.
+    fn face(&self, direction: Vector) -> Option<Vector> {
+        let (map, _) = self.part.as_polygonal_feature_map()?;
+        let mut feature = PolygonalFeature::default();
+        map.local_support_feature(direction, &mut feature);
+        if feature.num_vertices < 3 {
+            return None;
+        }
+        let [first, second, third, _] = feature.vertices;
+        let across = (second - first).cross(third - first).try_normalize()?;
+        let normal = if across.dot(direction) < 0.0 { -across } else { across };
+        (normal.dot(direction) > ALIGNED).then_some(normal)
+    }
+}
+
+/// A point of a manifold as a spot. The plane is a face of the second body where that looks the right way, else one of
+/// the first; where neither does, edges meet, and the plane is that between them, on the second. Of meshes corners tell.
+fn meeting(
+    manifold: &ContactManifold<(), ()>,
+    point: &TrackedContact<()>,
+    [one, other]: [Located; 2],
+    parts: u64,
+) -> Meeting {
+    let inner = manifold.subshape_poses.as_ref();
+    let own = one.frame(inner.and_then(|poses| poses.pos1));
+    let its = other.frame(inner.and_then(|poses| poses.pos2));
+    let [first, second] = [own.transform_point(point.local_p1), its.transform_point(point.local_p2)];
+    let faces = [one.face(manifold.local_n1), other.face(manifold.local_n2)];
+    let corner = faces == [None, None] && point.fid2.is_vertex() && !point.fid1.is_vertex();
+    let is_swapped = corner || (faces[1].is_none() && faces[0].is_some());
+    let (place, origin, normal, frames) = if is_swapped {
+        let normal = own.transform_vector(faces[0].unwrap_or(manifold.local_n1));
+        (second, first, normal, [other.body, one.body])
+    } else {
+        let normal = its.transform_vector(faces[1].unwrap_or(manifold.local_n2));
+        (first, second, normal, [one.body, other.body])
+    };
+    let [with_point, with_plane] = frames;
+    let apart = with_point.transform_point(place) - with_plane.transform_point(origin);
+    let gap = with_plane.transform_vector(normal).dot(apart);
+    let plane = Plane::new(taken(origin), taken(normal).normalize());
+    let subshapes = (u64::from(manifold.subshape1) << 16) ^ u64::from(manifold.subshape2);
+    let feature = mixed(parts, mixed(subshapes, features(point.fid1, point.fid2)));
+    Meeting { spot: Spot { is_near: true, is_swapped, point: taken(place), plane, feature }, gap }
+}
+
+fn features(first: PackedFeatureId, second: PackedFeatureId) -> u64 {
+    (u64::from(first.0) << 32) ^ u64::from(second.0)
+}
+
+/// FNV-1a over the bytes of both.
+fn mixed(first: u64, second: u64) -> u64 {
+    let bytes = first.to_le_bytes().into_iter().chain(second.to_le_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// Keeps the first of those that are at one place and press the same way: parts of one shape share corners.
+fn drop_repeated(found: &mut Vec<Meeting>, poses: [&Pose; 2]) {
+    let world = |meeting: &Meeting| {
+        let spot = &meeting.spot;
+        let [with_point, with_plane] = if spot.is_swapped { [poses[1], poses[0]] } else { poses };
+        let sign = if spot.is_swapped { -1.0 } else { 1.0 };
+        (with_point.point(spot.point), with_plane.rotation * spot.plane.normal * sign)
+    };
+    let mut kept = 0;
+    for index in 0..found.len() {
+        let (place, normal) = world(&found[index]);
+        let is_new = found[..kept].iter().all(|other| {
+            let (there, other_normal) = world(other);
+            let apart = there - place;
+            (apart - normal * normal.dot(apart)).length() > SAME || normal.dot(other_normal) < 0.99
+        });
+        if is_new {
+            found.swap(kept, index);
+            kept += 1;
+        }
+    }
+    found.truncate(kept);
+}

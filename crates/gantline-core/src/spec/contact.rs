@@ -1,0 +1,138 @@
+//! Supports, shapes of bodies, which of them touch, and which distances are recorded.
+
+use serde::Deserialize;
+
+/// A part of a shape, in the frame of its body.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum PartSpec {
+    /// A box.
+    Box {
+        /// Its three sides [m].
+        size: [f64; 3],
+        /// Its middle [m].
+        #[serde(default)]
+        centre: [f64; 3],
+        /// How its axes are turned, unit quaternion, w first.
+        #[serde(default = "straight")]
+        orientation: [f64; 4],
+    },
+    /// The convex hull of points.
+    Convex {
+        /// Points [m].
+        vertices: Vec<[f64; 3]>,
+    },
+    /// A skin of triangles.
+    Mesh {
+        /// Points [m].
+        vertices: Vec<[f64; 3]>,
+        /// Numbers of the three corners of each triangle.
+        triangles: Vec<[u32; 3]>,
+    },
+}
+
+/// A shape on a body or the world.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ShapeSpec {
+    /// Unique name.
+    pub name: String,
+    /// Name of the body; none is the world.
+    pub body: Option<String>,
+    /// Its parts.
+    pub parts: Vec<PartSpec>,
+}
+
+/// A support: a flat top of the world under the flat underside of a body.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SupportSpec {
+    /// Unique name, in one set with contacts.
+    pub name: String,
+    /// Group of contacts that carry one load together.
+    pub group: String,
+    /// The body that may lie on it.
+    pub body: String,
+    /// Middle of the top [m], world axes.
+    pub at: [f64; 3],
+    /// Half of the two sides of the top [m].
+    pub half: [f64; 2],
+    /// Direction of the first side, world axes; the top is level.
+    pub along: [f64; 3],
+    /// Corners of the body's underside in order [m], body frame: convex and in one plane.
+    pub outline: Vec<[f64; 3]>,
+    /// Normal and tangential stiffness [N/m].
+    pub stiffness: f64,
+    /// Damping over stiffness [s].
+    pub damping_time: f64,
+    /// Coefficient of Coulomb friction.
+    pub friction: f64,
+    /// Time [s] at which it is taken away.
+    #[serde(default)]
+    pub removed_at: Option<f64>,
+}
+
+/// Two shapes that may touch.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PairSpec {
+    /// Unique name, in one set with contacts: its places are called `<name>/1`, `<name>/2`, …
+    pub name: String,
+    /// Group of contacts that carry one load together.
+    pub group: String,
+    /// Names of the shapes.
+    pub shapes: [String; 2],
+    /// Normal and tangential stiffness of each place [N/m].
+    pub stiffness: f64,
+    /// Damping over stiffness [s].
+    pub damping_time: f64,
+    /// Coefficient of Coulomb friction.
+    pub friction: f64,
+    /// How many places at most touch at a time.
+    #[serde(default = "places")]
+    pub places: usize,
+}
+
+/// A distance that is recorded: the smallest between any of the first and any of the second.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WatchSpec {
+    /// Unique name.
+    pub name: String,
+    /// Between what.
+    pub between: [WatchedSpec; 2],
+}
+
+/// Shapes and ropes from which a distance is measured.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WatchedSpec {
+    /// Names of shapes.
+    #[serde(default)]
+    pub shapes: Vec<String>,
+    /// Ropes.
+    #[serde(default)]
+    pub ropes: Vec<WatchedRopeSpec>,
+}
+
+/// A rope from which a distance is measured, by its straight parts.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WatchedRopeSpec {
+    /// Its name.
+    pub rope: String,
+    /// Half its diameter [m].
+    #[serde(default)]
+    pub radius: f64,
+    /// What of it is left out at its two ends [m].
+    #[serde(default)]
+    pub without: [f64; 2],
+}
+
+fn straight() -> [f64; 4] {
+    [1.0, 0.0, 0.0, 0.0]
+}
+
+fn places() -> usize {
+    8
+}

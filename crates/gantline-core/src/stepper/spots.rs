@@ -1,0 +1,278 @@
+//! Where bodies may touch, from step to step.
+//!
+//! Within a step a spot is a point of one body against a plane of the other, so that its rows are smooth and their
+//! derivatives exact. At the end of the step spots are found anew: those that are where they were stay as they are to the
+//! last bit, others move with the deflection of their tangential springs, those that have gone carry no more.
+
+use glam::DVec3;
+
+use crate::constraint::AnyConstraint;
+use crate::constraint::touch::Touch;
+use crate::contact::pad::Pad;
+use crate::contact::shape::Meeting;
+use crate::contact::spot::Spot;
+use crate::event::{EventKind, EventLog};
+use crate::solver::complementarity::Mode;
+use crate::state::State;
+use crate::system::{Finder, System};
+use crate::tree::kinematics::{Kinematics, Twist};
+use crate::tree::pose::Pose;
+
+/// Shapes that are closer than this have spots [m].
+pub const REACH: f64 = 0.2;
+/// Spots that have moved less, apart [m] and in the direction of their normals [rad], stay where they are.
+const STAYS: (f64, f64) = (1e-4, 1e-3);
+/// And whose depth changes by less than this [m].
+const SAME_DEPTH: f64 = 1e-7;
+/// A point of a body on a support stays the same within this [m].
+const STAYS_ON_PAD: f64 = 1e-3;
+/// How far beyond the edge of a support a place that carries is seen to have left it [m].
+const EDGE: f64 = 1e-2;
+/// Cosine of the angle between normals that are the same.
+const ALIKE: f64 = 0.99;
+/// A spot between other features is still the same place within this [m].
+const SAME_PLACE: f64 = 0.1;
+
+/// What has become of the spots.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Followed {
+    /// Any has changed.
+    pub any: bool,
+    /// One that carries has changed, so that forces have jumped.
+    pub carrying: bool,
+}
+
+fn pose(kinematics: &Kinematics, body: Option<usize>) -> Pose {
+    body.map_or(Pose::IDENTITY, |body| kinematics.pose[body])
+}
+
+/// Finds all spots anew at the poses; `changed` hears of every one that is not where it was, with the index of its touch
+/// and what it was and is.
+pub fn find(
+    system: &System,
+    kinematics: &Kinematics,
+    spots: &mut [Spot],
+    mut changed: impl FnMut(&Touch, &Spot, &Spot),
+) {
+    let mut meetings = Vec::new();
+    for finder in &system.finders {
+        match finder {
+            Finder::Pad(index, pad) => {
+                let AnyConstraint::Touch(touch) = &system.constraints[*index] else { continue };
+                let found = pad.spot(&pose(kinematics, touch.bodies[0]));
+                let spot = &mut spots[touch.spot];
+                let stays =
+                    spot.is_near && found.is_near && (spot.point - found.point).length() < STAYS_ON_PAD;
+                if !stays && found != *spot {
+                    changed(touch, spot, &found);
+                    *spot = found;
+                }
+            }
+            Finder::Pair { shapes, first, count } => {
+                let [one, other] = shapes.map(|shape| &system.shapes[shape]);
+                let poses = [one.body, other.body].map(|body| pose(kinematics, body));
+                one.shape.meet(&other.shape, [&poses[0], &poses[1]], REACH, &mut meetings);
+                let AnyConstraint::Touch(touch) = &system.constraints[*first] else { continue };
+                let own = &mut spots[touch.spot..touch.spot + count];
+                let holds = |is_first: bool, foot| {
+                    let (shape, pose) = if is_first { (one, &poses[0]) } else { (other, &poses[1]) };
+                    shape.shape.holds(pose, foot)
+                };
+                assign([&poses[0], &poses[1]], own, &meetings, holds, |place, found| {
+                    if let AnyConstraint::Touch(touch) = &system.constraints[first + place] {
+                        changed(touch, &found.0, &found.1);
+                    }
+                });
+            }
+        }
+    }
+}
+
+/// Point and normal of a spot in the world, the normal towards the first body.
+fn in_world(spot: &Spot, poses: [&Pose; 2]) -> (DVec3, DVec3) {
+    let [with_point, with_plane] = if spot.is_swapped { [poses[1], poses[0]] } else { poses };
+    let sign = if spot.is_swapped { -1.0 } else { 1.0 };
+    (with_point.point(spot.point), with_plane.rotation * spot.plane.normal * sign)
+}
+
+/// How far a spot's point is above its plane [m].
+fn gap(spot: &Spot, poses: [&Pose; 2]) -> f64 {
+    let [with_point, with_plane] = if spot.is_swapped { [poses[1], poses[0]] } else { poses };
+    let local = with_plane.rotation.transpose() * (with_point.point(spot.point) - with_plane.position);
+    -spot.plane.depth(local)
+}
+
+/// Gives each meeting of two shapes a spot: its own, that of its place, or a free one, the nearest first; meetings
+/// beyond the number of spots, the farthest, have none. A spot that the shapes no longer name, since their edges
+/// coincide and rounding decides, stays as long as its point is over the face: `holds` says whether a world point belongs
+/// to the first shape, or the second.
+fn assign(
+    poses: [&Pose; 2],
+    spots: &mut [Spot],
+    meetings: &[Meeting],
+    holds: impl Fn(bool, DVec3) -> bool,
+    mut changed: impl FnMut(usize, (Spot, Spot)),
+) {
+    let mut owner: Vec<Option<usize>> = vec![None; spots.len()];
+    let mut taken = vec![false; meetings.len()];
+    for (slot, spot) in spots.iter().enumerate().filter(|(_, spot)| spot.is_near) {
+        let is_same = |index: &usize| !taken[*index] && meetings[*index].spot.feature == spot.feature;
+        if let Some(index) = (0..meetings.len()).find(is_same) {
+            (owner[slot], taken[index]) = (Some(index), true);
+        }
+    }
+    for (slot, spot) in spots.iter().enumerate().filter(|(_, spot)| spot.is_near) {
+        if owner[slot].is_some() {
+            continue;
+        }
+        let (place, normal) = in_world(spot, poses);
+        let distance = |index: usize| {
+            let (there, other) = in_world(&meetings[index].spot, poses);
+            let is_alike = !taken[index] && normal.dot(other) > 0.5;
+            if is_alike { (there - place).length() } else { f64::INFINITY }
+        };
+        let nearest = (0..meetings.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+        if let Some(index) = nearest.filter(|&index| distance(index) < SAME_PLACE) {
+            (owner[slot], taken[index]) = (Some(index), true);
+        }
+    }
+    let mut kept = vec![false; spots.len()];
+    for (slot, spot) in spots.iter().enumerate().filter(|(slot, spot)| spot.is_near && owner[*slot].is_none())
+    {
+        let (place, normal) = in_world(spot, poses);
+        let is_alike = |meeting: &Meeting| normal.dot(in_world(&meeting.spot, poses).1) > ALIKE;
+        let apart = gap(spot, poses);
+        let foot = if spot.is_swapped { place + normal * apart } else { place - normal * apart };
+        kept[slot] = meetings.iter().any(is_alike) && apart < REACH && holds(spot.is_swapped, foot);
+    }
+    for index in (0..meetings.len()).filter(|&index| !taken[index]) {
+        let is_free = |slot: &usize| owner[*slot].is_none() && !kept[*slot];
+        let free = (0..spots.len()).filter(is_free).min_by_key(|&slot| spots[slot].is_near);
+        let Some(slot) = free else { break };
+        owner[slot] = Some(index);
+    }
+    for (slot, spot) in spots.iter_mut().enumerate() {
+        if kept[slot] {
+            continue;
+        }
+        let found = owner[slot].map_or_else(Spot::none, |index| meetings[index].spot);
+        if (!spot.is_near && !found.is_near) || stays(spot, &found, poses) {
+            spot.feature = found.feature;
+            continue;
+        }
+        changed(slot, (*spot, found));
+        *spot = found;
+    }
+}
+
+/// True where a spot that is found anew is where it was.
+fn stays(old: &Spot, new: &Spot, poses: [&Pose; 2]) -> bool {
+    if !old.is_near || !new.is_near || (gap(old, poses) - gap(new, poses)).abs() > SAME_DEPTH {
+        return false;
+    }
+    let [(place, normal), (there, other)] = [old, new].map(|spot| in_world(spot, poses));
+    let apart = (there - place) - normal * normal.dot(there - place);
+    apart.length() < STAYS.0 && (normal - other).length() < STAYS.1
+}
+
+/// Lets the spots follow to the end of a step, where rows have the values `value`, at the state's time.
+pub fn follow(
+    system: &System,
+    kinematics: &Kinematics,
+    value: &[f64],
+    state: &mut State,
+    log: &mut EventLog,
+) -> Followed {
+    let mut followed = Followed::default();
+    let mut spots = std::mem::take(&mut state.spots);
+    find(system, kinematics, &mut spots, |touch, old, new| {
+        let row = first_row(system, touch);
+        followed.any = true;
+        let carries = state.modes[row].carries();
+        followed.carrying |= carries;
+        if carries && !new.is_near {
+            for row in row..row + 3 {
+                state.modes[row] = Mode::Slack;
+                (state.tension[row], state.trial[row]) = (0.0, 0.0);
+            }
+            if touch.is_support {
+                log.push(state.time, EventKind::OffSupport, system.constraint_index(row));
+            }
+            note_lift_off(system, state, touch.group, state.time, log);
+        } else if new.is_near && state.modes[row] != Mode::Parted {
+            let values = if carries { [value[row + 1], value[row + 2]] } else { [0.0; 2] };
+            let displaced = touch.displaced(kinematics, old, values);
+            let remembered = touch.remembered(kinematics, new, displaced);
+            state.memory[row + 1..row + 3].copy_from_slice(&remembered);
+        }
+    });
+    state.spots = spots;
+    followed
+}
+
+/// First row of a touch.
+fn first_row(system: &System, touch: &Touch) -> usize {
+    system.rows.first[touch.index]
+}
+
+/// Logs that a load has lifted off where no contact of its group is left that carries.
+pub fn note_lift_off(system: &System, state: &State, group: usize, time: f64, log: &mut EventLog) {
+    let mut rows = system.groups[group].contacts.iter().map(|&contact| system.rows.first[contact]);
+    if !rows.any(|row| state.modes[row].carries()) {
+        log.push(time, EventKind::LiftOff, group);
+    }
+}
+
+/// The longest step in which no two shapes come closer than half of what their spots reach, and no place that carries
+/// passes the edge of its support by more than [`EDGE`] [s], by how fast they move.
+pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: &State) -> f64 {
+    let mut most = f64::INFINITY;
+    for finder in &system.finders {
+        let shapes = match finder {
+            Finder::Pair { shapes, .. } => shapes,
+            Finder::Pad(index, pad) => {
+                most = most.min(to_edge(system, kinematics, twists, state, (*index, pad)));
+                continue;
+            }
+        };
+        let [one, other] = shapes.map(|shape| &system.shapes[shape]);
+        let speeds = [one, other].map(|shape| {
+            let speed = |body: usize| {
+                twists[body].linear.length() + twists[body].angular.length() * shape.shape.radius
+            };
+            shape.body.map_or(0.0, speed)
+        });
+        let speed = speeds[0] + speeds[1];
+        if speed == 0.0 {
+            continue;
+        }
+        let near = 0.5 * REACH / speed;
+        if near > most {
+            continue;
+        }
+        let poses = [one.body, other.body].map(|body| pose(kinematics, body));
+        let apart = one.shape.distance(&other.shape, [&poses[0], &poses[1]]);
+        most = most.min((apart - 0.5 * REACH).max(0.5 * REACH) / speed);
+    }
+    most
+}
+
+/// How long the place at which a body carries on a support stays on its top [s].
+fn to_edge(
+    system: &System,
+    kinematics: &Kinematics,
+    twists: &[Twist],
+    state: &State,
+    (index, pad): (usize, &Pad),
+) -> f64 {
+    let AnyConstraint::Touch(touch) = &system.constraints[index] else { return f64::INFINITY };
+    if !state.modes[system.rows.first[index]].carries() {
+        return f64::INFINITY;
+    }
+    let place = kinematics.point(touch.bodies[0], state.spots[touch.spot].point);
+    let velocity = kinematics.point_velocity(twists, touch.bodies[0], place);
+    let sides = pad.top.along(place).into_iter().zip(pad.top.tangents).zip(pad.half);
+    let times =
+        sides.map(|((along, tangent), half)| (half - along.abs()).max(EDGE) / tangent.dot(velocity).abs());
+    times.fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,245 @@
+"""Shapes of everything that has one, which of them may touch, and which distances are watched.
+
+A shape is a list of parts on one body, in its frame [m]: `{"type": "box", "size": ..., "centre": ...}`,
+`{"type": "convex", "vertices": ...}` or `{"type": "mesh", "vertices": ..., "triangles": ...}`. Shapes are
+named as people name what they belong to, parts of it with a dot: `dock.walls`, `goliath.legs.1`. A name
+stands for the shape of that name and for all whose names go on after it with a dot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.supports import every_support, pad_shape, support_contact
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.errors import PathPart, nearest
+from gantline.scenario.ground import Ground
+from gantline.scenario.structures import Dock, dock_of
+from gantline.scenario.watch import Watch
+
+__all__ = ["add_shapes", "add_touching", "add_watches", "members", "pair_name", "watch_name"]
+
+#: Thickness of the walls and the floor of a dock as things by themselves [m].
+_THICK = 1.0
+#: How far the ground reaches around a dock, and how deep below its floor [m].
+_GROUND_REACH, _GROUND_DEPTH = 2000.0, 50.0
+#: Places at which one load touches one thing at a time, at most; a box on level ground has four.
+_PLACES = 8
+
+
+def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> None:
+    """Give a shape to load, ground, structures, supports, equalizer frames and bodies of `mechanics`."""
+    load = scenario.load
+    if load is not None and lifted is not None:
+        parts.add_shape(load.name, load.name, load_parts(scenario, lifted))
+    dock = dock_of(scenario)
+    ground = scenario.ground
+    if ground is not None:
+        parts.add_shape("ground", None, _ground(ground, dock))
+    for name, structure in (scenario.structures or {}).items():
+        if isinstance(structure, Dock):
+            level = 0.0 if ground is None else ground.level
+            parts.add_shape(f"{name}.walls", None, _walls(structure, level))
+            parts.add_shape(f"{name}.floor", None, [_floor(structure)])
+        else:
+            parts.add_shape(name, None, [_box(structure.x, structure.y, structure.z)])
+    pads = {pad["name"]: pad for pad in parts.supports}
+    for _, support in every_support(scenario):
+        if (pad := pads.get(support_contact(support))) is not None:
+            parts.add_shape(support.name, None, [pad_shape(pad, support.height)])
+    for name, equalizer in rigging.equalizers.items():
+        frame = equalizer.frame
+        size = [frame.length, frame.width, frame.height]
+        centre = [0.0, 0.0, -frame.centre_of_gravity_below_hook]
+        parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
+    for name, body in plain.items():
+        if body.shape is not None:
+            size, centre = list(body.shape.box), list(body.shape.centre)
+            parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+
+
+def load_parts(scenario: Scenario, lifted: LiftedLoad) -> list[Json]:
+    """Parts of the load's shape, in the frame of its body, whose origin is its centre of gravity."""
+    assert scenario.load is not None
+    box = scenario.load.shape.box
+    centre = [-float(lifted.centre[0]), -float(lifted.centre[1]), box[2] / 2 - float(lifted.centre[2])]
+    return [{"type": "box", "size": list(box), "centre": centre}]
+
+
+def _box(x: Sequence[float], y: Sequence[float], z: Sequence[float]) -> Json:
+    """A box of the world by its extents."""
+    extents = (x, y, z)
+    return {
+        "type": "box",
+        "size": [most - least for least, most in extents],
+        "centre": [(most + least) / 2 for least, most in extents],
+    }
+
+
+def _around(hole: Dock, reach: tuple[float, float], z: tuple[float, float]) -> list[Json]:
+    """Four boxes around a hole, as far as `reach` beyond its sides along x and y."""
+    (x0, x1), (y0, y1) = hole.x, hole.y
+    along, across = reach
+    return [
+        _box((x0 - along, x0), (y0 - across, y1 + across), z),
+        _box((x1, x1 + along), (y0 - across, y1 + across), z),
+        _box((x0, x1), (y0 - across, y0), z),
+        _box((x0, x1), (y1, y1 + across), z),
+    ]
+
+
+def _ground(ground: Ground, dock: Dock | None) -> list[Json]:
+    if dock is None:
+        reach = (-_GROUND_REACH, _GROUND_REACH)
+        return [_box(reach, reach, (ground.level - _GROUND_DEPTH, ground.level))]
+    return _around(dock, (_GROUND_REACH, _GROUND_REACH), (dock.floor - _GROUND_DEPTH, ground.level))
+
+
+def _walls(dock: Dock, level: float) -> list[Json]:
+    return _around(dock, (_THICK, _THICK), (dock.floor, level))
+
+
+def _floor(dock: Dock) -> Json:
+    return _box(dock.x, dock.y, (dock.floor - _THICK, dock.floor))
+
+
+def members(shapes: Mapping[str, Json], name: str) -> list[str]:
+    """Shapes that a name stands for."""
+    return [shape for shape in shapes if shape == name or shape.startswith(f"{name}.")]
+
+
+def pair_name(one: str, other: str) -> str:
+    """Name of a pair of things that touch."""
+    return f"{one}.{other}"
+
+
+def add_touching(parts: Parts, scenario: Scenario) -> None:
+    """Let the load touch the ground around a dock and all structures; bodies touch what `mechanics` says.
+
+    Raises:
+        ScenarioError: if a contact of bodies names what has no shape.
+    """
+    load, ground = scenario.load, scenario.ground or Ground.model_construct()
+    if load is not None:
+        if scenario.ground is not None and dock_of(scenario) is not None:
+            parts.pairs.append(
+                _pair(pair_name(load.name, "ground"), load.name, (load.name, "ground"), _law(ground))
+            )
+        for name, structure in (scenario.structures or {}).items():
+            law = [
+                getattr(ground if getattr(structure, key) is None else structure, key)
+                for key in ("stiffness", "damping", "friction")
+            ]
+            shapes = members(parts.shapes, name)
+            if isinstance(structure, Dock) and scenario.ground is not None:
+                shapes.remove(f"{name}.walls")  # the sides of the ground around it
+            parts.pairs += [
+                _pair(pair_name(load.name, shape), load.name, (load.name, shape), law) for shape in shapes
+            ]
+    contacts = scenario.mechanics.body_contacts if scenario.mechanics is not None else None
+    for name, contact in (contacts or {}).items():
+        path = ("mechanics", "body_contacts", name, "between")
+        one, other = (_known(parts, scenario, path, word) for word in contact.between)
+        bodies = [body for shape in (*one, *other) if (body := parts.shapes[shape]["body"]) is not None]
+        if not bodies:
+            raise scenario.error(path, "neither of the two can move; one of them is a body")
+        carried = load.name if load is not None and load.name in bodies else bodies[0]
+        group, law = contact.group or carried, _law(contact)
+        for first in one:
+            for second in other:
+                own = name if len(one) == len(other) == 1 else f"{name}.{first}.{second}"
+                parts.pairs.append(_pair(own, group, (first, second), law))
+
+
+def _law(given: object) -> list[float]:
+    return [getattr(given, key) for key in ("stiffness", "damping", "friction")]
+
+
+def _pair(name: str, group: str, shapes: tuple[str, str], law: Sequence[float]) -> Json:
+    stiffness, damping, friction = law
+    return {
+        "name": name,
+        "group": group,
+        "shapes": list(shapes),
+        "stiffness": stiffness,
+        "damping_time": damping / stiffness,
+        "friction": friction,
+        "places": _PLACES,
+    }
+
+
+def _known(parts: Parts, scenario: Scenario, path: tuple[PathPart, ...], name: str) -> list[str]:
+    found = members(parts.shapes, name)
+    if not found:
+        sentence = f"'{name}' has no shape; {nearest(name, parts.shapes)}"
+        raise scenario.error(path, sentence)
+    return found
+
+
+def add_watches(parts: Parts, scenario: Scenario, diameters: Mapping[str, float | None]) -> None:
+    """Distances to record, one for each pair that the lift file watches.
+
+    Args:
+        parts: the system with all its shapes and ropes.
+        scenario: the lift.
+        diameters: of ropes, by their names [m]; None where it is not known.
+
+    Raises:
+        ScenarioError: if a name stands for nothing.
+    """
+    for place, watch in enumerate(scenario.watch):
+        path = ("watch", place, "between")
+        ropes = [_ropes(parts, name) for name in watch.between]
+        shapes = [
+            [] if own else _known(parts, scenario, path, name)
+            for own, name in zip(ropes, watch.between, strict=True)
+        ]
+        if all(ropes):
+            raise scenario.error(path, "distances between ropes are not recorded; one of the two has a shape")
+        sides = []
+        for side in (0, 1):
+            against = {parts.shapes[shape]["body"] for shape in shapes[1 - side]}
+            watched = [
+                one
+                for rope in ropes[side]
+                for one in _watched(parts, rope, against, watch.from_ends, diameters)
+            ]
+            sides.append({"shapes": shapes[side], "ropes": watched})
+        name = watch_name(watch)
+        if any(one["name"] == name for one in parts.watches):
+            raise scenario.error(path, f"'{name}' is watched already; once is right")
+        parts.watches.append({"name": name, "between": sides})
+
+
+def watch_name(watch: Watch) -> str:
+    """Name of a pair that is watched."""
+    return " - ".join(watch.between)
+
+
+def _ropes(parts: Parts, name: str) -> list[str]:
+    """Ropes that a name stands for, unless a shape has it."""
+    if members(parts.shapes, name):
+        return []
+    if name == "ropes":
+        return list(parts.rope_names)
+    prefix = "sling." if name == "slings" else f"{name}."
+    return [rope for rope in parts.rope_names if rope == name or rope.startswith(prefix)]
+
+
+def _watched(
+    parts: Parts, rope: str, against: set[str | None], left_out: float, diameters: Mapping[str, float | None]
+) -> list[Json]:
+    """The pieces of a rope, without what is near an end that is made fast on what it is held against."""
+    pieces = [one for one in parts.ropes if one["name"] == rope or one["name"].startswith(f"{rope}/")]
+    radius = (diameters.get(rope) or 0.0) / 2
+    found = [{"rope": piece["name"], "radius": radius, "without": [0.0, 0.0]} for piece in pieces]
+    for end, order in ((0, range(len(pieces))), (1, range(len(pieces) - 1, -1, -1))):
+        outermost = pieces[0 if end == 0 else -1]["route"][0 if end == 0 else -1]
+        left = left_out if outermost["body"] in against else 0.0
+        for index in order:
+            found[index]["without"][end] = left
+            left = max(0.0, left - (pieces[index]["length"] or 0.0))
+    return found

@@ -1,0 +1,31 @@
+"""Supports against their capacity, and pairs that are watched against the distance that they have to keep."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from gantline.checks.measure import Finding, Missing, extreme
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
+
+
+def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Force of a support over its capacity."""
+    for support in recording.rig.supports:
+        if support.capacity is None:
+            yield Missing(support.name, "no capacity")
+            continue
+        used = recording.column("contact_force", support.name) / support.capacity
+        for found in extreme(recording, used, during, support.name):
+            force, capacity = found.value * support.capacity / 1e3, support.capacity / 1e3
+            yield replace(found, formula=f"{force:.1f} kN / {capacity:.1f} kN")
+
+
+def clearance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Smallest distance of a watched pair less what it has to keep."""
+    for watch in recording.rig.watches:
+        distance = recording.column("clearance", watch.name)
+        for found in extreme(recording, distance - watch.smallest, during, watch.name, smallest=True):
+            apart = found.value + watch.smallest
+            yield replace(found, formula=f"{apart:.3f} m - {watch.smallest:g} m")

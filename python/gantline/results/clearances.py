@@ -1,0 +1,101 @@
+"""Distances that are watched, and supports: warnings, and when a distance is too small."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from gantline.results.recording import Recording
+from gantline.results.rig import Rig, Watch
+from gantline.results.variable import FloatArray
+
+__all__ = ["clearance_events", "contact_warnings", "peak_support_force"]
+
+_Columns = Mapping[str, FloatArray]
+_Names = Mapping[str, Sequence[str]]
+#: A sample at the time of an event shows a support before it was taken away; rounding of that time [s].
+_AT_ONCE = 1e-9
+
+
+def clearance_events(
+    rig: Rig, columns: dict[str, FloatArray], names: dict[str, list[str]]
+) -> tuple[dict[str, FloatArray], dict[str, list[str]]]:
+    """Columns and names with an event whenever a watched distance becomes too small and large enough again.
+
+    Their kinds are `too_close` and `clear_again`. Between samples the distance is taken as straight; a pair
+    that is too close from the first sample on is so at its time.
+    """
+    found = [event for watch in rig.watches for event in _crossings(watch, columns, names)]
+    if not found:
+        return columns, names
+    own = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+    every = sorted([*((float(time), kind, name) for time, kind, name in own), *found], key=lambda one: one[0])
+    times = np.array([time for time, _, _ in every])
+    kinds, subjects = [kind for _, kind, _ in every], [name for _, _, name in every]
+    return {**columns, "event_time": times}, {**names, "event_kind": kinds, "event_name": subjects}
+
+
+def _margin(watch: Watch, columns: _Columns, names: _Names) -> FloatArray:
+    """How much farther apart a pair is than it has to be (time,) [m]; rounding of a touch is none."""
+    margin: FloatArray = columns["clearance"][:, list(names["pair"]).index(watch.name)] - watch.smallest
+    return margin
+
+
+def _crossings(watch: Watch, columns: _Columns, names: _Names) -> Iterator[tuple[float, str, str]]:
+    time, margin = columns["time"], _margin(watch, columns, names)
+    close = _is_close(watch, margin)
+    if len(time) and close[0]:
+        yield float(time[0]), "too_close", watch.name
+    for at in np.flatnonzero(close[1:] != close[:-1]):
+        before, after = margin[at], margin[at + 1]
+        # Where ropes have parted there is no distance any more.
+        share = before / (before - after) if np.isfinite(after) and before != after else 1.0
+        moment = time[at] + min(max(share, 0.0), 1.0) * (time[at + 1] - time[at])
+        yield float(moment), "too_close" if close[at + 1] else "clear_again", watch.name
+
+
+def _is_close(watch: Watch, margin: FloatArray) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Samples at which a pair is too close: below its limit, or touching where that is 0."""
+    return margin < 0.0 if watch.smallest > 0.0 else margin <= 0.0
+
+
+def contact_warnings(rig: Rig, columns: _Columns, names: _Names) -> list[str]:
+    """Pairs that came too close, supports that were taken away or that the load left beyond their edges."""
+    warnings = []
+    time = columns["time"]
+    for watch in rig.watches if len(time) else ():
+        margin = _margin(watch, columns, names)
+        close = _is_close(watch, margin)
+        if not close.any():
+            continue
+        first, worst = int(np.argmax(close)), int(np.argmin(margin))
+        least = margin[worst] + watch.smallest
+        one, other = watch.between
+        if least <= 0.0:
+            warnings.append(f"{one} and {other} touch, for the first time at {time[first]:.2f} s")
+        else:
+            sentence = f"{one} comes within {least:.2f} m of {other} at {time[worst]:.2f} s"
+            warnings.append(f"{sentence}, below {watch.smallest:g} m from {time[first]:.2f} s on")
+    for moment, kind, name in zip(
+        columns["event_time"], names["event_kind"], names["event_name"], strict=True
+    ):
+        if kind == "support_removed":
+            force = _force_before(columns, names, name, float(moment))
+            warnings.append(f"{name} is taken away at {moment:.2f} s under {force / 1e3:.0f} kN")
+        elif kind == "off_support":
+            warnings.append(f"the load leaves {name} beyond its edge at {moment:.2f} s")
+    return warnings
+
+
+def _force_before(columns: _Columns, names: _Names, contact: str, moment: float) -> float:
+    """Force of a contact at the last sample up to a moment [N]."""
+    before = int(np.searchsorted(columns["time"], moment + _AT_ONCE, side="right")) - 1
+    return float(columns["contact_force"][max(before, 0), list(names["contact"]).index(contact)])
+
+
+def peak_support_force(recording: Recording, support: str) -> tuple[float, float]:
+    """Largest force of a support over the samples [N], and when that was [s]."""
+    force = recording.column("contact_force", support)
+    at = int(np.argmax(force))
+    return float(force[at]), float(recording.time[at])

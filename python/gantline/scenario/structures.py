@@ -1,0 +1,78 @@
+"""What stands in the yard: docks, and other things that are boxes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from gantline.scenario.base import Element
+from gantline.scenario.quantities import Damping, Length, ListOf, PositiveStiffness, Quantity, Ratio, refuse
+
+if TYPE_CHECKING:
+    from gantline.scenario.model import Scenario
+
+__all__ = ["BoxStructure", "Dock", "Structure", "dock_of"]
+
+_Extent = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
+
+
+class _Structure(Element):
+    friction: Ratio | None = Field(
+        None, description="Coefficient of friction; that of the ground if not given, 0 without ground."
+    )
+    stiffness: PositiveStiffness | None = Field(
+        None, description="Stiffness at each place that touches; that of the ground if not given."
+    )
+    damping: Damping | None = Field(
+        None, description="Damping at each place that touches; that of the ground if not given."
+    )
+
+    def extents(self) -> dict[str, tuple[float, float]]:
+        """Its extents by their keys, each from less to more [m]."""
+        raise NotImplementedError
+
+    @model_validator(mode="after")
+    def _in_order(self) -> _Structure:
+        for key, (least, most) in self.extents().items():
+            if least >= most:
+                raise refuse(f"'{key}' goes from {least:g} m to {most:g} m; from less to more is right")
+        return self
+
+
+class Dock(_Structure):
+    """A dock: a hole in the ground with upright walls and a level floor."""
+
+    what: ClassVar[str] = "a dock"
+
+    type: Literal["dock"] = Field(description="Kind of structure.")
+    x: _Extent = Field(description="From wall to wall along world x.")
+    y: _Extent = Field(description="From wall to wall along world y.")
+    floor: Length = Field(description="Level of the floor.")
+
+    def extents(self) -> dict[str, tuple[float, float]]:
+        """Its extents in plan."""
+        return {"x": self.x, "y": self.y}
+
+
+class BoxStructure(_Structure):
+    """A building, a wall, a stack: a box along the axes of the world."""
+
+    what: ClassVar[str] = "a box"
+
+    type: Literal["box"] = Field(description="Kind of structure.")
+    x: _Extent = Field(description="Extent along world x.")
+    y: _Extent = Field(description="Extent along world y.")
+    z: _Extent = Field(description="Extent in height.")
+
+    def extents(self) -> dict[str, tuple[float, float]]:
+        """Its three extents."""
+        return {"x": self.x, "y": self.y, "z": self.z}
+
+
+Structure = Annotated[Dock | BoxStructure, Field(discriminator="type")]
+
+
+def dock_of(scenario: Scenario) -> Dock | None:
+    """The dock of a lift, if there is one."""
+    return next((one for one in (scenario.structures or {}).values() if isinstance(one, Dock)), None)

@@ -1,0 +1,112 @@
+"""Distances that are watched and supports, in results and checks, on numbers that are given."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from gantline.checks.contacts import clearance_margin, of_capacity
+from gantline.checks.measure import Found, Missing, everywhere
+from gantline.results.clearances import clearance_events, contact_warnings, peak_support_force
+from gantline.results.recording import Recording
+from gantline.results.rig import Rig
+from gantline.results.variable import FloatArray, Variable
+
+TIME = np.arange(6.0)
+#: A wall that is 2 m away at least but for the time between, and a rope that touches the load at 3 s.
+DISTANCE = np.array([[4.0, 0.5], [3.0, 0.4], [1.0, 0.3], [1.5, 0.0], [2.5, 0.2], [4.0, np.inf]])
+FORCE = np.array([[80e3, 10e3], [90e3, 20e3], [120e3, 0.0], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0]])
+RIG: dict[str, Any] = {
+    "watches": [
+        {"name": "block - wall", "between": ["block", "wall"], "smallest": 2.0},
+        {"name": "slings - block", "between": ["slings", "block"]},
+    ],
+    "supports": [
+        {"name": "support.keel.1", "group": "keel", "load": "block", "capacity": 100e3},
+        {"name": "support.keel.2", "group": "keel", "load": "block"},
+    ],
+}
+NAMES = {
+    "pair": ["block - wall", "slings - block"],
+    "contact": ["support.keel.1", "support.keel.2"],
+    "event_kind": ["step_begin", "support_removed", "off_support"],
+    "event_name": ["hoist", "support.keel.1", "support.keel.2"],
+}
+
+
+def columns() -> dict[str, FloatArray]:
+    events = np.array([0.0, 2.5, 2.75])
+    return {"time": TIME, "clearance": DISTANCE, "contact_force": FORCE, "event_time": events}
+
+
+def recording() -> Recording:
+    variables = {
+        "time": Variable(("time",), TIME, "s", ""),
+        "clearance": Variable(("time", "pair"), DISTANCE, "m", ""),
+        "contact_force": Variable(("time", "contact"), FORCE, "N", ""),
+    }
+    coordinates = {"pair": NAMES["pair"], "contact": NAMES["contact"]}
+    return Recording(variables, coordinates, {"rig": RIG})
+
+
+def test_events_are_where_a_distance_goes_through_its_limit() -> None:
+    """3 m to 1 m within a second passes 2 m after half of it; 1.5 m to 2.5 m too."""
+    found, names = clearance_events(Rig.from_json(RIG), columns(), dict(NAMES))
+    events = list(zip(found["event_time"], names["event_kind"], names["event_name"], strict=True))
+    assert events == [
+        (0.0, "step_begin", "hoist"),
+        (1.5, "too_close", "block - wall"),
+        (2.5, "support_removed", "support.keel.1"),
+        (2.75, "off_support", "support.keel.2"),
+        (3.0, "too_close", "slings - block"),
+        (3.0, "clear_again", "slings - block"),
+        (3.5, "clear_again", "block - wall"),
+    ]
+
+
+def test_a_pair_that_starts_too_close_is_so_at_the_start() -> None:
+    rig = Rig.from_json(
+        {"watches": [{"name": "block - wall", "between": ["block", "wall"], "smallest": 5.0}]}
+    )
+    found, names = clearance_events(rig, columns(), dict(NAMES))
+    assert (found["event_time"][1], names["event_kind"][1]) == (0.0, "too_close")
+    assert names["event_kind"].count("clear_again") == 0
+
+
+def test_nothing_changes_where_nothing_is_watched() -> None:
+    given, names = columns(), dict(NAMES)
+    assert clearance_events(Rig(), given, names) == (given, names)
+
+
+def test_warnings_say_how_close_and_when() -> None:
+    assert contact_warnings(Rig.from_json(RIG), columns(), NAMES) == [
+        "block comes within 1.00 m of wall at 2.00 s, below 2 m from 2.00 s on",
+        "slings and block touch, for the first time at 3.00 s",
+        "support.keel.1 is taken away at 2.50 s under 120 kN",
+        "the load leaves support.keel.2 beyond its edge at 2.75 s",
+    ]
+
+
+def test_checks_hold_supports_against_capacity_and_pairs_against_their_distance() -> None:
+    given = recording()
+    found = list(of_capacity(given, everywhere(given)))
+    assert found == [
+        Found(1.2, "support.keel.1", 2.0, "120.0 kN / 100.0 kN"),
+        Missing("support.keel.2", "no capacity"),
+    ]
+    margins = list(clearance_margin(given, everywhere(given)))
+    assert margins == [
+        Found(-1.0, "block - wall", 2.0, "1.000 m - 2 m"),
+        Found(0.0, "slings - block", 3.0, "0.000 m - 0 m"),
+    ]
+
+
+def test_peaks_and_metrics() -> None:
+    given = recording()
+    assert peak_support_force(given, "support.keel.1") == (120e3, 2.0)
+    metrics = given.metrics()
+    assert metrics["peak_support_force"] == 120e3
+    assert metrics["peak_support_force.support.keel.2"] == pytest.approx(20e3)
+    assert metrics["smallest_clearance.block - wall"] == 1.0
