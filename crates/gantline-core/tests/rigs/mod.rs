@@ -1,6 +1,7 @@
 //! Random rigs for property-based tests: trees of all joint types, ropes over them, contacts.
 #![allow(dead_code)] // Each test file uses its own share of these helpers.
 
+pub mod hulls;
 pub mod runs;
 
 use gantline_core::build::build;
