@@ -83,6 +83,7 @@ fn random_route(random: &mut Random) -> SystemSpec {
         contacts: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),
+        forces: Vec::new(),
         adjusters: Vec::new(),
     };
     let mut place = random.vector(5.0);

@@ -3,6 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::Samples;
+use crate::audit::{KINDS, kinds_of};
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
@@ -50,6 +51,8 @@ pub struct Columns {
     pub contact_force: Vec<f64>,
     /// (pin) force that it holds, or moment, positive where that would move the joint forwards [N or N m].
     pub pin_force: Vec<f64>,
+    /// (energy kind) [J].
+    pub energy: Vec<f64>,
     /// Largest e of an inextensible rope beyond its length [m].
     pub constraint_residual: Vec<f64>,
 }
@@ -84,6 +87,9 @@ impl Columns {
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
         }
         columns.rope_lengthening = lengthenings(system, samples);
+        let kinds = kinds_of(system);
+        let energies = samples.energy.chunks_exact(KINDS.len());
+        columns.energy = energies.flat_map(|all| kinds.iter().map(|&kind| all[kind])).collect();
         columns
     }
 
@@ -107,6 +113,7 @@ impl Columns {
             joint_force: room(3 * bodies),
             contact_force: room(names.contact.len()),
             pin_force: room(names.pin.len()),
+            energy: Vec::new(),
             constraint_residual: room(1),
         }
     }

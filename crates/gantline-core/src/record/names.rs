@@ -1,6 +1,7 @@
 //! Names that go with the columns.
 
 use super::columns::ARC_SAMPLES;
+use crate::audit::{KINDS, kinds_of};
 use crate::constraint::AnyConstraint;
 use crate::system::System;
 
@@ -23,6 +24,8 @@ pub struct Names {
     pub contact: Vec<String>,
     /// Bodies whose joints have locking pins.
     pub pin: Vec<String>,
+    /// Kinds of energy that it has.
+    pub energy_kind: Vec<&'static str>,
 }
 
 impl Names {
@@ -42,6 +45,7 @@ impl Names {
             joint: bodies.iter().filter(|body| body.joint.has_axis()).map(|body| body.name.clone()).collect(),
             contact: Vec::new(),
             pin: Vec::new(),
+            energy_kind: kinds_of(system).into_iter().map(|kind| KINDS[kind]).collect(),
         };
         for constraint in &system.constraints {
             match constraint {

@@ -3,12 +3,14 @@
 //! SI units, radians, z up. Bodies stand after their parents. Everything is checked by
 //! [`crate::build`]; a document is private to gantline and never kept by users.
 
+mod force;
 mod plan;
 mod rope;
 mod settings;
 
 use serde::Deserialize;
 
+pub use force::*;
 pub use plan::*;
 pub use rope::*;
 pub use settings::*;
@@ -27,6 +29,9 @@ pub struct SystemSpec {
     /// Points of bodies that may touch a plane.
     #[serde(default)]
     pub contacts: Vec<ContactSpec>,
+    /// Forces of the water on bodies.
+    #[serde(default)]
+    pub forces: Vec<ForceSpec>,
     /// Groups of ropes whose lengths are adjusted to one tension.
     #[serde(default)]
     pub adjusters: Vec<AdjusterSpec>,

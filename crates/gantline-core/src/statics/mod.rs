@@ -18,7 +18,7 @@ pub mod sensitivity;
 
 use thiserror::Error;
 
-use crate::audit::{Ledger, elastic_energy, gravity_energy};
+use crate::audit::Ledger;
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law};
 use crate::solver::complementarity::Mode;
@@ -203,8 +203,7 @@ impl Statics {
         for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
             coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
         }
-        let elastic = elastic_energy(system, &frame.value, &state.modes);
-        state.ledger = Ledger::open(0.0, gravity_energy(system, &frame.kinematics), elastic);
+        state.ledger = Ledger::open(flows::stored(system, state, frame));
         state.restart = true;
     }
 }
