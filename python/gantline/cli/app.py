@@ -9,6 +9,7 @@ import typer
 from gantline.cli.cases import cases
 from gantline.cli.check import check
 from gantline.cli.compare import compare
+from gantline.cli.hydro import hydro
 from gantline.cli.new import new
 from gantline.cli.run import run
 from gantline.cli.schema import schema
@@ -28,6 +29,7 @@ app.command()(statics)
 app.command()(cases)
 app.command()(compare)
 app.command()(check)
+app.command()(hydro)
 app.command()(new)
 app.command()(schema)
 
