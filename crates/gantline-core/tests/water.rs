@@ -29,7 +29,7 @@ fn square(draw: &mut Draw, size: f64) -> [[f64; 6]; 6] {
     })
 }
 
-/// The random rig with a dented hull, added mass and drag on bodies somewhere in its tree.
+/// The random rig with dented hulls and tanks, added mass and drag on bodies somewhere in its tree.
 fn wet(seeds: &[f64]) -> (System, State, Frame) {
     let mut spec = rig(seeds);
     let mut draw = Draw::new(&seeds[250..]);
@@ -65,7 +65,15 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             damping: square(&mut draw, 20.0),
             quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
         };
-        spec.forces.extend([buoyancy, added, drag]);
+        let tank = ForceSpec::Tank {
+            name: named("tank", k),
+            body: body(&mut draw),
+            vertices: dented(&mut draw),
+            triangles: mesh.triangles.clone(),
+            density: 40.0,
+            volume: 8.0 + 7.0 * draw.number(),
+        };
+        spec.forces.extend([buoyancy, added, drag, tank]);
     }
     let (system, state) = build(&spec).expect("the generator makes valid rigs");
     let mut frame = Frame::new(&system);

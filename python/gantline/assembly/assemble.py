@@ -14,6 +14,7 @@ from gantline.assembly.parting import add_partings
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
 from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
+from gantline.assembly.water import add_water
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Scenario, resolve
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
@@ -71,6 +72,7 @@ def assemble(scenario: Scenario) -> Assembly:
         add_extension_sheaves(parts, scenario, rigging, lifted.lugs)
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
+    add_water(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]

@@ -42,6 +42,7 @@ class Parts:
         rope_mass: by rope with weight its mass, and what of it the world bears [kg].
         adjusters: groups of ropes whose lengths are adjusted.
         contacts: contact points in order.
+        forces: of water on bodies, in order.
         drives: drives by name.
         plan: steps in order.
     """
@@ -55,6 +56,7 @@ class Parts:
     rope_mass: dict[str, tuple[float, float]] = field(default_factory=dict)
     adjusters: list[Json] = field(default_factory=list)
     contacts: list[Json] = field(default_factory=list)
+    forces: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
 
@@ -184,6 +186,7 @@ class Parts:
             "contacts": self.contacts,
             "drives": list(self.drives.values()),
             "plan": self.plan,
+            **({"forces": self.forces} if self.forces else {}),
         }
 
 

@@ -20,6 +20,7 @@ from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.plan import Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
 from gantline.scenario.tree import MapNode, line_of
+from gantline.scenario.water import Water
 
 __all__ = ["COMING", "Scenario"]
 
@@ -56,6 +57,7 @@ class Scenario(Element):
         "given: 'rest' for a lift with a 'load', else 'as_given'.",
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
+    water: Water | None = Field(None, description="Water around hulls; sea water up to 0 if not given.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
     lug_types: Named[LugType] | None = Field(None, description="Types of lug by name.")

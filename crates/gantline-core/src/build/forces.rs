@@ -8,6 +8,7 @@ use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
 use crate::force::drag::Drag;
 use crate::force::square::Square;
+use crate::force::tank::Tank;
 use crate::hull::{Hull, Mesh};
 use crate::spec::{ForceSpec, SystemSpec};
 use crate::tree::Tree;
@@ -45,6 +46,24 @@ fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
                 level,
             }))
         }
+        ForceSpec::Tank { body, vertices, triangles, density, volume, .. } => {
+            positive(name, "the density of what is in it", *density)?;
+            if tree.gravity.length() == 0.0 {
+                return error(name, "there is no gravity, so a liquid has no level; give it gravity");
+            }
+            let mesh = build_mesh(name, vertices, triangles)?;
+            let closure = mesh.closure();
+            if !closure.is_closed() {
+                return error(name, "its mesh is not closed, so a liquid would run out");
+            }
+            let (capacity, volume, density) = (closure.volume, *volume, *density);
+            if !(volume >= 0.0 && volume <= capacity) {
+                return error(name, format!("{volume} m³ are in it; it holds from 0 to {capacity} m³"));
+            }
+            let hull = Hull::new(&mesh);
+            let tank = Tank::new(name.to_owned(), find(body)?, hull, capacity, density, volume);
+            AnyForce::Tank(Box::new(tank))
+        }
         ForceSpec::AddedMass { body, at, matrix, .. } => {
             finite(name, "its point", at)?;
             check_matrix(name, "its added mass", matrix)?;
@@ -79,9 +98,9 @@ fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
 }
 
 fn build_mesh(name: &str, vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<Mesh, BuildError> {
-    finite(name, "a point of its hull", vertices.as_flattened())?;
+    finite(name, "a point of its mesh", vertices.as_flattened())?;
     if let Some(index) = triangles.iter().flatten().find(|index| **index >= vertices.len()) {
-        return error(name, format!("its hull has no point {index}, only {}", vertices.len()));
+        return error(name, format!("its mesh has no point {index}, only {}", vertices.len()));
     }
     let vertices = vertices.iter().map(|vertex| DVec3::from_array(*vertex)).collect();
     let mesh = Mesh { vertices, triangles: triangles.to_vec() };
@@ -92,7 +111,7 @@ fn build_mesh(name: &str, vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Re
     error(
         name,
         format!(
-            "its hull has a volume of {volume} m³; its triangles must run counter-clockwise seen from outside"
+            "its mesh has a volume of {volume} m³; its triangles must run counter-clockwise seen from outside"
         ),
     )
 }

@@ -1,4 +1,4 @@
-//! Forces on single bodies that depend on where the body is and how it moves: what the water does to it.
+//! Forces on single bodies that depend on where the body is and how it moves: what water does to it, around it and in it.
 //!
 //! A force is a wrench about the origin of its body. It says how the wrench changes with place, velocity and
 //! acceleration *as seen from the body*: what turns along with the body does not change then. So matrices that are
@@ -11,6 +11,7 @@ pub mod added_mass;
 pub mod buoyancy;
 pub mod drag;
 pub mod square;
+pub mod tank;
 
 use glam::DVec3;
 
@@ -22,6 +23,7 @@ use added_mass::AddedMass;
 use buoyancy::Buoyancy;
 use drag::Drag;
 use square::Square;
+use tank::Tank;
 
 /// Where a body is and how it moves, world axes.
 #[derive(Debug, Clone, Copy)]
@@ -96,6 +98,8 @@ pub enum AnyForce {
     AddedMass(AddedMass),
     /// Resistance of still water.
     Drag(Drag),
+    /// A liquid in a slack tank.
+    Tank(Box<Tank>),
 }
 
 impl std::ops::Deref for AnyForce {
@@ -106,6 +110,7 @@ impl std::ops::Deref for AnyForce {
             Self::Buoyancy(buoyancy) => &**buoyancy,
             Self::AddedMass(added) => added,
             Self::Drag(drag) => drag,
+            Self::Tank(tank) => &**tank,
         }
     }
 }

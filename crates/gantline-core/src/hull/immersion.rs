@@ -119,11 +119,15 @@ impl Hull {
         self.areas[0].len()
     }
 
-    /// Radius of a sphere about `centre` that holds all of it [m].
-    pub fn reach(&self, centre: DVec3) -> f64 {
-        let corner = |index: usize| (0..3).map(move |k| self.corner(index, k));
-        let all = (0..self.panels()).flat_map(corner);
-        all.map(|place| (place + self.middle - centre).length()).fold(0.0, f64::max)
+    /// Least and largest `direction`·x that boxes around its panels have [m].
+    pub fn span(&self, direction: DVec3) -> (f64, f64) {
+        let size = direction.abs();
+        let ends = self.groups.iter().map(|group| (direction.dot(group.middle), size.dot(group.half)));
+        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) =
+            ends.fold(none, |(low, high), (at, half)| (low.min(at - half), high.max(at + half)));
+        let shift = direction.dot(self.middle);
+        (low + shift, high + shift)
     }
 
     /// What lies below `plane`. Allocates nothing.

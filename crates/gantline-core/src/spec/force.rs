@@ -1,4 +1,4 @@
-//! Forces of the water on bodies.
+//! Forces of water on bodies.
 
 use serde::Deserialize;
 
@@ -45,13 +45,31 @@ pub enum ForceSpec {
         /// Force over velocity squared, each axis by itself [N s²/m², N m s²].
         quadratic: [f64; 6],
     },
+    /// A liquid in a slack tank. Its mass is the body's, at the centre that the liquid has with the body upright.
+    Tank {
+        /// Unique name.
+        name: String,
+        /// Body that has the tank.
+        body: String,
+        /// Points of the inside of the tank [m], body frame.
+        vertices: Vec<[f64; 3]>,
+        /// Triangles between them, counter-clockwise from outside of the liquid.
+        triangles: Vec<[usize; 3]>,
+        /// Density of the liquid [kg/m³].
+        density: f64,
+        /// Volume of the liquid [m³].
+        volume: f64,
+    },
 }
 
 impl ForceSpec {
     /// Its name.
     pub fn name(&self) -> &str {
         match self {
-            Self::Buoyancy { name, .. } | Self::AddedMass { name, .. } | Self::Drag { name, .. } => name,
+            Self::Buoyancy { name, .. }
+            | Self::AddedMass { name, .. }
+            | Self::Drag { name, .. }
+            | Self::Tank { name, .. } => name,
         }
     }
 }
