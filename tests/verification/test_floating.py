@@ -222,3 +222,13 @@ def test_explicit_knows_no_water() -> None:
     settings = {"integrator": {"type": "explicit", "step": 1e-3}, "duration": 1.0, "sample_interval": 0.1}
     with pytest.raises(ValueError, match="knows no water"):
         Simulation(json.dumps(afloat([barge()])), json.dumps(settings))
+
+
+def test_a_barge_too_heavy_for_its_hull_sinks() -> None:
+    """24 600 t of water are all that 24 000 m³ displace: with 25 000 t there is no equilibrium, and that is
+    said.
+    """
+    heavy = {**barge(), "mass": 25e6}
+    with pytest.raises(RuntimeError) as raised:
+        Statics(json.dumps(afloat([heavy]))).settle()
+    assert raised.value.args == ("barge", "it sinks: no hull bears that weight")
