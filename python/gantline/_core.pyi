@@ -96,3 +96,42 @@ class Statics:
 
     def names(self) -> dict[str, list[str]]:
         """Names along the dimensions of the columns."""
+
+class Hull:
+    """A hull that can be cut by planes.
+
+    Args:
+        vertices: positions (n, 3) [m].
+        triangles: three vertices each (m, 3), counter-clockwise seen from outside.
+        weld: vertices closer than this [m] are made one.
+
+    Raises:
+        ValueError: If a coordinate is not finite or a vertex does not exist.
+    """
+
+    def __init__(
+        self, vertices: npt.NDArray[np.float64], triangles: npt.NDArray[np.int64], weld: float
+    ) -> None: ...
+    def mesh(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        """Vertices (n, 3) [m] and triangles (m, 3) after welding."""
+
+    def closure(self) -> dict[str, Any]:
+        """How far it is closed.
+
+        Keys: boundary_edges, boundary_length, lowest_boundary, turned_edges, crowded_edges,
+        unbalanced_area, volume.
+        """
+
+    def below(self, normal: list[float], height: float) -> dict[str, Any]:
+        """What lies below normal . x + height = 0.
+
+        Keys: volume, moment, depth_moment [m^4], and of the section area, area_moment, area_second, all
+        about the origin.
+        """
+
+    def surface(self, normal: list[float], height: float) -> dict[str, Any]:
+        """The skin below that plane.
+
+        Keys: wetted_area, thrust (int h N dS), thrust_moment, waterline_gap, waterline_length,
+        waterline_low and waterline_high.
+        """

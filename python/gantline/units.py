@@ -51,6 +51,7 @@ DIMENSIONS: Final[dict[str, dict[str, float]]] = {
     "rotational_damping": {"kN m s": 1e3, "N m s": 1.0, "MN m s": 1e6},
     "inertia": {"t m^2": _TONNE, "kg m^2": 1.0},
     "mass_per_length": {"kg/m": 1.0, "t/m": _TONNE},
+    "density": {"t/m^3": _TONNE, "kg/m^3": 1.0},
     "stress": {"MPa": 1e6, "GPa": 1e9, "kPa": 1e3, "Pa": 1.0, "N/mm^2": 1e6, "kN/mm^2": 1e9},
     "ratio": {"%": 1e-2, "": 1.0},
 }
@@ -73,6 +74,7 @@ _WORDS: Final[dict[str, tuple[str, str]]] = {
     "rotational_damping": ("a rotational damping", "'5 kN m s'"),
     "inertia": ("an inertia", "'110.9 t m^2' or '500 kg m^2'"),
     "mass_per_length": ("a mass per length", "'16.8 kg/m'"),
+    "density": ("a density", "'1.025 t/m^3'"),
     "stress": ("a stress or modulus", "'100 kN/mm^2' or '1960 MPa'"),
     "ratio": ("a share", "'5 %' or '0.05'"),
 }

@@ -1,7 +1,7 @@
 //! Energy by kind, and what is left over.
 //!
 //! ```text
-//! kinetic + gravity + elastic − (at the start) = drive work − losses + remainder
+//! kinetic + gravity + elastic + fluid − (at the start) = drive work − losses + remainder
 //! ```
 //!
 //! Every loss is computed by its own formula, the method's dissipation too; only the remainder is a
@@ -15,14 +15,16 @@ use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 
 /// Names of the energy kinds, in the order of [`Ledger::values`].
-pub const KINDS: [&str; 13] = [
+pub const KINDS: [&str; 15] = [
     "kinetic",
     "gravity",
     "elastic",
+    "fluid",
     "drive_work",
     "rope_damping",
     "joint_damping",
     "contact_damping",
+    "drag",
     "friction",
     "impact",
     "parting",
@@ -30,6 +32,9 @@ pub const KINDS: [&str; 13] = [
     "method",
     "remainder",
 ];
+
+/// Rounding of the energies of weight and water, relative to them.
+const ROUNDING: f64 = 1e-12;
 
 /// Energies that flowed [J].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -42,6 +47,9 @@ pub struct Flows {
     pub joint_damping: f64,
     /// Lost in contact dampers.
     pub contact_damping: f64,
+    /// Lost to the water.
+    #[serde(default)]
+    pub drag: f64,
     /// Lost in sliding contacts.
     pub friction: f64,
     /// Lost where inextensible ropes went taut.
@@ -60,11 +68,32 @@ impl std::ops::AddAssign for Flows {
         self.rope_damping += other.rope_damping;
         self.joint_damping += other.joint_damping;
         self.contact_damping += other.contact_damping;
+        self.drag += other.drag;
         self.friction += other.friction;
         self.impact += other.impact;
         self.parting += other.parting;
         self.adjusting += other.adjusting;
         self.method += other.method;
+    }
+}
+
+/// Stored energies [J].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Stored {
+    /// ½ vᵀ M v.
+    pub kinetic: f64,
+    /// −Σ m g·c.
+    pub gravity: f64,
+    /// Σ ½ k max(e, 0)² of ropes and contacts.
+    pub elastic: f64,
+    /// What pressed the water away.
+    pub fluid: f64,
+}
+
+impl Stored {
+    /// All together [J].
+    pub fn sum(&self) -> f64 {
+        self.kinetic + self.gravity + self.elastic + self.fluid
     }
 }
 
@@ -77,6 +106,9 @@ pub struct Ledger {
     pub gravity: f64,
     /// Σ ½ k max(e, 0)² of ropes and contacts.
     pub elastic: f64,
+    /// What pressed the water away.
+    #[serde(default)]
+    pub fluid: f64,
     /// What rope on drums holds more than at the start.
     #[serde(default)]
     pub wound: f64,
@@ -86,6 +118,9 @@ pub struct Ledger {
     start: f64,
     /// Gravity at the start.
     gravity_start: f64,
+    /// What pressed the water away at the start.
+    #[serde(default)]
+    fluid_start: f64,
     /// Largest of kinetic + elastic + |drive work| so far.
     scale: f64,
     /// Largest |remainder| so far.
@@ -94,27 +129,37 @@ pub struct Ledger {
 
 impl Ledger {
     /// Notes the stored energies of the start.
-    pub fn open(kinetic: f64, gravity: f64, elastic: f64) -> Self {
-        let mut ledger = Self { kinetic, gravity, elastic, ..Self::default() };
-        ledger.start = kinetic + gravity + elastic;
-        ledger.gravity_start = gravity;
-        ledger.scale = kinetic + elastic;
-        ledger
+    pub fn open(stored: Stored) -> Self {
+        let Stored { kinetic, gravity, elastic, fluid } = stored;
+        Self {
+            kinetic,
+            gravity,
+            elastic,
+            fluid,
+            start: stored.sum(),
+            gravity_start: gravity,
+            fluid_start: fluid,
+            scale: kinetic + elastic,
+            ..Self::default()
+        }
     }
 
     /// Notes the stored energies after a step whose flows have been added.
-    pub fn store(&mut self, [kinetic, gravity, elastic]: [f64; 3]) {
-        (self.kinetic, self.gravity, self.elastic) = (kinetic, gravity, elastic);
+    pub fn store(&mut self, Stored { kinetic, gravity, elastic, fluid }: Stored) {
+        (self.kinetic, self.gravity, self.elastic, self.fluid) = (kinetic, gravity, elastic, fluid);
         self.scale = self.scale.max(kinetic + elastic + self.wound + self.flows.drive_work.abs());
-        self.worst = self.worst.max(self.remainder().abs());
+        // Weight and water that bear each other are large beside what moves: their rounding is no gap of the books.
+        let rounding = if fluid == 0.0 { 0.0 } else { ROUNDING * (gravity.abs() + fluid.abs()) };
+        self.worst = self.worst.max(self.remainder().abs() - rounding);
     }
 
     /// What the balance does not explain [J].
     pub fn remainder(&self) -> f64 {
-        let stored = self.kinetic + self.gravity + self.elastic + self.wound - self.start;
+        let stored = self.kinetic + self.gravity + self.elastic + self.fluid + self.wound - self.start;
         let lost = self.flows.rope_damping
             + self.flows.joint_damping
             + self.flows.contact_damping
+            + self.flows.drag
             + self.flows.friction
             + self.flows.impact
             + self.flows.parting
@@ -134,10 +179,12 @@ impl Ledger {
             self.kinetic,
             self.gravity - self.gravity_start,
             self.elastic + self.wound,
+            self.fluid - self.fluid_start,
             self.flows.drive_work,
             self.flows.rope_damping,
             self.flows.joint_damping,
             self.flows.contact_damping,
+            self.flows.drag,
             self.flows.friction,
             self.flows.impact,
             self.flows.parting,
@@ -146,6 +193,12 @@ impl Ledger {
             self.remainder(),
         ]
     }
+}
+
+/// Numbers in [`KINDS`] of those that a system has: without water those of water are left out.
+pub fn kinds_of(system: &System) -> Vec<usize> {
+    let has_water = !system.tree.forces.is_empty();
+    (0..KINDS.len()).filter(|&kind| has_water || !matches!(KINDS[kind], "fluid" | "drag")).collect()
 }
 
 /// −Σ m g·c [J].

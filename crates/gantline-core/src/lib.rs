@@ -12,6 +12,8 @@ pub mod clock;
 pub mod constraint;
 pub mod contact;
 pub mod event;
+pub mod force;
+pub mod hull;
 pub mod plan;
 pub mod record;
 pub mod rope;

@@ -5,6 +5,7 @@ use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::contact::pad::Pad;
 use crate::contact::shape::Shape;
+use crate::force::AnyForce;
 use crate::plan::drive::Timeline;
 use crate::plan::{Cut, Pinning, Plan, Removal};
 use crate::rope::coil::Layers;
@@ -309,6 +310,22 @@ impl System {
         let is_node =
             |body: &usize| matches!(self.tree.bodies[*body].joint, Joint::Point(_)) && ends[*body] == 2;
         self.rope_count - (0..ends.len()).filter(is_node).count()
+    }
+
+    /// Weight of all that water does not bear [N], or of everything where it bears all.
+    pub fn weight_on_ropes(&self) -> f64 {
+        let tree = &self.tree;
+        let mut floats = vec![false; tree.bodies.len()];
+        for force in &tree.forces {
+            let AnyForce::Buoyancy(buoyancy) = force else { continue };
+            tree.subtree[buoyancy.body].iter().for_each(|&body| floats[body] = true);
+        }
+        let mass = |all: bool| -> f64 {
+            let bodies = tree.bodies.iter().zip(&floats).filter(|(_, floats)| all || !**floats);
+            bodies.map(|(body, _)| body.mass).sum()
+        };
+        let hanging = mass(false);
+        (if hanging > 0.0 { hanging } else { mass(true) }) * tree.gravity.length()
     }
 
     /// How many rows the ropes have; they stand before those of contacts.

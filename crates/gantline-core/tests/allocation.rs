@@ -110,6 +110,40 @@ fn drums_that_remember_do_not_allocate() {
     check_adaptive(HAULED, 0);
 }
 
+/// A cube that bobs and rolls with all that water does to it and in it.
+const AFLOAT: &str = r#"{"gravity": [0, 0, -9.81], "bodies": [{
+    "name": "cube", "parent": null, "mass": 4000, "centre_of_gravity": [0, 0, 0.6], "inertia": [3000, 3000, 3000, 0, 0, 0],
+    "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+    "joint": {"type": "free", "position": [0, 0, -0.5], "orientation": [1, 0, 0, 0], "velocity": [1, 0, 0],
+      "angular_velocity": [0.6, 0.2, 0.1]}}],
+  "forces": [{"type": "buoyancy", "name": "hull", "body": "cube", "density": 1000, "level": 0, "vertices":
+      [[-1,-1,0],[-1,-1,2],[-1,1,0],[-1,1,2],[1,-1,0],[1,-1,2],[1,1,0],[1,1,2]], "triangles":
+      [[0,1,3],[0,3,2],[4,6,7],[4,7,5],[0,4,5],[0,5,1],[2,3,7],[2,7,6],[0,2,6],[0,6,4],[1,5,7],[1,7,3]]},
+    {"type": "tank", "name": "tank", "body": "cube", "density": 1000, "volume": 0.5, "vertices":
+      [[-1,-0.5,0],[-1,-0.5,1],[-1,0.5,0],[-1,0.5,1],[1,-0.5,0],[1,-0.5,1],[1,0.5,0],[1,0.5,1]], "triangles":
+      [[0,1,3],[0,3,2],[4,6,7],[4,7,5],[0,4,5],[0,5,1],[2,3,7],[2,7,6],[0,2,6],[0,6,4],[1,5,7],[1,7,3]]},
+    {"type": "added_mass", "name": "added", "body": "cube", "at": [0, 0, 0.5], "matrix": [[500,0,0,0,0,0],
+      [0,500,0,0,0,0],[0,0,2000,0,0,0],[0,0,0,100,0,0],[0,0,0,0,100,0],[0,0,0,0,0,100]]},
+    {"type": "drag", "name": "drag", "body": "cube", "at": [0, 0, 0.5], "quadratic": [9, 9, 9, 9, 9, 9], "damping":
+      [[9,0,0,0,0,0],[0,9,0,0,0,0],[0,0,9,0,0,0],[0,0,0,9,0,0],[0,0,0,0,9,0],[0,0,0,0,0,9]]}]}"#;
+
+#[test]
+fn bodies_in_water_do_not_allocate() {
+    let (system, state) = build(&serde_json::from_str(AFLOAT).unwrap()).unwrap();
+    let mut frame = Frame::new(&system);
+    frame.update(&system, &state);
+    let mut adaptive = Adaptive::new(&system, &frame, Tolerance::default_of(&system));
+    let step = |system: &SystemUnderTest, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
+        adaptive.step(system, state, frame, log, 1e3).unwrap();
+    };
+    assert_eq!(count(10, 300, step, &system, state.clone()).0, 0);
+    let mut del = Del::new(&system, 1e-3, true);
+    let step = |system: &SystemUnderTest, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
+        del.step(system, state, frame, log).unwrap();
+    };
+    assert_eq!(count(10, 3000, step, &system, state).0, 0);
+}
+
 fn check_del(rig: &str, least: usize) {
     let (system, state) = build(&serde_json::from_str(rig).unwrap()).unwrap();
     let mut method = Del::new(&system, 1e-3, true);

@@ -88,6 +88,7 @@ fn random_route(random: &mut Random) -> SystemSpec {
         shapes: Vec::new(),
         pairs: Vec::new(),
         watches: Vec::new(),
+        forces: Vec::new(),
         adjusters: Vec::new(),
     };
     let mut place = random.vector(5.0);

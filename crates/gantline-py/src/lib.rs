@@ -1,5 +1,6 @@
 //! Python binding of `gantline-core`: documents in, columns of numbers out.
 
+mod hull;
 mod statics;
 
 use std::time::{Duration, Instant};
@@ -198,7 +199,7 @@ fn column_arrays<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let count = samples.time.len();
     let (ropes, segments, points) = (names.rope.len(), names.segment.len(), names.rope_point.len());
-    let (bodies, kinds) = (names.body.len(), gantline_core::audit::KINDS.len());
+    let (bodies, kinds) = (names.body.len(), names.energy_kind.len());
     let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
     let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
     let all: [(&str, Vec<f64>, Vec<usize>); 23] = [
@@ -219,7 +220,7 @@ fn column_arrays<'py>(
         ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
         ("pin_force", columns.pin_force, vec![count, names.pin.len()]),
         ("clearance", columns.clearance, vec![count, names.pair.len()]),
-        ("energy", samples.energy.clone(), vec![count, kinds]),
+        ("energy", columns.energy, vec![count, kinds]),
         ("constraint_residual", columns.constraint_residual, vec![count]),
         ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),
         ("rope_peak_tension", samples.rope_peak_tension.clone(), vec![peaks]),
@@ -245,7 +246,7 @@ fn name_lists(py: Python<'_>, names: Names) -> PyResult<Bound<'_, PyDict>> {
     out.set_item("contact", names.contact)?;
     out.set_item("pin", names.pin)?;
     out.set_item("pair", names.pair)?;
-    out.set_item("energy_kind", gantline_core::audit::KINDS.to_vec())?;
+    out.set_item("energy_kind", names.energy_kind)?;
     Ok(out)
 }
 
@@ -259,6 +260,8 @@ fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bo
 mod _core {
     #[pymodule_export]
     use super::Simulation;
+    #[pymodule_export]
+    use super::hull::Hull;
     #[pymodule_export]
     use super::statics::Statics;
 }

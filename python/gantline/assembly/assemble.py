@@ -17,6 +17,7 @@ from gantline.assembly.plain import add_mechanics
 from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
 from gantline.assembly.supports import add_supports, removals
+from gantline.assembly.water import add_water
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Scenario, resolve
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
@@ -78,6 +79,7 @@ def assemble(scenario: Scenario) -> Assembly:
         add_extension_sheaves(parts, scenario, rigging, lifted.lugs)
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
+    add_water(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
     rest_on_girders(parts, scenario)

@@ -46,6 +46,7 @@ class Parts:
         shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
         pairs: shapes that may touch.
         watches: distances that are recorded.
+        forces: of water on bodies, in order.
         drives: drives by name.
         plan: steps in order.
         emergency_stop: what stops all drives of the plan, and when.
@@ -64,6 +65,7 @@ class Parts:
     shapes: dict[str, Json] = field(default_factory=dict)
     pairs: list[Json] = field(default_factory=list)
     watches: list[Json] = field(default_factory=list)
+    forces: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
     emergency_stop: Json | None = None
@@ -201,7 +203,8 @@ class Parts:
         """The document for the core; of shapes those that may touch something or are watched."""
         used = {shape for pair in self.pairs for shape in pair["shapes"]}
         used |= {shape for watch in self.watches for side in watch["between"] for shape in side["shapes"]}
-        touching = {
+        if_there = {
+            "forces": self.forces,
             "supports": self.supports,
             "shapes": [shape for name, shape in self.shapes.items() if name in used],
             "pairs": self.pairs,
@@ -216,7 +219,7 @@ class Parts:
             "drives": list(self.drives.values()),
             "plan": self.plan,
             **({} if self.emergency_stop is None else {"emergency_stop": self.emergency_stop}),
-            **{key: given for key, given in touching.items() if given},
+            **{key: given for key, given in if_there.items() if given},
         }
 
 

@@ -10,6 +10,7 @@ from gantline.cli.cad_group import cad_app
 from gantline.cli.cases import cases
 from gantline.cli.check import check
 from gantline.cli.compare import compare
+from gantline.cli.hydro import hydro
 from gantline.cli.new import new
 from gantline.cli.run import run
 from gantline.cli.schema import schema
@@ -29,6 +30,7 @@ app.command()(cases)
 app.command()(compare)
 app.command()(check)
 app.add_typer(cad_app, name="cad")
+app.command()(hydro)
 app.command()(new)
 app.command()(schema)
 

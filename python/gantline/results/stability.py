@@ -150,6 +150,8 @@ def _energy_gain(recording: Recording) -> tuple[float | None, float | None]:
     if largest <= 0.0:
         return 0.0, None
     kept = energy("kinetic") + energy("gravity") + energy("elastic") - work
+    if "fluid" in recording.coordinates["energy_kind"]:
+        kept = kept + energy("fluid")
     gain = (kept - np.minimum.accumulate(kept)) / largest
     beyond = np.flatnonzero(gain > ENERGY_GAIN_BOUND)
     return float(gain.max()), float(recording.time[beyond[0]]) if beyond.size else None

@@ -47,6 +47,9 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
         if body.orientation is not None:
             _check_direction(findings, (*path, "orientation", "about"), body.orientation.about)
         _check_mass(findings, path, body)
+        for key in ("hull", "tanks"):
+            if getattr(body, key) is not None and scenario.simulation.gravity == 0:
+                findings.add((*path, key), "gravity is zero; water needs gravity above zero")
     slings = [f"sling.{sling}" for sling in scenario.slings or {}]
     taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
     for name, hook in scenario.hooks.items():

@@ -25,6 +25,7 @@ from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
 from gantline.scenario.tree import MapNode, line_of
 from gantline.scenario.watch import Watch
+from gantline.scenario.water import Water
 
 __all__ = ["COMING", "Scenario"]
 
@@ -73,6 +74,7 @@ class Scenario(Element):
         )
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
+    water: Water | None = Field(None, description="Water around hulls; sea water up to 0 if not given.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
     lug_types: Named[LugType] | None = Field(None, description="Types of lug by name.")

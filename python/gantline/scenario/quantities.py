@@ -37,6 +37,7 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
     "rotational_damping": (1e12, "1e6 MN m s"),
     "inertia": (1e15, "1e12 t m^2"),
     "mass_per_length": (1e5, "100 t/m"),
+    "density": (1e5, "100 t/m^3"),
     "stress": (1e13, "1e4 GPa"),
     "ratio": (1e4, "1e4"),
 }

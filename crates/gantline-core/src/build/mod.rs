@@ -4,6 +4,7 @@ mod adjusters;
 mod brakes;
 mod coils;
 mod conditions;
+mod forces;
 mod plan;
 mod rows;
 mod touches;
@@ -12,11 +13,12 @@ mod tree;
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::audit::{Ledger, elastic_energy, gravity_energy};
+use crate::audit::{Ledger, Stored, elastic_energy, gravity_energy};
 use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::contact::spot::Spot;
+use crate::force;
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;
@@ -32,6 +34,7 @@ use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use adjusters::build_adjusters;
 use coils::places_of_coils;
+use forces::build_forces;
 use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
 use touches::{Touches, build_shapes, build_watches};
@@ -65,7 +68,9 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     unique("shape", spec.shapes.iter().map(|shape| shape.name.as_str()))?;
     unique("watch", spec.watches.iter().map(|watch| watch.name.as_str()))?;
     unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
+    unique("force", spec.forces.iter().map(|force| force.name()))?;
     let mut tree = build_tree(spec)?;
+    tree.forces = build_forces(spec, &tree)?;
     let mut q = vec![0.0; tree.positions];
     let mut v = vec![0.0; tree.velocities];
     for (body, given) in tree.bodies.iter().zip(&spec.bodies) {
@@ -295,8 +300,12 @@ fn first_state(
     for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
         coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
     }
-    let kinetic = 0.5 * frame.mass.quadratic(&state.v);
-    let gravity = gravity_energy(system, &frame.kinematics);
-    state.ledger = Ledger::open(kinetic, gravity, elastic_energy(system, &frame.value, &state.modes));
+    let stored = Stored {
+        kinetic: 0.5 * frame.mass.quadratic(&state.v),
+        gravity: gravity_energy(system, &frame.kinematics),
+        elastic: elastic_energy(system, &frame.value, &state.modes),
+        fluid: force::energy(&system.tree, &frame.kinematics),
+    };
+    state.ledger = Ledger::open(stored);
     Ok(state)
 }

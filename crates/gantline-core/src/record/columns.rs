@@ -4,6 +4,7 @@ use glam::{DQuat, DVec3};
 
 use super::Samples;
 use super::clearance::clearance;
+use crate::audit::{KINDS, kinds_of};
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
@@ -55,6 +56,8 @@ pub struct Columns {
     pub pin_force: Vec<f64>,
     /// (pair) smallest distance [m], not positive where they touch.
     pub clearance: Vec<f64>,
+    /// (energy kind) [J].
+    pub energy: Vec<f64>,
     /// Largest e of an inextensible rope beyond its length [m].
     pub constraint_residual: Vec<f64>,
 }
@@ -92,6 +95,9 @@ impl Columns {
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
         }
         columns.rope_lengthening = lengthenings(system, samples);
+        let kinds = kinds_of(system);
+        let energies = samples.energy.chunks_exact(KINDS.len());
+        columns.energy = energies.flat_map(|all| kinds.iter().map(|&kind| all[kind])).collect();
         columns
     }
 
@@ -116,6 +122,7 @@ impl Columns {
             contact_force: room(names.contact.len()),
             pin_force: room(names.pin.len()),
             clearance: room(names.pair.len()),
+            energy: Vec::new(),
             constraint_residual: room(1),
         }
     }

@@ -1,6 +1,7 @@
 //! Names that go with the columns.
 
 use super::columns::ARC_SAMPLES;
+use crate::audit::{KINDS, kinds_of};
 use crate::constraint::AnyConstraint;
 use crate::system::System;
 
@@ -25,6 +26,8 @@ pub struct Names {
     pub pin: Vec<String>,
     /// Pairs whose distance is recorded.
     pub pair: Vec<String>,
+    /// Kinds of energy that it has.
+    pub energy_kind: Vec<&'static str>,
 }
 
 impl Names {
@@ -45,6 +48,7 @@ impl Names {
             contact: Vec::new(),
             pin: Vec::new(),
             pair: system.watches.iter().map(|watch| watch.name.clone()).collect(),
+            energy_kind: kinds_of(system).into_iter().map(|kind| KINDS[kind]).collect(),
         };
         for constraint in &system.constraints {
             match constraint {

@@ -1,11 +1,16 @@
-//! Geometric stiffness of taut ropes: a rope under tension resists sideways motion of its ends.
+//! Geometric stiffness of taut ropes: a rope under tension resists sideways motion of its ends. Stiffness of hulls in the
+//! water: their section with it resists sinking and heeling.
 //!
 //! K = Σ f cᵢ·cⱼ over the straight parts, f = T/ℓ, c the relative velocity of a part's ends across it: the
-//! part of Gᵀ's change that is positive semidefinite by construction.
+//! part of Gᵀ's change that is positive semidefinite by construction. A hull adds ρ g ∫ w w dA over its section, w the
+//! upward velocity of the section's points, as such a group with f = ρ g: ∫ w w dA = L Lᵀ over heave and both turns,
+//! c = Lᵀ (heave, turn x, turn y).
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::constraint::Constraint;
+use crate::force::AnyForce;
+use crate::force::buoyancy::{Afloat, Buoyancy};
 use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::System;
@@ -24,6 +29,8 @@ pub struct Stiffness {
     pub columns: Vec<DVec3>,
     /// f = T/ℓ [N/m] of every group.
     pub factor: Vec<f64>,
+    /// How many of the groups are ropes'; hulls come after them.
+    pub ropes: usize,
     /// α, weight of the velocity after the step.
     pub implicit: Vec<f64>,
     /// Weight of the velocity before the step: [`EXPLICIT`], or 0 where K is left out.
@@ -40,8 +47,15 @@ impl Stiffness {
                 start.push(dofs.len());
             }
         }
+        let ropes = start.len() - 1;
+        for force in &system.tree.forces {
+            if let AnyForce::Buoyancy(buoyancy) = force {
+                dofs.extend(&system.tree.support[buoyancy.body]);
+                start.push(dofs.len());
+            }
+        }
         let (columns, zeros) = (vec![DVec3::ZERO; dofs.len()], vec![0.0; start.len() - 1]);
-        Self { start, dofs, columns, factor: zeros.clone(), implicit: zeros, explicit: 0.0 }
+        Self { start, dofs, columns, factor: zeros.clone(), ropes, implicit: zeros, explicit: 0.0 }
     }
 
     /// K under the tensions of the last step, and the weights of a step of length `h` [s].
@@ -70,17 +84,31 @@ impl Stiffness {
                 let factor =
                     rope.geometric_stiffness((&frame.kinematics, &state.seats), tension, part, columns);
                 self.factor[group] = factor;
-                let mobility: f64 = self.dofs[range.clone()]
-                    .iter()
-                    .zip(&self.columns[range])
-                    .filter(|&(&dof, _)| system.driven[dof].is_none())
-                    .map(|(&dof, column)| column.length_squared() / system.tree.inertia_scale[dof])
-                    .sum();
-                let a = h * h * factor * mobility;
-                self.implicit[group] = if used { EXPLICIT + 0.75 * a / (1.0 + a) } else { 0.0 };
+                self.weigh(system, group, h, used);
                 group += 1;
             }
         }
+        for force in &system.tree.forces {
+            if let AnyForce::Buoyancy(buoyancy) = force {
+                let columns = &mut self.columns[self.start[group]..self.start[group + 1]];
+                self.factor[group] = section_stiffness(system, frame, buoyancy, columns);
+                self.weigh(system, group, h, used);
+                group += 1;
+            }
+        }
+    }
+
+    /// α of a group.
+    fn weigh(&mut self, system: &System, group: usize, h: f64, used: bool) {
+        let range = self.start[group]..self.start[group + 1];
+        let mobility: f64 = self.dofs[range.clone()]
+            .iter()
+            .zip(&self.columns[range])
+            .filter(|&(&dof, _)| system.driven[dof].is_none())
+            .map(|(&dof, column)| column.length_squared() / system.tree.inertia_scale[dof])
+            .sum();
+        let a = h * h * self.factor[group] * mobility;
+        self.implicit[group] = if used { EXPLICIT + 0.75 * a / (1.0 + a) } else { 0.0 };
     }
 
     /// Relative transversal velocity of the ends of a group's part [m/s].
@@ -104,13 +132,58 @@ impl Stiffness {
         }
     }
 
-    /// h² v₊ᵀ K (α v₊ − v/4) minus the work ½ h² v₊ᵀ K v₊ that tension does along the curved path [J].
+    /// h² v₊ᵀ K (α v₊ − v/4) minus the work ½ h² v₊ᵀ K v₊ that tension does along the curved path [J]. What water does
+    /// along it is booked with the bias.
     pub fn loss(&self, after: &[f64], before: &[f64], h: f64) -> f64 {
         let of_group = |group: usize| {
             let (new, old) = (self.transversal(group, after), self.transversal(group, before));
-            let taken = new * (self.implicit[group] - 0.5) - old * self.explicit;
+            let along = if group < self.ropes { 0.5 } else { 0.0 };
+            let taken = new * (self.implicit[group] - along) - old * self.explicit;
             h * h * self.factor[group] * new.dot(taken)
         };
         (0..self.factor.len()).map(of_group).sum()
     }
+}
+
+/// Columns of the stiffness of a hull's section with the water; returns ρ g.
+fn section_stiffness(system: &System, frame: &Frame, buoyancy: &Buoyancy, columns: &mut [DVec3]) -> f64 {
+    let (tree, kinematics) = (&system.tree, &frame.kinematics);
+    let pose = &kinematics.pose[buoyancy.body];
+    let Afloat { up, weight, area, area_moment, area_second, .. } = buoyancy.afloat(pose, tree.gravity);
+    // w = ẑ·δx + (r × ẑ)·δθ: over heave and the turns about two axes across the vertical.
+    let (across, along) = up.any_orthonormal_pair();
+    let [first, second] = [across, along].map(|axis| up.cross(axis));
+    let turns = |a: DVec3, b: DVec3| a.dot(area_second * b);
+    let moments = DVec3::new(area, area_moment.dot(first), area_moment.dot(second));
+    let whole = DMat3::from_cols(
+        moments,
+        DVec3::new(moments.y, turns(first, first), turns(first, second)),
+        DVec3::new(moments.z, turns(first, second), turns(second, second)),
+    );
+    let root = cholesky(&whole);
+    for (column, &dof) in columns.iter_mut().zip(&tree.support[buoyancy.body]) {
+        let own = &kinematics.columns[dof];
+        let linear = kinematics.point_column(tree, dof, pose.position);
+        let motion = DVec3::new(up.dot(linear), across.dot(own.angular), along.dot(own.angular));
+        *column = root.transpose() * motion;
+    }
+    weight
+}
+
+/// L of a positive semidefinite matrix L Lᵀ; columns without anything left are zero.
+fn cholesky(matrix: &DMat3) -> DMat3 {
+    let mut root = DMat3::ZERO;
+    for k in 0..3 {
+        let before: f64 = (0..k).map(|j| root.col(j)[k] * root.col(j)[k]).sum();
+        let pivot = matrix.col(k)[k] - before;
+        if pivot <= 1e-12 * matrix.col(k)[k] {
+            continue;
+        }
+        let pivot = pivot.sqrt();
+        for i in k..3 {
+            let before: f64 = (0..k).map(|j| root.col(j)[i] * root.col(j)[k]).sum();
+            root.col_mut(k)[i] = (matrix.col(k)[i] - before) / pivot;
+        }
+    }
+    root
 }

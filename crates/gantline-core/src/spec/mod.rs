@@ -4,6 +4,7 @@
 //! [`crate::build`]; a document is private to gantline and never kept by users.
 
 mod contact;
+mod force;
 mod plan;
 mod rope;
 mod settings;
@@ -11,6 +12,7 @@ mod settings;
 use serde::Deserialize;
 
 pub use contact::*;
+pub use force::*;
 pub use plan::*;
 pub use rope::*;
 pub use settings::*;
@@ -41,6 +43,9 @@ pub struct SystemSpec {
     /// Distances that are recorded.
     #[serde(default)]
     pub watches: Vec<WatchSpec>,
+    /// Forces of the water on bodies.
+    #[serde(default)]
+    pub forces: Vec<ForceSpec>,
     /// Groups of ropes whose lengths are adjusted to one tension.
     #[serde(default)]
     pub adjusters: Vec<AdjusterSpec>,

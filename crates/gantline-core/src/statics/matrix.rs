@@ -1,7 +1,7 @@
 //! The symmetric matrix of statics over increments of coordinates and forces of rows,
 //!
 //! ```text
-//! [ λM + K   Gᵀ ]        K = ∂²V_gravity/∂q² + Σ T ∂G/∂q
+//! [ λM + K   Gᵀ ]        K = ∂²(V_gravity + U)/∂q² + Σ T ∂G/∂q
 //! [ G        −ε ]
 //! ```
 //!
@@ -233,6 +233,15 @@ impl Matrix {
             }
         }
         (mass, stiffness)
+    }
+
+    /// xᵀ D x of the linear resistance of water, over all degrees of freedom.
+    pub fn resistance(&self, system: &System, x: &[f64]) -> f64 {
+        if system.tree.forces.is_empty() {
+            return 0.0;
+        }
+        // At rest velocities enter nothing but resistance.
+        self.dynamics.velocity_form(&system.tree, x)
     }
 
     /// Unknowns and gradient entries of a row, without driven degrees of freedom.

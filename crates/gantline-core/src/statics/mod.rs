@@ -18,9 +18,10 @@ pub mod sensitivity;
 
 use thiserror::Error;
 
-use crate::audit::{Ledger, elastic_energy, gravity_energy};
+use crate::audit::Ledger;
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law};
+use crate::force::AnyForce;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::flows;
@@ -203,8 +204,7 @@ impl Statics {
         for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
             coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
         }
-        let elastic = elastic_energy(system, &frame.value, &state.modes);
-        state.ledger = Ledger::open(0.0, gravity_energy(system, &frame.kinematics), elastic);
+        state.ledger = Ledger::open(flows::stored(system, state, frame));
         state.restart = true;
     }
 }
@@ -223,9 +223,16 @@ fn refuse_turned_drums(system: &System, state: &State) -> Result<(), NoEquilibri
     Ok(())
 }
 
+/// Whether a hull moves a body along.
+fn floats(system: &System, body: usize) -> bool {
+    let moves = |force: &AnyForce| matches!(force, AnyForce::Buoyancy(hull) if system.tree.subtree[hull.body].contains(&body));
+    system.tree.forces.iter().any(moves)
+}
+
 fn explain(system: &System, stuck: Stuck) -> NoEquilibrium {
     let body = |index: usize| system.tree.bodies[index].name.clone();
     let (element, cause) = match stuck {
+        Stuck::Falls(index) if floats(system, index) => (body(index), "it sinks: no hull bears that weight"),
         Stuck::Falls(index) => (body(index), "nothing holds it, it falls without end"),
         Stuck::UsedUp(rope) => {
             let name = system.constraints[rope].name().to_owned();

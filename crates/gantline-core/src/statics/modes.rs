@@ -5,7 +5,7 @@
 //! ```
 //!
 //! K = ∂²V/∂q² with geometric stiffness and gravity, rows that act condensed; rows without compliance hold their
-//! direction. D holds joint damping and τ/ε of rows. ζ is that of a mode by itself, as usual where damping is light:
+//! direction. D holds joint damping, linear resistance of water and τ/ε of rows. ζ is that of a mode by itself, as usual where damping is light:
 //! what couples modes through D is left out.
 
 use super::eigen::{Square, vibrations};
@@ -58,6 +58,7 @@ impl Statics {
         shape.iter_mut().for_each(|entry| *entry *= sign);
         let joints = shape.iter().zip(&system.tree.damping);
         let mut damping: f64 = joints.map(|(entry, damping)| damping * entry * entry).sum();
+        damping += matrix.resistance(system, &shape);
         let mut tension = vec![0.0; system.rows.count()];
         for (row, bearing) in self.bearings.iter().enumerate() {
             if self.search.here.follows[row] && bearing.part == Part::Pull && !bearing.is_rigid {

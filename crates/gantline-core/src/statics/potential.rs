@@ -1,15 +1,16 @@
 //! The potential energy of a system at rest, its slope, and what every row carries.
 //!
 //! ```text
-//! V(q) = −Σ m g·c + Σ ½ ε T²        T = max(0, T̂ + e/ε) of ropes, contacts and stops
-//!                                    T = T̂ + e/ε within ± its bound, of brakes that hold
+//! V(q) = −Σ m g·c + U + Σ ½ ε T²        T = max(0, T̂ + e/ε) of ropes, contacts and stops
+//!                                        T = T̂ + e/ε within ± its bound, of brakes that hold
 //! ```
 //!
-//! Where a row has no compliance ε is a small one of statics' own and T̂ the multiplier, which is moved to T until
+//! U is the energy of the water that hulls displace ([`crate::force::buoyancy`]). Where a row has no compliance ε is a small one of statics' own and T̂ the multiplier, which is moved to T until
 //! nothing is left of e: the augmented Lagrangian (Hestenes 1969, Powell 1969). Else T̂ = 0, and V is the energy.
 
 use crate::audit::gravity_energy;
 use crate::constraint::{AnyConstraint, Law};
+use crate::force;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::frame::{Frame, Remembered};
@@ -184,7 +185,7 @@ pub struct Potential {
     pub frame: Frame,
     /// Inverse dynamics without any motion.
     pub dynamics: NewtonEuler,
-    /// ∂V/∂q of gravity.
+    /// ∂V/∂q of gravity and buoyancy.
     pub gravity: Vec<f64>,
     /// ∂V/∂q.
     pub slope: Vec<f64>,
@@ -239,8 +240,10 @@ impl Potential {
         self.noise.fill(0.0);
         let places = self.frame.kinematics.centre_of_gravity.iter();
         let reach = places.fold(1.0_f64, |most, place| most.max(place.abs().max_element()));
-        self.energy = gravity_energy(system, &self.frame.kinematics);
-        self.rounding = self.energy.abs();
+        let fluid = force::energy(&system.tree, &self.frame.kinematics);
+        let gravity = gravity_energy(system, &self.frame.kinematics);
+        self.energy = gravity + fluid;
+        self.rounding = gravity.abs() + fluid.abs();
         for (row, bearing) in bearings.iter().enumerate() {
             self.value[row] = match bearing.part {
                 Part::Hold(_) | Part::Resist(_) => bearing.held.value(&self.q),

@@ -17,7 +17,7 @@
 //! M v₊ + h Gᵀ T = M v − h ∂V/∂q          G v₊ − ε T/h = −g/h
 //! ```
 //!
-//! What `del` adds: velocity-dependent forces c, damping time τ (T = (e + τ ė)/ε at the end of the step),
+//! What `del` adds: velocity-dependent forces c, with those of water, damping time τ (T = (e + τ ė)/ε at the end of the step),
 //! joint damping D, the geometric stiffness K of taut ropes, unilateral rows and driven joints:
 //!
 //! ```text
@@ -34,6 +34,7 @@ use super::frame::Frame;
 use super::{StepError, StepReport, adjust, coils, parting, pinning, removing, seats, spots};
 use crate::clock::Stage;
 use crate::event::EventLog;
+use crate::force;
 use crate::record::Sample;
 use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
@@ -62,6 +63,8 @@ pub struct Del {
     rows: Complementarity,
     bias: NewtonEuler,
     c: Vec<f64>,
+    /// What of c is resistance of water; empty where there is none.
+    resistance: Vec<f64>,
     previous: Vec<f64>,
     middle: Vec<f64>,
     momentum: Vec<f64>,
@@ -83,6 +86,7 @@ impl Del {
             rows: Complementarity::new(system),
             bias: NewtonEuler::new(&system.tree),
             c: zeros.clone(),
+            resistance: if system.tree.forces.is_empty() { Vec::new() } else { zeros.clone() },
             previous: zeros.clone(),
             middle: zeros.clone(),
             momentum: zeros.clone(),
@@ -208,7 +212,17 @@ impl Del {
         report.complementarity_residual = self.rows.residual(system);
 
         // q₊ = q ⊕ h v₊, and the books.
-        let flow = StepFlows { h, v: &self.v, c: &self.c, rows: &self.rows, stiffness: &self.kkt.stiffness };
+        if !self.resistance.is_empty() {
+            force::resistance(&system.tree, &frame.kinematics, &self.middle, &mut self.resistance);
+        }
+        let flow = StepFlows {
+            h,
+            v: &self.v,
+            c: &self.c,
+            resistance: &self.resistance,
+            rows: &self.rows,
+            stiffness: &self.kkt.stiffness,
+        };
         flow.book(system, state, frame, &mut self.increment);
         flow.change(state).events(system, state, log);
         flow.remember(system, state, frame);
@@ -258,7 +272,7 @@ impl Del {
         seats::wraps(system, &frame.kinematics, state, &mut self.wraps);
         let linearly = |_, before: f64, after: f64| end - h * (after / (after - before)).clamp(0.0, 1.0);
         if seats::follow(system, state, &self.wraps, log, linearly) {
-            let held = |state: &State, frame: &Frame| flows::stored(system, state, frame)[2];
+            let held = |state: &State, frame: &Frame| flows::stored(system, state, frame).elastic;
             let before = held(state, frame);
             frame.update(system, state);
             state.ledger.flows.method += before - held(state, frame);

@@ -86,6 +86,9 @@ impl Explicit {
                 "the integrator explicit knows half turns only, no sheaves with true tangents".to_owned(),
             );
         }
+        if !system.tree.forces.is_empty() {
+            return Some("the integrator explicit knows no water; use adaptive or del".to_owned());
+        }
         if !system.cuts.is_empty() || !system.fragile.is_empty() {
             return Some("the integrator explicit knows no ropes that part; use adaptive or del".to_owned());
         }

@@ -1,10 +1,11 @@
 //! The books of a step of `del`: energy that flowed and what contacts remember. Events of a step of fixed length, and
 //! the motion within it.
 
-use crate::audit::{elastic_energy, gravity_energy, spring_energy};
+use crate::audit::{Stored, elastic_energy, gravity_energy, spring_energy};
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
 use crate::plan::Seen;
+use crate::force;
 use crate::record::Sample;
 use crate::solver::complementarity::{Complementarity, Mode};
 use crate::solver::stiffness::Stiffness;
@@ -20,6 +21,8 @@ pub struct StepFlows<'a> {
     pub v: &'a [f64],
     /// Velocity-dependent forces minus gravity.
     pub c: &'a [f64],
+    /// What of c is resistance of water; empty where there is none.
+    pub resistance: &'a [f64],
     /// Forces and modes.
     pub rows: &'a Complementarity,
     /// Geometric stiffness of the step.
@@ -64,9 +67,17 @@ impl StepFlows<'_> {
         if state.steps > 0 {
             let changes = self.c.iter().zip(&state.bias).zip(&state.v);
             let gained: f64 = changes.map(|((new, old), v)| v * (new - old)).sum();
+            let resisted: f64 = self.resistance.iter().zip(&state.v).map(|(force, v)| force * v).sum();
+            let gained = gained - resisted;
             state.ledger.flows.method -= 0.5 * self.h * gained;
         }
         state.bias.copy_from_slice(self.c);
+        // Resistance takes what it takes in the step.
+        let taken: f64 = self.resistance.iter().zip(self.v).map(|(force, v)| force * v).sum();
+        state.ledger.flows.drag += self.h * taken;
+        for (bias, force) in state.bias.iter_mut().zip(self.resistance) {
+            *bias -= force;
+        }
     }
 
     /// Work of the drives: the residual of their rows times their motion. `state.acceleration` holds Δv.
@@ -298,12 +309,14 @@ pub fn set_driven(system: &System, state: &mut State) {
     }
 }
 
-/// Kinetic, gravity and elastic energy of a state [J].
-pub fn stored(system: &System, state: &State, frame: &Frame) -> [f64; 3] {
-    let kinetic = 0.5 * frame.mass.quadratic(&state.v);
-    let gravity = gravity_energy(system, &frame.kinematics);
-    let elastic = elastic_energy(system, &frame.value, &state.modes);
-    [kinetic, gravity, elastic]
+/// Energy that a state holds.
+pub fn stored(system: &System, state: &State, frame: &Frame) -> Stored {
+    Stored {
+        kinetic: 0.5 * frame.mass.quadratic(&state.v),
+        gravity: gravity_energy(system, &frame.kinematics),
+        elastic: elastic_energy(system, &frame.value, &state.modes),
+        fluid: force::energy(&system.tree, &frame.kinematics),
+    }
 }
 
 /// Notes the stored energies of the new state.

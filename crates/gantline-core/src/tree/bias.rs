@@ -114,6 +114,9 @@ impl NewtonEuler {
             self.twists[index] = twist;
             self.accelerations[index] = acceleration;
         }
+        if !tree.forces.is_empty() {
+            self.apply(tree, kinematics);
+        }
     }
 
     /// Sums the wrenches up the tree: every body's becomes what its joint has to transmit, and `out` its share along

@@ -93,6 +93,9 @@ impl MassMatrix {
             }
             self.values[self.row_start[dof + 1] - 1] += tree.armature[dof];
         }
+        if !tree.forces.is_empty() {
+            self.add_inertia(tree, kinematics);
+        }
     }
 
     /// Where the entry (row, column) is, column ≤ row, the column's joint on the way up from the row's.

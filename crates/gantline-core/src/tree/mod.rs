@@ -1,5 +1,6 @@
 //! Bodies in a tree and their joints: kinematics, mass matrix, bias forces.
 
+pub mod applied;
 pub mod ball;
 pub mod bias;
 pub mod factor;
@@ -19,6 +20,7 @@ use std::ops::Range;
 
 use glam::{DMat3, DVec3};
 
+use crate::force::AnyForce;
 use joint::{Joint, Motion};
 use pose::Pose;
 
@@ -83,6 +85,8 @@ pub struct Tree {
     pub damping: Vec<f64>,
     /// Inertia of every degree of freedom itself, beside that of the bodies that it moves [kg].
     pub armature: Vec<f64>,
+    /// Forces on single bodies that follow from place and motion.
+    pub forces: Vec<AnyForce>,
     /// A typical inertia of every degree of freedom [kg or kg m²], to turn errors into forces.
     pub inertia_scale: Vec<f64>,
 }
@@ -130,6 +134,7 @@ impl Tree {
             subtree,
             damping,
             armature,
+            forces: Vec::new(),
             inertia_scale,
         }
     }

@@ -44,20 +44,20 @@ pub struct DynamicsTangent {
 
 /// Where and how the tree moves.
 #[derive(Clone, Copy)]
-struct Place<'a> {
-    tree: &'a Tree,
-    kinematics: &'a Kinematics,
-    mass: &'a MassMatrix,
-    dynamics: &'a NewtonEuler,
-    v: &'a [f64],
+pub(super) struct Place<'a> {
+    pub tree: &'a Tree,
+    pub kinematics: &'a Kinematics,
+    pub mass: &'a MassMatrix,
+    pub dynamics: &'a NewtonEuler,
+    pub v: &'a [f64],
 }
 
 /// What starts a sweep: change of the motion of the topmost body, seen from the moved subtree.
-struct Seed {
+pub(super) struct Seed {
     /// Change of the angular velocity.
-    spin: DVec3,
-    /// Change of the acceleration.
-    rate: Twist,
+    pub spin: DVec3,
+    /// Change of the acceleration, with that of gravity taken off.
+    pub rate: Twist,
 }
 
 impl DynamicsTangent {
@@ -97,6 +97,26 @@ impl DynamicsTangent {
             self.sweep(&place, dof, &velocity);
             collect(&place, dof, &self.wrench, None, &mut self.velocity);
         }
+        for force in &tree.forces {
+            self.add_force(&place, force);
+        }
+    }
+
+    /// Change of the angular velocity and of the acceleration, with that of gravity taken off, of a body below the
+    /// degree of freedom that `seed` changes, seen from the body.
+    pub(super) fn carried(
+        &mut self,
+        place: &Place,
+        (top, body): (usize, usize),
+        seed: &Seed,
+    ) -> (DVec3, Twist) {
+        if body == top {
+            (self.spin[body], self.rate[body]) = (seed.spin, seed.rate);
+        } else {
+            self.carried(place, (top, place.tree.bodies[body].parent.unwrap_or(top)), seed);
+            self.pass_on(place, body);
+        }
+        (self.spin[body], self.rate[body])
     }
 
     /// Changes of all wrenches in the subtree of a degree of freedom, seen from the moved subtree.
@@ -160,7 +180,7 @@ impl DynamicsTangent {
 
 impl Place<'_> {
     /// Seeds of the derivatives over the position and the velocity of a degree of freedom.
-    fn seeds(&self, dof: usize) -> [Seed; 2] {
+    pub(super) fn seeds(&self, dof: usize) -> [Seed; 2] {
         let Place { tree, kinematics, dynamics, .. } = *self;
         let body = tree.owner[dof];
         let column = &kinematics.columns[dof];

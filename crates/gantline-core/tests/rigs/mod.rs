@@ -1,6 +1,7 @@
 //! Random rigs for property-based tests: trees of all joint types, ropes over them, contacts.
 #![allow(dead_code)] // Each test file uses its own share of these helpers.
 
+pub mod hulls;
 pub mod runs;
 
 use gantline_core::build::build;
@@ -152,6 +153,7 @@ pub fn rig(seeds: &[f64]) -> SystemSpec {
         shapes: Vec::new(),
         pairs: Vec::new(),
         watches: Vec::new(),
+        forces: Vec::new(),
         adjusters: Vec::new(),
         drives,
         plan: Vec::new(),
@@ -264,6 +266,7 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
         shapes: Vec::new(),
         pairs: Vec::new(),
         watches: Vec::new(),
+        forces: Vec::new(),
         adjusters: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),

@@ -8,6 +8,7 @@ use super::Adaptive;
 use super::evaluation::Point;
 use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
+use crate::force::At;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::coils;
@@ -70,6 +71,10 @@ impl Adaptive {
                 ledger.method -= work;
             }
             ledger.joint_damping += duration * system.tree.damping[dof] * velocity * velocity;
+        }
+        for force in &system.tree.forces {
+            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, force.body());
+            ledger.drag += duration * force.loss(&at);
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
@@ -134,6 +139,11 @@ impl Adaptive {
             system.tree.bodies.iter().zip(&self.defect).zip(&probe.frame.kinematics.lever)
         {
             power -= body.mass * system.tree.gravity.dot(twist.at(*lever));
+        }
+        for force in &system.tree.forces {
+            let body = force.body();
+            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, body);
+            power += force.energy_rate(&At { twist: self.defect[body], ..at });
         }
         ledger.method -= duration * power;
         self.look_at_coils(system, duration);

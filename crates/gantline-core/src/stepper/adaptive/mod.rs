@@ -51,9 +51,7 @@ pub struct Tolerance {
 impl Tolerance {
     /// A share of the weight that a rope carries on the average, and a tenth of a millimetre.
     pub fn default_of(system: &System) -> Self {
-        let mass: f64 = system.tree.bodies.iter().map(|body| body.mass).sum();
-        let weight = mass * system.tree.gravity.length();
-        let share = weight / system.whole_ropes().max(1) as f64;
+        let share = system.weight_on_ropes() / system.whole_ropes().max(1) as f64;
         let tension = if share > 0.0 { 1e-4 * share } else { 1.0 };
         Self { tension, position: 1e-4 }
     }
@@ -360,12 +358,12 @@ impl Adaptive {
         let were_taut = system.inextensible.iter().zip(&self.taut);
         let hit = were_taut.into_iter().any(|(&row, &taut)| !taut && state.modes[row] == Mode::Acting);
         if system.inextensible.iter().any(|&row| state.modes[row] == Mode::Acting) {
-            let before: f64 = flows::stored(system, state, frame).iter().sum();
+            let before = flows::stored(system, state, frame).sum();
             self.project(system, state, frame, log, hit)?;
             self.rodas.evaluate(system, state);
             self.refresh(system, frame);
             self.hand_over(system, state);
-            let lost = before - flows::stored(system, state, frame).iter().sum::<f64>();
+            let lost = before - flows::stored(system, state, frame).sum();
             let flows = &mut state.ledger.flows;
             *(if hit { &mut flows.impact } else { &mut flows.method }) += lost;
         }

@@ -1,0 +1,143 @@
+//! Forces of the water on bodies.
+
+use glam::DVec3;
+
+use super::{BuildError, error, finite, positive};
+use crate::force::AnyForce;
+use crate::force::added_mass::AddedMass;
+use crate::force::buoyancy::Buoyancy;
+use crate::force::drag::Drag;
+use crate::force::square::Square;
+use crate::force::tank::Tank;
+use crate::hull::{Hull, Mesh};
+use crate::spec::{ForceSpec, SystemSpec};
+use crate::tree::Tree;
+
+/// Difference of a matrix from its transpose, relative to its largest entry.
+const SYMMETRIC: f64 = 1e-9;
+/// How far below zero an eigenvalue may be, relative to the diagonal.
+const ROUNDING: f64 = 1e-9;
+
+pub(super) fn build_forces(spec: &SystemSpec, tree: &Tree) -> Result<Vec<AnyForce>, BuildError> {
+    spec.forces.iter().map(|given| build_force(given, tree)).collect()
+}
+
+fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
+    let name = given.name();
+    let find = |body: &str| match tree.bodies.iter().position(|other| other.name == body) {
+        Some(index) if tree.bodies[index].joint.moves_body() => Ok(index),
+        Some(_) => error(name, format!("`{body}` is rope that flows; water acts on bodies")),
+        None => error(name, format!("there is no body `{body}` for it to act on")),
+    };
+    Ok(match given {
+        ForceSpec::Buoyancy { body, vertices, triangles, density, level, .. } => {
+            positive(name, "the density of its water", *density)?;
+            finite(name, "the level of its water", &[*level])?;
+            if tree.gravity.length() == 0.0 {
+                return error(name, "there is no gravity, so water does not press; give it gravity");
+            }
+            let hull = Hull::new(&build_mesh(name, vertices, triangles)?);
+            let (density, level) = (*density, *level);
+            AnyForce::Buoyancy(Box::new(Buoyancy {
+                name: name.to_owned(),
+                body: find(body)?,
+                hull,
+                density,
+                level,
+            }))
+        }
+        ForceSpec::Tank { body, vertices, triangles, density, volume, .. } => {
+            positive(name, "the density of what is in it", *density)?;
+            if tree.gravity.length() == 0.0 {
+                return error(name, "there is no gravity, so a liquid has no level; give it gravity");
+            }
+            let mesh = build_mesh(name, vertices, triangles)?;
+            let closure = mesh.closure();
+            if !closure.is_closed() {
+                return error(name, "its mesh is not closed, so a liquid would run out");
+            }
+            let (capacity, volume, density) = (closure.volume, *volume, *density);
+            if !(volume >= 0.0 && volume <= capacity) {
+                return error(name, format!("{volume} m³ are in it; it holds from 0 to {capacity} m³"));
+            }
+            let hull = Hull::new(&mesh);
+            let tank = Tank::new(name.to_owned(), find(body)?, hull, capacity, density, volume);
+            AnyForce::Tank(Box::new(tank))
+        }
+        ForceSpec::AddedMass { body, at, matrix, .. } => {
+            finite(name, "its point", at)?;
+            check_matrix(name, "its added mass", matrix)?;
+            let built = Square::from_rows(matrix);
+            let (difference, size) = built.asymmetry();
+            if difference > SYMMETRIC * size {
+                return error(name, format!("its added mass differs from its transpose by {difference}"));
+            }
+            AnyForce::AddedMass(AddedMass {
+                name: name.to_owned(),
+                body: find(body)?,
+                at: DVec3::from_array(*at),
+                matrix: built,
+            })
+        }
+        ForceSpec::Drag { body, at, damping, quadratic, .. } => {
+            finite(name, "its point", at)?;
+            check_matrix(name, "its damping", damping)?;
+            if let Some(value) = quadratic.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
+                return error(name, format!("a quadratic resistance is {value}; it must be zero or more"));
+            }
+            AnyForce::Drag(Drag {
+                name: name.to_owned(),
+                body: find(body)?,
+                at: DVec3::from_array(*at),
+                damping: Square::from_rows(damping),
+                linear: DVec3::from_slice(&quadratic[..3]),
+                angular: DVec3::from_slice(&quadratic[3..]),
+            })
+        }
+    })
+}
+
+fn build_mesh(name: &str, vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<Mesh, BuildError> {
+    finite(name, "a point of its mesh", vertices.as_flattened())?;
+    if let Some(index) = triangles.iter().flatten().find(|index| **index >= vertices.len()) {
+        return error(name, format!("its mesh has no point {index}, only {}", vertices.len()));
+    }
+    let vertices = vertices.iter().map(|vertex| DVec3::from_array(*vertex)).collect();
+    let mesh = Mesh { vertices, triangles: triangles.to_vec() };
+    let volume = mesh.closure().volume;
+    if volume > 0.0 {
+        return Ok(mesh);
+    }
+    error(
+        name,
+        format!(
+            "its mesh has a volume of {volume} m³; its triangles must run counter-clockwise seen from outside"
+        ),
+    )
+}
+
+/// No eigenvalue of the symmetric part may be below zero: the water would drive the body.
+fn check_matrix(name: &str, what: &str, rows: &[[f64; 6]; 6]) -> Result<(), BuildError> {
+    finite(name, what, rows.as_flattened())?;
+    // LDLᵀ by elimination, scaled by the diagonal.
+    let scale: [f64; 6] = std::array::from_fn(|k| rows[k][k].max(0.0).sqrt());
+    let scaled = |i: usize, j: usize| {
+        let both = scale[i] * scale[j];
+        if both > 0.0 { 0.5 * (rows[i][j] + rows[j][i]) / both } else { 0.5 * (rows[i][j] + rows[j][i]) }
+    };
+    let mut a: [[f64; 6]; 6] = std::array::from_fn(|i| std::array::from_fn(|j| scaled(i, j)));
+    for k in 0..6 {
+        let pivot = a[k][k];
+        let rest = (k + 1..6).fold(0.0_f64, |most, i| most.max(a[i][k].abs()));
+        if pivot < -ROUNDING || (pivot <= ROUNDING && rest > ROUNDING.sqrt()) {
+            return error(name, format!("{what} is no matrix without negative eigenvalues"));
+        }
+        if pivot > ROUNDING {
+            for i in k + 1..6 {
+                let factor = a[i][k] / pivot;
+                (k + 1..6).for_each(|j| a[i][j] -= factor * a[k][j]);
+            }
+        }
+    }
+    Ok(())
+}

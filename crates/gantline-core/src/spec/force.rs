@@ -1,0 +1,75 @@
+//! Forces of water on bodies.
+
+use serde::Deserialize;
+
+/// A force on a body. Matrices and vectors of six: surge, sway, heave, roll, pitch, yaw along the body's axes.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum ForceSpec {
+    /// Pressure of still water on a hull.
+    Buoyancy {
+        /// Unique name.
+        name: String,
+        /// Body that has the hull.
+        body: String,
+        /// Points of the hull's mesh [m], body frame.
+        vertices: Vec<[f64; 3]>,
+        /// Triangles between them, counter-clockwise from outside.
+        triangles: Vec<[usize; 3]>,
+        /// Density of the water [kg/m³].
+        density: f64,
+        /// Height of the water's surface [m].
+        level: f64,
+    },
+    /// Water that is accelerated along.
+    AddedMass {
+        /// Unique name.
+        name: String,
+        /// Body that it moves with.
+        body: String,
+        /// Point that the matrix is about [m], body frame.
+        at: [f64; 3],
+        /// Added mass [kg, kg m, kg m²], symmetric.
+        matrix: [[f64; 6]; 6],
+    },
+    /// Resistance of still water.
+    Drag {
+        /// Unique name.
+        name: String,
+        /// Body that it acts on.
+        body: String,
+        /// Point that both are about [m], body frame.
+        at: [f64; 3],
+        /// Linear damping [N s/m, N s, N m s].
+        damping: [[f64; 6]; 6],
+        /// Force over velocity squared, each axis by itself [N s²/m², N m s²].
+        quadratic: [f64; 6],
+    },
+    /// A liquid in a slack tank. Its mass is the body's, at the centre that the liquid has with the body upright.
+    Tank {
+        /// Unique name.
+        name: String,
+        /// Body that has the tank.
+        body: String,
+        /// Points of the inside of the tank [m], body frame.
+        vertices: Vec<[f64; 3]>,
+        /// Triangles between them, counter-clockwise from outside of the liquid.
+        triangles: Vec<[usize; 3]>,
+        /// Density of the liquid [kg/m³].
+        density: f64,
+        /// Volume of the liquid [m³].
+        volume: f64,
+    },
+}
+
+impl ForceSpec {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Buoyancy { name, .. }
+            | Self::AddedMass { name, .. }
+            | Self::Drag { name, .. }
+            | Self::Tank { name, .. } => name,
+        }
+    }
+}

@@ -1,0 +1,256 @@
+//! Forces of the water on random trees: against energies, rates of momentum, and differences.
+
+mod rigs;
+
+use gantline_core::audit::gravity_energy;
+use gantline_core::build::build;
+use gantline_core::force::{self, AnyForce, At, Force, twist_of};
+use gantline_core::spec::ForceSpec;
+use gantline_core::state::State;
+use gantline_core::stepper::frame::Frame;
+use gantline_core::system::System;
+use gantline_core::tree::bias::NewtonEuler;
+use gantline_core::tree::kinematics::Twist;
+use gantline_core::tree::tangent::{DynamicsTangent, Paired};
+use glam::DVec3;
+use proptest::prelude::*;
+use rigs::hulls::sphere;
+use rigs::{Draw, moved, rig, seeds};
+
+/// Central differences as in the tests of mechanics; forces of water are up to some 1e4 here.
+const STEP: f64 = 1e-5;
+const CLOSE: f64 = 1e-6;
+
+/// Symmetric without negative eigenvalues: B Bᵀ.
+fn square(draw: &mut Draw, size: f64) -> [[f64; 6]; 6] {
+    let root: [[f64; 6]; 6] = std::array::from_fn(|_| std::array::from_fn(|_| draw.number()));
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| size * (0..6).map(|k| root[i][k] * root[j][k]).sum::<f64>())
+    })
+}
+
+/// The random rig with dented hulls and tanks, added mass and drag on bodies somewhere in its tree.
+fn wet(seeds: &[f64]) -> (System, State, Frame) {
+    let mut spec = rig(seeds);
+    let mut draw = Draw::new(&seeds[250..]);
+    let mesh = sphere(2.0, 5);
+    let dented = |draw: &mut Draw| {
+        let place = DVec3::from_array(draw.scaled(0.5));
+        mesh.vertices
+            .iter()
+            .map(|vertex| (*vertex * (1.0 + 0.2 * draw.number()) + place).to_array())
+            .collect()
+    };
+    let body = |draw: &mut Draw| format!("b{}", draw.choice(7));
+    let (named, at) = (|name: &str, k: usize| format!("{name}{k}"), |draw: &mut Draw| draw.vector());
+    for k in 0..2 {
+        let buoyancy = ForceSpec::Buoyancy {
+            name: named("hull", k),
+            body: body(&mut draw),
+            vertices: dented(&mut draw),
+            triangles: mesh.triangles.clone(),
+            density: 60.0,
+            level: draw.number(),
+        };
+        let added = ForceSpec::AddedMass {
+            name: named("added", k),
+            body: body(&mut draw),
+            at: at(&mut draw),
+            matrix: square(&mut draw, 10.0),
+        };
+        let drag = ForceSpec::Drag {
+            name: named("drag", k),
+            body: body(&mut draw),
+            at: at(&mut draw),
+            damping: square(&mut draw, 20.0),
+            quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
+        };
+        let tank = ForceSpec::Tank {
+            name: named("tank", k),
+            body: body(&mut draw),
+            vertices: dented(&mut draw),
+            triangles: mesh.triangles.clone(),
+            density: 40.0,
+            volume: 8.0 + 7.0 * draw.number(),
+        };
+        spec.forces.extend([buoyancy, added, drag, tank]);
+    }
+    let (system, state) = build(&spec).expect("the generator makes valid rigs");
+    let mut frame = Frame::new(&system);
+    frame.update(&system, &state);
+    (system, state, frame)
+}
+
+fn rates(system: &System, seeds: &[f64]) -> Vec<f64> {
+    (0..system.tree.velocities).map(|k| seeds[(7 * k + 3) % seeds.len()]).collect()
+}
+
+fn inverse(system: &System, frame: &Frame, v: &[f64], a: &[f64]) -> (NewtonEuler, Vec<f64>) {
+    let mut dynamics = NewtonEuler::new(&system.tree);
+    let mut out = vec![0.0; v.len()];
+    dynamics.update(&system.tree, &frame.kinematics, v, Some(a), None, &mut out);
+    (dynamics, out)
+}
+
+fn entry(paired: &Paired, frame: &Frame, row: usize, column: usize) -> f64 {
+    let (low, high, values) =
+        if row >= column { (column, row, &paired.lower) } else { (row, column, &paired.upper) };
+    let range = frame.mass.row_start[high]..frame.mass.row_start[high + 1];
+    let found = range.into_iter().find(|&slot| frame.mass.columns[slot] == low);
+    found.map_or(0.0, |slot| values[slot])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    /// M v̇ holds what is accelerated along: inverse dynamics is linear in the acceleration with the slope M.
+    #[test]
+    fn added_mass_is_in_the_mass_matrix(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        let a = rates(&system, &seeds);
+        let still = vec![0.0; a.len()];
+        let (with, without) = (inverse(&system, &frame, &state.v, &a).1, inverse(&system, &frame, &state.v, &still).1);
+        let mut product = vec![0.0; a.len()];
+        frame.mass.multiply(&a, &mut product);
+        for dof in 0..a.len() {
+            let turning = system.tree.armature[dof] * a[dof];
+            let found = with[dof] - without[dof] + turning;
+            prop_assert!((found - product[dof]).abs() < 1e-10 * (1.0 + product[dof].abs() + with[dof].abs()));
+        }
+    }
+
+    /// The wrench of added mass against rates of the water's momenta along a path, by differences: ṗ, and L̇ + v × p about P.
+    #[test]
+    fn added_mass_takes_the_rate_of_the_momentum_of_water(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        let size = system.tree.velocities;
+        let a = rates(&system, &seeds);
+        let (dynamics, _) = inverse(&system, &frame, &state.v, &a);
+        let mut energy = 0.0;
+        for force in &system.tree.forces {
+            let AnyForce::AddedMass(added) = force else { continue };
+            let momenta = |time: f64| {
+                let path: Vec<f64> = (0..size).map(|k| state.v[k] * time + 0.5 * a[k] * time * time).collect();
+                let v: Vec<f64> = (0..size).map(|k| state.v[k] + a[k] * time).collect();
+                let (_, frame) = moved(&system, &state, &path, 1.0);
+                let twist = twist_of(&system.tree, &frame.kinematics, added.body, &v);
+                let turn = frame.kinematics.pose[added.body].rotation;
+                let motion = Twist { linear: twist.at(turn * added.at), ..twist };
+                (added.matrix.turned(&turn).times(&motion), motion)
+            };
+            let (after, before, (here, motion)) = (momenta(STEP).0, momenta(-STEP).0, momenta(0.0));
+            let rate = (after.force - before.force) / (2.0 * STEP);
+            let moment = (after.moment - before.moment) / (2.0 * STEP) + motion.linear.cross(here.force);
+            let arm = frame.kinematics.pose[added.body].rotation * added.at;
+            let found = added.wrench(&dynamics.at(&system.tree, &frame.kinematics, added.body));
+            let scale = 1.0 + rate.length() + moment.length() + here.force.length() + here.moment.length();
+            prop_assert!((found.force + rate).length() < CLOSE * scale, "{} {rate}", found.force);
+            prop_assert!((found.moment + moment + arm.cross(rate)).length() < CLOSE * scale * 2.0);
+            energy += 0.5 * (here.force.dot(motion.linear) + here.moment.dot(motion.angular));
+        }
+        // And it is what the mass matrix has more than that of the bodies alone.
+        let mut dry = system.clone();
+        dry.tree.forces.clear();
+        let mut bodies = Frame::new(&dry);
+        bodies.update(&dry, &state);
+        let kinetic = 0.5 * (frame.mass.quadratic(&state.v) - bodies.mass.quadratic(&state.v));
+        prop_assert!((kinetic - energy).abs() < 1e-9 * (1.0 + frame.mass.quadratic(&state.v)));
+    }
+
+    /// At rest inverse dynamics is the slope of the energy of gravity and displaced water.
+    #[test]
+    fn buoyancy_is_the_slope_of_its_energy(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        let still = vec![0.0; system.tree.velocities];
+        let (_, slope) = inverse(&system, &frame, &still, &still);
+        let energy = |direction: &[f64], step: f64| {
+            let (_, frame) = moved(&system, &state, direction, step);
+            gravity_energy(&system, &frame.kinematics) + force::energy(&system.tree, &frame.kinematics)
+        };
+        for dof in 0..still.len() {
+            let mut direction = still.clone();
+            direction[dof] = 1.0;
+            let difference = (energy(&direction, STEP) - energy(&direction, -STEP)) / (2.0 * STEP);
+            prop_assert!((difference - slope[dof]).abs() < 1e-5 * (10.0 + slope[dof].abs()), "{dof}: {difference} {}", slope[dof]);
+        }
+    }
+
+    /// ∂τ/∂q and ∂τ/∂v with all forces, in motion, against differences.
+    #[test]
+    fn tangents_equal_differences(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        let size = system.tree.velocities;
+        let a = rates(&system, &seeds);
+        let (dynamics, here) = inverse(&system, &frame, &state.v, &a);
+        let mut tangent = DynamicsTangent::new(&system.tree, &frame.mass);
+        tangent.update(&system.tree, &frame.kinematics, &frame.mass, &dynamics, &state.v);
+        let scale = here.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
+        for column in 0..size {
+            let mut direction = vec![0.0; size];
+            direction[column] = 1.0;
+            let at = |step: f64| {
+                let (_, frame) = moved(&system, &state, &direction, step);
+                inverse(&system, &frame, &state.v, &a).1
+            };
+            let with = |step: f64| {
+                let v: Vec<f64> = state.v.iter().zip(&direction).map(|(v, d)| v + step * d).collect();
+                inverse(&system, &frame, &v, &a).1
+            };
+            let (up, down, faster, slower) = (at(STEP), at(-STEP), with(STEP), with(-STEP));
+            for row in 0..size {
+                let place = (up[row] - down[row]) / (2.0 * STEP);
+                let found = entry(&tangent.position, &frame, row, column);
+                // |ν| ν has a kink of its slope at rest, and the section one where a corner meets the water.
+                prop_assert!((place - found).abs() < 1e-6 * scale, "q {row} {column}: {place} {found}");
+                let speed = (faster[row] - slower[row]) / (2.0 * STEP);
+                let found = entry(&tangent.velocity, &frame, row, column);
+                prop_assert!((speed - found).abs() < 1e-6 * scale, "v {row} {column}: {speed} {found}");
+            }
+        }
+    }
+
+    /// Drag takes power and never gives it; what it takes is its force times the velocity.
+    #[test]
+    fn drag_takes_power(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        let mut along = vec![0.0; state.v.len()];
+        force::resistance(&system.tree, &frame.kinematics, &state.v, &mut along);
+        let power: f64 = along.iter().zip(&state.v).map(|(force, v)| force * v).sum();
+        let lost = force::loss(&system.tree, &frame.kinematics, &state.v);
+        prop_assert!(lost >= 0.0 && (lost - power).abs() < 1e-10 * (1.0 + power));
+    }
+}
+
+/// A body's weight and buoyancy, force by force, where the numbers are plain: a cube of 2 m half in water.
+#[test]
+fn a_cube_half_in_water() {
+    let cube = rigs::hulls::cuboid([2.0, 2.0, 2.0]);
+    let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{
+        "name": "cube", "parent": null, "mass": 4000.0, "centre_of_gravity": [0, 0, 1.0],
+        "inertia": [1000, 1000, 1000, 0, 0, 0], "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+        "joint": {"type": "free", "position": [0, 0, 4.0], "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0],
+                  "angular_velocity": [0, 0, 0]}}],
+        "forces": [{"type": "buoyancy", "name": "hull", "body": "cube", "density": 1000.0, "level": 5.0,
+            "vertices": cube.vertices.iter().map(|v| v.to_array()).collect::<Vec<_>>(), "triangles": cube.triangles}]});
+    let (system, state) = build(&serde_json::from_value(spec).unwrap()).unwrap();
+    let mut frame = Frame::new(&system);
+    frame.update(&system, &state);
+    let still = [0.0; 6];
+    let (_, out) = inverse(&system, &frame, &still, &still);
+    assert!(out.iter().all(|force| force.abs() < 1e-9), "4 t float half way down: {out:?}");
+    let force = &system.tree.forces[0];
+    let pose = &frame.kinematics.pose[0];
+    let at = At { pose, twist: Twist::default(), rate: Twist::default(), gravity: system.tree.gravity };
+    assert!((force.wrench(&at).force - DVec3::Z * 4e4).length() < 1e-9);
+    // ρ g V times the depth of its centre, half a metre.
+    assert!((force.energy(pose, system.tree.gravity) - 2e4).abs() < 1e-9);
+    // ρ g A, and ρ g (I_T + V (z_B − z_o)) about the keel: 4/3 + 4 · 1/2.
+    let AnyForce::Buoyancy(buoyancy) = force else { panic!("it is a hull") };
+    let derivative = buoyancy.afloat(pose, system.tree.gravity).derivative();
+    assert!((derivative.linear.z_axis.z + 4e4).abs() < 1e-9);
+    assert!(
+        (derivative.angular.x_axis.x + 1e4 * (4.0 / 3.0 + 4.0 * 0.5)).abs() < 1e-6,
+        "{}",
+        derivative.angular
+    );
+}

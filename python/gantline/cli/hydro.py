@@ -1,0 +1,238 @@
+"""`gantline hydro`: what a hull displaces at its drafts, and how it rights itself."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from gantline.cli.lift import quantity_of
+from gantline.cli.messages import DONE, stop, warn, writing
+
+if TYPE_CHECKING:
+    from gantline.hydro import Hull, Hydrostatics, RightingArms
+
+_MOST = 1000
+#: Drafts and angles where none are asked for.
+_DRAFTS = 9
+#: Curves of righting arms in one table and picture.
+_CURVES = 5
+
+
+def hydro(
+    hull: Annotated[
+        str,
+        typer.Argument(metavar="HULL", help="STL or OBJ file of the hull, or a box as in box:100m,30m,8m."),
+    ],
+    drafts: Annotated[
+        str | None,
+        typer.Option(
+            metavar="DRAFTS",
+            help="Drafts above z = 0 of the hull, such as '4 m, 4.5 m' or '2 m..6 m/9'.  "
+            "[default: round ones over its depth]",
+        ),
+    ] = None,
+    heel: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLES", help="Angles of heel for righting arms, such as '0 deg..60 deg/13'; with --kg."
+        ),
+    ] = None,
+    kg: Annotated[
+        str | None,
+        typer.Option(metavar="HEIGHT", help="Centre of gravity above z = 0, such as '5 m'; shows GM."),
+    ] = None,
+    trim: Annotated[
+        str | None,
+        typer.Option(metavar="ANGLE", help="Trim by the stern, such as '1 deg'.  [default: even keel]"),
+    ] = None,
+    density: Annotated[str, typer.Option(metavar="DENSITY", help="Density of the water.")] = "1.025 t/m^3",
+    unit: Annotated[str, typer.Option(metavar="UNIT", help="Unit of length in the file.")] = "m",
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Picture of the curves, such as hull.png, .svg or .pdf."
+        ),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON, in SI units.")] = False,
+) -> None:
+    """Print hydrostatics of a hull over its drafts, with righting arms where angles and --kg are given.
+
+    Figures are exact for the mesh. Righting arms are free to trim, at the displacement of each draft.
+    """
+    water = quantity_of("--density", density, "density")
+    height, tilt = quantity_of("--kg", kg, "length"), quantity_of("--trim", trim, "angle")
+    angles = _values("--heel", heel, "angle")
+    if angles is not None and height is None:
+        stop("--heel: righting arms need the centre of gravity; give it with --kg")
+    if not water or water <= 0:
+        stop(f"--density: {density!r} is not the density of water; sea water has '1.025 t/m^3'")
+    if angles is not None and max(map(abs, angles)) > math.pi:
+        stop("--heel: angles go up to 180 deg, to either side")
+    if tilt is not None and abs(tilt) > math.radians(45):
+        stop(f"--trim: {trim!r} is too steep; at most 45 deg, to either side")
+    if output is not None:
+        from gantline.plot.hydrostatics import FORMATS
+
+        if output.suffix.lower() not in FORMATS:
+            stop(f"--output: '{output}' is no picture that can be drawn; names end in {', '.join(FORMATS)}")
+    from gantline.hydro import Attitude, HullError, hydrostatics, read_hull
+
+    try:
+        found = read_hull(hull, unit)
+    except HullError as problem:
+        stop(str(problem))
+    low, high = found.box
+    wanted = _values("--drafts", drafts, "length") or _usual(float(low[2]), float(high[2]))
+    middle = float(low[0] + high[0]) / 2
+    rows = [hydrostatics(found, Attitude(draft, 0.0, tilt or 0.0, middle), water) for draft in wanted]
+    for row in rows:
+        if not 0 < row.volume < (1 - 1e-9) * found.closure.volume:
+            where = "is out of the water" if row.volume == 0 else "is under water with all of it"
+            stop(
+                f"--drafts: at {row.attitude.draft:g} m {found.name} {where}; "
+                f"it reaches from {low[2]:g} to {high[2]:g} m"
+            )
+    arms = _righting(found, rows, angles, height) if angles is not None and height is not None else []
+    if as_json:
+        typer.echo(json.dumps(_as_json(found, rows, arms, height), indent=2, allow_nan=False))
+    else:
+        from gantline.cli.hydro_table import report
+
+        typer.echo("\n".join(report(found, rows, arms, height)))
+    for doubt in found.doubts():
+        warn(f"{found.name}: {doubt}")
+    if output is not None:
+        _draw(found, rows, arms, height, output)
+    raise typer.Exit(DONE)
+
+
+def _values(option: str, text: str | None, dimension: str) -> list[float] | None:
+    """SI values of a list or a span of quantities; None where the option was not given."""
+    if text is None:
+        return None
+    span, slash, number = (word.strip() for word in text.rpartition("/"))
+    first, dots, last = (word.strip() for word in span.partition(".."))
+    if not (slash and dots):
+        values = [quantity_of(option, part.strip(), dimension) for part in text.split(",")]
+        return [value for value in values if value is not None]
+    if not (number.isascii() and number.isdecimal() and 2 <= int(number[:9]) <= _MOST):
+        stop(f"{option}: '{number}' is no number of values; a whole number from 2 to {_MOST} is right")
+    begin, end = quantity_of(option, first, dimension), quantity_of(option, last, dimension)
+    if begin is None or end is None:
+        return None
+    return [begin + (end - begin) * k / (int(number) - 1) for k in range(int(number))]
+
+
+def _usual(low: float, high: float) -> list[float]:
+    """Round drafts over the middle of the depth [m]."""
+    step = 10 ** math.floor(math.log10((high - low) / _DRAFTS))
+    step = next(size * step for size in (1, 2, 2.5, 5, 10) if size * step * (_DRAFTS + 1) >= high - low)
+    first = math.ceil((low + 0.5 * step) / step)
+    return [k * step for k in range(first, first + 2 * _DRAFTS) if k * step < high - 0.25 * step]
+
+
+def _righting(
+    hull: Hull, rows: list[Hydrostatics], angles: list[float], kg: float
+) -> list[tuple[Hydrostatics, RightingArms]]:
+    """Righting arms at some of the drafts, with the centre of gravity above that of buoyancy."""
+    from gantline.hydro import CannotFloatError, righting_arms
+
+    count = min(_CURVES, len(rows))
+    chosen = [rows[round(k * (len(rows) - 1) / max(count - 1, 1))] for k in range(count)]
+    found = []
+    for row in chosen:
+        lcb, tcb = row.centre_of_buoyancy[:2]
+        try:
+            arms = righting_arms(hull, row.mass, [lcb, tcb, kg], angles, density=row.density)
+        except CannotFloatError as problem:
+            stop(f"--heel: {problem}")
+        found.append((row, arms))
+    return found
+
+
+def _as_json(
+    hull: Hull, rows: list[Hydrostatics], arms: list[tuple[Hydrostatics, RightingArms]], kg: float | None
+) -> dict[str, Any]:
+    closure = hull.closure
+    listed: list[dict[str, Any]] = []
+    for row in rows:
+        figures = row.as_dict()
+        if kg is not None:
+            figures["gm_transverse"], figures["gm_longitudinal"] = row.gm([row.lcb, 0.0, kg])
+        listed.append(figures)
+    return {
+        "hull": hull.name,
+        "box": hull.box.tolist(),
+        "density": rows[0].density,
+        "kg": kg,
+        "closure": {
+            "is_closed": closure.is_closed,
+            "boundary_edges": closure.boundary_edges,
+            "boundary_length": closure.boundary_length,
+            "lowest_boundary": closure.lowest_boundary if closure.boundary_edges else None,
+            "turned_edges": closure.turned_edges,
+            "crowded_edges": closure.crowded_edges,
+            "unbalanced_area": closure.unbalanced_area.tolist(),
+            "volume": closure.volume,
+        },
+        "hydrostatics": listed,
+        "righting_arms": [
+            {
+                "draft": row.attitude.draft,
+                "displacement": row.mass,
+                "heel": curve.heel.tolist(),
+                "arm": curve.arm.tolist(),
+                "trim": curve.trim.tolist(),
+            }
+            for row, curve in arms
+        ],
+    }
+
+
+def _draw(
+    hull: Hull,
+    rows: list[Hydrostatics],
+    arms: list[tuple[Hydrostatics, RightingArms]],
+    kg: float | None,
+    output: Path,
+) -> None:
+    import numpy as np
+
+    from gantline.hydro import Attitude, hydrostatics
+    from gantline.plot.hydrostatics import HullCurves, hydrostatic_curves
+
+    drafts = [row.attitude.draft for row in rows]
+    first, last = min(drafts), max(drafts)
+    fine = np.linspace(first, last, 120) if last > first else np.array([first])
+    trim, middle = rows[0].attitude.trim, rows[0].attitude.middle
+    smooth = [
+        hydrostatics(hull, Attitude(float(draft), 0.0, trim, middle), rows[0].density) for draft in fine
+    ]
+    figures: dict[str, Any] = {
+        "displacement": [row.mass for row in smooth],
+        "waterplane_area": [row.waterplane_area for row in smooth],
+        "wetted_surface": [row.wetted_surface for row in smooth],
+        "kb": [row.kb for row in smooth],
+        "km_transverse": [row.km_transverse for row in smooth],
+        "km_longitudinal": [row.km_longitudinal for row in smooth],
+        "lcb": [row.lcb for row in smooth],
+        "lcf": [row.lcf for row in smooth],
+    }
+    curves = HullCurves(
+        name=hull.name,
+        mesh=hull.mesh,
+        drafts=fine,
+        marked=np.array(drafts),
+        trim=trim,
+        middle=middle,
+        kg=kg,
+        figures={name: np.array(values) for name, values in figures.items()},
+        arms=[(row.attitude.draft, row.mass, curve.heel, curve.arm) for row, curve in arms],
+    )
+    with writing(output):
+        hydrostatic_curves(curves).savefig(output)
+    typer.echo(f"picture: {output}", err=True)

@@ -1,0 +1,35 @@
+"""Hydrostatics of hulls: what they displace, where they float, how they right themselves.
+
+Vessel axes: x forward, y to port, z up from the keel. Heel is positive to starboard, trim by the stern.
+"""
+
+from __future__ import annotations
+
+from gantline.hydro.attitude import Attitude
+from gantline.hydro.floating import CannotFloatError, Floating, float_free
+from gantline.hydro.hull import Closure, Hull
+from gantline.hydro.hydrostatics import Hydrostatics, hydrostatics
+from gantline.hydro.mesh_file import HullError, read_hull
+from gantline.hydro.righting import RightingArms, righting_arms
+from gantline.hydro.shapes import box_hull, raked_barge, wigley_hull
+from gantline.hydro.tank import Tank, free_surface_correction
+
+__all__ = [
+    "Attitude",
+    "CannotFloatError",
+    "Closure",
+    "Floating",
+    "Hull",
+    "HullError",
+    "Hydrostatics",
+    "RightingArms",
+    "Tank",
+    "box_hull",
+    "float_free",
+    "free_surface_correction",
+    "hydrostatics",
+    "raked_barge",
+    "read_hull",
+    "righting_arms",
+    "wigley_hull",
+]

@@ -1,0 +1,89 @@
+"""`gantline hydro`, as people use it."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+
+def hydro(*arguments: object) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "gantline", "hydro", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def test_table_and_picture_of_a_box(tmp_path: Path) -> None:
+    picture = tmp_path / "box.png"
+    result = hydro(
+        "box:100m,30m,8m", "--drafts", "2 m..6 m/3", "--kg", "5 m", "--heel", "0 deg, 10 deg", "-o", picture
+    )
+    assert result.returncode == 0, result.stderr
+    # BM = 30²/(12 · 4) and 100²/(12 · 4), KB = 2, GM = 20.75 − 5.
+    assert re.search(
+        r"4\.000 +12300\.0 +12000\.0 +50\.000 +2\.000 +18\.750 +20\.750 +208\.33 .* 15\.750", result.stdout
+    )
+    # Wall-sided formula at 4 m, the third of the columns' middle one: sin 10° (15.75 + 18.75/2 tan² 10°).
+    arm = math.sin(math.radians(10)) * (15.75 + 9.375 * math.tan(math.radians(10)) ** 2)
+    assert re.search(rf"10\.0 +\S+ +{arm:.3f}", result.stdout)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert "closed mesh of 12 triangles" in result.stdout
+
+
+def test_json_holds_all_figures() -> None:
+    result = hydro("box:100m,30m,8m", "--drafts", "4 m", "--trim", "1 deg", "--density", "1 t/m^3", "--json")
+    assert result.returncode == 0, result.stderr
+    found = json.loads(result.stdout)
+    (figures,) = found["hydrostatics"]
+    assert figures["volume"] == pytest.approx(12000.0)
+    assert figures["displacement"] == pytest.approx(12e6)
+    # By the stern: B moves aft by a L²/12T.
+    assert figures["lcb"] == pytest.approx(50 - math.tan(math.radians(1)) * 100**2 / 48)
+    assert found["closure"]["is_closed"] is True
+    assert found["righting_arms"] == []
+
+
+def test_drafts_are_chosen_where_none_are_given() -> None:
+    result = hydro("box:100m,30m,8m")
+    assert result.returncode == 0, result.stderr
+    assert [line.split()[0] for line in result.stdout.splitlines()[6:]] == [
+        f"{draft}.000" for draft in range(1, 8)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        (["nowhere.stl"], "nowhere.stl: it cannot be read"),
+        (["box:100m,30m,8m", "--drafts", "9 m"], "is under water with all of it; it reaches from 0 to 8 m"),
+        (["box:100m,30m,8m", "--drafts", "-1 m"], "is out of the water"),
+        (["box:100m,30m,8m", "--drafts", "4"], "--drafts: '4' has no unit"),
+        (["box:100m,30m,8m", "--drafts", "1 m..2 m/x"], "'x' is no number of values"),
+        (["box:100m,30m,8m", "--heel", "10 deg"], "righting arms need the centre of gravity"),
+        (["box:100m,30m,8m", "--heel", "200 deg", "--kg", "5 m"], "up to 180 deg"),
+        (["box:100m,30m,8m", "--trim", "60 deg"], "too steep"),
+        (["box:100m,30m,8m", "--density", "0 t/m^3"], "not the density of water"),
+        (["box:100m,30m,8m", "--unit", "yd"], "'yd' is no unit of length"),
+        (["box:100m,30m,8m", "-o", "picture.xyz"], "names end in .png, .svg, .pdf"),
+    ],
+)
+def test_wrong_questions_end_with_two_and_one_message(arguments: list[str], problem: str) -> None:
+    result = hydro(*arguments)
+    assert result.returncode == 2, result.stdout + result.stderr
+    assert problem in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_gaps_are_warned_of(tmp_path: Path) -> None:
+    hull = tmp_path / "open.obj"
+    corners = ["v 0 -1 0", "v 9 -1 0", "v 9 -1 3", "v 0 -1 3", "v 0 1 0", "v 9 1 0", "v 9 1 3", "v 0 1 3"]
+    faces = ["f 1 2 3 4", "f 8 7 6 5", "f 1 5 6 2", "f 2 6 7 3", "f 1 4 8 5"]
+    hull.write_text("\n".join([*corners, *faces]))
+    result = hydro(hull, "--drafts", "1 m")
+    assert result.returncode == 0, result.stderr
+    assert "not closed mesh" in result.stdout
+    assert "4 edges are open" in result.stderr

@@ -1,0 +1,144 @@
+"""Hulls from files: what is read, what is refused, and what is said about gaps."""
+
+from __future__ import annotations
+
+import gzip
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from gantline.hydro import Attitude, Hull, HullError, box_hull, hydrostatics, raked_barge, read_hull
+
+BOX = box_hull((10.0, 4.0, 3.0))
+
+
+def text_stl(hull: Hull) -> bytes:
+    vertices, triangles = hull.mesh
+    lines = ["solid box"]
+    for corners in vertices[triangles]:
+        lines += ["facet normal 0 0 0", "outer loop"]
+        lines += [f"vertex {x!r} {y!r} {z!r}" for x, y, z in corners.tolist()]
+        lines += ["endloop", "endfacet"]
+    return "\n".join([*lines, "endsolid box"]).encode()
+
+
+def binary_stl(hull: Hull) -> bytes:
+    vertices, triangles = hull.mesh
+    rows = [struct.pack("<12fH", 0, 0, 0, *corners.reshape(-1), 0) for corners in vertices[triangles]]
+    # As many programs write it: the heading begins like a text file's.
+    return b"solid box".ljust(80) + struct.pack("<I", len(rows)) + b"".join(rows)
+
+
+def obj(hull: Hull) -> bytes:
+    """Seams: every quadrilateral has its own vertices, in all spellings of an index."""
+    vertices, triangles = hull.mesh
+    lines = ["# a box", "o box", "mtllib nowhere.mtl"]
+    for number, corners in enumerate(vertices[triangles]):
+        lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in corners.tolist()]
+        lines.append(
+            [f"f {3 * number + 1} {3 * number + 2} {3 * number + 3}", "f -3/1 -2/2/2 -1//3"][number % 2]
+        )
+    return "\n".join(lines).encode()
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [
+        ("box.stl", text_stl(BOX)),
+        ("BOX.STL", binary_stl(BOX)),
+        ("box.obj", obj(BOX)),
+        ("box.stl.gz", gzip.compress(binary_stl(BOX))),
+    ],
+)
+def test_every_kind_of_file_gives_the_same_hull(name: str, data: bytes, tmp_path: Path) -> None:
+    path = tmp_path / name
+    path.write_bytes(data)
+    hull = read_hull(path)
+    assert hull.closure.is_closed and hull.doubts() == []
+    assert hull.closure.volume == pytest.approx(120.0, rel=1e-6)
+    assert len(hull.mesh[0]) == 8, "vertices in one place are one"
+    assert read_hull(path, "mm").closure.volume == pytest.approx(120e-9, rel=1e-6)
+
+
+def test_a_polygon_becomes_triangles(tmp_path: Path) -> None:
+    path = tmp_path / "prism.obj"
+    corners = ["v 0 0 0", "v 9 0 0", "v 9 0 3", "v 0 0 3", "v 0 2 0", "v 9 2 0", "v 9 2 3", "v 0 2 3"]
+    faces = ["f 1 2 3 4", "f 8 7 6 5", "f 1 5 6 2", "f 4 3 7 8", "f 2 6 7 3", "f 1 4 8 5"]
+    path.write_text("\n".join([*corners, *faces]))
+    assert read_hull(path).closure.volume == pytest.approx(54.0)
+
+
+def test_a_box_in_words() -> None:
+    hull = read_hull("box:100m,30 m,8000mm")
+    assert hull.box == pytest.approx(np.array([[0, -15, 0], [100, 15, 8]]))
+
+
+@pytest.mark.parametrize(
+    ("given", "content", "problem"),
+    [
+        ("box:100m,30m", None, "is no box; it would be right as box:100m,30m,8m"),
+        ("box:100,30m,8m", None, "'100' has no unit"),
+        ("box:100m,30m,0m", None, "three above zero are needed"),
+        ("nowhere.stl", None, "it cannot be read: No such file"),
+        ("hull.step", b"", "comes from an STL or OBJ file, not from '.step'"),
+        ("hull.stl", b"ISO-10303-21", "this is no STL file"),
+        ("hull.stl", b"solid\nvertex 0 0 0\nvertex 1 0 0\n", "no three corners"),
+        ("hull.stl", b"solid nothing", "there are no triangles"),
+        ("hull.stl.gz", b"solid", "it cannot be read"),
+        ("hull.obj", b"v 0 0 0\nv 1 x 0\n", "hull.obj:2: 'v 1 x 0' is no line of an OBJ file"),
+        ("hull.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "names a vertex that does not exist"),
+        ("hull.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "enclose no volume"),
+        ("hull.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "enclose nothing"),
+    ],
+)
+def test_what_is_no_hull_is_refused(given: str, content: bytes | None, problem: str, tmp_path: Path) -> None:
+    path: str | Path = given
+    if not given.startswith("box:"):
+        path = tmp_path / given
+        if content is not None:
+            path.write_bytes(content)
+    with pytest.raises(HullError) as raised:
+        read_hull(path)
+    assert problem in str(raised.value)
+    assert str(raised.value).count("\n") == 0
+
+
+def test_unknown_units_are_refused() -> None:
+    with pytest.raises(HullError, match="'yd' is no unit of length; there are m, mm"):
+        read_hull("x.stl", "yd")
+
+
+def test_a_hull_inside_out_is_turned_round_and_that_is_said() -> None:
+    vertices, triangles = BOX.mesh
+    hull = Hull("box", vertices, triangles[:, ::-1])
+    assert hull.closure.volume == pytest.approx(120)
+    assert hull.doubts() == ["all its triangles face inwards; they have been turned round"]
+
+
+def test_gaps_are_told_with_where_they_are() -> None:
+    vertices, triangles = BOX.mesh
+    high = vertices[triangles][:, :, 2].min(axis=1) == 3.0
+    open_top = Hull("box", vertices, triangles[~high])
+    assert open_top.closure.boundary_edges == 4
+    assert open_top.closure.boundary_length == pytest.approx(28.0)
+    (doubt,) = open_top.doubts()
+    assert doubt.startswith("4 edges are open, 28 m together, the lowest at z = 3 m")
+    below = hydrostatics(open_top, Attitude(2.0, 0.1, 0.02, 5.0))
+    whole = hydrostatics(BOX, Attitude(2.0, 0.1, 0.02, 5.0))
+    assert below.volume == pytest.approx(whole.volume, rel=1e-12)
+    assert below.unbalanced < 1e-12
+    leaking = Hull("box", vertices, triangles[~(vertices[triangles][:, :, 0] == 10.0).all(axis=1)])
+    assert hydrostatics(leaking, Attitude(2.0, middle=5.0)).unbalanced == pytest.approx(
+        0.1
+    )  # ½ρgT²B of ρgLBT
+
+
+def test_raked_barge() -> None:
+    """L B D less two wedges of rake × (D − transom)/2."""
+    barge = raked_barge((60.0, 20.0, 6.0), 8.0, 2.0)
+    assert barge.closure.is_closed
+    assert barge.closure.volume == pytest.approx(60 * 20 * 6 - 2 * 20 * 8 * 4 / 2)
+    with pytest.raises(ValueError, match="do not fit"):
+        raked_barge((60.0, 20.0, 6.0), 31.0, 2.0)
