@@ -57,7 +57,7 @@ impl Statics {
         state: &State,
         parameters: &[Parameter],
     ) -> Result<Vec<Sensitivity>, NoEquilibrium> {
-        let Self { search, bearings } = self;
+        let Self { search, bearings, .. } = self;
         search.here.update_mass(system);
         search.matrix.linearise(system, &search.here, &state.seats);
         search.matrix.extra.fill(0.0);
