@@ -74,11 +74,26 @@ class Statics:
         """How many there are, of driven joints too."""
 
     def settle(
-        self, time: float = 0.0, increment: list[float] | None = None, losses: str = "none"
+        self,
+        time: float = 0.0,
+        increment: list[float] | None = None,
+        losses: str = "none",
+        slide: list[float] | None = None,
     ) -> dict[str, Any]:
         """Find the equilibrium at a time [s]; RuntimeError(element, cause) where there is none."""
 
-    def modes(self) -> dict[str, npt.NDArray[np.float64]]:
+    def settle_saved(
+        self, saved: bytes, losses: str = "none", slide: list[float] | None = None
+    ) -> dict[str, Any]:
+        """The same of where a simulation of the document has got to; ValueError if it is not of it."""
+
+    def step_off(self, losses: str = "none", slide: list[float] | None = None) -> dict[str, Any] | None:
+        """Move off the unstable equilibrium found last to a stable one; None where it is not unstable."""
+
+    def time(self) -> float:
+        """Time of the equilibrium looked for last [s]."""
+
+    def modes(self, count: int | None = None) -> dict[str, npt.NDArray[np.float64]]:
         """Natural motions about the equilibrium found last, slowest first; NaN: no damping ratio."""
 
     def swing(self, mode: int, amplitude: float, frames: int) -> None:

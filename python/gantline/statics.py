@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -19,13 +19,15 @@ from gantline.results.rig import Rig
 from gantline.scenario import Scenario, load_scenario
 from gantline.version import version
 
-__all__ = ["Equilibrium", "Mode", "NoEquilibriumError", "Sensitivity", "Statics"]
+__all__ = ["ContactForce", "Equilibrium", "Mode", "NoEquilibriumError", "Sensitivity", "Statics"]
 
 Floats = npt.NDArray[np.float64]
-Losses = Literal["none", "forward", "backward"]
+Losses = Literal["none", "forward", "backward", "held"]
 
 #: ω² within this of zero is no stiffness at all [1/s²], as in the core.
 _NEUTRAL = 1e-6
+#: What the core says of a body that nothing holds.
+_FALLS = "nothing holds it, it falls without end"
 #: Share of the kinetic energy from which on a body is named as taking part in a motion.
 _TAKES_PART = 0.25
 #: Share of its kinetic energy from which on a body is said to move, or to turn.
@@ -53,6 +55,28 @@ class NoEquilibriumError(RuntimeError):
 
 
 @dataclass(frozen=True)
+class ContactForce:
+    """What a contact carries at rest.
+
+    Attributes:
+        contact: Its name.
+        support: Support force N [N].
+        friction: Force of friction on the load, world axes, shape (3,) [N].
+        bound: The largest that it can be, μN [N].
+    """
+
+    contact: str
+    support: float
+    friction: Floats
+    bound: float
+
+    @property
+    def used(self) -> float | None:
+        """Share of what friction can hold that it holds; None where it can hold nothing."""
+        return float(np.linalg.norm(self.friction)) / self.bound if self.bound > 0.0 else None
+
+
+@dataclass(frozen=True)
 class Equilibrium:
     """A lift at rest.
 
@@ -65,7 +89,8 @@ class Equilibrium:
         unstable: How many motions lead away; 0 if it is stable.
         steps: Steps that the search made.
         lossy: Sheaves with losses.
-        losses: What these do, see `Statics.equilibrium`.
+        losses: What friction does, see `Statics.equilibrium`.
+        contacts: The contacts that carry.
     """
 
     time: float
@@ -76,6 +101,7 @@ class Equilibrium:
     steps: int
     lossy: tuple[str, ...] = ()
     losses: Losses = "none"
+    contacts: tuple[ContactForce, ...] = ()
 
     @property
     def is_stable(self) -> bool:
@@ -166,6 +192,7 @@ class Statics:
             self._core = _core.Statics(self.assembly.document_text())
         except ValueError as problem:
             raise self.scenario.error((), str(problem)) from problem
+        self._losses: Losses = "none"
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
 
     @property
@@ -178,29 +205,102 @@ class Statics:
         time: float | None = None,
         *,
         losses: Losses = "none",
+        slide: Sequence[float] | None = None,
         increment: Sequence[float] | None = None,
     ) -> Equilibrium:
         """The equilibrium that lies downhill of the start of the lift.
 
-        Friction of contacts is left out; brakes, locking pins and dry friction given in newtons hold what
-        they hold at the start.
+        Brakes, locking pins and dry friction given in newtons hold what they hold at the start.
 
         Args:
             time: Time of the plan [s], at which drives are where it says; None for the end of the lift. A
-                plan that waits for conditions is followed from rest to rest.
-            losses: What losses of sheaves do: `none`, the middle of what they may hold; `forward` and
-                `backward`, all sheaves slip towards the end or the start of their ropes' routes, which
-                bounds it.
+                plan that waits for conditions is followed from rest to rest; so is a lift with drums that
+                remember what they wind, and one whose friction holds.
+            losses: What friction of sheaves and contacts does: `none`, sheaves are ideal, which is the middle
+                of what they may hold, and contacts slide freely; `forward` and `backward`, all sheaves slip
+                towards the end or the start of their ropes' routes, which bounds it; `held`, sheaves and
+                contacts hold where they are at the start, with no more than their friction.
+            slide: A direction of the world along which all contacts have slid: friction, as large as it can
+                be, pulls back along it.
             increment: How far each degree of freedom starts from the start of the lift [m or rad].
 
         Raises:
             NoEquilibriumError: If there is none.
         """
         moment = self.scenario.duration if time is None else time
+        start = None if increment is None else list(increment)
+        way = None if slide is None else [float(part) for part in slide]
         try:
-            found = self._core.settle(moment, None if increment is None else list(increment), losses)
+            found = self._core.settle(moment, start, losses, way)
         except RuntimeError as problem:
             raise NoEquilibriumError(moment, *problem.args) from None
+        return self._found(found, losses)
+
+    def equilibrium_of(self, state: bytes, *, losses: Losses = "held") -> Equilibrium:
+        """The equilibrium of where a simulation has got to, as if everything stopped there.
+
+        Drives and drums stay where they are, with what they have wound; what sticks may go on sticking.
+
+        Args:
+            state: What `gantline.simulation.Simulation.save` gave, of the same lift with any settings.
+            losses: See `equilibrium`.
+
+        Raises:
+            NoEquilibriumError: If there is none.
+            ValueError: If it is no state of this lift.
+        """
+        try:
+            found = self._core.settle_saved(state, losses)
+        except RuntimeError as problem:
+            raise NoEquilibriumError(self._core.time(), *problem.args) from None
+        return self._found(found, losses)
+
+    def stick_range(
+        self, direction: Sequence[float], time: float | None = None
+    ) -> tuple[Equilibrium | None, Equilibrium | None]:
+        """Where loads come to rest that slide along a direction of the world, and against it.
+
+        Between these two friction of their contacts holds them wherever they are put. The first is the one
+        that lies back: friction pulls the load back along the direction, and slings pull it on. None where
+        nothing else holds the load: the range is open.
+
+        Args:
+            direction: Of the world.
+            time: As in `equilibrium`.
+
+        Raises:
+            NoEquilibriumError: If there is none for another cause.
+        """
+
+        def slid(way: Sequence[float]) -> Equilibrium | None:
+            try:
+                return self.equilibrium(time, slide=way)
+            except NoEquilibriumError as problem:
+                if problem.cause == _FALLS:
+                    return None
+                raise
+
+        return slid(direction), slid([-part for part in direction])
+
+    def step_off(self) -> Equilibrium | None:
+        """From the unstable equilibrium found last to the stable one downhill of it.
+
+        It steps off along the motion that leads away fastest, by 0.02 rad (where nothing turns, 0.02 m), in
+        the direction in which the first of the coordinates that move most grows. None where the equilibrium
+        found last is not unstable.
+
+        Raises:
+            NoEquilibriumError: If nothing holds it there.
+        """
+        try:
+            found = self._core.step_off(self._losses)
+        except RuntimeError as problem:
+            raise NoEquilibriumError(self._core.time(), *problem.args) from None
+        return None if found is None else self._found(found, self._losses)
+
+    def _found(self, found: dict[str, Any], losses: Losses) -> Equilibrium:
+        self._losses = losses
+        moment = float(found["time"])
         return Equilibrium(
             time=moment,
             recording=self._recording(f"at rest at {moment:g} s"),
@@ -210,11 +310,19 @@ class Statics:
             steps=found["steps"],
             lossy=tuple(found["lossy"]),
             losses=losses,
+            contacts=tuple(
+                ContactForce(name, support, np.asarray(friction), bound)
+                for name, support, friction, bound in found["contacts"]
+            ),
         )
 
-    def modes(self) -> list[Mode]:
-        """Natural motions about the equilibrium found last, slowest first, after those that lead away."""
-        found = self._core.modes()
+    def modes(self, count: int | None = None) -> list[Mode]:
+        """Natural motions about the equilibrium found last, slowest first, after those that lead away.
+
+        Args:
+            count: How many; None for all. A few of a large lift take much less time than all of them.
+        """
+        found = self._core.modes(count)
         ratios = found["damping_ratio"]
         return [
             Mode(

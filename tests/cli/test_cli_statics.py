@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import subprocess
 import sys
@@ -62,6 +63,13 @@ def test_an_unstable_lift_ends_with_one(tmp_path: Path) -> None:
     assert result.returncode == 1, result.stdout + result.stderr
     assert "UNSTABLE: 2 motions lead away" in result.stdout
     assert re.search(r"leads away, e-fold in \d+\.\d+ s +- +" + LOAD + " turns about", result.stdout)
+    # The unstable one first; then where it goes.
+    upright, beyond = result.stdout.split("Left by itself it goes along motion 1; the stable")
+    assert re.search(LOAD + r" +0\.000 deg", upright)
+    tilt = re.search(LOAD + r" +([\d.]+) deg", beyond)
+    assert tilt is not None
+    # Until a corner meets the ground.
+    assert float(tilt[1]) > 5.0
 
 
 def test_where_there_is_none_it_ends_with_three() -> None:
@@ -71,11 +79,76 @@ def test_where_there_is_none_it_ends_with_three() -> None:
     assert "there is no equilibrium at t = 5 s: it is hauled in until two of the places" in result.stderr
 
 
+PULLED_ASIDE = """\
+format: 1
+lift: {title: A box that slings pull aside}
+duration: 10 s
+start: settled
+ground: {level: 0 m, friction: 0.3}
+ropes:
+  kind: {axial_stiffness: 20 MN}
+load:
+  name: box
+  shape: {box: [4 m, 4 m, 2 m]}
+  datum: bottom_centre
+  position: [2 m, 0 m, 0 m]
+  weight: {calculated: 20 t, contingency: 1.0}
+  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
+  stands_on: ground
+  lugs:
+    A: {at: [0 m, 1 m, 2 m]}
+    B: {at: [0 m, -1 m, 2 m]}
+cranes:
+  hook: {type: fixed_hook, at: [0 m, 0 m, 12 m], hoist: {speed: 0.1 m/s, acceleration: 0.1 m/s^2}}
+slings:
+  SA: {from: hook, to: box.A, length: 10.3 m, rope: kind}
+  SB: {from: hook, to: box.B, length: 10.3 m, rope: kind}
+plan:
+  - {step: take up, hoist: hook, speed: 0.01 m/s, by: 0.065 m}
+  - {step: end, hold: until_end}
+"""
+
+
+def test_friction_that_holds(tmp_path: Path) -> None:
+    """Sling force and friction by hand: EA (l/L − 1) with l = √(2² + 1² + 10.065²)."""
+    path = tmp_path / "aside.yaml"
+    path.write_text(PULLED_ASIDE, encoding="utf-8")
+    result = statics(path, "--held", "--modes", 0)
+    assert result.returncode == 0, result.stderr
+    distance = math.sqrt(2**2 + 1**2 + 10.065**2)
+    tension = 20e3 * (distance / 10.3 - 1)
+    found = re.search(r"SA +([\d.]+) kN", result.stdout)
+    assert found is not None
+    # The contacts of the ground give by tenths of a millimetre, beside 12 mm of stretch.
+    assert float(found[1]) == pytest.approx(tension, rel=0.05)
+    friction = [float(one) for one in re.findall(r"corner_\d +[\d.]+ kN +([\d.]+) kN", result.stdout)]
+    assert sum(friction) == pytest.approx(2 * float(found[1]) * 2 / distance, rel=0.01)
+    ends = re.search(r"box along x +(-[\d.]+) m +([\d.]+) m", result.stdout)
+    assert ends is not None
+    # Symmetric about the hook, which is 2 m off.
+    assert 2 + float(ends[1]) == pytest.approx(-(2 + float(ends[2])), abs=2e-3)
+
+
+def test_where_a_run_has_got_to(tmp_path: Path) -> None:
+    simulation = gantline.Simulation("reeved_hoist")
+    simulation.run(until=100.0)
+    state = tmp_path / "state.bin"
+    state.write_bytes(simulation.save())
+    result = statics("reeved_hoist", "--state", state, "--modes", 0)
+    assert result.returncode == 0, result.stderr
+    assert "Equilibrium at 100." in result.stdout
+    assert "friction of contacts and sheaves holds what it can, from where the lift was" in result.stdout
+    assert re.search(r"hook +2463\.9 kN +2629\.3 kN", result.stdout)
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
         (("equalizer", "--time", "12"), "--time: "),
         (("equalizer", "--time", "-1 s"), "--time: '-1 s' is before the start of the lift; 0 s is the start"),
+        (("equalizer", "--state", "nowhere.bin"), "--state: nowhere.bin: No such file or directory"),
+        (("equalizer", "--state", REFERENCE), "the saved state cannot be used: "),
+        (("equalizer", "--state", "nowhere.bin", "--time", "1 s"), "--time and --sweep do not go with it"),
         (("mechanisms",), "e1 adjusts lengths step by step, which statics does not know"),
     ],
 )

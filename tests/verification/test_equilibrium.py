@@ -357,22 +357,43 @@ def test_nothing_holds_it() -> None:
     assert caught.value.args == ("loose", "nothing holds it, it falls without end")
 
 
+def beam_with_lugs(above: float) -> AtRest:
+    """A beam on two slings, its centre of gravity so high above its lugs, started exactly upright."""
+    slings = [
+        rope(f"s{i}", 8.0, [end(None, (x, 0, 8)), end("beam", (x, 0, -above))], 1e8)
+        for i, x in enumerate((-3.0, 3.0))
+    ]
+    beam = body("beam", free((0, 0, above)), 1e4, inertia=(5e3, 5e4, 5e4))
+    return at_rest(document([beam], ropes=slings))
+
+
 def test_a_centre_of_gravity_above_the_lugs_is_unstable() -> None:
     """A beam whose lugs lie below its centre of gravity is unstable about the line of its lugs."""
-
-    def lifted(above: float) -> AtRest:
-        slings = [
-            rope(f"s{i}", 8.0, [end(None, (x, 0, 8)), end("beam", (x, 0, -above))], 1e8)
-            for i, x in enumerate((-3.0, 3.0))
-        ]
-        beam = body("beam", free((0, 0, above)), 1e4, inertia=(5e3, 5e4, 5e4))
-        return at_rest(document([beam], ropes=slings))
-
-    assert lifted(-0.5).found["unstable"] == 0
-    rest = lifted(0.5)
+    assert beam_with_lugs(-0.5).found["unstable"] == 0
+    rest = beam_with_lugs(0.5)
     assert rest.found["unstable"] == 1
     modes = rest.core.modes()
     assert modes["square"][0] < 0 < modes["square"][1]
     # It rolls about the line of its lugs, x.
     motion = modes["body_motion"][0, 0]
     assert abs(motion[3]) > 1e3 * np.abs(motion[4:]).max()
+
+
+def test_left_by_itself_an_unstable_load_turns_over() -> None:
+    """From exactly upright to where its centre of gravity hangs below the lugs, always the same way round."""
+    assert beam_with_lugs(-0.5).core.step_off() is None
+    rest = beam_with_lugs(0.5)
+    upright = rest.body("beam")
+    found = rest.core.step_off()
+    assert (found["unstable"], found["neutral"]) == (0, 0)
+    # Lugs at −8 (1 + m g/2 EA), the centre of gravity 0.5 m above them, then below.
+    lugs = 8.0 - 8.0 * (1 + 1e4 * G / 2e8)
+    assert upright == pytest.approx([0, 0, lugs + 0.5], abs=1e-9)
+    assert rest.body("beam") == pytest.approx([0, 0, lugs - 0.5], abs=1e-9)
+    assert rest.body("beam", "body_orientation") == pytest.approx([0, 1, 0, 0], abs=1e-9)
+    # Motions are those of the new place; there is nothing left to step off from.
+    assert rest.core.modes(1)["square"][0] > 0
+    assert rest.core.step_off() is None
+    again = beam_with_lugs(0.5)
+    again.core.step_off()
+    assert np.array_equal(again.body("beam", "body_orientation"), rest.body("beam", "body_orientation"))

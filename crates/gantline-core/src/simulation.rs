@@ -68,6 +68,8 @@ enum Method {
 #[derive(Serialize, Deserialize)]
 struct Checkpoint {
     fingerprint: u64,
+    /// That of the document alone.
+    document: u64,
     state: State,
     samples: Samples,
     events: EventLog,
@@ -80,6 +82,7 @@ pub struct Simulation {
     system: System,
     settings: SettingsSpec,
     fingerprint: u64,
+    document: u64,
     state: State,
     before: State,
     frame: Frame,
@@ -101,9 +104,22 @@ fn above_zero(what: &str, value: f64, unit: &str) -> Result<(), SetupError> {
 }
 
 /// FNV-1a, to tell whether a checkpoint belongs to a document.
-fn fingerprint(texts: [&str; 2]) -> u64 {
+pub(crate) fn fingerprint<const COUNT: usize>(texts: [&str; COUNT]) -> u64 {
     let bytes = texts.iter().flat_map(|text| text.bytes().chain([0]));
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// The state in what [`Simulation::save`] gave of the document with a fingerprint, whatever the settings.
+///
+/// # Errors
+/// [`SetupError::State`] where it is not that.
+pub(crate) fn saved_state(document: u64, bytes: &[u8]) -> Result<State, SetupError> {
+    let checkpoint: Checkpoint =
+        serde_json::from_slice(bytes).map_err(|error| SetupError::State(error.to_string()))?;
+    if checkpoint.document != document {
+        return Err(SetupError::State("it was saved from another lift".to_owned()));
+    }
+    Ok(checkpoint.state)
 }
 
 impl Simulation {
@@ -130,6 +146,7 @@ impl Simulation {
             method: method(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),
             fingerprint: fingerprint([document, settings]),
+            document: fingerprint([document]),
             before: state.clone(),
             samples: Samples::with_room(&state, parsed.duration / parsed.sample_interval),
             events: EventLog::new(),
@@ -307,6 +324,7 @@ impl Simulation {
     pub fn save(&self) -> Result<Vec<u8>, SetupError> {
         let checkpoint = Checkpoint {
             fingerprint: self.fingerprint,
+            document: self.document,
             state: self.state.clone(),
             samples: self.samples.clone(),
             events: self.events.clone(),

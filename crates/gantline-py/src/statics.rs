@@ -1,10 +1,10 @@
 //! Statics at the border: a document in, equilibria, modes and sensitivities out.
 
-use gantline_core::statics::NoEquilibrium;
 use gantline_core::statics::lift::StaticLift;
 use gantline_core::statics::modes::Mode;
 use gantline_core::statics::potential::Losses;
 use gantline_core::statics::sensitivity::Parameter;
+use gantline_core::statics::{NoEquilibrium, Rest};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,6 +22,22 @@ fn no_equilibrium(error: NoEquilibrium) -> PyErr {
     PyRuntimeError::new_err((error.element, error.cause))
 }
 
+fn losses_of(word: &str, slide: Option<[f64; 3]>) -> PyResult<Losses> {
+    match (word, slide.and_then(Losses::slide)) {
+        ("none", Some(slides)) => Ok(slides),
+        _ if slide.is_some() => {
+            Err(PyValueError::new_err("what slides does so along a direction, with sheaves without losses"))
+        }
+        ("none", None) => Ok(Losses::None),
+        ("forward", None) => Ok(Losses::Forward),
+        ("backward", None) => Ok(Losses::Backward),
+        ("held", None) => Ok(Losses::Held),
+        _ => Err(PyValueError::new_err(format!(
+            "there are no losses {word}; there are none, forward, backward and held"
+        ))),
+    }
+}
+
 #[pymethods]
 impl Statics {
     /// Builds a system from its document, JSON text.
@@ -36,14 +52,20 @@ impl Statics {
         self.inner.system().tree.velocities
     }
 
+    /// Time of the equilibrium that was looked for last [s].
+    fn time(&self) -> f64 {
+        self.inner.state().time
+    }
+
     /// Finds the equilibrium at a time of the plan; raises `RuntimeError` with element and cause where there is none.
-    #[pyo3(signature = (time=0.0, increment=None, losses="none"))]
+    #[pyo3(signature = (time=0.0, increment=None, losses="none", slide=None))]
     fn settle<'py>(
         &mut self,
         py: Python<'py>,
         time: f64,
         increment: Option<Vec<f64>>,
         losses: &str,
+        slide: Option<[f64; 3]>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let size = self.degrees_of_freedom();
         if let Some(given) = increment.as_ref().filter(|given| given.len() != size) {
@@ -55,34 +77,49 @@ impl Statics {
         if !(time >= 0.0 && time.is_finite()) {
             return Err(PyValueError::new_err(format!("the time is {time} s; it must be zero or more")));
         }
-        let losses = match losses {
-            "none" => Losses::None,
-            "forward" => Losses::Forward,
-            "backward" => Losses::Backward,
-            _ => {
-                return Err(PyValueError::new_err(format!(
-                    "there are no losses {losses}; there are none, forward and backward"
-                )));
-            }
-        };
+        let losses = losses_of(losses, slide)?;
         self.modes.clear();
         let inner = &mut self.inner;
         let rest = py.detach(|| inner.settle(time, increment.as_deref(), losses)).map_err(no_equilibrium)?;
-        let out = PyDict::new(py);
-        out.set_item("residual", rest.residual)?;
-        out.set_item("neutral", rest.neutral)?;
-        out.set_item("unstable", rest.unstable)?;
-        out.set_item("steps", rest.effort.steps)?;
-        out.set_item("rejected", rest.effort.rejected)?;
-        out.set_item("factorisations", rest.factorisations)?;
-        out.set_item("lossy", self.inner.lossy_sheaves())?;
-        Ok(out)
+        self.found(py, rest)
     }
 
-    /// Modes about the equilibrium found last, slowest first; arrays over the modes.
-    fn modes<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    /// Finds the equilibrium of where a simulation of the same document has got to, from what it has saved.
+    #[pyo3(signature = (saved, losses="none", slide=None))]
+    fn settle_saved<'py>(
+        &mut self,
+        py: Python<'py>,
+        saved: &[u8],
+        losses: &str,
+        slide: Option<[f64; 3]>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let losses = losses_of(losses, slide)?;
+        self.modes.clear();
         let inner = &mut self.inner;
-        self.modes = py.detach(|| inner.modes());
+        let rest = py.detach(|| inner.settle_saved(saved, losses)).map_err(value_error)?;
+        self.found(py, rest.map_err(no_equilibrium)?)
+    }
+
+    /// Moves from the unstable equilibrium found last to the stable one beside it; none where it is not unstable.
+    #[pyo3(signature = (losses="none", slide=None))]
+    fn step_off<'py>(
+        &mut self,
+        py: Python<'py>,
+        losses: &str,
+        slide: Option<[f64; 3]>,
+    ) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let losses = losses_of(losses, slide)?;
+        self.modes.clear();
+        let inner = &mut self.inner;
+        let rest = py.detach(|| inner.step_off(losses)).map_err(no_equilibrium)?;
+        rest.map(|rest| self.found(py, rest)).transpose()
+    }
+
+    /// Modes about the equilibrium found last, slowest first, so many or all; arrays over the modes.
+    #[pyo3(signature = (count=None))]
+    fn modes<'py>(&mut self, py: Python<'py>, count: Option<usize>) -> PyResult<Bound<'py, PyDict>> {
+        let inner = &mut self.inner;
+        self.modes = py.detach(|| inner.modes(count));
         let (modes, ropes) = (&self.modes, self.inner.system().rope_rows());
         let (count, bodies) = (modes.len(), self.inner.names().body.len());
         let motion = modes.iter().flat_map(|mode| self.inner.body_motion(&mode.shape)).collect();
@@ -145,6 +182,20 @@ impl Statics {
 }
 
 impl Statics {
+    fn found<'py>(&self, py: Python<'py>, rest: Rest) -> PyResult<Bound<'py, PyDict>> {
+        let out = PyDict::new(py);
+        out.set_item("time", self.inner.state().time)?;
+        out.set_item("residual", rest.residual)?;
+        out.set_item("neutral", rest.neutral)?;
+        out.set_item("unstable", rest.unstable)?;
+        out.set_item("steps", rest.effort.steps)?;
+        out.set_item("rejected", rest.effort.rejected)?;
+        out.set_item("factorisations", rest.factorisations)?;
+        out.set_item("lossy", self.inner.lossy_sheaves())?;
+        out.set_item("contacts", self.inner.contact_forces())?;
+        Ok(out)
+    }
+
     fn parameter(&self, kind: &str, name: &str) -> PyResult<Parameter> {
         let missing = || PyValueError::new_err(format!("there is no {name} to ask the {kind} of"));
         let rope = || self.inner.rope(name).ok_or_else(missing);

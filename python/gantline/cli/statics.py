@@ -60,6 +60,19 @@ def statics(
         str | None,
         typer.Option(metavar="LENGTH", help="Most by which a length may change.  [default: a tenth of it]"),
     ] = None,
+    held: Annotated[
+        bool,
+        typer.Option(
+            "--held", help="Let friction of contacts and sheaves hold what it can, from the start on."
+        ),
+    ] = False,
+    state: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Ask for the equilibrium of where a run had got to, by the state that it left.",
+        ),
+    ] = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -72,14 +85,19 @@ def statics(
 ) -> None:
     """Find the equilibrium of a lift, and its natural motions about it; nothing is simulated.
 
-    Ends with code 1 where the equilibrium is unstable, and with 3 where there is none.
+    An unstable equilibrium is told first, then the stable one that it leads to. Ends with code 1 where the
+    equilibrium is unstable, and with 3 where there is none.
     """
     moment = moment_of(time)
+    if state is not None and (time is not None or sweep is not None):
+        stop("--state: a run had got to a time of its own; --time and --sweep do not go with it")
     if sweep is not None:
         from gantline.cli.sweep import sweep as run_sweep
 
-        if sensitivities or output is not None:
-            stop("--sweep: prints a table of many equilibria; --sensitivities and --output are for one")
+        if sensitivities or held or output is not None:
+            stop(
+                "--sweep: makes a table of many equilibria; --held, --sensitivities and --output are for one"
+            )
         run_sweep(lift, sweep, moment)
     if level or plumb or want is not None:
         from gantline.cli.inverse import hang_as_wanted
@@ -90,19 +108,25 @@ def statics(
     if adjust is not None or most is not None:
         stop("--adjust and --most belong to --level, --want or --plumb")
     with scenario_errors():
+        from gantline.cli.friction import contact_forces, stick_ranges
         from gantline.scenario.variants import without_cases
         from gantline.statics import NoEquilibriumError, Statics
 
         question = Statics(lift)
     try:
-        bounds = _bounds(question, moment)
-        rest = question.equilibrium(moment)
+        bounds = _bounds(question, moment) if state is None else []
+        rest = _rest(question, moment, state, held=held)
+        ranges = []
+        if held and state is None and any(contact.bound > 0.0 for contact in rest.contacts):
+            ranges = stick_ranges(question, rest)
+            # Motions are those of the equilibrium found last.
+            rest = _rest(question, moment, state, held=held)
     except NoEquilibriumError as problem:
         stop(str(problem), COULD_NOT_GO_ON)
     from gantline.cli.tilting import tilting_lines
     from gantline.study.tilting import margins_of, tilting_of
 
-    found = question.modes()
+    found = question.modes(max(modes, rest.unstable + rest.neutral))
     far = []
     if margins and rest.recording.rig.loads:
         far = margins_of(without_cases(question.scenario), rest)
@@ -114,14 +138,45 @@ def statics(
         _hooks(rest),
         _loads(rest),
         tilting_lines(tilting_of(question, rest, found), far),
+        contact_forces(rest) if rest.losses == "held" else [],
+        ranges,
         _sheaves(rest),
         _modes(shown),
         _sensitivities(rest, question.sensitivities()) if sensitivities else [],
     ]
-    typer.echo("\n".join(line for part in parts if part for line in (*part, "")))
     if output is not None:
         _write(question, rest, shown, output)
+    if not rest.is_stable:
+        parts += _beyond(question, rest)
+    typer.echo("\n".join(line for part in parts if part for line in (*part, "")))
     raise typer.Exit(DONE if rest.is_stable else CHECK_FAILED)
+
+
+def _rest(question: Statics, moment: float | None, state: Path | None, *, held: bool) -> Equilibrium:
+    """The equilibrium that was asked for."""
+    if state is None:
+        return question.equilibrium(moment, losses="held" if held else "none")
+    try:
+        return question.equilibrium_of(state.read_bytes())
+    except OSError as problem:
+        stop(f"--state: {state}: {problem.strerror}")
+    except ValueError as problem:
+        stop(f"--state: {state}: {problem}")
+
+
+def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
+    """Where the lift goes that is left by itself."""
+    from gantline.statics import NoEquilibriumError
+
+    try:
+        beyond = question.step_off()
+    except NoEquilibriumError as problem:
+        return [[f"Left by itself it goes along motion 1: {problem}"]]
+    if beyond is None:
+        return []
+    state = "the stable equilibrium there" if beyond.is_stable else "still not stable"
+    head = [f"Left by itself it goes along motion 1; {state}:"]
+    return [head, _slings(beyond, []), _hooks(beyond), _loads(beyond)]
 
 
 def _bounds(question: Statics, moment: float | None) -> list[Equilibrium]:
@@ -142,6 +197,9 @@ def _heading(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[st
     lines.append(f"Equilibrium at {rest.time:g} s: {state}")
     free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
     lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]
+    if rest.losses == "held":
+        lines.append("  friction of contacts and sheaves holds what it can, from where the lift was")
+        return lines
     if rest.lossy:
         lines.append(
             f"  losses of {len(rest.lossy)} sheaves left out; bounds: all slip along the rope, all against"

@@ -6,12 +6,12 @@ use super::potential::Losses;
 use super::sensitivity::{Parameter, Sensitivity};
 use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
-use crate::constraint::AnyConstraint;
+use crate::constraint::{AnyConstraint, Law};
 use crate::event::EventLog;
 use crate::record::Samples;
 use crate::record::columns::Columns;
 use crate::record::names::Names;
-use crate::simulation::SetupError;
+use crate::simulation::{SetupError, fingerprint, saved_state};
 use crate::solver::complementarity::Mode as RowMode;
 use crate::spec::SystemSpec;
 use crate::state::State;
@@ -21,6 +21,11 @@ use crate::tree::kinematics::{Kinematics, Twist};
 
 /// Time between looks at the conditions of a plan [s].
 const LOOK: f64 = 0.1;
+/// Longest and shortest part of a plan that is followed at once [s].
+const LONGEST: f64 = 5.0;
+const SHORTEST: f64 = 1e-3;
+/// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
+const DOUBT: f64 = 1e-6;
 
 /// A lift at rest.
 #[derive(Debug, Clone)]
@@ -30,6 +35,7 @@ pub struct StaticLift {
     state: State,
     statics: Statics,
     samples: Samples,
+    fingerprint: u64,
 }
 
 impl StaticLift {
@@ -46,14 +52,16 @@ impl StaticLift {
             return Err(SetupError::Setting(problem));
         }
         let statics = Statics::new(&system);
-        Ok(Self { state: first.clone(), samples: Samples::default(), first, statics, system })
+        let fingerprint = fingerprint([document]);
+        Ok(Self { state: first.clone(), samples: Samples::default(), first, statics, system, fingerprint })
     }
 
     /// Finds the equilibrium at `time` [s] of the plan, downhill of the start of the lift after `increment` of its
     /// free degrees of freedom (none: the start itself).
     ///
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
-    /// A plan that waits for a condition is followed from rest to rest in steps of 0.1 s.
+    /// A plan that waits for a condition is followed from rest to rest in steps of 0.1 s. So is a lift whose drums
+    /// remember what they wind, or whose friction holds: in parts that are short where that matters.
     ///
     /// # Errors
     /// [`NoEquilibrium`] says why there is none.
@@ -63,7 +71,7 @@ impl StaticLift {
         increment: Option<&[f64]>,
         losses: Losses,
     ) -> Result<Rest, NoEquilibrium> {
-        let Self { system, first, state, statics, .. } = self;
+        let Self { system, first, state, .. } = self;
         state.copy_from(first);
         if let Some(increment) = increment {
             let free = increment.iter().zip(&system.driven);
@@ -71,6 +79,34 @@ impl StaticLift {
                 free.map(|(step, driven)| if driven.is_none() { *step } else { 0.0 }).collect();
             system.tree.advance(&mut state.q, &free);
         }
+        let rest = if system.coils.is_empty() && losses != Losses::Held {
+            self.jump(time, losses)
+        } else {
+            self.follow(time, losses)
+        }?;
+        self.sample(time > 0.0);
+        Ok(rest)
+    }
+
+    /// Finds the equilibrium to which a run of the same document would come if everything stopped where it has got to,
+    /// from what [`crate::simulation::Simulation::save`] gave: drums and drives stay where they are.
+    ///
+    /// # Errors
+    /// Text where that is not of this document, else [`NoEquilibrium`].
+    pub fn settle_saved(
+        &mut self,
+        saved: &[u8],
+        losses: Losses,
+    ) -> Result<Result<Rest, NoEquilibrium>, SetupError> {
+        self.state = saved_state(self.fingerprint, saved)?;
+        let Self { system, state, statics, .. } = self;
+        statics.resume(system, state);
+        Ok(statics.go_on(system, state, losses).inspect(|_| self.sample(true)))
+    }
+
+    /// At once, or in steps where the plan waits for conditions.
+    fn jump(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
+        let Self { system, state, statics, .. } = self;
         let mut log = EventLog::new();
         let mut support = vec![0.0; system.groups.len()];
         let mut ahead = state.plan.clone();
@@ -91,20 +127,72 @@ impl StaticLift {
         }
         state.time = time;
         part(system, state);
-        let rest = statics.settle(system, state, losses)?;
-        self.samples = Samples::default();
-        if time > 0.0 {
-            // Travel counts from here.
-            self.samples.push_state(&self.system, 0.0, &self.first);
+        statics.settle(system, state, losses)
+    }
+
+    /// From rest to rest.
+    fn follow(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
+        let Self { system, state, statics, .. } = self;
+        let mut log = EventLog::new();
+        let mut support = vec![0.0; system.groups.len()];
+        part(system, state);
+        let mut rest = statics.settle(system, state, losses)?;
+        let (mut before, mut stride) = (state.clone(), LONGEST);
+        while state.time < time {
+            before.copy_from(state);
+            let now = state.time;
+            flows::supports(system, &state.tension, &mut support);
+            // What is due now begins now, so that it is known what that waits for.
+            flows::advance_plan(system, state, now.next_up(), &support, &mut log);
+            let waits = state.plan.waits_for_condition();
+            stride = stride.min(if waits { LOOK } else { LONGEST });
+            let due = if waits { f64::INFINITY } else { state.plan.next_time(&system.plan, now) };
+            let next = (now + stride).min(due).min(time);
+            flows::advance_plan(system, state, next, &support, &mut log);
+            state.time = next;
+            part(system, state);
+            let found = statics.go_on(system, state, losses);
+            let is_short = next - now <= SHORTEST;
+            if is_short || (found.is_ok() && statics.doubt <= DOUBT) {
+                rest = found?;
+                stride *= 2.0;
+            } else {
+                state.copy_from(&before);
+                statics.resume(system, state);
+                stride = 0.5 * (next - now);
+            }
         }
-        self.samples.push_state(&self.system, time, &self.state);
-        self.note_tensions(&self.state.clone());
         Ok(rest)
     }
 
-    /// Modes about the equilibrium that was found last, slowest first.
-    pub fn modes(&mut self) -> Vec<Mode> {
-        self.statics.modes(&self.system, &self.state)
+    /// The samples are the start of the lift, where `from_start`, and the equilibrium.
+    fn sample(&mut self, from_start: bool) {
+        self.samples = Samples::default();
+        if from_start {
+            // Travel counts from here.
+            self.samples.push_state(&self.system, 0.0, &self.first);
+        }
+        self.samples.push_state(&self.system, self.state.time, &self.state);
+        self.note_tensions(&self.state.clone());
+    }
+
+    /// The `count` slowest modes about the equilibrium that was found last, slowest first; all without a count.
+    pub fn modes(&mut self, count: Option<usize>) -> Vec<Mode> {
+        self.statics.modes(&self.system, &self.state, count)
+    }
+
+    /// Moves off an unstable equilibrium, the one that was found last, to the stable one downhill of it; false where it
+    /// is not unstable. The samples are then as those of [`StaticLift::settle`].
+    ///
+    /// # Errors
+    /// [`NoEquilibrium`] where there is none.
+    pub fn step_off(&mut self, losses: Losses) -> Result<Option<Rest>, NoEquilibrium> {
+        let Self { system, state, statics, .. } = self;
+        let rest = statics.step_off(system, state, losses)?;
+        if rest.is_some() {
+            self.sample(self.state.time > 0.0);
+        }
+        Ok(rest)
     }
 
     /// How a shape moves every body: velocity of the centre of gravity and angular velocity, world axes.
@@ -209,6 +297,21 @@ impl StaticLift {
     /// Number of a body.
     pub fn body(&self, name: &str) -> Option<usize> {
         self.system.tree.bodies.iter().position(|body| body.name == name)
+    }
+
+    /// What the contacts that carry do in the equilibrium found last: name, support force N [N], force of friction on
+    /// the body, world axes [N], and the largest that it can be, μN [N].
+    pub fn contact_forces(&self) -> Vec<(&str, f64, [f64; 3], f64)> {
+        let Self { system, state, .. } = self;
+        let contacts = system.friction.chunks_exact(2).filter_map(|rows| {
+            let Law::Friction { coefficient, normal, .. } = system.rows.laws[rows[0]] else { return None };
+            let AnyConstraint::Contact(contact) = system.constraint_of_row(normal) else { return None };
+            let [one, other] = contact.plane.tangents;
+            let force = -(one * state.tension[rows[0]] + other * state.tension[rows[1]]);
+            let pressed = state.tension[normal];
+            Some((contact.name.as_str(), pressed, force.to_array(), coefficient * pressed))
+        });
+        contacts.filter(|(_, pressed, ..)| *pressed > 0.0).collect()
     }
 
     /// Names of the sheaves with losses.

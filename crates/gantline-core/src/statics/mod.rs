@@ -3,24 +3,27 @@
 //! [`Statics::settle`] finds the equilibrium that lies downhill of a configuration, with drives where they are at a
 //! time of their timelines: [`search`] is the way down on the [`potential`], by the [`matrix`] of the exact tangent.
 //!
-//! Friction: contacts are taken without. Sheaves are taken as ideal, or as slipping all one way, which bounds what their
-//! losses may hold ([`potential::Losses`]). What holds a joint or a drum by itself (a brake,
+//! Friction: contacts are taken without and sheaves as ideal, or as holding what they can, or as slipping all one way,
+//! which bounds what they may hold ([`potential::Losses`]). What holds a joint or a drum by itself (a brake,
 //! a locking pin, dry friction in newtons) holds it where the state has it, with no more than its own force.
 
 pub mod eigen;
+mod friction;
 pub mod guard;
 pub mod lift;
+mod lowest;
 pub mod matrix;
 pub mod modes;
 pub mod potential;
 pub mod search;
 pub mod sensitivity;
+mod stepping_off;
+mod winding;
 
 use thiserror::Error;
 
 use crate::audit::Ledger;
-use crate::constraint::brake::At;
-use crate::constraint::{AnyConstraint, Law};
+use crate::constraint::Law;
 use crate::force::AnyForce;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -36,6 +39,8 @@ const LENGTH_LEFT: f64 = 1e-11;
 const LOSS_LEFT: f64 = 1e-12;
 /// Moves of multipliers, at most.
 const ROUNDS: usize = 40;
+/// Moves of what friction holds, at most.
+const FRICTION_ROUNDS: usize = 200;
 /// ω² of a motion that nothing moves and nothing holds is within this of zero [1/s²]: a period of two hours.
 pub const NEUTRAL: f64 = 1e-6;
 
@@ -69,15 +74,28 @@ pub struct Rest {
 pub struct Statics {
     search: Search,
     bearings: Vec<Bearing>,
+    /// Where the drives were at the time of the equilibrium found last.
+    asked: Vec<f64>,
+    /// Where they are, which is not the same of motors that were too weak.
+    places: Vec<f64>,
+    /// How much unstretched rope is in doubt that drums have wound since the equilibrium before [m].
+    pub doubt: f64,
 }
 
 impl Statics {
     /// Room for `system`.
     pub fn new(system: &System) -> Self {
-        Self { search: Search::new(system), bearings: Vec::new() }
+        Self {
+            search: Search::new(system),
+            bearings: Vec::new(),
+            asked: Vec::new(),
+            places: Vec::new(),
+            doubt: 0.0,
+        }
     }
 
-    /// Moves `state` to the equilibrium downhill of it, with drives where their timelines say at its time.
+    /// Moves `state` to the equilibrium downhill of it, with drives where their timelines say at its time. What lies on
+    /// drums was wound before that, under the tension found, or under what was given.
     ///
     /// # Errors
     /// [`NoEquilibrium`] where something falls without end, or no step leads on.
@@ -87,34 +105,61 @@ impl Statics {
         state: &mut State,
         losses: Losses,
     ) -> Result<Rest, NoEquilibrium> {
-        refuse_turned_drums(system, state)?;
+        self.begin(system, state);
         flows::set_driven(system, state);
-        self.bearings = bearings(system, state, losses);
-        self.search.effort = Effort::default();
-        self.search.matrix.factorisations = 0;
-        for round in 1.. {
-            self.search.descend(system, state, &self.bearings).map_err(|stuck| explain(system, stuck))?;
-            let lengths = self.move_multipliers();
-            if lengths <= LENGTH_LEFT && self.follow_losses(system, state, losses) <= LOSS_LEFT {
-                break;
-            }
-            if round == ROUNDS {
-                // Losses are a share of tensions: they contract, lengths may not.
-                let rigid = self.bearings.iter().position(|bearing| bearing.is_rigid).unwrap_or(0);
-                let cause = "lengths that cannot change contradict one another".to_owned();
-                let element = system.constraint_of_row(rigid).name().to_owned();
-                return Err(NoEquilibrium { element, cause });
-            }
-        }
+        let rest = self.balance(system, state, losses)?;
+        winding::lay(system, state, &self.search.here.frame);
+        Ok(rest)
+    }
+
+    /// What the equilibrium found last is like.
+    fn rest(&mut self, system: &System, state: &State) -> Rest {
         let (unstable, neutral) = self.inertia(system, state);
-        self.store(system, state);
-        Ok(Rest {
+        Rest {
             residual: self.search.here.residual(system),
             neutral,
             unstable,
             effort: self.search.effort,
             factorisations: self.search.matrix.factorisations,
-        })
+        }
+    }
+
+    /// Counts anew, with drives where they are at the time of `state`.
+    fn begin(&mut self, system: &System, state: &State) {
+        self.search.effort = Effort::default();
+        self.search.matrix.factorisations = 0;
+        self.asked = winding::asked(system, state);
+        self.places.clone_from(&self.asked);
+    }
+
+    /// Moves `state` to the equilibrium downhill of it, with drives where it has them.
+    fn balance(&mut self, system: &System, state: &mut State, losses: Losses) -> Result<Rest, NoEquilibrium> {
+        self.bearings = bearings(system, state, losses);
+        self.hold_motors(system);
+        for round in 1.. {
+            self.search.descend(system, state, &mut self.bearings).map_err(|stuck| explain(system, stuck))?;
+            let lengths = self.move_multipliers();
+            if lengths <= LENGTH_LEFT && self.follow_friction(system, state, (losses, round)) {
+                break;
+            }
+            let (element, cause) = if lengths > LENGTH_LEFT && round == ROUNDS {
+                // Friction is a share of other forces: it contracts, lengths may not.
+                let rigid = self.bearings.iter().position(|bearing| bearing.is_rigid).unwrap_or(0);
+                (rigid, "lengths that cannot change contradict one another")
+            } else if round == FRICTION_ROUNDS {
+                let slips = |row: &usize| !self.search.here.follows[*row];
+                let row = system.friction.iter().copied().find(slips).unwrap_or(0);
+                (row, "its friction and what that holds find no balance")
+            } else {
+                continue;
+            };
+            let element = system.constraint_of_row(element).name().to_owned();
+            return Err(NoEquilibrium { element, cause: cause.to_owned() });
+        }
+        self.drag_motors(system, state);
+        let rest = self.rest(system, state);
+        self.store(system, state);
+        Ok(rest)
     }
 
     /// T̂ = T of rows without compliance; by how much the largest of their lengths was wrong [m].
@@ -130,33 +175,9 @@ impl Statics {
         most
     }
 
-    /// Forces of sheaves that slip after the tensions on both sides; by how much the largest share was wrong.
-    fn follow_losses(&mut self, system: &System, state: &State, losses: Losses) -> f64 {
-        let sign = match losses {
-            Losses::None => return 0.0,
-            Losses::Forward => 1.0,
-            Losses::Backward => -1.0,
-        };
-        let mut most = 0.0_f64;
-        let here = &self.search.here;
-        for (bearing, row) in self.bearings.iter_mut().zip(0..) {
-            let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { continue };
-            if brake.grip.is_none() {
-                continue;
-            }
-            let at = At { q: &here.q, kinematics: &here.frame.kinematics, seats: &state.seats };
-            let bound = brake.bound(at, &here.tension, 0.0);
-            let (Part::Resist(known) | Part::Hold(known)) = &mut bearing.part else { continue };
-            let wanted = if brake.spin.is_some() { bound } else { sign * bound };
-            most = most.max((wanted - *known).abs() / bound.max(f64::MIN_POSITIVE));
-            *known = wanted;
-        }
-        most
-    }
-
     /// How many motions have ω² below and about zero, by the signs of pivots at two shifts.
     fn inertia(&mut self, system: &System, state: &State) -> (usize, usize) {
-        let Self { search, bearings } = self;
+        let Self { search, bearings, .. } = self;
         search.here.update_mass(system);
         search.matrix.linearise(system, &search.here, &Remembered::of(state));
         search.matrix.extra.fill(0.0);
@@ -181,9 +202,9 @@ impl Statics {
             if state.modes[row] == Mode::Parted {
                 continue;
             }
-            if matches!(law, Law::Friction { .. }) {
-                // Anchors lie below their points: without deflection.
-                state.memory[row] += std::mem::take(&mut self.search.here.frame.value[row]);
+            if let Law::Friction { compliance, .. } = law {
+                // Anchors lie where their springs hold what they hold; below their points, where that is nothing.
+                state.memory[row] += self.search.here.frame.value[row] - compliance * state.tension[row];
             }
             state.modes[row] = match *law {
                 Law::Unilateral { .. } if self.search.here.follows[row] => Mode::Acting,
@@ -201,26 +222,9 @@ impl Statics {
         }
         self.search.here.update(system, &self.bearings, &Remembered::of(state));
         let frame = &self.search.here.frame;
-        for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
-            coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
-        }
         state.ledger = Ledger::open(flows::stored(system, state, frame));
         state.restart = true;
     }
-}
-
-/// What a drum lets go depends on what its rope bore while it was wound, so on the way there: it is known at the start.
-fn refuse_turned_drums(system: &System, state: &State) -> Result<(), NoEquilibrium> {
-    for place in &system.coils {
-        let drive = system.drives.iter().position(|drive| drive.dof == place.dof);
-        let asked = drive.map(|drive| state.plan.timelines[drive].motion(state.time).position);
-        if asked.is_some_and(|asked| (asked - state.q[place.position]).abs() > LENGTH_LEFT) {
-            let element = system.constraints[place.rope].name().to_owned();
-            let cause = "its drum has turned by then, and what it has let go depends on the way: simulate it";
-            return Err(NoEquilibrium { element, cause: cause.to_owned() });
-        }
-    }
-    Ok(())
 }
 
 /// Whether a hull moves a body along.

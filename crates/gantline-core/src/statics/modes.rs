@@ -14,6 +14,10 @@ use crate::state::State;
 use crate::stepper::frame::Remembered;
 use crate::system::System;
 
+/// From so many degrees of freedom on modes are found one by one, where no more than the `FEW`th part is asked for.
+const LARGE: usize = 120;
+const FEW: usize = 8;
+
 /// A mode.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
@@ -28,10 +32,30 @@ pub struct Mode {
 }
 
 impl Statics {
-    /// All modes about the equilibrium in which `state` is since the last [`Statics::settle`], slowest first.
-    pub fn modes(&mut self, system: &System, state: &State) -> Vec<Mode> {
+    /// The `count` slowest modes about the equilibrium in which `state` is since the last [`Statics::settle`], slowest
+    /// first; all without a count. A few of a large lift are found by [`super::lowest`], all else by dense matrices.
+    pub fn modes(&mut self, system: &System, state: &State, count: Option<usize>) -> Vec<Mode> {
+        let size = self.search.matrix.layout.free.len();
+        let count = count.unwrap_or(size).min(size);
+        if size >= LARGE && FEW * count <= size {
+            self.linearise(system, state);
+            if let Some(found) = self.lowest(system, count) {
+                return found.into_iter().map(|(square, shape)| self.mode(system, square, shape)).collect();
+            }
+        }
+        let mut modes = self.all_modes(system, state);
+        modes.truncate(count);
+        modes
+    }
+
+    fn linearise(&mut self, system: &System, state: &State) {
         self.search.here.update_mass(system);
         self.search.matrix.linearise(system, &self.search.here, &Remembered::of(state));
+    }
+
+    /// All modes, by dense matrices.
+    pub(super) fn all_modes(&mut self, system: &System, state: &State) -> Vec<Mode> {
+        self.linearise(system, state);
         let (follows, matrix) = (&self.search.here.follows, &self.search.matrix);
         let size = matrix.layout.free.len();
         let (mass, stiffness) = matrix.dense(system, &self.bearings, follows);
@@ -45,20 +69,21 @@ impl Statics {
             .collect();
         let found = vibrations(&Square::new(size, mass), &Square::new(size, stiffness), &held);
         let (squares, shapes) = found.unwrap_or_default();
-        squares.into_iter().zip(shapes).map(|(square, shape)| self.mode(system, square, &shape)).collect()
+        let whole = |free: Vec<f64>| {
+            let mut shape = vec![0.0; system.tree.velocities];
+            matrix.layout.free.iter().zip(free).for_each(|(&dof, entry)| shape[dof] = entry);
+            shape
+        };
+        let found = squares.into_iter().zip(shapes);
+        found.map(|(square, free)| self.mode(system, square, whole(free))).collect()
     }
 
-    fn mode(&self, system: &System, square: f64, free: &[f64]) -> Mode {
-        let matrix = &self.search.matrix;
-        let mut shape = vec![0.0; system.tree.velocities];
-        for (index, &dof) in matrix.layout.free.iter().enumerate() {
-            shape[dof] = free[index];
-        }
+    fn mode(&self, system: &System, square: f64, mut shape: Vec<f64>) -> Mode {
         let sign = if shape.iter().sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
         shape.iter_mut().for_each(|entry| *entry *= sign);
         let joints = shape.iter().zip(&system.tree.damping);
         let mut damping: f64 = joints.map(|(entry, damping)| damping * entry * entry).sum();
-        damping += matrix.resistance(system, &shape);
+        damping += self.search.matrix.resistance(system, &shape);
         let mut tension = vec![0.0; system.rows.count()];
         for (row, bearing) in self.bearings.iter().enumerate() {
             if self.search.here.follows[row] && bearing.part == Part::Pull && !bearing.is_rigid {

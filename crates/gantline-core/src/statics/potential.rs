@@ -7,6 +7,12 @@
 //!
 //! U is the energy of the water that hulls displace ([`crate::force::buoyancy`]). Where a row has no compliance ε is a small one of statics' own and T̂ the multiplier, which is moved to T until
 //! nothing is left of e: the augmented Lagrangian (Hestenes 1969, Powell 1969). Else T̂ = 0, and V is the energy.
+//!
+//! A contact that holds where it stands has both its tangential rows in one law, with s how far it has moved along its
+//! plane: V = s²/2ε while s/ε is within its bound b, b (|s| − ½ ε b) beyond. Its rows are taken along s and across it:
+//! along, the law is that of a brake; across, a force b that turns with s has the stiffness b/|s|.
+
+use glam::DVec3;
 
 use crate::audit::gravity_energy;
 use crate::constraint::{AnyConstraint, Law};
@@ -24,6 +30,8 @@ const STIFFER: f64 = 0.1;
 /// And what is left of it at least.
 const LEAST_SHARE: f64 = 2e-3;
 
+/// ε of what holds nothing [m/N].
+const FREE: f64 = 1e6;
 /// Rounding of a sum of lengths, relative to the longest.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
@@ -36,20 +44,37 @@ pub enum Part {
     Pull,
     /// Holds a joint where it is, with no more force than this [N or N m].
     Hold(f64),
-    /// Resists with this force whatever the value: a sheave that slips [N].
+    /// Resists with this force whatever the value: what slips [N].
     Resist(f64),
+    /// The first of the two tangential rows of a contact that holds where it stands, with no more than this [N]: along
+    /// what it has moved.
+    Stick(f64),
+    /// The second: across that.
+    Across,
 }
 
-/// What the losses of sheaves do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// What friction of sheaves and contacts does.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Losses {
-    /// Nothing: one tension on both sides, the middle of what they may hold.
+    /// Nothing: one tension on both sides of a sheave, the middle of what it may hold, and contacts slide freely.
     #[default]
     None,
-    /// All slip towards the end of their ropes' routes.
+    /// All sheaves slip towards the end of their ropes' routes; contacts slide freely.
     Forward,
     /// All slip towards the start.
     Backward,
+    /// Sheaves and contacts hold where the state has them, each with no more than its friction.
+    Held,
+    /// All contacts have slid along this direction of the world, a unit vector, and friction pulls them back; sheaves
+    /// are ideal.
+    Slide(DVec3),
+}
+
+impl Losses {
+    /// All contacts have slid along a direction of the world; none where that is none.
+    pub fn slide(direction: [f64; 3]) -> Option<Self> {
+        DVec3::from_array(direction).try_normalize().map(Self::Slide)
+    }
 }
 
 /// What a row holds: a coordinate, or one against another where there is one.
@@ -57,7 +82,8 @@ pub enum Losses {
 pub struct Held {
     position: usize,
     against: Option<usize>,
-    place: f64,
+    /// Where it is held [m or rad].
+    pub place: f64,
 }
 
 impl Held {
@@ -86,8 +112,8 @@ pub struct Bearing {
     pub is_rigid: bool,
     /// T̂ [N].
     pub offset: f64,
-    /// What it holds, and where.
-    pub held: Held,
+    /// What it holds, and where; none of a row whose value is its own.
+    pub held: Option<Held>,
     /// Length whose difference to another e is [m].
     pub length: f64,
 }
@@ -108,8 +134,11 @@ impl Bearing {
             Part::Resist(force) => (force, force * value, false),
             Part::Pull if trial > 0.0 => (trial, 0.5 * self.compliance * trial * trial, true),
             Part::Pull => (0.0, 0.0, false),
-            Part::Hold(bound) if trial.abs() <= bound => (trial, 0.5 * self.compliance * trial * trial, true),
-            Part::Hold(bound) => {
+            Part::Across => (trial, 0.5 * self.compliance * trial * trial, true),
+            Part::Hold(bound) | Part::Stick(bound) if trial.abs() <= bound => {
+                (trial, 0.5 * self.compliance * trial * trial, true)
+            }
+            Part::Hold(bound) | Part::Stick(bound) => {
                 let energy = self.compliance * bound * (trial.abs() - 0.5 * bound);
                 (bound.copysign(trial), energy, false)
             }
@@ -130,9 +159,12 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
         let is_rigid = law.compliance() == 0.0;
         let compliance = if is_rigid { compliance } else { law.compliance() };
         let (part, held) = match law {
-            _ if state.modes[row] == Mode::Parted => (Part::Off, Held::default()),
-            Law::Unilateral { .. } => (Part::Pull, Held::default()),
-            Law::Friction { .. } => (Part::Off, Held::default()),
+            _ if state.modes[row] == Mode::Parted => (Part::Off, None),
+            Law::Unilateral { .. } => (Part::Pull, None),
+            Law::Friction { normal, .. } => {
+                let touches = state.trial[*normal] >= 0.0;
+                (contact_part(losses, row - normal, touches), None)
+            }
             Law::Pin | Law::Brake { .. } => held(system, state, row, losses),
         };
         let length = length(system, row);
@@ -141,31 +173,39 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
     system.rows.laws.iter().enumerate().map(row).collect()
 }
 
-fn held(system: &System, state: &State, row: usize, losses: Losses) -> (Part, Held) {
+/// How the tangential row `number`, 1 or 2, of a contact takes part, which touches at the start or not.
+fn contact_part(losses: Losses, number: usize, touches: bool) -> Part {
+    match losses {
+        Losses::Held if touches && number == 1 => Part::Stick(f64::INFINITY),
+        Losses::Held if touches => Part::Across,
+        Losses::Slide(_) => Part::Resist(0.0),
+        _ => Part::Off,
+    }
+}
+
+fn held(system: &System, state: &State, row: usize, losses: Losses) -> (Part, Option<Held>) {
     let position = |dof: usize| {
         let body = &system.tree.bodies[system.tree.owner[dof]];
         body.first_position + dof - body.first_velocity
     };
     match system.constraint_of_row(row) {
         AnyConstraint::Pin(pin) if state.modes[row] == Mode::Acting => {
-            (Part::Hold(f64::INFINITY), Held::here(position(pin.dof), None, &state.q))
+            (Part::Hold(f64::INFINITY), Some(Held::here(position(pin.dof), None, &state.q)))
         }
         AnyConstraint::Brake(brake) => {
-            let mut held = Held::here(position(brake.dof), brake.spin.map(position), &state.q);
+            let motor = system.motors.iter().find(|(other, _)| *other == row);
+            let braked = motor.and_then(|&(_, drive)| state.plan.timelines[drive].braked(state.time));
             let part = match (brake.grip.is_none(), losses) {
-                (true, _) => Part::Hold(brake.capacity),
+                (true, _) => Part::Hold(braked.unwrap_or(brake.capacity)),
                 // The groove grips, unless it is weaker than the bearing.
                 (false, _) if brake.spin.is_some() => Part::Hold(f64::INFINITY),
-                (false, Losses::None) => Part::Off,
+                (false, Losses::Held) => Part::Hold(f64::INFINITY),
+                (false, Losses::None | Losses::Slide(_)) => Part::Off,
                 (false, _) => Part::Resist(0.0),
             };
-            let asked = |drive: usize| state.plan.timelines[drive].motion(state.time).position;
-            if let Some(&(_, drive)) = system.motors.iter().find(|(other, _)| *other == row) {
-                held.place = asked(drive);
-            }
-            (part, held)
+            (part, Some(Held::here(position(brake.dof), brake.spin.map(position), &state.q)))
         }
-        _ => (Part::Off, Held::default()),
+        _ => (Part::Off, None),
     }
 }
 
@@ -203,6 +243,8 @@ pub struct Potential {
     pub energy: f64,
     /// Rounding of V [J].
     pub rounding: f64,
+    /// Directions in which contacts that hold have moved, along their two tangents, and ε across, by contact.
+    along: Vec<([f64; 2], f64)>,
     still: Vec<f64>,
 }
 
@@ -223,6 +265,7 @@ impl Potential {
             follows: vec![false; rows],
             energy: 0.0,
             rounding: 0.0,
+            along: vec![([1.0, 0.0], 0.0); system.friction.len() / 2],
             still: vec![0.0; size],
         }
     }
@@ -245,23 +288,69 @@ impl Potential {
         self.energy = gravity + fluid;
         self.rounding = gravity.abs() + fluid.abs();
         for (row, bearing) in bearings.iter().enumerate() {
-            self.value[row] = match bearing.part {
-                Part::Hold(_) | Part::Resist(_) => bearing.held.value(&self.q),
-                _ => self.frame.value[row],
-            };
+            self.value[row] = bearing.held.map_or(self.frame.value[row], |held| held.value(&self.q));
+            if matches!(bearing.part, Part::Stick(_) | Part::Across) {
+                continue;
+            }
             let (tension, energy, follows) = bearing.at(self.value[row]);
             (self.tension[row], self.follows[row]) = (tension, follows);
-            self.energy += energy;
-            self.rounding += energy;
-            if tension != 0.0 {
-                for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
-                    self.slope[dof] += entry * tension;
-                    self.terms[dof] += (entry * tension).abs();
-                    self.noise[dof] += entry.abs() * ROUNDING * (bearing.length + reach) / bearing.compliance;
-                }
+            self.add(system, row, energy, bearing, reach);
+        }
+        self.hold_contacts(system, bearings, reach);
+        self.rounding *= f64::EPSILON;
+    }
+
+    /// Adds the energy of a row, and its force to the slopes.
+    fn add(&mut self, system: &System, row: usize, energy: f64, bearing: &Bearing, reach: f64) {
+        let tension = self.tension[row];
+        self.energy += energy;
+        self.rounding += energy;
+        if tension != 0.0 {
+            for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
+                self.slope[dof] += entry * tension;
+                self.terms[dof] += (entry * tension).abs();
+                self.noise[dof] += entry.abs() * ROUNDING * (bearing.length + reach) / bearing.compliance;
             }
         }
-        self.rounding *= f64::EPSILON;
+    }
+
+    /// Contacts that hold where they stand. Forces are along their tangents, values and gradients from then on
+    /// along s and across it.
+    fn hold_contacts(&mut self, system: &System, bearings: &[Bearing], reach: f64) {
+        for (contact, rows) in system.friction.chunks_exact(2).enumerate() {
+            let [one, other] = [rows[0], rows[1]];
+            let bearing = Bearing { offset: 0.0, ..bearings[one] };
+            let Part::Stick(bound) = bearing.part else { continue };
+            let moved = [self.value[one], self.value[other]];
+            let size = moved[0].hypot(moved[1]);
+            let way = if size > 0.0 { moved.map(|part| part / size) } else { [1.0, 0.0] };
+            let (tension, energy, follows) = bearing.at(size);
+            for (row, share) in [(one, way[0]), (other, way[1])] {
+                self.tension[row] = tension * share;
+                self.add(system, row, energy * share * share, &bearing, reach);
+            }
+            (self.follows[one], self.follows[other]) = (follows, true);
+            // Where it holds nothing at all ε across is without end: next to nothing holds it then.
+            let across = if follows { bearing.compliance } else { size / bound.max(f64::MIN_POSITIVE) };
+            self.along[contact] = (way, across.min(FREE));
+            (self.value[one], self.value[other]) = (size, 0.0);
+            let start = [system.rows.start[one], system.rows.start[other]];
+            for entry in 0..system.rows.start[one + 1] - start[0] {
+                let places = [start[0] + entry, start[1] + entry];
+                let [a, b] = places.map(|place| self.frame.gradient[place]);
+                self.frame.gradient[places[0]] = way[0] * a + way[1] * b;
+                self.frame.gradient[places[1]] = way[0] * b - way[1] * a;
+            }
+        }
+    }
+
+    /// Writes into the bearings of contacts that hold how they answer across what they have moved, as it is here.
+    pub fn turn_bearings(&self, system: &System, bearings: &mut [Bearing]) {
+        for (rows, (_, across)) in system.friction.chunks_exact(2).zip(&self.along) {
+            if matches!(bearings[rows[0]].part, Part::Stick(_)) {
+                bearings[rows[1]].compliance = *across;
+            }
+        }
     }
 
     /// The mass matrix at the poses of the last update.

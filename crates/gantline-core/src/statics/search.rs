@@ -19,6 +19,7 @@
 use super::guard::Guard;
 use super::matrix::Matrix;
 use super::potential::{Bearing, Part, Potential};
+use crate::rope::coil::Coil;
 use crate::rope::seat::Winding;
 use crate::state::State;
 use crate::stepper::frame::Remembered;
@@ -103,6 +104,7 @@ pub struct Search {
     force: Vec<f64>,
     right: Vec<f64>,
     wraps: Vec<Winding>,
+    coils: Vec<Coil>,
 }
 
 impl Search {
@@ -121,18 +123,26 @@ impl Search {
             force: vec![0.0; size],
             right: vec![0.0; rows],
             wraps: vec![Winding::default(); system.sheaves.len()],
+            coils: Vec::new(),
         }
     }
 
     /// From the configuration of `state` to where all slopes are zero; `state` follows.
-    pub fn descend(&mut self, system: &System, state: &mut State, bearings: &[Bearing]) -> Result<(), Stuck> {
+    pub fn descend(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        bearings: &mut [Bearing],
+    ) -> Result<(), Stuck> {
         self.here.q.copy_from_slice(&state.q);
+        self.coils.clone_from(&state.coils);
         self.here.update(system, bearings, &Remembered::of(state));
         let start: Vec<_> = self.here.frame.kinematics.centre_of_gravity.clone();
         let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
         for _ in 0..STEPS {
             self.here.update_mass(system);
             self.matrix.linearise(system, &self.here, &Remembered::of(state));
+            self.here.turn_bearings(system, bearings);
             if !self.find_step(system, state, bearings, &mut lambda)? {
                 return Ok(());
             }
@@ -243,9 +253,10 @@ impl Search {
     fn is_passable(&mut self, system: &System, lambda: f64) -> bool {
         self.there.q.copy_from_slice(&self.here.q);
         system.tree.advance(&mut self.there.q, &self.step);
-        // A drum that gives way lets rope go.
-        for (place, feeding) in system.coils.iter().zip(&self.here.frame.feeding) {
-            self.there.q[place.supply] += feeding * self.step[place.dof];
+        // A drum that gives way lets go what lies on it, there and back alike.
+        for (place, coil) in system.coils.iter().zip(&self.coils) {
+            let let_go = |q: &[f64]| coil.let_go_at(place.wound(q));
+            self.there.q[place.supply] += let_go(&self.there.q) - let_go(&self.here.q);
         }
         self.there.frame.kinematics.update(&system.tree, &self.there.q);
         let places = (&self.here, &self.there.frame.kinematics);
@@ -256,7 +267,9 @@ impl Search {
     /// keeps that where it gains more than `gained` [J]. What is gained then.
     fn correct(&mut self, system: &System, state: &State, bearings: &[Bearing], gained: f64) -> f64 {
         for row in 0..bearings.len() {
-            self.right[row] = if self.acts[row] && bearings[row].part != Part::Off {
+            // What contacts have moved along is another way there.
+            let turns = matches!(bearings[row].part, Part::Off | Part::Stick(_) | Part::Across);
+            self.right[row] = if self.acts[row] && !turns {
                 self.reached(system, row) - self.there.value[row]
             } else {
                 0.0
@@ -338,7 +351,8 @@ impl Search {
             } else {
                 0.0
             };
-            if let (Part::Hold(_) | Part::Resist(_), false) = (bearing.part, self.acts[row]) {
+            if let (Part::Hold(_) | Part::Resist(_) | Part::Stick(_), false) = (bearing.part, self.acts[row])
+            {
                 let force = bearing.at(self.here.value[row]).0;
                 self.right[row] = -force;
                 for (dof, entry) in system.rows.entries(&self.here.frame.gradient, row) {

@@ -75,7 +75,7 @@ impl Statics {
         state: &State,
         parameters: &[Parameter],
     ) -> Result<Vec<Sensitivity>, NoEquilibrium> {
-        let Self { search, bearings } = self;
+        let Self { search, bearings, .. } = self;
         search.here.update_mass(system);
         search.matrix.linearise(system, &search.here, &Remembered::of(state));
         search.matrix.extra.fill(0.0);

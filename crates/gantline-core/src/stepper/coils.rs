@@ -52,7 +52,8 @@ pub struct CoilFlow {
     pub friction: f64,
 }
 
-fn span_of<'a>(system: &'a System, place: &CoilPlace) -> Option<&'a Span> {
+/// The span that a drum feeds.
+pub fn span_of<'a>(system: &'a System, place: &CoilPlace) -> Option<&'a Span> {
     match &system.constraints[place.rope] {
         AnyConstraint::Rope(rope) => rope.spans.get(place.span),
         _ => None,

@@ -257,7 +257,7 @@ impl Del {
 
     /// Follows where bodies may touch; what that does to springs at once is the method's loss.
     fn follow_spots(&mut self, system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog) {
-        let held = |state: &State, frame: &Frame| flows::stored(system, state, frame)[2];
+        let held = |state: &State, frame: &Frame| flows::stored(system, state, frame).elastic;
         let before = held(state, frame);
         if spots::follow(system, &frame.kinematics, &frame.value, state, log).any {
             frame.update(system, state);

@@ -4,8 +4,8 @@
 use crate::audit::{Stored, elastic_energy, gravity_energy, spring_energy};
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
-use crate::plan::Seen;
 use crate::force;
+use crate::plan::Seen;
 use crate::record::Sample;
 use crate::solver::complementarity::{Complementarity, Mode};
 use crate::solver::stiffness::Stiffness;

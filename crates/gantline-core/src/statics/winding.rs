@@ -1,0 +1,162 @@
+//! Drums that turn from one equilibrium to the next.
+//!
+//! What a drum has let go depends on the strain ε of what it wound, so on the way there. A lift that is followed from
+//! rest to rest in parts winds in each
+//!
+//! ```text
+//! ΔL = −ΔW (1/(1 + ε₀) + 1/(1 + ε₁))/2
+//! ```
+//!
+//! of unstretched rope, W what is wound, ε₀ and ε₁ the strains of the rope outside at both ends of the part, of which the
+//! second is found together with the equilibrium there. Rope that is slack at one end goes taut where a straight line
+//! between both strains does, the slack one being negative. Where it pays out, what comes off is known. The error is of
+//! second order in the change of the strain; |ΔW (1/(1 + ε₁) − 1/(1 + ε₀))| says how short a part has to be.
+
+use super::potential::Losses;
+use super::{NoEquilibrium, Rest, Statics};
+use crate::rope::coil::Coil;
+use crate::solver::complementarity::Mode;
+use crate::state::State;
+use crate::stepper::coils::span_of;
+use crate::stepper::flows;
+use crate::stepper::frame::{Frame, Remembered};
+use crate::system::{CoilPlace, System};
+
+/// Equilibria that one part may take.
+const ROUNDS: usize = 30;
+/// What is left in the end of the error of unstretched rope [m].
+const LEFT: f64 = 1e-9;
+/// Less wound rope than this is none [m].
+const LEAST: f64 = 1e-12;
+
+/// Where every drive is at the time of `state`.
+pub fn asked(system: &System, state: &State) -> Vec<f64> {
+    let timelines = state.plan.timelines.iter().take(system.drives.len());
+    timelines.map(|timeline| timeline.motion(state.time).position).collect()
+}
+
+/// The rope on drums was wound with the strain that it has now, or under what was given.
+pub fn lay(system: &System, state: &mut State, frame: &Frame) {
+    for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
+        coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
+    }
+}
+
+/// What drums had wound at the last equilibrium, and the strains of the rope outside.
+struct Before {
+    coils: Vec<Coil>,
+    strains: Vec<f64>,
+}
+
+impl Statics {
+    /// `state` is where a lift has got to by other means: drives stand where it has them.
+    pub fn resume(&mut self, system: &System, state: &State) {
+        self.begin(system, state);
+        let positions = system.drives.iter().map(|drive| system.tree.bodies[drive.body].first_position);
+        self.places = positions.map(|position| state.q[position]).collect();
+    }
+
+    /// Motors hold where their drives are, or where they have been dragged to.
+    pub(super) fn hold_motors(&mut self, system: &System) {
+        for &(row, drive) in &system.motors {
+            if let Some(held) = &mut self.bearings[row].held {
+                held.place = self.places[drive];
+            }
+        }
+    }
+
+    /// What is more than a motor can hold drags it along.
+    pub(super) fn drag_motors(&mut self, system: &System, state: &State) {
+        for &(row, drive) in &system.motors {
+            if !self.search.here.follows[row] {
+                self.places[drive] = state.q[system.tree.bodies[system.drives[drive].body].first_position];
+            }
+        }
+    }
+
+    /// From an equilibrium, or from where [`Statics::resume`] has been told, to the next one downhill of it, with drives
+    /// as much further as their timelines say at the time of `state`; drums remember what they wind.
+    ///
+    /// # Errors
+    /// [`NoEquilibrium`] as [`Statics::settle`].
+    pub fn go_on(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        losses: Losses,
+    ) -> Result<Rest, NoEquilibrium> {
+        let (last, stood) = (std::mem::take(&mut self.asked), std::mem::take(&mut self.places));
+        self.begin(system, state);
+        let before = self.before(system, state);
+        for (index, drive) in system.drives.iter().enumerate().filter(|(_, drive)| drive.is_limited) {
+            // A motor that was too weak goes on from where it is.
+            self.places[index] = stood[index] + (self.asked[index] - last[index]);
+            state.q[system.tree.bodies[drive.body].first_position] = self.places[index];
+        }
+        flows::set_driven(system, state);
+        self.wind(system, state, &before);
+        let mut rest = self.balance(system, state, losses)?;
+        for _ in 1..ROUNDS {
+            if self.wind(system, state, &before) <= LEFT {
+                break;
+            }
+            rest = self.balance(system, state, losses)?;
+        }
+        Ok(rest)
+    }
+
+    fn before(&mut self, system: &System, state: &mut State) -> Before {
+        let frame = &mut self.search.here.frame;
+        frame.kinematics.update(&system.tree, &state.q);
+        frame.rows(system, &state.q, &Remembered::of(state));
+        state.coils.iter_mut().for_each(|coil| coil.winds = false);
+        let strains = system.coils.iter().map(|place| strain(system, place, frame, state)).collect();
+        Before { coils: state.coils.clone(), strains }
+    }
+
+    /// Lets drums remember what they have wound since `before`, the strains outside being those found last, and puts
+    /// their supplies there; by how much the largest changes [m].
+    fn wind(&mut self, system: &System, state: &mut State, before: &Before) -> f64 {
+        let mut most = 0.0_f64;
+        self.doubt = 0.0;
+        for (index, place) in system.coils.iter().enumerate() {
+            let old = &before.coils[index];
+            let strains = [before.strains[index], strain(system, place, &self.search.here.frame, state)];
+            let share = share(strains);
+            let wound = place.wound(&state.q);
+            let more = wound - old.wound;
+            let let_go = if more > LEAST { old.let_go - more * share } else { old.let_go_at(wound) };
+            let coil = &mut state.coils[index];
+            coil.copy_from(old);
+            coil.bring_to(wound, 1.0 / share - 1.0);
+            coil.let_go = let_go;
+            if more > LEAST {
+                self.doubt = self.doubt.max(more * (strains[1].max(0.0) - strains[0].max(0.0)).abs());
+            }
+            let supply = &mut state.q[place.supply];
+            most = most.max((let_go - *supply).abs());
+            *supply = let_go;
+        }
+        most
+    }
+}
+
+/// Strain of the rope outside a drum; negative where it is slack, by what it lacks.
+fn strain(system: &System, place: &CoilPlace, frame: &Frame, state: &State) -> f64 {
+    match span_of(system, place) {
+        Some(span) if state.modes[place.row] != Mode::Parted => {
+            frame.value[place.row] / (span.scale(&state.q) * span.unstretched(&state.q))
+        }
+        _ => 0.0,
+    }
+}
+
+/// Unstretched length of wound rope whose strain goes from one to the other, where it is not negative.
+fn share(strains: [f64; 2]) -> f64 {
+    let taut = strains.map(|strain| strain.max(0.0));
+    let ends = taut.map(|strain| 1.0 / (1.0 + strain));
+    let slack = (taut[0] - strains[0]).max(taut[1] - strains[1]);
+    let part = taut[0].max(taut[1]);
+    let mean = 0.5 * (ends[0] + ends[1]);
+    if slack > 0.0 { 1.0 - (1.0 - mean) * part / (part + slack) } else { mean }
+}
