@@ -80,6 +80,9 @@ def test_load_tilt() -> None:
     within = only(ringing_lift(tilt=tilt, rig=sample_rig(load_tilt=0.0201)))
     assert within.verdict is Verdict.WARNING
     assert within.remark.endswith("tan(tilt) = e/2.50 m, 2.29 deg for 100 mm of centre of gravity")
+    unlimited = {check.name: check for check in check_recording(ringing_lift(tilt=tilt, rig=sample_rig()))}
+    assert unlimited["load_tilt"].verdict is Verdict.NOT_CHECKED
+    assert unlimited["load_tilt"].remark == within.remark
     failed = only(ringing_lift(tilt=tilt, rig=sample_rig(load_tilt=0.0199)))
     assert (failed.verdict, failed.element, failed.time) == (Verdict.FAILED, "block", 40.0)
 

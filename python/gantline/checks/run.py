@@ -135,9 +135,9 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if found.worst is None:
         return replace(check, remark=found.missing or _nothing(measure))
     check = _with_value(check, found.worst)
-    remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     if limit is None:
-        return replace(check, remark=found.missing)
+        return replace(check, remark=_joined([found.missing, found.cautions]))
+    remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     verdict = _verdict(measure, found.worst.value, limit)
     if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
