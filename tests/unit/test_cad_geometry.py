@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gantline.cad import _occt, step
+from gantline.cad import _occt, mesh_file, step
 from gantline.cad.assumptions import Assumptions
 from gantline.cad.errors import CadError
 from gantline.cad.geometry import read_geometry
@@ -236,6 +236,65 @@ def test_step_without_anything_in_it(tmp_path: Path, body: str, says: str) -> No
         read(tmp_path / "a.step", SQUARE + body + "ENDSEC;\nEND-ISO-10303-21;\n")
 
 
+def step_of_a_box(path: Path, density: str, mass: str, length: str, powers: tuple[int, int]) -> CadModel:
+    """A STEP file with a box of 1 × 2 × 3 m as Open CASCADE writes it, its density written another way."""
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+    from OCP.STEPCAFControl import STEPCAFControl_Writer
+    from OCP.TCollection import TCollection_ExtendedString, TCollection_HAsciiString
+    from OCP.TDocStd import TDocStd_Document
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+    document = TDocStd_Document(TCollection_ExtendedString("XmlOcaf"))
+    shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    materials = XCAFDoc_DocumentTool.MaterialTool_s(document.Main())
+    label = shapes.AddShape(BRepPrimAPI_MakeBox(1000.0, 2000.0, 3000.0).Solid(), False)
+    names = ("aluminium", "alu", "density measure", "POSITIVE_RATIO_MEASURE")
+    name, text, measure, kind = (TCollection_HAsciiString(each) for each in names)
+    materials.SetMaterial(label, name, text, 2.7, measure, kind)
+    writer = STEPCAFControl_Writer()
+    writer.SetMaterialMode(True)
+    writer.Transfer(document)
+    writer.Write(str(path))
+    content = path.read_text(encoding="utf-8")
+    for old, new in (
+        ("POSITIVE_RATIO_MEASURE(2.7)", f"POSITIVE_RATIO_MEASURE({density})"),
+        ("SI_UNIT($,.GRAM.)", f"SI_UNIT({mass},.GRAM.)"),
+        ("SI_UNIT(.CENTI.,.METRE.)", f"SI_UNIT({length},.METRE.)"),
+        (",3.);", f",{powers[0]}.);"),
+        (",2.);", f",{powers[1]}.);"),
+    ):
+        assert old in content
+        content = content.replace(old, new)
+    path.write_text(content, encoding="utf-8")
+    return read_geometry(path, Assumptions())
+
+
+@pytest.mark.parametrize(
+    ("density", "mass", "length", "powers", "kg_per_m3"),
+    [
+        ("2700.", ".KILO.", "$", (1, -3), 2700.0),
+        ("2.7", "$", ".CENTI.", (1, -3), 2700.0),
+        ("2.7", "$", ".CENTI.", (3, 2), 2700.0),  # as Open CASCADE itself writes it
+        ("0.00785", "$", ".MILLI.", (1, -3), 7850.0),
+    ],
+)
+def test_materials_of_step_have_their_density(
+    tmp_path: Path, density: str, mass: str, length: str, powers: tuple[int, int], kg_per_m3: float
+) -> None:
+    model = step_of_a_box(tmp_path / "a.step", density, mass, length, powers)
+    assert model.properties.mass == pytest.approx(6 * kg_per_m3)
+    assert model.properties.centre == pytest.approx([0.5, 1, 1.5])
+    # A box: m/12 (b² + c²).
+    expected = np.diag([13.0, 10.0, 5.0]) * model.properties.mass / 12
+    assert model.properties.inertia == pytest.approx(expected, abs=1e-6 * model.properties.mass)
+
+
+def test_a_density_of_no_material_is_not_used(tmp_path: Path) -> None:
+    model = step_of_a_box(tmp_path / "a.step", "0.05", "$", ".MILLI.", (1, -3))  # 50 t/m³
+    assert model.properties.mass == pytest.approx(6 * 7850)
+    assert "density that is that of no material" in model.parts[0].doubts[0]
+
+
 def test_reading_is_given_up_in_time_and_memory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     text = SQUARE + "ENDSEC;\nEND-ISO-10303-21;\n"
     monkeypatch.setattr(step, "_LONGEST", 1e-3)
@@ -245,6 +304,15 @@ def test_reading_is_given_up_in_time_and_memory(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr(step, "_MOST_MEMORY", 200_000_000)
     with pytest.raises(CadError, match="Open CASCADE could not read this STEP file"):
         read(tmp_path / "a.step", text)
+
+
+def test_too_many_triangles_are_refused_before_they_are_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mesh_file, "_MOST_TRIANGLES", 11)
+    for name, content in (("a.stl", binary_stl(box((1, 1, 1)))), ("a.obj", obj(box((1, 1, 1))).encode())):
+        with pytest.raises(CadError, match="more than 11 triangles, so it is not read"):
+            read(tmp_path / name, content)
 
 
 def test_without_the_extra_one_sentence_says_how_to_install(

@@ -9,12 +9,14 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.collections import PolyCollection
+from typer.testing import CliRunner
 
 import gantline
 from gantline.assembly import Assembly, assemble
 from gantline.cad.mass_properties import MassProperties
 from gantline.cad.ocx_writer import write_ocx
 from gantline.cad.ship_block import ShipBlockSizes, ship_block
+from gantline.cli.app import app
 from gantline.plot.drawing import system
 from gantline.plot.scene import snapshot
 from gantline.scenario import ScenarioError, load_scenario
@@ -128,6 +130,12 @@ def test_a_stated_centre_is_held_against_the_one_from_cad(tmp_path: Path) -> Non
     assert warning.endswith("m away: the stated one is simulated")
     # Along x, with the steel at 0: (15 (−2) + 5 · 1)/60 = −0.417 m; along y (15 − 5)/60 = 0.167 m.
     assert "give (-0.417, 0.167, " in warning
+
+
+def test_the_check_of_a_lift_file_warns_of_it_too(tmp_path: Path) -> None:
+    result = CliRunner().invoke(app, ["check", str(lift(tmp_path, OUTFITTING))])
+    assert result.exit_code == 0, result.output
+    assert "warning: the centre of gravity of the load is stated at (0, 0, 1.5) m" in result.output
 
 
 def test_a_stated_inertia_goes_before_the_one_from_cad(tmp_path: Path) -> None:

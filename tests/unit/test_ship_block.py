@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gantline.cad import read
 from gantline.cad.assumptions import Assumptions
 from gantline.cad.errors import CadError
 from gantline.cad.geometry import read_geometry
@@ -180,6 +181,21 @@ def test_ocx_declares_the_weight_of_every_part() -> None:
     assert len(ids) == len(set(ids))
     names = {ref.get("localRef") for ref in root.iter() if ref.get("localRef")}
     assert names <= set(ids)
+
+
+def test_the_goliath_ship_block_by_the_reader_of_other_exporters(tmp_path: Path) -> None:
+    """What we write is read by the reader of NAPA's and AVEVA's files: 300 t, 5.1 m high, to rounding."""
+    made = goliath()
+    path = tmp_path / "block.3docx"
+    path.write_bytes(write_ocx(made))
+    found = read(path, keep=False)
+    assert len(found.parts) == len(made.parts) and found.doubts == ()
+    assert not [part for part in found.parts if part.doubts]
+    assert found.properties.mass == pytest.approx(300e3, rel=1e-9)
+    assert found.properties.centre == pytest.approx([0, 0, 5.1], abs=1e-9)
+    expected = made.model.properties.inertia
+    assert found.properties.inertia == pytest.approx(expected, abs=1e-9 * float(expected.max()))
+    assert found.compared().difference == pytest.approx(0, abs=1e-9)
 
 
 def test_glb_stands_upright_and_weighs_the_same(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ _PRECISION = 1e-7
 #: How far the normal may turn from triangle to triangle [rad].
 _TURN = 0.5
 #: Triangles of all parts together; a file of more is refused.
-_MOST_TRIANGLES = 5_000_000
+_MOST_TRIANGLES = 2_000_000
 
 
 class Unreadable(Exception):

@@ -22,8 +22,8 @@ __all__ = ["MESH_FORMATS", "read_mesh_file"]
 
 #: Endings of names, and how the formats are called.
 MESH_FORMATS = {".stl": "STL", ".obj": "OBJ", ".gltf": "glTF", ".glb": "GLB"}
-#: Triangles of all meshes together.
-_MOST_TRIANGLES = 5_000_000
+#: Triangles of all meshes together: 3 GB and half a minute.
+_MOST_TRIANGLES = 2_000_000
 #: From y up to z up.
 _STAND_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
@@ -42,7 +42,7 @@ def read_mesh_file(path: Path, given: Assumptions) -> CadModel:
     if not count:
         raise CadError(f"{path}: there are no triangles in this {form} file")
     if count > _MOST_TRIANGLES:
-        raise CadError(f"{path}: more than {_MOST_TRIANGLES} triangles, so it is not read")
+        raise _too_many(path)
     doubts = []
     whole = TriangleMesh.combined(used)
     if not whole.size > 0:
@@ -126,11 +126,17 @@ def _check_stl(path: Path, data: bytes) -> None:
             raise CadError(f"{path}: the STL file is cut off: it does not end on 'endsolid'")
         return
     count = int.from_bytes(data[80:84], "little")
+    if len(data) >= 84 + 50 * count > 84 + 50 * _MOST_TRIANGLES:
+        raise _too_many(path)
     if len(data) < 84 or len(data) < 84 + 50 * count:
         held = max(len(data) - 84, 0) // 50
         raise CadError(
             f"{path}: it is no STL file, or cut off: {count} triangles are announced, {held} are there"
         )
+
+
+def _too_many(path: Path) -> CadError:
+    return CadError(f"{path}: more than {_MOST_TRIANGLES} triangles, so it is not read")
 
 
 def _check_gltf(path: Path, data: bytes) -> None:

@@ -40,7 +40,7 @@ _UNIT_NAMES = {
     "millimetre": "mm", "millimeter": "mm", "mm": "mm", "metre": "m", "meter": "m", "m": "m",
     "centimetre": "cm", "centimeter": "cm", "cm": "cm", "kilometre": "km", "km": "km",
 }  # fmt: skip
-#: Densities of materials [kg/m^3] that a file may give; what is beyond was written in another unit.
+#: Densities of materials [kg/m^3].
 _DENSITIES = (100.0, 25_000.0)
 
 
@@ -129,11 +129,11 @@ def _part(body: Mapping[str, Any], mesh: TriangleMesh, factor: float, given: Ass
     solid = bool(body["solid"])
     density, material = given.density, ""
     if body["density"] > 0:
-        stated = 1e3 * body["density"]  # the library hands out g/cm^3
-        if _DENSITIES[0] <= stated <= _DENSITIES[1]:
-            density, material = stated, f"{stated:g} kg/m^3"
+        stated = _density(body["density"])
+        if stated is not None:
+            density, material = stated, f"{stated:.6g} kg/m^3"
         else:
-            doubts.append(f"the file gives a density of {stated:g} kg/m^3, which is not used")
+            doubts.append("the file gives a density that is that of no material, which is not used")
     amount = body["content"] * factor ** (3 if solid else 2)
     smallest = 1e-12 * mesh.size ** (3 if solid else 2) if len(mesh.triangles) else 0.0
     properties = None
@@ -160,6 +160,17 @@ def _part(body: Mapping[str, Any], mesh: TriangleMesh, factor: float, given: Ass
         group=" / ".join(names[:-1]),
         doubts=tuple(doubts),
     )
+
+
+def _density(given: float) -> float | None:
+    """Density [kg/m^3] of a number that the library hands out per mm^3, in g or kg as the file has it.
+
+    No two of these readings are both that of a material, so the number tells which is meant.
+    """
+    for factor in (1e6, 1e9, 1e3):
+        if _DENSITIES[0] <= factor * given <= _DENSITIES[1]:
+            return factor * given
+    return None
 
 
 def _weighed(body: Mapping[str, Any], factor: float, mass: float) -> MassProperties:

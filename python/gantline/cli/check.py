@@ -119,6 +119,8 @@ def _look_over(simulation: Simulation) -> None:
     head = ("Kind of rope", "construction", "EA", "mass", "minimum breaking force")
     ropes = table(head, kinds, "llrrr") if kinds else []
     typer.echo("\n".join([*heading(rig), *weights(rig), *ropes, *_rope_weights(rig), *_sheaves(rig)]))
+    for warning in simulation.assembly.warnings:
+        warn(warning)
     nodes = sum(rope.nodes for rope in rig.ropes)
     numbers = {
         "bodies": len(document["bodies"]) - nodes - len(rig.sheaves) - len(rig.drums),
