@@ -51,8 +51,8 @@ def light_mesh(mesh: TriangleMesh, most: int) -> LightMesh:
     """At most so many triangles that look like a mesh: vertices within a cell of a grid are made one.
 
     The grid is the finest that leaves few enough triangles. None of the vertices moves farther than the
-    diagonal of a cell; plates and profiles that are thinner than a cell become sheets and lines. The same mesh
-    gives the same triangles.
+    diagonal of a cell; plates and profiles that are thinner than a cell become sheets and lines. The same
+    mesh gives the same triangles.
 
     Args:
         mesh: closed, open, or of many pieces.
