@@ -1,12 +1,14 @@
-"""Draws the pictures of README and documentation anew, from a run of the reference lift."""
+"""Draws the pictures of README and documentation anew, from runs of two lifts."""
 
 from __future__ import annotations
 
 import io
+from collections.abc import Iterable, Mapping
 from itertools import chain
 from pathlib import Path
 
 import matplotlib
+from matplotlib.figure import Figure
 from PIL import Image
 
 import gantline
@@ -20,6 +22,7 @@ PICTURES = {
     "system": "equalizer_views",
     "compare_sling_tension": "compare_tension",
 }
+PICTURES_OF_GOLIATH = {"stages": "goliath_stages"}
 DOTS_PER_INCH = 150
 
 
@@ -34,13 +37,19 @@ def main() -> None:
     )
     folder = ROOT / "docs" / "images"
     folder.mkdir(exist_ok=True)
-    for plot, figure in chain(figures(recording), comparison_figures(comparison)):
-        if plot not in PICTURES:
+    keep(chain(figures(recording), comparison_figures(comparison)), PICTURES, folder)
+    keep(figures(gantline.simulate(ROOT / "scenarios" / "goliath")), PICTURES_OF_GOLIATH, folder)
+
+
+def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:
+    """Write those of the pictures that have a name in the documentation."""
+    for plot, figure in pictures:
+        if plot not in names:
             continue
         drawn = io.BytesIO()
         with matplotlib.rc_context(RC):
             figure.savefig(drawn, format="png", dpi=DOTS_PER_INCH)
-        path = folder / f"{PICTURES[plot]}.png"
+        path = folder / f"{names[plot]}.png"
         Image.open(drawn).convert("RGB").save(path, optimize=True)
         print(f"{path.relative_to(ROOT)}: {path.stat().st_size / 1e3:.0f} kB")
 
