@@ -189,7 +189,7 @@ def test_it_bounces_as_three_masses_on_three_springs(stopped: Recording) -> None
     assert slowest(1.0) == pytest.approx(1.3, rel=0.05)
     (stop,) = stopped.events("emergency_stop")
     after = stopped.time > stop[0] + 1.0
-    total = sum(stopped.column("hoist_load", hook) for hook in HOOKS)[after]
+    total = np.sum([stopped.column("hoist_load", hook) for hook in HOOKS], axis=0)[after]
     window = np.hanning(len(total))
     lines = np.abs(np.fft.rfft((total - total.mean()) * window, n=1 << 16))
     rate = np.fft.rfftfreq(1 << 16, float(stopped.time[1] - stopped.time[0]))[int(lines.argmax())]
