@@ -1,12 +1,14 @@
-"""Draws the pictures of README and documentation anew, from a run of the reference lift and a ship block."""
+"""Draws the pictures of README and documentation anew, from runs of two lifts and a ship block."""
 
 from __future__ import annotations
 
 import io
+from collections.abc import Iterable, Mapping
 from itertools import chain
 from pathlib import Path
 
 import matplotlib
+from matplotlib.figure import Figure
 from PIL import Image
 
 import gantline
@@ -23,6 +25,7 @@ PICTURES = {
     "compare_sling_tension": "compare_tension",
     "structure": "cad_structure",
 }
+PICTURES_OF_GOLIATH = {"stages": "goliath_stages"}
 DOTS_PER_INCH = 150
 
 
@@ -39,13 +42,20 @@ def main() -> None:
     assert structure is not None
     folder = ROOT / "docs" / "images"
     folder.mkdir(exist_ok=True)
-    for plot, figure in chain(figures(recording), comparison_figures(comparison), [("structure", structure)]):
-        if plot not in PICTURES:
+    drawn = chain(figures(recording), comparison_figures(comparison), [("structure", structure)])
+    keep(drawn, PICTURES, folder)
+    keep(figures(gantline.simulate(ROOT / "scenarios" / "goliath")), PICTURES_OF_GOLIATH, folder)
+
+
+def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:
+    """Write those of the pictures that have a name in the documentation."""
+    for plot, figure in pictures:
+        if plot not in names:
             continue
         drawn = io.BytesIO()
         with matplotlib.rc_context(RC):
             figure.savefig(drawn, format="png", dpi=DOTS_PER_INCH)
-        path = folder / f"{PICTURES[plot]}.png"
+        path = folder / f"{names[plot]}.png"
         picture = Image.open(drawn).convert("RGB")
         if plot == "structure":  # shaded: few colours keep it small
             picture = picture.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)

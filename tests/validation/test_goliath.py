@@ -172,7 +172,7 @@ def test_an_emergency_stop_at_full_hoist_speed_runs_through(stopped: Recording) 
 
 
 def test_it_bounces_as_three_masses_on_three_springs(stopped: Recording) -> None:
-    """Girder with trolleys, hook blocks with frames, load, on girder, falls, and slings with equalizing ropes.
+    """Girder, hook blocks with frames, load: on girder, falls, and slings with equalizing ropes.
 
     By hand the girder has no mass: 1.3 Hz. With 17/35 of its mass and its trolleys it is 0.80 Hz.
     """
@@ -189,7 +189,7 @@ def test_it_bounces_as_three_masses_on_three_springs(stopped: Recording) -> None
     assert slowest(1.0) == pytest.approx(1.3, rel=0.05)
     (stop,) = stopped.events("emergency_stop")
     after = stopped.time > stop[0] + 1.0
-    total = sum(stopped.column("hoist_load", hook) for hook in HOOKS)[after]
+    total = np.sum([stopped.column("hoist_load", hook) for hook in HOOKS], axis=0)[after]
     window = np.hanning(len(total))
     lines = np.abs(np.fft.rfft((total - total.mean()) * window, n=1 << 16))
     rate = np.fft.rfftfreq(1 << 16, float(stopped.time[1] - stopped.time[0]))[int(lines.argmax())]
@@ -202,8 +202,8 @@ def test_a_sling_that_is_cut_while_hoisting_runs_through() -> None:
     cut = incident("", (sling + "}", sling + ", cut_at: 300 s}"))
     ((time, _, name),) = cut.events("cut")
     assert (time, name) == (300.0, "sling.U1.1")
-    # The equalizing rope runs through until the sheave without a sling meets its stop. The load falls by as much
-    # at that hook, is caught by the four slings left, and hangs in them.
+    # The equalizing rope runs through until the sheave without a sling meets its stop. The load falls at that
+    # hook, is caught by the four slings left, and hangs in them.
     stops = [time for time, _, name in cut.events("stop_hit") if name == "E1.1"]
     assert 300.0 < stops[0] < 301.0
     peaks = [series.rope_peak(cut, f"sling.U1.{n}") for n in range(2, 6)]
