@@ -20,16 +20,16 @@ DISTANCE = np.array([[4.0, 0.5], [3.0, 0.4], [1.0, 0.3], [1.5, 0.0], [2.5, 0.2],
 FORCE = np.array([[80e3, 10e3], [90e3, 20e3], [120e3, 0.0], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0]])
 RIG: dict[str, Any] = {
     "watches": [
-        {"name": "block - wall", "between": ["block", "wall"], "smallest": 2.0},
-        {"name": "slings - block", "between": ["slings", "block"]},
+        {"name": "hull - wall", "between": ["hull", "wall"], "smallest": 2.0},
+        {"name": "slings - hull", "between": ["slings", "hull"]},
     ],
     "supports": [
-        {"name": "support.keel.1", "group": "keel", "load": "block", "capacity": 100e3},
-        {"name": "support.keel.2", "group": "keel", "load": "block"},
+        {"name": "support.keel.1", "group": "keel", "load": "hull", "capacity": 100e3},
+        {"name": "support.keel.2", "group": "keel", "load": "hull"},
     ],
 }
 NAMES = {
-    "pair": ["block - wall", "slings - block"],
+    "pair": ["hull - wall", "slings - hull"],
     "contact": ["support.keel.1", "support.keel.2"],
     "event_kind": ["step_begin", "support_removed", "off_support"],
     "event_name": ["hoist", "support.keel.1", "support.keel.2"],
@@ -57,19 +57,17 @@ def test_events_are_where_a_distance_goes_through_its_limit() -> None:
     events = list(zip(found["event_time"], names["event_kind"], names["event_name"], strict=True))
     assert events == [
         (0.0, "step_begin", "hoist"),
-        (1.5, "too_close", "block - wall"),
+        (1.5, "too_close", "hull - wall"),
         (2.5, "support_removed", "support.keel.1"),
         (2.75, "off_support", "support.keel.2"),
-        (3.0, "too_close", "slings - block"),
-        (3.0, "clear_again", "slings - block"),
-        (3.5, "clear_again", "block - wall"),
+        (3.0, "too_close", "slings - hull"),
+        (3.0, "clear_again", "slings - hull"),
+        (3.5, "clear_again", "hull - wall"),
     ]
 
 
 def test_a_pair_that_starts_too_close_is_so_at_the_start() -> None:
-    rig = Rig.from_json(
-        {"watches": [{"name": "block - wall", "between": ["block", "wall"], "smallest": 5.0}]}
-    )
+    rig = Rig.from_json({"watches": [{"name": "hull - wall", "between": ["hull", "wall"], "smallest": 5.0}]})
     found, names = clearance_events(rig, columns(), dict(NAMES))
     assert (found["event_time"][1], names["event_kind"][1]) == (0.0, "too_close")
     assert names["event_kind"].count("clear_again") == 0
@@ -82,8 +80,8 @@ def test_nothing_changes_where_nothing_is_watched() -> None:
 
 def test_warnings_say_how_close_and_when() -> None:
     assert contact_warnings(Rig.from_json(RIG), columns(), NAMES) == [
-        "block comes within 1.00 m of wall at 2.00 s, below 2 m from 2.00 s on",
-        "slings and block touch, for the first time at 3.00 s",
+        "hull comes within 1.00 m of wall at 2.00 s, below 2 m from 2.00 s on",
+        "slings and hull touch, for the first time at 3.00 s",
         "support.keel.1 is taken away at 2.50 s under 120 kN",
         "the load leaves support.keel.2 beyond its edge at 2.75 s",
     ]
@@ -98,8 +96,8 @@ def test_checks_hold_supports_against_capacity_and_pairs_against_their_distance(
     ]
     margins = list(clearance_margin(given, everywhere(given)))
     assert margins == [
-        Found(-1.0, "block - wall", 2.0, "1.000 m - 2 m"),
-        Found(0.0, "slings - block", 3.0, "0.000 m - 0 m"),
+        Found(-1.0, "hull - wall", 2.0, "1.000 m - 2 m"),
+        Found(0.0, "slings - hull", 3.0, "0.000 m - 0 m"),
     ]
 
 
@@ -109,4 +107,4 @@ def test_peaks_and_metrics() -> None:
     metrics = given.metrics()
     assert metrics["peak_support_force"] == 120e3
     assert metrics["peak_support_force.support.keel.2"] == pytest.approx(20e3)
-    assert metrics["smallest_clearance.block - wall"] == 1.0
+    assert metrics["smallest_clearance.hull - wall"] == 1.0

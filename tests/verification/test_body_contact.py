@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import gantline
-from blocks import BLOCK, G, lift, text
 from gantline.scenario import ScenarioError
+from hull_lift import HULL, G, lift, text
 from mechanics import Json, Run, adaptive, body, document, free, simulate
 
 STIFFNESS = 1e8
@@ -173,19 +173,19 @@ def test_a_box_hinged_to_the_world_lies_on_a_free_box() -> None:
         "inertia": [*inertia(600.0, (4.0, 0.5, 0.5)), 0, 0, 0],
     }
     beam["placement"]["position"] = [0, 0, 1.25]
-    block = box("block", 1000.0, (1.0, 1.0, 1.0), position=(3.6, 0, 0.5))
-    system = document([beam, block])
+    hull = box("hull", 1000.0, (1.0, 1.0, 1.0), position=(3.6, 0, 0.5))
+    system = document([beam, hull])
     system["shapes"] = [
         SLAB,
         shape("beam", (4.0, 0.5, 0.5), "beam", (2.0, 0, 0)),
-        shape("block", (1.0, 1.0, 1.0), "block"),
+        shape("hull", (1.0, 1.0, 1.0), "hull"),
     ]
-    system["pairs"] = [pair("block", "slab"), pair("beam", "block")]
+    system["pairs"] = [pair("hull", "slab"), pair("beam", "hull")]
     run = adaptive(system, 20.0, tension_tolerance=1.0, position_tolerance=1e-6)
-    # Between the block's near edge at 3.1 m and the beam's end at 4 m: moment of the weight about the hinge.
-    contact = force(run, "beam.block")[-1]
+    # Between the hull's near edge at 3.1 m and the beam's end at 4 m: moment of the weight about the hinge.
+    contact = force(run, "beam.hull")[-1]
     assert 600 * G * 2.0 / 4.0 <= contact <= 600 * G * 2.0 / 3.1
-    assert force(run, "block.slab")[-1] == pytest.approx(1000 * G + contact, rel=1e-6)
+    assert force(run, "hull.slab")[-1] == pytest.approx(1000 * G + contact, rel=1e-6)
 
 
 def run_lift(folder: Path, given: dict[str, Any], **settings: Any) -> gantline.Recording:
@@ -200,7 +200,7 @@ DOCK = {"type": "dock", "x": ["10 m", "70 m"], "y": ["-200 m", "200 m"], "floor"
 @pytest.mark.parametrize("integrator", ["adaptive", "del"])
 def test_the_ground_around_a_dock_is_the_ground(tmp_path: Path, integrator: str) -> None:
     """The load on it rests as on the same ground without a dock: its lower corners, k at each."""
-    load = {**BLOCK["load"], "stands_on": "ground", "position": ["-35 m", "0 m", "0 m"]}
+    load = {**HULL["load"], "stands_on": "ground", "position": ["-35 m", "0 m", "0 m"]}
     plain = lift(supports=None, load=load, slings=None, plan=[])
     one = run_lift(tmp_path, plain, integrator=integrator)
     other = run_lift(tmp_path, {**plain, "structures": {"dock": DOCK}}, integrator=integrator)
@@ -213,7 +213,7 @@ def test_the_ground_around_a_dock_is_the_ground(tmp_path: Path, integrator: str)
 
 def test_a_load_is_lowered_to_the_floor_of_a_dock(tmp_path: Path) -> None:
     """Hung over the dock it passes the level of the ground and stands on the floor."""
-    load = {**BLOCK["load"], "position": ["40 m", "0 m", "-10.5 m"]}
+    load = {**HULL["load"], "position": ["40 m", "0 m", "-10.5 m"]}
     del load["stands_on"]
     given = lift(
         supports=None,
@@ -225,22 +225,22 @@ def test_a_load_is_lowered_to_the_floor_of_a_dock(tmp_path: Path) -> None:
             {"step": "down", "lower": "hook", "speed": "2 m/min", "by": "3 m"},
             {"step": "end", "hold": "until_end"},
         ],
-        watch=[{"between": ["block", "dock.walls"], "smallest": "9 m"}],
+        watch=[{"between": ["hull", "dock.walls"], "smallest": "9 m"}],
     )
-    given["cranes"] = {"hook": {**BLOCK["cranes"]["hook"], "at": ["38 m", "0 m", "28.9 m"]}}
+    given["cranes"] = {"hook": {**HULL["cranes"]["hook"], "at": ["38 m", "0 m", "28.9 m"]}}
     recording = run_lift(tmp_path, given, sample_interval=0.1)
     bottom = recording.variables["body_position"].values[:, -1, 2] - 4.8
     assert bottom[-1] == pytest.approx(-12.0, abs=0.01)
-    assert recording.column("load_transferred", "block")[-1] == pytest.approx(0.0, abs=1e-6)
-    # 8.5 m from either end of the block to the walls: too close from the start.
-    assert recording.metrics()["smallest_clearance.block - dock.walls"] == pytest.approx(8.5, abs=0.1)
-    assert ("too_close", "block - dock.walls") in {(kind, name) for _, kind, name in recording.events()}
-    assert any("block comes within 8." in warning for warning in recording.attributes["warnings"])
+    assert recording.column("load_transferred", "hull")[-1] == pytest.approx(0.0, abs=1e-6)
+    # 8.5 m from either end of the hull to the walls: too close from the start.
+    assert recording.metrics()["smallest_clearance.hull - dock.walls"] == pytest.approx(8.5, abs=0.1)
+    assert ("too_close", "hull - dock.walls") in {(kind, name) for _, kind, name in recording.events()}
+    assert any("hull comes within 8." in warning for warning in recording.attributes["warnings"])
 
 
 def test_a_load_is_set_down_on_another_body(tmp_path: Path) -> None:
     """`body_contacts` of `mechanics`: a table that is fixed to the world, 3 m high."""
-    load = {**BLOCK["load"], "position": ["-35 m", "0 m", "3 m"]}
+    load = {**HULL["load"], "position": ["-35 m", "0 m", "3 m"]}
     del load["stands_on"]
     table = {
         "joint": {"type": "fixed"},
@@ -248,11 +248,11 @@ def test_a_load_is_set_down_on_another_body(tmp_path: Path) -> None:
         "mass": "10 t",
         "shape": {"box": ["20 m", "10 m", "3 m"], "centre": ["0 m", "0 m", "1.5 m"]},
     }
-    contact = {"between": ["block", "table"], "stiffness": "200 MN/m", "damping": "2 MN s/m", "friction": 0.3}
+    contact = {"between": ["hull", "table"], "stiffness": "200 MN/m", "damping": "2 MN s/m", "friction": 0.3}
     mechanics = {"bodies": {"table": table}, "body_contacts": {"on_table": contact}}
     given = lift(supports=None, load=load, slings=None, plan=[], mechanics=mechanics, duration="20 s")
     recording = run_lift(tmp_path, given)
-    assert recording.column("load_transferred", "block")[-1] == pytest.approx(0.0, abs=1e-7)
+    assert recording.column("load_transferred", "hull")[-1] == pytest.approx(0.0, abs=1e-7)
     contacts = [name for name in recording.coordinates["contact"] if name.startswith("on_table/")]
     carried = [float(recording.column("contact_force", name)[-1]) for name in contacts]
     # The four corners of the table's top, x = −46 and −26 m, about the centre of gravity at −37 m.
@@ -267,15 +267,16 @@ def test_a_load_is_set_down_on_another_body(tmp_path: Path) -> None:
         ({"structures": {"dock": {**DOCK, "floor": "1 m"}}}, "is not below the ground"),
         ({"structures": {"dock": {**DOCK, "x": ["70 m", "10 m"]}}}, "from less to more is right"),
         ({"structures": {"dock": DOCK, "pit": DOCK}}, "'dock' is a dock already"),
-        ({"structures": {"block": DOCK}}, "already the name of"),
-        ({"watch": [{"between": ["block", "dok"]}]}, "'dok' has no shape"),
+        ({"structures": {"hull": DOCK}}, "already the name of"),
+        ({"watch": [{"between": ["hull", "dok"]}]}, "'dok' has no shape"),
         ({"watch": [{"between": ["slings", "ropes"]}]}, "distances between ropes are not recorded"),
-        ({"watch": [{"between": ["block", "ground"]}] * 2}, "is watched already"),
+        ({"watch": [{"between": ["hull", "ground"]}] * 2}, "is watched already"),
     ],
 )
 def test_structures_and_watches_that_cannot_be_are_refused(
     tmp_path: Path, changes: dict[str, Any], line: str
 ) -> None:
+    """Each mistake has its own sentence."""
     with pytest.raises(ScenarioError) as refused:
         run_lift(tmp_path, lift(**changes))
     assert line in str(refused.value)

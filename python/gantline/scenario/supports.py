@@ -47,7 +47,7 @@ class Grid(Element):
 class _Words(Element):
     height: PositiveLength | None = Field(None, description="Height of the top above the foot.")
     stiffness: PositiveStiffness | None = Field(
-        None, description="Stiffness; 100 MN/m if nothing says it, a block of hardwood on concrete."
+        None, description="Stiffness; 100 MN/m if nothing says it, hardwood on concrete."
     )
     damping: Damping | None = Field(None, description="Damping; 1 MN s/m if nothing says it.")
     friction: Ratio | None = Field(

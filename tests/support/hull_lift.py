@@ -1,4 +1,4 @@
-"""A block on keel blocks, and what else may stand about, as lift files in text."""
+"""A hull section on keel blocks, and what else may stand about, as lift files in text."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from gantline.results.variable import FloatArray
 
 G = 9.81
 
-BLOCK: dict[str, Any] = {
+HULL: dict[str, Any] = {
     "format": 1,
-    "lift": {"title": "A block on keel blocks"},
+    "lift": {"title": "A hull section on keel blocks"},
     "duration": "5 s",
     "ground": {"level": "0 m", "friction": 0.4},
     "ropes": {"sling": {"axial_stiffness": "100 MN", "damping_time": "10 ms", "diameter": "44 mm"}},
     "load": {
-        "name": "block",
+        "name": "hull",
         "shape": {"box": ["43 m", "23 m", "11 m"]},
         "position": ["-35 m", "0 m", "1.5 m"],
         "weight": {"calculated": "350 t"},
@@ -29,7 +29,7 @@ BLOCK: dict[str, Any] = {
     },
     "supports": {
         "keel_blocks": {
-            "under": "block",
+            "under": "hull",
             "grid": {"x": ["-18 m", "-6 m", "6 m", "18 m"], "y": ["-9 m", "-3 m", "3 m", "9 m"]},
             "height": "1.5 m",
             "stiffness": "100 MN/m",
@@ -47,16 +47,15 @@ BLOCK: dict[str, Any] = {
         }
     },
     "slings": {
-        name: {"from": "hook", "to": f"block.{name}", "length": "29 m", "rope": "sling"}
-        for name in ("A", "B")
+        name: {"from": "hook", "to": f"hull.{name}", "length": "29 m", "rope": "sling"} for name in ("A", "B")
     },
     "plan": [{"step": "hold", "hold": "until_end"}],
 }
 
 
 def lift(**changes: Any) -> dict[str, Any]:
-    """The block with other top-level sections; None leaves one out."""
-    given = {**BLOCK, **changes}
+    """The hull with other top-level sections; None leaves one out."""
+    given = {**HULL, **changes}
     return {key: value for key, value in given.items() if value is not None}
 
 
