@@ -10,9 +10,11 @@ from gantline.cli.cases import cases
 from gantline.cli.check import check
 from gantline.cli.compare import compare
 from gantline.cli.new import new
+from gantline.cli.report import report
 from gantline.cli.run import run
 from gantline.cli.schema import schema
 from gantline.cli.statics import statics
+from gantline.cli.view import view
 
 app = typer.Typer(
     name="gantline",
@@ -28,6 +30,8 @@ app.command()(statics)
 app.command()(cases)
 app.command()(compare)
 app.command()(check)
+app.command()(report)
+app.command()(view)
 app.command()(new)
 app.command()(schema)
 
