@@ -96,7 +96,7 @@ player_digest() {
 
 install_node_packages() {
     say "locked npm packages into viewer/node_modules"
-    npm ci --prefix viewer --no-audit --no-fund --silent
+    npm ci --prefix viewer --no-audit --no-fund --loglevel error
 }
 
 build_player() {
