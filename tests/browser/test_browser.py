@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import gantline
+from gantline.export import gltf_binary
 from gantline.report import write_report
 from gantline.results import Recording
 from gantline.viewer import BundleMissing, bundle
@@ -79,6 +80,7 @@ def test_report_and_player_in_a_browser(tmp_path: Path) -> None:
     write_report(recording, tmp_path / "report.html")
     write_report(gantline.simulate(ROOT / "scenarios" / "equalizer_yard"), tmp_path / "yard.html")
     write_report(hostile_recording(), tmp_path / "hostile.html")
+    (tmp_path / "lift.glb").write_bytes(gltf_binary(recording))
     (tmp_path / "expected.json").write_text(json.dumps(expected(recording)), encoding="utf-8")
     command = [program, "node_modules/vitest/vitest.mjs", "run", "--config", "vitest.browser.config.ts"]
     pages = {"GANTLINE_PAGES": str(tmp_path), "GANTLINE_CHROMIUM": browser, "NO_COLOR": "1"}

@@ -139,12 +139,16 @@ def with_load_shape(shape: dict[str, Any]) -> Recording:
 
 def test_meshes_and_hulls_go_among_the_arrays() -> None:
     points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
-    mesh = {"type": "mesh", "vertices": points, "faces": [[0, 1, 2], [0, 2, 3]]}
+    mesh = {"type": "mesh", "vertices": points, "triangles": [[0, 1, 2], [0, 2, 3]]}
     packed = pack(with_load_shape(mesh))
     shape = next(body["shape"] for body in packed.header["bodies"] if body["kind"] == "load")
     assert shape["type"] == "mesh"
     assert unpacked(packed, f"{shape['arrays']}.faces").tolist() == [[0, 1, 2], [0, 2, 3]]
     np.testing.assert_array_equal(unpacked(packed, f"{shape['arrays']}.vertices"), points)
+    leg = {"size": [1, 2, 3], "centre": [0, 0, 1]}
+    boxes = pack(with_load_shape({"type": "boxes", "boxes": [{"type": "box", **leg}]}))
+    shape = next(body["shape"] for body in boxes.header["bodies"] if body["kind"] == "load")
+    assert shape == {"type": "boxes", "boxes": [leg]}
     hull = pack(with_load_shape({"type": "convex", "points": points}))
     assert any((body["shape"] or {}).get("type") == "convex" for body in hull.header["bodies"])
 

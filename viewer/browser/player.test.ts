@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { clock, expected, open, start } from "./chromium";
@@ -154,6 +155,20 @@ describe("the player", () => {
         ).length,
     );
     expect(nameless).toBe(0);
+  });
+
+  it("saves what it shows as a picture", async () => {
+    const { page, troubles } = await open(browser, "report.html", { hash: "#t=17.5" });
+    const waiting = page.waitForEvent("download");
+    await page.getByRole("button", { name: "Save a picture (P)" }).click();
+    const saved = await waiting;
+    expect(saved.suggestedFilename()).toBe("One_equalizer_lifts_a_300_t_load_17.50s.png");
+    expect(
+      readFileSync(await saved.path())
+        .subarray(1, 4)
+        .toString(),
+    ).toBe("PNG");
+    expect(troubles).toEqual([]);
   });
 
   it("is led by its address to what was shown", async () => {

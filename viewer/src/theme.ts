@@ -6,6 +6,8 @@ export interface Palette {
   load: number;
   frame: number;
   sheave: number;
+  /** Cranes, supports, plain bodies. */
+  other: number;
   hook: number;
   edge: number;
   ground: number;
@@ -30,6 +32,7 @@ const LIGHT: Palette = {
   load: 0xdfe5ea,
   frame: 0xf2c14e,
   sheave: 0x8d9aa6,
+  other: 0xc3ccd4,
   hook: 0xe2a72e,
   edge: 0x4a5866,
   ground: 0xf1f3f0,
@@ -53,6 +56,7 @@ const DARK: Palette = {
   load: 0x55636f,
   frame: 0xb08a2c,
   sheave: 0x75828e,
+  other: 0x46535f,
   hook: 0xb9882a,
   edge: 0xa9b7c3,
   ground: 0x1b232b,

@@ -9,6 +9,7 @@ import typer
 from gantline.cli.cases import cases
 from gantline.cli.check import check
 from gantline.cli.compare import compare
+from gantline.cli.export import export
 from gantline.cli.new import new
 from gantline.cli.report import report
 from gantline.cli.run import run
@@ -32,6 +33,7 @@ app.command()(compare)
 app.command()(check)
 app.command()(report)
 app.command()(view)
+app.command()(export)
 app.command()(new)
 app.command()(schema)
 

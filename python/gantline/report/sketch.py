@@ -147,14 +147,18 @@ def _solids(subject: Subject, scene: Mapping[str, Any], sample: int) -> dict[str
 def _points(shape: Mapping[str, Any] | None) -> FloatArray | None:
     if not shape:
         return None
-    if shape.get("type") == "box":
-        signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
-        corners: FloatArray = (
-            np.asarray(vector(shape.get("centre"))) + signs * np.asarray(vector(shape["size"])) / 2
-        )
-        return corners
+    boxes = shape.get("boxes") or ([shape] if shape.get("type") == "box" else [])
+    if boxes:
+        return np.concatenate([_corners(box) for box in boxes])
     given = shape.get("vertices", shape.get("points"))
     return None if given is None else np.asarray(given, dtype=np.float64).reshape(-1, 3)
+
+
+def _corners(box: Mapping[str, Any]) -> FloatArray:
+    signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
+    half = signs * np.asarray(vector(box["size"])) / 2
+    corners: FloatArray = np.asarray(vector(box.get("centre"))) + half
+    return corners
 
 
 def _ropes(subject: Subject, sample: int) -> dict[str, FloatArray]:

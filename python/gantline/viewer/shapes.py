@@ -29,8 +29,9 @@ def packed_shape(shape: Mapping[str, Any] | None, name: str, arrays: Arrays) -> 
     """A shape for a page; meshes go among the arrays.
 
     Args:
-        shape: `box` with `size` and `centre`; `mesh` with `vertices` and `faces` (or `triangles`); `convex`
-            with `points` (or `vertices`). None and kinds that are not known are not drawn.
+        shape: `box` with `size` and `centre`; `boxes` with several of them; `mesh` with `vertices` and
+            `faces` (or `triangles`); `convex` with `points` (or `vertices`). None and kinds that are not
+            known are not drawn.
         name: What its arrays are called.
         arrays: Where they go.
 
@@ -38,10 +39,12 @@ def packed_shape(shape: Mapping[str, Any] | None, name: str, arrays: Arrays) -> 
         ValueError: If its numbers are none, or too many.
     """
     kind = (shape or {}).get("type")
-    if shape is None or kind not in ("box", "mesh", "convex"):
+    if shape is None or kind not in ("box", "boxes", "mesh", "convex"):
         return None
+    if kind == "boxes":
+        return {"type": "boxes", "boxes": [_box(one) for one in shape["boxes"]]}
     if kind == "box":
-        return {"type": "box", "size": vector(shape["size"]), "centre": vector(shape.get("centre"))}
+        return {"type": "box", **_box(shape)}
     points = shape.get("vertices") if kind == "mesh" else shape.get("points", shape.get("vertices"))
     vertices = _vertices(points)
     arrays.plain(f"{name}.vertices", vertices, "f4")
@@ -53,6 +56,10 @@ def packed_shape(shape: Mapping[str, Any] | None, name: str, arrays: Arrays) -> 
         raise ValueError("a mesh of the scene has faces that are not three of its vertices each")
     arrays.plain(f"{name}.faces", faces, "u4")
     return {"type": "mesh", "arrays": name}
+
+
+def _box(shape: Mapping[str, Any]) -> dict[str, Any]:
+    return {"size": vector(shape["size"]), "centre": vector(shape.get("centre"))}
 
 
 def _vertices(given: Any) -> FloatArray:

@@ -2,8 +2,14 @@
 
 export type Vector = [number, number, number];
 
+export interface Box {
+  size: Vector;
+  centre: Vector;
+}
+
 export type Shape =
-  | { type: "box"; size: Vector; centre: Vector }
+  | ({ type: "box" } & Box)
+  | { type: "boxes"; boxes: Box[] }
   | { type: "mesh" | "convex"; arrays: string };
 
 export interface Body {

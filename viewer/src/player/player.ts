@@ -21,6 +21,7 @@ export class Player {
     const bar = new Bar(session);
     bar.root.append(this.pinMenu());
     bar.root.append(button("Copy a link to what is shown", ICONS.link, () => this.copyLink()));
+    if (this.stage) bar.root.append(button("Save a picture (P)", ICONS.save, () => this.savePicture()));
     bar.root.append(button("Full screen", ICONS.full, () => this.fullScreen()));
     root.append(bar.root, new Pinned(session).root);
     root.addEventListener("keydown", (event) => this.onKey(event));
@@ -74,6 +75,7 @@ export class Player {
       Home: () => session.seek(session.lift.begin),
       End: () => session.seek(session.lift.end),
       Escape: () => session.pin(null),
+      p: () => this.savePicture(),
     };
     if (orbits) {
       actions.ArrowUp = () => turn(0, 0.08);
@@ -131,6 +133,13 @@ export class Player {
     const link = location.href.replace(/#.*$/, "") + written(this.shown());
     history.replaceState(null, "", written(this.shown()));
     void navigator.clipboard?.writeText(link).catch(() => {});
+  }
+
+  private savePicture(): void {
+    if (!this.stage) return;
+    const name = `${this.session.lift.header.title.replace(/[^\p{L}\p{N}]+/gu, "_").slice(0, 60) || "lift"}`;
+    const download = `${name}_${this.session.time.toFixed(2)}s.png`;
+    element("a", { href: this.stage.picture(), download }).click();
   }
 
   private fullScreen(): void {

@@ -182,7 +182,7 @@ const TURN = new Quaternion();
 const SPIN = new Quaternion();
 
 function kindOf(body: Body): string {
-  return ["load", "frame", "hook"].includes(body.kind) ? body.kind : "sheave";
+  return ["load", "frame", "hook"].includes(body.kind) ? body.kind : "other";
 }
 
 function cube(size: number): [number, number, number] {

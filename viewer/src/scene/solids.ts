@@ -13,14 +13,13 @@ import {
 } from "three";
 import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import type { Shape } from "../data/format";
+import type { Box, Shape } from "../data/format";
 import type { Lift } from "../data/lift";
 
 /** Geometry of a shape in the frame of its body. */
 export function geometryOf(shape: Shape, lift: Lift): BufferGeometry {
-  if (shape.type === "box") {
-    return new BoxGeometry(...shape.size).translate(...shape.centre);
-  }
+  if (shape.type === "box") return boxGeometry(shape);
+  if (shape.type === "boxes") return merged(shape.boxes.map(boxGeometry));
   const vertices = lift.array(`${shape.arrays}.vertices`) as Float32Array;
   if (shape.type === "convex") {
     const points: Vector3[] = [];
@@ -35,6 +34,26 @@ export function geometryOf(shape: Shape, lift: Lift): BufferGeometry {
   const flat = indexed.toNonIndexed();
   flat.computeVertexNormals();
   return flat;
+}
+
+/** How far a shape reaches from the origin of its body's frame [m]. */
+export function reachOf(shape: Shape, lift: Lift): number {
+  if (shape.type === "box" || shape.type === "boxes") {
+    const boxes = shape.type === "box" ? [shape] : shape.boxes;
+    return Math.max(
+      ...boxes.map((box) =>
+        Math.max(...box.size.map((size, axis) => size / 2 + Math.abs(box.centre[axis]!))),
+      ),
+    );
+  }
+  return (lift.array(`${shape.arrays}.vertices`) as Float32Array).reduce(
+    (most, part) => Math.max(most, Math.abs(part)),
+    0,
+  );
+}
+
+function boxGeometry(box: Box): BufferGeometry {
+  return new BoxGeometry(...box.size).translate(...box.centre);
 }
 
 /** A sheave of radius 1 about z, with five holes that show how it turns. */

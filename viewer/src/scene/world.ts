@@ -24,6 +24,7 @@ import type { Palette } from "../theme";
 import { Arrows } from "./arrows";
 import { Bodies } from "./bodies";
 import { Ropes } from "./ropes";
+import { reachOf } from "./solids";
 
 /** Points of ropes from which software begins with the cheap style. */
 const MANY_POINTS = 1500;
@@ -205,8 +206,8 @@ export function extentOf(lift: Lift): Extent {
     for (let at = 0; at < lift.path.length; at += 3)
       hold(lift.path[at]!, lift.path[at + 1]!, lift.path[at + 2]!, 0);
     lift.header.bodies.forEach((body, index) => {
-      const shape = body.shape;
-      const room = shape?.type === "box" ? Math.max(...shape.size) / 2 : 0.2;
+      // A frame's shape is counted from its hook, which is held already.
+      const room = body.shape && body.kind !== "frame" ? reachOf(body.shape, lift) : 0.2;
       hold(lift.poses[7 * index]!, lift.poses[7 * index + 1]!, lift.poses[7 * index + 2]!, room);
     });
   }
