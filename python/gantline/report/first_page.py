@@ -131,6 +131,8 @@ def _attitude(subject: Subject) -> list[tuple[str, str]]:
     lift_off = subject.metrics.get("lift_off_time")
     if lift_off is not None:
         rows.append(("lift-off", f"at {show(lift_off, 's', 1)}"))
+    elif any(load.contacts for load in subject.rig.loads):
+        rows.append(("lift-off", "never clear of a support"))
     for load in subject.rig.loads:
         rows += _attitude_of(subject, load)
     if recording.attributes.get("status") == "failed":

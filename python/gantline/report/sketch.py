@@ -233,10 +233,17 @@ def _numbers(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *
         lug = paper.place(path[-1])
         marks.append(Mark("dot", "sk-lug", x=float(lug[0]), y=float(lug[1])))
         upper, lower = paper.place(path[0]), lug
-        for part in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8):
-            place = lug + np.array([0.0, -2.2]) if plan and part == 0.5 else upper + part * (lower - upper)
-            if all(np.linalg.norm((place - other) / (6.5, 4.0)) > 1.0 for other in taken):
-                break
+        beside = lug + np.array([0.0, -2.2])
+        tries = [upper + part * (lower - upper) for part in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)]
+        free = (
+            place
+            for place in ([beside, *tries] if plan else tries)
+            if all(np.linalg.norm((place - other) / (6.5, 4.0)) > 1.0 for other in taken)
+        )
+        found = next(free, None)
+        if found is None:  # too many beside each other: those that have room stand for them
+            continue
+        place = found
         taken.append(place)
         marks.append(Mark("text", "sk-number", x=float(place[0]), y=float(place[1]), text=sling.name))
     return marks

@@ -6,6 +6,7 @@ import type { Session } from "../player/session";
 import { digitsOf, shown } from "./scale";
 
 const MOST_SHOWN = 40;
+const READABLE = 120; // ms
 
 export class Legend {
   readonly root: HTMLElement;
@@ -14,6 +15,7 @@ export class Legend {
   private readonly values: HTMLElement[] = [];
   private readonly buttons: HTMLButtonElement[] = [];
   private readonly texts: string[] = [];
+  private shownAt = 0;
 
   constructor(
     private readonly session: Session,
@@ -44,8 +46,11 @@ export class Legend {
     this.showPressed();
   }
 
-  /** Values at a time. */
+  /** Values at a time; while the lift plays no more often than they can be read. */
   show(time: number): void {
+    const now = performance.now();
+    if (this.session.playing && now - this.shownAt < READABLE) return;
+    this.shownAt = now;
     this.values.forEach((holder, index) => {
       const { entry } = this.curves[index]!;
       const text = `${shown(this.curves[index]!.at(time), digitsOf(entry.unit))} ${entry.unit}`.trim();

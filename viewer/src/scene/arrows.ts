@@ -44,6 +44,7 @@ export class Arrows {
     });
     for (const index of this.slings) {
       const tension = this.lift.tensions[index]!;
+      if (tension <= 0) continue;
       const path = this.lift.drawnPath(index);
       const last = path.length - 3;
       FROM.set(path[last]!, path[last + 1]!, path[last + 2]!);

@@ -24,6 +24,7 @@ import type { Palette } from "../theme";
 import { geometryOf, hookGeometry, sheaveGeometry } from "./solids";
 
 const CREASE = 25; // degrees between faces from which an edge is drawn
+const MANY_SHEAVES = 40;
 const Z = new Vector3(0, 0, 1);
 
 /** Frames are seen through: ropes and sheaves run inside. */
@@ -47,7 +48,10 @@ export class Bodies {
     this.holders = lift.header.bodies.map((body, index) => this.holder(body, index));
     this.group.add(...this.holders);
     const count = lift.header.sheaves.length;
-    this.sheaves = count > 0 ? new InstancedMesh(sheaveGeometry(), this.material("sheave"), count) : null;
+    this.sheaves =
+      count > 0
+        ? new InstancedMesh(sheaveGeometry(count > MANY_SHEAVES), this.material("sheave"), count)
+        : null;
     if (this.sheaves) {
       this.sheaves.frustumCulled = false;
       this.group.add(this.sheaves);

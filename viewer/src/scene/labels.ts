@@ -4,7 +4,9 @@ import type { Lift } from "../data/lift";
 import { element } from "../dom";
 import type { World } from "./world";
 
-const MOST = 40;
+/** Slings up to which each has its name; more of them would hide the lift. */
+const MOST_SLINGS = 24;
+const MOST_BODIES = 20;
 
 interface Label {
   root: HTMLElement;
@@ -23,12 +25,12 @@ export class Labels {
     private readonly world: World,
   ) {
     const { ropes, bodies } = lift.header;
+    const slings = ropes.filter((rope) => rope.kind === "sling").length;
     ropes.forEach((rope, index) => {
-      if (rope.kind === "sling" && rope.count > 1 && this.labels.length < MOST)
-        this.add(rope.label, index, -1);
+      if (rope.kind === "sling" && rope.count > 1 && slings <= MOST_SLINGS) this.add(rope.label, index, -1);
     });
     bodies.forEach((body, index) => {
-      if (["load", "hook", "frame"].includes(body.kind) && this.labels.length < MOST)
+      if (["load", "hook", "frame"].includes(body.kind) && this.labels.length < MOST_SLINGS + MOST_BODIES)
         this.add(body.name, -1, index);
     });
   }

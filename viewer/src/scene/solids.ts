@@ -56,8 +56,8 @@ function boxGeometry(box: Box): BufferGeometry {
   return new BoxGeometry(...box.size).translate(...box.centre);
 }
 
-/** A sheave of radius 1 about z, with five holes that show how it turns. */
-export function sheaveGeometry(): BufferGeometry {
+/** A sheave of radius 1 about z, with five holes that show how it turns; of many each is drawn plainly. */
+export function sheaveGeometry(isOneOfMany: boolean): BufferGeometry {
   const rim = new Outline().absarc(0, 0, 0.98, 0, 2 * Math.PI, false);
   for (let hole = 0; hole < 5; hole++) {
     const angle = (2 * Math.PI * hole) / 5;
@@ -66,8 +66,9 @@ export function sheaveGeometry(): BufferGeometry {
     rim.holes.push(opening);
   }
   const depth = 0.22;
-  const disc = new ExtrudeGeometry(rim, { depth, bevelEnabled: false, curveSegments: 20 });
+  const disc = new ExtrudeGeometry(rim, { depth, bevelEnabled: false, curveSegments: isOneOfMany ? 4 : 20 });
   disc.translate(0, 0, -depth / 2);
+  if (isOneOfMany) return disc;
   const pin = new CylinderGeometry(0.14, 0.14, 0.5, 16).rotateX(Math.PI / 2);
   return merged([disc, pin]);
 }
