@@ -44,6 +44,9 @@ class Simulation:
     def current_step(self) -> str | None:
         """Name of the step of the plan that is under way."""
 
+    def current_tension(self) -> list[float]:
+        """Tensions of all ropes now [N], in the order of their names."""
+
     def energy_remainder(self) -> float:
         """Largest energy remainder over all steps so far, relative to kinetic + elastic + |drive work|."""
 

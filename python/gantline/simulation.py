@@ -9,6 +9,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -132,6 +133,19 @@ class Simulation:
     def current_step(self) -> str | None:
         """Name of the step of the plan that is under way; None where there is none."""
         return self._core.current_step()
+
+    @property
+    def largest_sling_tension(self) -> tuple[str, float] | None:
+        """The sling that carries most now, and what it carries [N]; None in a lift without slings."""
+        tension = self._core.current_tension()
+        pulls = ((name, tension[index]) for name, index in self._slings)
+        return max(pulls, key=lambda pull: pull[1], default=None)
+
+    @cached_property
+    def _slings(self) -> list[tuple[str, int]]:
+        """Name of every sling, and the place of its rope among all ropes."""
+        places = {rope: index for index, rope in enumerate(self._core.names()["rope"])}
+        return [(sling["name"], places[sling["rope"]]) for sling in self.assembly.rig.get("slings", ())]
 
     def run(self, *, until: float | None = None, on_progress: Progress | None = None) -> Recording:
         """Go on to the end, or to a time.

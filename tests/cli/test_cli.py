@@ -1,6 +1,7 @@
 """The command line without a simulation: help, version, schema, new, and what it loads."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -59,6 +60,31 @@ def test_every_verb_is_in_the_help() -> None:
     for verb in ("run", "compare", "check", "new", "schema"):
         assert f"\n  {verb} " in out
     assert "3 the simulation could" in out
+
+
+def completed(*words: str, folder: Path) -> list[str]:
+    """What bash is offered for the last of these words."""
+    asked = {
+        "_GANTLINE_COMPLETE": "complete_bash",
+        "COMP_WORDS": " ".join(["gantline", *words]),
+        "COMP_CWORD": str(len(words)),
+    }
+    command = [sys.executable, "-c", "from gantline.cli import main; main()"]
+    result = subprocess.run(
+        command, capture_output=True, text=True, check=False, cwd=folder, env=os.environ | asked
+    )
+    assert result.stderr == ""
+    return result.stdout.split()
+
+
+def test_a_shell_completes_verbs_lifts_and_files(tmp_path: Path) -> None:
+    (tmp_path / "equal.yaml").touch()
+    (tmp_path / "equations").mkdir()
+    (tmp_path / "equal.txt").touch()
+    assert completed("sta", folder=tmp_path) == ["statics"]
+    offered = completed("run", "equal", folder=tmp_path)
+    assert offered == [name for name in shipped() if name.startswith("equal")] + ["equal.yaml"]
+    assert completed("check", "equat", folder=tmp_path) == ["equations/"]
 
 
 def test_version_is_that_of_the_package() -> None:

@@ -152,9 +152,17 @@ def test_a_simulation_that_cannot_go_on(core: type[FakeCore], tmp_path: Path) ->
     assert (recording.time[-1], recording.attributes["status"]) == (2.0, "failed")
 
 
-def test_progress_names_the_step_under_way(core: type[FakeCore], tmp_path: Path) -> None:
+def test_progress_names_the_step_under_way_and_what_the_slings_carry(
+    core: type[FakeCore], tmp_path: Path
+) -> None:
     lines = run("lift.yaml", "-o", tmp_path, "--no-plots", "--no-report").stderr.splitlines()
-    assert [line.endswith("s left (hoist)") for line in lines] == [True, True, False, False]
+    ends = [line.partition(" s left, ")[2] for line in lines]
+    assert ends == [
+        "step 'hoist', most in sling S1: 1 kN",
+        "step 'hoist', most in sling S1: 2 kN",
+        "most in sling S1: 3 kN",
+        "most in sling S1: 4 kN",
+    ]
 
 
 def test_an_open_balance_is_said_in_so_many_words(core: type[FakeCore], tmp_path: Path) -> None:

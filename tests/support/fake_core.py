@@ -72,6 +72,9 @@ class FakeCore:
     def current_step(self) -> str | None:
         return "hoist" if self.now < 3 else None
 
+    def current_tension(self) -> list[float]:
+        return [self.now * 1e3] * len(self.names()["rope"])
+
     def measure(self) -> None:
         self.measures = True
 

@@ -10,6 +10,22 @@ import pytest
 from gantline.cli.progress import progress
 
 STEPS = {5.0: "lift off", 10.0: None}
+TENSIONS = {5.0: ("S3", 590.4e3), 10.0: None}
+
+
+class HalfDone:
+    """A run of 10 s that is at one of the times of the tables above."""
+
+    duration = 10.0
+    now = 0.0
+
+    @property
+    def current_step(self) -> str | None:
+        return STEPS[self.now]
+
+    @property
+    def largest_sling_tension(self) -> tuple[str, float] | None:
+        return TENSIONS[self.now]
 
 
 class Terminal(io.StringIO):
@@ -22,24 +38,24 @@ class Terminal(io.StringIO):
 def shown(stream: io.StringIO, monkeypatch: pytest.MonkeyPatch, *times: float) -> str:
     """What a run of 10 s puts on the stream when it tells these times."""
     monkeypatch.setattr(sys, "stderr", stream)
-    now = 0.0
-    with progress(10.0, lambda: STEPS[now]) as report:
-        for now in times:
-            report(now)
+    run = HalfDone()
+    with progress(run) as report:
+        for run.now in times:
+            report(run.now)
     return stream.getvalue()
 
 
-def test_plain_lines_name_the_step_under_way(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_plain_lines_name_the_step_under_way_and_the_largest_tension(monkeypatch: pytest.MonkeyPatch) -> None:
     first, last = shown(io.StringIO(), monkeypatch, 5.0, 10.0).splitlines()
     assert first.startswith("simulated 5.0 of 10.0 s, ")
-    assert first.endswith(" s left (lift off)")
+    assert first.endswith(" s left, step 'lift off', most in sling S3: 590 kN")
     assert last.startswith("simulated 10.0 of 10.0 s, ")
     assert last.endswith(" 0 s left")
 
 
-def test_the_bar_names_the_step_under_way(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_bar_names_the_step_under_way_and_the_largest_tension(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TERM", "xterm")
-    monkeypatch.setenv("COLUMNS", "140")
+    monkeypatch.setenv("COLUMNS", "200")
     text = shown(Terminal(), monkeypatch, 5.0)
     assert "5.0 of 10.0 s" in text
-    assert "lift off" in text
+    assert "step 'lift off', most in sling S3: 590 kN" in text

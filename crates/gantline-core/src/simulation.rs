@@ -7,7 +7,7 @@ use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
 use crate::constraint::Law;
 use crate::event::{Event, EventKind, EventLog};
-use crate::record::columns::Columns;
+use crate::record::columns::{Columns, tensions_of};
 use crate::record::names::Names;
 use crate::record::{Recorder, Samples, Span};
 use crate::spec::{IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
@@ -277,6 +277,11 @@ impl Simulation {
     /// Name of the step of the plan that is under way, if any.
     pub fn current_step(&self) -> Option<&str> {
         self.state.plan.current(&self.system.plan)
+    }
+
+    /// Tension of every rope now [N].
+    pub fn rope_tension(&self) -> Vec<f64> {
+        tensions_of(&self.system, &self.state.tension, &self.state.q).collect()
     }
 
     /// What the run counted.

@@ -149,6 +149,11 @@ impl Simulation {
         self.inner.current_step()
     }
 
+    /// Tensions of all ropes now [N].
+    fn current_tension(&self) -> Vec<f64> {
+        self.inner.rope_tension()
+    }
+
     /// Largest energy remainder so far, relative to the largest of kinetic + elastic + |drive work|.
     fn energy_remainder(&self) -> f64 {
         self.inner.state().ledger.relative_remainder()

@@ -22,7 +22,6 @@ app = typer.Typer(
     help="Simulate heavy lifts: what every rope, sheave, lug and hook carries, and when.",
     rich_markup_mode=None,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )

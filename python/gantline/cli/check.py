@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gantline.cli.lift import opened, recording_file
+from gantline.cli.lift import lifts_that_begin, opened, recording_file
 from gantline.cli.messages import (
     CHECK_FAILED,
     COULD_NOT_GO_ON,
@@ -32,6 +32,7 @@ def check(
             metavar="LIFT|RECORDING",
             help="Lift file, its folder, the name of a lift that comes with gantline; or a recording (.nc), "
             "or a folder that `gantline run` wrote.",
+            autocompletion=lifts_that_begin,
         ),
     ],
     simulate: Annotated[
@@ -87,7 +88,7 @@ def _simulated(simulation: Simulation) -> Recording:
     from gantline.simulation import SimulationError
 
     try:
-        with progress(simulation.duration, lambda: simulation.current_step) as report:
+        with progress(simulation) as report:
             recording = simulation.run(on_progress=report)
     except SimulationError as problem:
         stop(str(problem), COULD_NOT_GO_ON)

@@ -11,6 +11,7 @@ import typer
 
 from gantline.cli.lift import (
     Setting,
+    lifts_that_begin,
     name_of,
     opened,
     output_folder,
@@ -61,10 +62,17 @@ class _Side:
 
 
 def compare(
-    first: Annotated[Path, typer.Argument(metavar="A", help=f"{_LIFT_HELP}.")],
+    first: Annotated[
+        Path, typer.Argument(metavar="A", help=f"{_LIFT_HELP}.", autocompletion=lifts_that_begin)
+    ],
     second: Annotated[
         Path | None,
-        typer.Argument(metavar="B", show_default=False, help="The same.  [default: A once more]"),
+        typer.Argument(
+            metavar="B",
+            show_default=False,
+            help="The same.  [default: A once more]",
+            autocompletion=lifts_that_begin,
+        ),
     ] = None,
     output: Annotated[
         Path | None,
@@ -164,7 +172,7 @@ def _simulate(side: _Side, folder: Path) -> None:
         typer.echo(f"simulating {side.letter}: {side.name}", err=True)
         simulation = side.simulation
         try:
-            with progress(simulation.duration, lambda: simulation.current_step) as report:
+            with progress(simulation) as report:
                 side.recording = simulation.run(on_progress=report)
         except SimulationError as problem:
             side.recording = problem.recording

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import glob
 import os
 import tempfile
 from collections.abc import Mapping
@@ -21,11 +22,24 @@ RECORDING = "recording.nc"
 
 Setting = str | float | bool | None
 
+
+def lifts_that_begin(incomplete: str) -> list[str]:
+    """What a shell offers where a lift is asked for: lifts that come with gantline, lift files, folders."""
+    from gantline.scenario.shipped import shipped
+
+    places = sorted(glob.glob(f"{glob.escape(incomplete)}*"))
+    files = [f"{place}/" if Path(place).is_dir() else place for place in places]
+    names = [name for name in shipped() if name.startswith(incomplete)]
+    return names + [file for file in files if file.endswith(("/", ".yaml", ".yml", ".nc"))]
+
+
 #: The lift that a verb is about.
 Lift = Annotated[
     Path,
     typer.Argument(
-        metavar="LIFT", help="Lift file, its folder, or the name of a lift that comes with gantline."
+        metavar="LIFT",
+        help="Lift file, its folder, or the name of a lift that comes with gantline.",
+        autocompletion=lifts_that_begin,
     ),
 ]
 

@@ -6,35 +6,47 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Protocol
 
 import typer
 
 Report = Callable[[float], None]
-Step = Callable[[], str | None]
 _LINES = 10
 _LONGEST_SILENCE = 30.0  # s
 
 
-@contextmanager
-def progress(duration: float, step: Step) -> Iterator[Report]:
-    """Show how far a run is.
+class Run(Protocol):
+    """What progress asks of a simulation under way."""
 
-    Args:
-        duration: Simulated time at the end [s].
-        step: Tells the name of the step of the plan that is under way.
+    @property
+    def duration(self) -> float:
+        """Simulated time at the end [s]."""
+
+    @property
+    def current_step(self) -> str | None:
+        """Name of the step of the plan that is under way."""
+
+    @property
+    def largest_sling_tension(self) -> tuple[str, float] | None:
+        """The sling that carries most now, and what it carries [N]."""
+
+
+@contextmanager
+def progress(run: Run) -> Iterator[Report]:
+    """Show how far a run is.
 
     Yields:
         A function to call with the simulated time [s].
     """
     if sys.stderr.isatty():
-        with _bar(duration, step) as report:
+        with _bar(run) as report:
             yield report
     else:
-        yield _lines(duration, step)
+        yield _lines(run)
 
 
 @contextmanager
-def _bar(duration: float, step: Step) -> Iterator[Report]:
+def _bar(run: Run) -> Iterator[Report]:
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
@@ -45,20 +57,21 @@ def _bar(duration: float, step: Step) -> Iterator[Report]:
         TextColumn("{task.fields[speed]}"),
         TimeRemainingColumn(),
         TextColumn("left"),
-        TextColumn("{task.fields[step]}", style="cyan", markup=False),
+        TextColumn("{task.fields[state]}", style="cyan", markup=False),
     )
     started = time.perf_counter()
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=duration, speed="", step="")
+        task = bar.add_task("", total=run.duration, speed="", state="")
 
         def report(now: float) -> None:
             passed = time.perf_counter() - started
-            bar.update(task, completed=now, speed=_speed(now, passed), step=step() or "")
+            bar.update(task, completed=now, speed=_speed(now, passed), state=", ".join(_state(run)))
 
         yield report
 
 
-def _lines(duration: float, step: Step) -> Report:
+def _lines(run: Run) -> Report:
+    duration = run.duration
     started = last = time.perf_counter()
     shown = 0
 
@@ -70,11 +83,8 @@ def _lines(duration: float, step: Step) -> Report:
         shown, last = int(now * _LINES / duration), clock
         passed = clock - started
         left = passed * (duration - now) / now
-        typer.echo(
-            f"simulated {now:.1f} of {duration:.1f} s, {_speed(now, passed)}, {left:.0f} s left"
-            f"{_under_way(step())}",
-            err=True,
-        )
+        parts = (_speed(now, passed), f"{left:.0f} s left", *_state(run))
+        typer.echo(", ".join((f"simulated {now:.1f} of {duration:.1f} s", *filter(None, parts))), err=True)
 
     return report
 
@@ -83,5 +93,11 @@ def _speed(simulated: float, passed: float) -> str:
     return f"{simulated / passed:.3g} times real time" if passed > 0.0 else ""
 
 
-def _under_way(step: str | None) -> str:
-    return f" ({step})" if step else ""
+def _state(run: Run) -> Iterator[str]:
+    """The step under way, and the sling that carries most."""
+    if run.current_step:
+        yield f"step '{run.current_step}'"
+    largest = run.largest_sling_tension
+    if largest is not None:
+        name, tension = largest
+        yield f"most in sling {name}: {tension / 1e3:.0f} kN"

@@ -110,7 +110,7 @@ def _simulate(simulation: Simulation, folder: Path) -> Recording:
     from gantline.simulation import SimulationError
 
     try:
-        with progress(simulation.duration, lambda: simulation.current_step) as report:
+        with progress(simulation) as report:
             return simulation.run(on_progress=report)
     except SimulationError as problem:
         _save_failure(problem, folder)

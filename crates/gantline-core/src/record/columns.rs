@@ -145,11 +145,14 @@ pub fn rope_tensions(system: &System, samples: &Samples) -> Vec<f64> {
     let mut tensions = Vec::with_capacity(samples.time.len() * system.rope_count);
     for index in 0..samples.time.len() {
         let q = &samples.q[index * positions..][..positions];
-        let force = &samples.tension[index * rows..][..rows];
-        let ropes = system.ropes().zip(&system.rows.first);
-        tensions.extend(ropes.map(|(rope, &first)| mean_tension(rope, &force[first..], q)));
+        tensions.extend(tensions_of(system, &samples.tension[index * rows..][..rows], q));
     }
     tensions
+}
+
+/// Tension of every rope [N] at one moment, from the forces of all rows and the joint coordinates.
+pub fn tensions_of(system: &System, force: &[f64], q: &[f64]) -> impl Iterator<Item = f64> {
+    system.ropes().zip(&system.rows.first).map(|(rope, &first)| mean_tension(rope, &force[first..], q))
 }
 
 /// The system at one sample. Reused from sample to sample.
