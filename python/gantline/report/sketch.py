@@ -18,7 +18,12 @@ _SIDES = {
     "y": np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
 }
 _PLAN = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+_ORDER = {"load": 1, "frame": 2, "hook": 3}  # what is drawn upon what; cranes and supports lie below
 _ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)  # m, lengths of a scale bar
+
+
+#: Kind of each body, and points in space of each of its parts.
+_Solids = dict[str, tuple[str, list[FloatArray]]]
 
 
 @dataclass(frozen=True)
@@ -98,7 +103,7 @@ def sketches(subject: Subject) -> list[Sketch]:
     sample = len(recording.time) - 1
     solids = _solids(subject, scene, sample)
     ropes = _ropes(subject, sample)
-    parts = [points for _, points in solids.values()] + list(ropes.values())
+    parts = [one for _, pieces in solids.values() for one in pieces] + list(ropes.values())
     if not parts:
         return []
     bearings = [recording.column("body_position", name)[sample] for name in _hook_bodies(subject)]
@@ -107,9 +112,9 @@ def sketches(subject: Subject) -> list[Sketch]:
     below = None if not ground else float(ground["level"])
     if below is not None:
         extent = np.concatenate([extent, [[*extent.mean(axis=0)[:2], below]]])
-    carried = [points for kind, points in solids.values() if kind in ("load", "frame")]
-    frames = [points for kind, points in solids.values() if kind == "frame"] or carried or parts
-    wide = np.ptp(np.concatenate(frames), axis=0)
+    carried = [one for kind, pieces in solids.values() if kind in ("load", "frame") for one in pieces]
+    frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
+    wide = np.ptp(np.concatenate(frames or carried or parts), axis=0)
     along = "x" if wide[0] >= wide[1] else "y"
     view = _SIDES[along]
     side = _draw(
@@ -128,30 +133,33 @@ def sketches(subject: Subject) -> list[Sketch]:
     return [side, plan]
 
 
-def _solids(subject: Subject, scene: Mapping[str, Any], sample: int) -> dict[str, tuple[str, FloatArray]]:
-    """Kind and points in space of each body that has a shape."""
+def _solids(
+    subject: Subject, scene: Mapping[str, Any], sample: int
+) -> dict[str, tuple[str, list[FloatArray]]]:
+    """Kind of each body that has a shape, and points in space of each of its parts."""
     recording = subject.recording
     names = recording.coordinates.get("body", ())
-    found = {}
+    found: _Solids = {}
     for entry in scene["bodies"]:
-        points = _points(entry.get("shape"))
-        if entry["name"] not in names or points is None:
+        parts = _parts(entry.get("shape"))
+        if entry["name"] not in names or not parts:
             continue
         turn = axes(recording.column("body_orientation", entry["name"])[sample])
         place = recording.column("body_position", entry["name"])[sample]
-        offset = points - np.asarray(vector(entry.get("centre_of_gravity")))
-        found[entry["name"]] = (str(entry.get("kind", "body")), place + offset @ turn.T)
+        centre = np.asarray(vector(entry.get("centre_of_gravity")))
+        placed = [place + (points - centre) @ turn.T for points in parts]
+        found[entry["name"]] = (str(entry.get("kind", "body")), placed)
     return found
 
 
-def _points(shape: Mapping[str, Any] | None) -> FloatArray | None:
+def _parts(shape: Mapping[str, Any] | None) -> list[FloatArray]:
     if not shape:
-        return None
+        return []
     boxes = shape.get("boxes") or ([shape] if shape.get("type") == "box" else [])
     if boxes:
-        return np.concatenate([_corners(box) for box in boxes])
+        return [_corners(box) for box in boxes]
     given = shape.get("vertices", shape.get("points"))
-    return None if given is None else np.asarray(given, dtype=np.float64).reshape(-1, 3)
+    return [] if given is None else [np.asarray(given, dtype=np.float64).reshape(-1, 3)]
 
 
 def _corners(box: Mapping[str, Any]) -> FloatArray:
@@ -175,7 +183,7 @@ def _draw(
     title: str,
     view: FloatArray,
     paper: _Paper,
-    solids: Mapping[str, tuple[str, FloatArray]],
+    solids: _Solids,
     ropes: Mapping[str, FloatArray],
     ground: float | None,
 ) -> Sketch:
@@ -184,15 +192,10 @@ def _draw(
     if ground is not None:
         level = float(paper.place(np.array([0.0, 0.0, ground]))[1])
         marks.append(Mark("line", "sk-ground", f"2,{level:.2f} {width - 2},{level:.2f}"))
-    order = sorted(solids.items(), key=lambda item: item[1][0] != "load")
-    for _, (kind, points) in order:
-        marks.append(
-            Mark(
-                "area",
-                f"sk-solid sk-{kind if kind in ('load', 'frame', 'hook') else 'other'}",
-                _text(_hull(paper.place(points))),
-            )
-        )
+    order = sorted(solids.items(), key=lambda item: _ORDER.get(item[1][0], 0))
+    for _, (kind, pieces) in order:
+        style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
+        marks += [Mark("area", style, _text(_hull(paper.place(points)))) for points in pieces]
     slings = {sling.rope for sling in subject.rig.slings}
     for name, path in ropes.items():
         marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", _text(paper.place(path))))
@@ -204,7 +207,7 @@ def _draw(
     return Sketch(title, width, height, paper.scale, bar, marks)
 
 
-def _hangers(subject: Subject, paper: _Paper, solids: Mapping[str, tuple[str, FloatArray]]) -> list[Mark]:
+def _hangers(subject: Subject, paper: _Paper, solids: _Solids) -> list[Mark]:
     """From the bearing of its hook to the ends of each equalizer's frame."""
     marks = []
     hooks = _hook_bodies(subject)
@@ -212,7 +215,7 @@ def _hangers(subject: Subject, paper: _Paper, solids: Mapping[str, tuple[str, Fl
         if equalizer.body not in solids or equalizer.hook not in hooks:
             continue
         bearing = paper.place(subject.recording.column("body_position", equalizer.hook)[-1])
-        frame = paper.place(solids[equalizer.body][1])
+        frame = paper.place(np.concatenate(solids[equalizer.body][1]))
         left, right, top = frame[:, 0].min(), frame[:, 0].max(), frame[:, 1].min()
         inset = 0.14 * (right - left)
         marks += [

@@ -78,6 +78,7 @@ export class Bar {
     if (text === this.text) return;
     this.text = text;
     this.clock.textContent = text;
+    if (this.session.playing) return; // nobody listens to what changes at every frame
     const step = lift.steps.find((one) => time >= one.begin && time < one.end);
     set(this.slider, { "aria-valuetext": step ? `${text}, ${step.name}` : text });
   }

@@ -40,7 +40,7 @@ export class Arrows {
       FROM.set(FROM.x + pose[0]!, FROM.y + pose[1]!, FROM.z + pose[2]!);
       WAY.copy(Z);
       // It ends where it pushes.
-      this.add(this.lift.contactForces[index]!, true);
+      this.add(this.lift.contactForces[index]!, true, LENGTH * this.size);
     });
     for (const index of this.slings) {
       const tension = this.lift.tensions[index]!;
@@ -51,19 +51,25 @@ export class Arrows {
       WAY.set(path[last - 3]! - FROM.x, path[last - 2]! - FROM.y, path[last - 1]! - FROM.z).normalize();
       rampInto(palette, tension / tensionScale, this.rgb, 0);
       COLOUR.setRGB(this.rgb[0]!, this.rgb[1]!, this.rgb[2]!);
-      this.add(tension, false);
+      // It stays within its sling.
+      const reach = Math.hypot(
+        path[last]! - path[0]!,
+        path[last + 1]! - path[1]!,
+        path[last + 2]! - path[2]!,
+      );
+      this.add(tension, false, Math.min(LENGTH * this.size, 0.45 * reach));
     }
     this.mesh.instanceMatrix.needsUpdate = true;
     if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
   }
 
-  /** An arrow of a force along `WAY`, which begins (or ends) at `FROM`. */
-  private add(force: number, endsThere: boolean): void {
+  /** An arrow of a force along `WAY`, which begins (or ends) at `FROM`; the largest force has the longest. */
+  private add(force: number, endsThere: boolean, longest: number): void {
     if (!(force > 0.005 * this.largest)) return;
-    const length = LENGTH * this.size * Math.min(1.2, force / this.largest);
+    const length = longest * Math.min(1.2, force / this.largest);
     if (endsThere) FROM.addScaledVector(WAY, -length);
     FROM.set(FROM.x - this.origin[0], FROM.y - this.origin[1], FROM.z - this.origin[2]);
-    const thickness = 0.16 * this.size;
+    const thickness = Math.min(0.16 * this.size, 0.9 * length);
     PLACED.compose(FROM, TURN.setFromUnitVectors(Z, WAY), SCALE.set(thickness, thickness, length));
     this.mesh.setMatrixAt(this.mesh.count, PLACED);
     this.mesh.setColorAt(this.mesh.count, COLOUR);

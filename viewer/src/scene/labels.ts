@@ -6,6 +6,7 @@ import type { World } from "./world";
 
 /** Slings up to which each has its name; more of them would hide the lift. */
 const MOST_SLINGS = 24;
+const MOST_WITH_VALUES = 8;
 const MOST_BODIES = 20;
 
 interface Label {
@@ -19,15 +20,17 @@ interface Label {
 export class Labels {
   readonly root = element("div", { class: "gl-labels", "aria-hidden": "true" });
   private readonly labels: Label[] = [];
+  private readonly slings: number;
 
   constructor(
     private readonly lift: Lift,
     private readonly world: World,
   ) {
     const { ropes, bodies } = lift.header;
-    const slings = ropes.filter((rope) => rope.kind === "sling").length;
+    this.slings = ropes.filter((rope) => rope.kind === "sling").length;
     ropes.forEach((rope, index) => {
-      if (rope.kind === "sling" && rope.count > 1 && slings <= MOST_SLINGS) this.add(rope.label, index, -1);
+      if (rope.kind === "sling" && rope.count > 1 && this.slings <= MOST_SLINGS)
+        this.add(rope.label, index, -1);
     });
     bodies.forEach((body, index) => {
       if (["load", "hook", "frame"].includes(body.kind) && this.labels.length < MOST_SLINGS + MOST_BODIES)
@@ -45,16 +48,19 @@ export class Labels {
   update(width: number, height: number, withValues: boolean): void {
     if (this.root.hidden) return;
     const placed: [number, number][] = [];
+    const hasValues = withValues && this.slings <= MOST_WITH_VALUES;
     for (const label of this.labels) {
       const place = this.placeOf(label, width, height);
       label.root.hidden = place === null;
       if (!place) continue;
-      if (label.rope >= 0) dodge(place, placed, withValues ? 84 : 30);
+      const isFree = dodge(place, placed, label.rope < 0 ? 70 : hasValues ? 84 : 30);
+      label.root.hidden = label.rope >= 0 && !isFree;
+      if (label.root.hidden) continue;
       placed.push(place);
       label.root.style.transform = `translate(${place[0].toFixed(1)}px, ${place[1].toFixed(1)}px) translate(-50%, -50%)`;
       const tension = label.rope >= 0 ? this.lift.tensions[label.rope]! : -1;
       const text =
-        withValues && tension >= 0 ? (tension > 0 ? ` ${Math.round(tension / 1e3)} kN` : " slack") : "";
+        hasValues && tension >= 0 ? (tension > 0 ? ` ${Math.round(tension / 1e3)} kN` : " slack") : "";
       if (text !== label.text) {
         label.text = text;
         label.value.textContent = text;
@@ -86,13 +92,14 @@ export class Labels {
 
 const LINE = 18; // pixels
 
-/** Move a place down until it is free of those that are taken. */
-function dodge(place: [number, number], taken: readonly [number, number][], wide: number): void {
-  for (let round = 0; round < 6; round++) {
+/** Move a place down until it is free of those that are taken; false where that would be too far. */
+function dodge(place: [number, number], taken: readonly [number, number][], wide: number): boolean {
+  for (let round = 0; round < 3; round++) {
     const other = taken.find(
       (one) => Math.abs(one[0] - place[0]) < wide && Math.abs(one[1] - place[1]) < LINE,
     );
-    if (!other) return;
+    if (!other) return true;
     place[1] = other[1] + LINE;
   }
+  return false;
 }

@@ -36,20 +36,28 @@ export function geometryOf(shape: Shape, lift: Lift): BufferGeometry {
   return flat;
 }
 
-/** How far a shape reaches from the origin of its body's frame [m]. */
-export function reachOf(shape: Shape, lift: Lift): number {
+/** Corners of the box around a shape, in the frame of its body, x y z after each other [m]. */
+export function cornersOf(shape: Shape, lift: Lift): number[] {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  const hold = (axis: number, from: number, to: number) => {
+    low[axis] = Math.min(low[axis]!, from);
+    high[axis] = Math.max(high[axis]!, to);
+  };
   if (shape.type === "box" || shape.type === "boxes") {
-    const boxes = shape.type === "box" ? [shape] : shape.boxes;
-    return Math.max(
-      ...boxes.map((box) =>
-        Math.max(...box.size.map((size, axis) => size / 2 + Math.abs(box.centre[axis]!))),
-      ),
-    );
+    for (const { size, centre } of shape.type === "box" ? [shape] : shape.boxes)
+      for (let axis = 0; axis < 3; axis++)
+        hold(axis, centre[axis]! - size[axis]! / 2, centre[axis]! + size[axis]! / 2);
+  } else {
+    const vertices = lift.array(`${shape.arrays}.vertices`) as Float32Array;
+    vertices.forEach((part, place) => {
+      hold(place % 3, part, part);
+    });
   }
-  return (lift.array(`${shape.arrays}.vertices`) as Float32Array).reduce(
-    (most, part) => Math.max(most, Math.abs(part)),
-    0,
-  );
+  const corners: number[] = [];
+  for (const x of [low[0]!, high[0]!])
+    for (const y of [low[1]!, high[1]!]) for (const z of [low[2]!, high[2]!]) corners.push(x, y, z);
+  return corners;
 }
 
 function boxGeometry(box: Box): BufferGeometry {

@@ -15,6 +15,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   PerspectiveCamera,
+  Quaternion,
   Scene,
   Vector3,
   WebGLRenderer,
@@ -24,7 +25,7 @@ import type { Palette } from "../theme";
 import { Arrows } from "./arrows";
 import { Bodies } from "./bodies";
 import { Ropes } from "./ropes";
-import { reachOf } from "./solids";
+import { cornersOf } from "./solids";
 
 /** Points of ropes from which software begins with the cheap style. */
 const MANY_POINTS = 1500;
@@ -153,6 +154,7 @@ export class World {
 }
 
 const POINT = new Vector3();
+const TURN = new Quaternion();
 
 /** Lines over a square, cut where they cross, so that each part can fade. */
 function gridGeometry(half: number, cell: number): BufferGeometry {
@@ -193,22 +195,29 @@ export function niceCell(size: number): number {
 export function extentOf(lift: Lift): Extent {
   const low: [number, number, number] = [1e9, 1e9, 1e9];
   const high: [number, number, number] = [-1e9, -1e9, -1e9];
-  const hold = (x: number, y: number, z: number, room: number) => {
+  const hold = (x: number, y: number, z: number) => {
     const point = [x, y, z];
     for (let axis = 0; axis < 3; axis++) {
-      low[axis] = Math.min(low[axis]!, point[axis]! - room);
-      high[axis] = Math.max(high[axis]!, point[axis]! + room);
+      low[axis] = Math.min(low[axis]!, point[axis]!);
+      high[axis] = Math.max(high[axis]!, point[axis]!);
     }
   };
+  const corners = lift.header.bodies.map((body) => (body.shape ? cornersOf(body.shape, lift) : body.cog));
   const count = lift.frameTimes.length;
   for (let part = 0; part <= 8; part++) {
     lift.seek(lift.frameTimes[Math.round((part / 8) * (count - 1))] ?? 0);
     for (let at = 0; at < lift.path.length; at += 3)
-      hold(lift.path[at]!, lift.path[at + 1]!, lift.path[at + 2]!, 0);
-    lift.header.bodies.forEach((body, index) => {
-      // A frame's shape is counted from its hook, which is held already.
-      const room = body.shape && body.kind !== "frame" ? reachOf(body.shape, lift) : 0.2;
-      hold(lift.poses[7 * index]!, lift.poses[7 * index + 1]!, lift.poses[7 * index + 2]!, room);
+      hold(lift.path[at]!, lift.path[at + 1]!, lift.path[at + 2]!);
+    corners.forEach((points, index) => {
+      const { cog } = lift.header.bodies[index]!;
+      const pose = lift.poses.subarray(7 * index, 7 * index + 7);
+      TURN.set(pose[4]!, pose[5]!, pose[6]!, pose[3]!);
+      for (let at = 0; at < points.length; at += 3) {
+        POINT.set(points[at]! - cog[0], points[at + 1]! - cog[1], points[at + 2]! - cog[2]).applyQuaternion(
+          TURN,
+        );
+        hold(POINT.x + pose[0]!, POINT.y + pose[1]!, POINT.z + pose[2]!);
+      }
     });
   }
   lift.seek(lift.begin);
