@@ -87,6 +87,8 @@ export class Bar {
     const { playing, speed, loop } = this.session;
     const title = playing ? "Pause (space)" : "Play (space)";
     set(this.playButton, { "aria-label": title, title });
+    this.text = "";
+    this.showTime();
     this.playButton.replaceChildren(icon(playing ? ICONS.pause : ICONS.play) as unknown as Node);
     if (![...this.speed.options].some((option) => Number(option.value) === speed))
       this.speed.append(element("option", { value: speed }, `${speed}×`));
