@@ -18,23 +18,26 @@ unexport PYTHONPATH PYTHONHOME
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
 
-setup: ## make .venv: locked packages, gantline and its compiled core
+setup: ## make .venv: locked packages, gantline, its compiled core and its player
 	@tools/setup.sh
 
-demo: setup ## simulate the lift of scenarios/equalizer; table, pictures and recording in build/demo
+demo: setup ## simulate the lift of scenarios/equalizer; table, pictures, recording and report in build/demo
 	@gantline run scenarios/equalizer -o build/demo
 
 test: setup lint ## all tests and lints
 	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
+	npm --prefix viewer test --silent
 	pytest
 
-lint: setup ## formatting, clippy, ruff, mypy, import-linter
+lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 	ruff check --quiet
 	ruff format --check --quiet
 	mypy python/gantline tests
 	lint-imports --no-cache
+	npm --prefix viewer run lint --silent
+	npm --prefix viewer run check --silent
 
 bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
 	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check \
@@ -54,12 +57,13 @@ docs: setup ## the documentation as web pages in build/docs
 pictures: setup ## draw the pictures of README and documentation anew
 	python tools/pictures.py
 
-lock: setup ## renew requirements/*.txt from requirements/uv.in and pyproject.toml
+lock: setup ## renew the locks of Python and of the player
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 requirements/uv.in -o requirements/uv.txt
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --extra cad --group dev --group docs pyproject.toml -o requirements/dev.txt
+	npm --prefix viewer update --omit-lockfile-registry-resolved
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --group bench -c requirements/dev.txt -o requirements/bench.txt
 
 clean: ## remove everything that the other targets made
-	rm -rf .venv .venv-tools .setup.lock build target .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf .venv .venv-tools .setup.lock build target viewer/node_modules python/gantline/viewer/static .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 	rm -f python/gantline/_core*.so
 	find python tests docs -name __pycache__ -type d -prune -exec rm -rf {} +

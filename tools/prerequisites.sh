@@ -3,6 +3,7 @@
 set -euo pipefail
 
 least_python=3.11
+least_node=20.19
 least_rust=$(sed -nE 's/^rust-version = "([0-9.]+)"$/\1/p' "$(dirname "$0")/../Cargo.toml")
 
 missing=()
@@ -38,6 +39,11 @@ for tool in cargo rustc; do
         break
     fi
 done
+
+found=$(node --version 2>/dev/null | sed 's/^v//') || found=
+if [ -z "$found" ] || ! at_least "$found" "$least_node" || ! command -v npm >/dev/null; then
+    missing+=("Node $least_node or newer with npm (found ${found:-none})")
+fi
 
 if [ ${#missing[@]} -gt 0 ]; then
     sentence=${missing[0]}

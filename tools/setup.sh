@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes .venv ready: the locked Python packages, and gantline itself with its compiled core.
+# Makes .venv ready: the locked Python packages, and gantline itself with its compiled core and its player.
 #
-# Two stamps in .venv hold a digest of all that went into each half. A digest, and not the age of files, so that
+# Stamps hold a digest of all that went into each part. A digest, and not the age of files, so that
 # a deleted source, another branch or a moved checkout is noticed too; a run with nothing to do takes a fraction
 # of a second.
 set -euo pipefail
@@ -83,6 +83,27 @@ build_core() {
         "$venv/bin/maturin" develop --release --locked --uv >"$log" 2>&1 || { cat "$log" >&2; return 1; }
 }
 
+# All inputs of the player: npm's packages, and the sources.
+node_digest() { { pwd; node --version; cat viewer/package.json viewer/package-lock.json; } | digest; }
+
+player_digest() {
+    {
+        node_digest
+        find viewer -path viewer/node_modules -prune -o -type f -print0 | sort -z | xargs -0 sha256sum
+        cat python/gantline/viewer/static/* 2>/dev/null | digest
+    } | digest
+}
+
+install_node_packages() {
+    say "locked npm packages into viewer/node_modules"
+    npm ci --prefix viewer --no-audit --no-fund --loglevel error
+}
+
+build_player() {
+    say "the player, by vite"
+    npm --prefix viewer run build --silent -- --logLevel error
+}
+
 packages=$(packages_digest)
 if ! fresh "$venv/.stamp-packages" "$packages"; then
     fresh .venv-tools/.stamp "$(digest <requirements/uv.txt)" && [ -x "$uv" ] || install_uv
@@ -96,4 +117,15 @@ core=$(core_digest)
 if ! fresh "$venv/.stamp-core" "$core $(library_digest)"; then
     build_core
     echo "$core $(library_digest)" >"$venv/.stamp-core"
+fi
+
+node_packages=$(node_digest)
+if ! fresh viewer/node_modules/.stamp-packages "$node_packages"; then
+    install_node_packages
+    echo "$node_packages" >viewer/node_modules/.stamp-packages
+fi
+
+if ! fresh viewer/node_modules/.stamp-player "$(player_digest)"; then
+    build_player
+    player_digest >viewer/node_modules/.stamp-player
 fi

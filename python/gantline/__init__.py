@@ -9,6 +9,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from gantline.report import write_report
     from gantline.results.comparison import Comparison, compare
     from gantline.results.recording import Recording, open_recording
     from gantline.scenario import Scenario, ScenarioError, load_scenario
@@ -32,6 +33,7 @@ __all__ = [
     "load_scenario",
     "open_recording",
     "simulate",
+    "write_report",
 ]
 
 _HOMES = {
@@ -48,6 +50,7 @@ _HOMES = {
     "Equilibrium": "gantline.statics",
     "NoEquilibriumError": "gantline.statics",
     "Statics": "gantline.statics",
+    "write_report": "gantline.report",
 }
 
 

@@ -69,8 +69,8 @@ def test_the_table_shows_the_metrics_of_the_recording(reference: tuple[Result, P
 
 def test_settings_of_the_command_line_take_the_place_of_those_of_the_file(tmp_path: Path) -> None:
     result = run(
-        SCENARIOS / "pulleys", "-o", tmp_path, "--no-plots", "--step", "2 ms", "--duration", "1s",
-        "--sample-interval", "0.1 s", "--profile",
+        SCENARIOS / "pulleys", "-o", tmp_path, "--no-plots", "--no-report", "--step", "2 ms",
+        "--duration", "1s", "--sample-interval", "0.1 s", "--profile",
     )  # fmt: skip
     assert result.exit_code == 0, result.output
     assert [path.name for path in tmp_path.iterdir()] == ["recording.nc"]
@@ -155,7 +155,7 @@ def test_a_simulation_that_cannot_go_on(core: type[FakeCore], tmp_path: Path) ->
 def test_progress_names_the_step_under_way_and_what_the_slings_carry(
     core: type[FakeCore], tmp_path: Path
 ) -> None:
-    lines = run("lift.yaml", "-o", tmp_path, "--no-plots").stderr.splitlines()
+    lines = run("lift.yaml", "-o", tmp_path, "--no-plots", "--no-report").stderr.splitlines()
     ends = [line.partition(" s left, ")[2] for line in lines]
     assert ends == [
         "step 'hoist', most in sling S1: 1 kN",

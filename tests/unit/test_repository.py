@@ -15,7 +15,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[2]
-SKIPPED_FOLDERS = {"target", "build", "node_modules", "__pycache__"}
+SKIPPED_FOLDERS = {"target", "build", "node_modules", "static", "__pycache__"}
 SOURCE_SUFFIXES = {".rs", ".py", ".pyi", ".ts", ".js", ".sh"}
 HARD_LIMIT = 600  # lines of one source file, and of the whole border
 DOCUMENTS = ["README.md", "ARCHITECTURE.md", "CONVENTIONS.md", "CONTRIBUTING.md", "CHANGELOG.md"]

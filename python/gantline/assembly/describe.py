@@ -364,6 +364,7 @@ def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts
         ],
         "sheaves": [*_sheaves(parts), *_extension_sheaves(scenario, rigging, lifted, parts)],
         "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.rope_names],
+        "contacts": [{key: one[key] for key in ("name", "body", "at")} for one in parts.contacts],
         "ground": None if scenario.ground is None else {"level": scenario.ground.level},
         "axes": None,
     }

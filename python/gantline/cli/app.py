@@ -10,11 +10,14 @@ from gantline.cli.cad_group import cad_app
 from gantline.cli.cases import cases
 from gantline.cli.check import check
 from gantline.cli.compare import compare
+from gantline.cli.export import export
 from gantline.cli.hydro import hydro
 from gantline.cli.new import new
+from gantline.cli.report import report
 from gantline.cli.run import run
 from gantline.cli.schema import schema
 from gantline.cli.statics import statics
+from gantline.cli.view import view
 
 app = typer.Typer(
     name="gantline",
@@ -31,6 +34,9 @@ app.command()(compare)
 app.command()(check)
 app.add_typer(cad_app, name="cad")
 app.command()(hydro)
+app.command()(report)
+app.command()(view)
+app.command()(export)
 app.command()(new)
 app.command()(schema)
 

@@ -1,4 +1,4 @@
-"""`gantline run`: simulate a lift, write its recording and pictures, print its table."""
+"""`gantline run`: simulate a lift, write its recording, pictures and report, print its table."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import typer
 from gantline.cli.lift import RECORDING, Lift, Setting, name_of, output_folder, prepare, quantity_of
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
+from gantline.cli.report import REPORT, write_beside
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -45,12 +46,15 @@ def run(
         str | None, typer.Option(metavar="TIME", help="Time to simulate, such as '40 s'.")
     ] = None,
     plots: Annotated[bool, typer.Option("--plots/--no-plots", help="Draw pictures.")] = True,
+    report: Annotated[
+        bool, typer.Option("--report/--no-report", help="Write a report that any browser opens.")
+    ] = True,
     profile: Annotated[bool, typer.Option("--profile", help="Show where the time went.")] = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print the checks as JSON, and nothing else to standard output.")
     ] = False,
 ) -> None:
-    """Simulate a lift; write its recording and pictures into a folder and print its table.
+    """Simulate a lift; write its recording, pictures and report into a folder and print its table.
 
     Ctrl-C stops the lift, saves what there is and ends with code 130.
     """
@@ -78,6 +82,9 @@ def run(
     if plots:
         _draw(recording, folder, aside=as_json)
         clock.lap("pictures")
+    if report:
+        write_beside(recording, folder / REPORT, aside=as_json)
+        clock.lap("report")
     if profile:
         _print_profile(clock, simulation.stages(), recording, aside=as_json)
     if recording.attributes["status"] == "stopped":

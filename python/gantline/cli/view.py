@@ -1,0 +1,59 @@
+"""`gantline view`: the report in a browser, made anew whenever its recording changes."""
+
+from __future__ import annotations
+
+import webbrowser
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gantline.cli.messages import stop
+from gantline.cli.report import Recorded, asked_for
+
+
+def view(
+    recording: Recorded,
+    port: Annotated[int, typer.Option(min=0, max=65535, help="Port; 0 takes a free one.")] = 0,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open a browser.")] = True,
+) -> None:
+    """Show a recording in the browser of this machine, and again whenever it changes; Ctrl-C ends it.
+
+    The page is served to this machine alone, at an address that nobody can guess.
+    """
+    from gantline.report import render_report
+    from gantline.results import open_recording
+    from gantline.viewer import BundleMissing
+    from gantline.viewer.server import PageServer
+
+    file = asked_for(recording)
+
+    def page() -> str:
+        return render_report(open_recording(file), reload_from="version")
+
+    try:
+        page()
+    except (BundleMissing, FileNotFoundError, ValueError) as problem:
+        stop(f"{file}: {problem}" if str(file) not in str(problem) else str(problem))
+    try:
+        server = PageServer(page, lambda: _state(file), port)
+    except OSError as problem:
+        stop(f"port {port}: cannot be used ({(problem.strerror or str(problem)).lower()})")
+    typer.echo(f"{server.address}\nCtrl-C ends it.")
+    if browser:
+        webbrowser.open(server.address)
+    try:
+        server.serve_forever()
+    except KeyboardInterrupt:
+        pass
+    finally:
+        server.server_close()
+
+
+def _state(file: Path) -> str:
+    """Changes whenever the file is written anew."""
+    try:
+        about = file.stat()
+    except OSError:
+        return "gone"
+    return f"{about.st_mtime_ns}-{about.st_size}"

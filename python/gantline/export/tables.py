@@ -1,0 +1,76 @@
+"""Variables of a recording as a table: a row for each sample, a column for each named series."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator, Sequence
+from itertools import product
+from pathlib import Path
+
+from gantline.results.recording import Recording
+from gantline.results.variable import FloatArray
+
+
+class TableError(ValueError):
+    """A table that cannot be made; the message is a plain sentence."""
+
+
+def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tuple[str, FloatArray]]:
+    """Columns of a table: `time [s]`, then `rope_tension.sling.S1 [N]` and so on, SI units.
+
+    Args:
+        recording: Any recording.
+        variables: Which; all over time, but for `rope_point`, where none is named.
+
+    Raises:
+        TableError: If a variable is not there, or not over time.
+    """
+    over_time = [
+        name for name, one in recording.variables.items() if one.dims[:1] == ("time",) and name != "time"
+    ]
+    for name in variables:
+        if name not in over_time:
+            raise TableError(
+                f"no variable '{name}' over time in this recording; it has {', '.join(over_time)}"
+            )
+    yield "time [s]", recording.time
+    for name in variables or [one for one in over_time if one != "rope_point"]:
+        variable = recording[name]
+        labels = [recording.coordinates.get(dim) or range(recording.sizes[dim]) for dim in variable.dims[1:]]
+        flat = variable.values.reshape(len(recording.time), -1)
+        unit = "" if variable.unit == "1" else f" [{variable.unit}]"
+        for place, label in enumerate(product(*labels)):
+            yield f"{'.'.join([name, *map(str, label)])}{unit}", flat[:, place]
+
+
+def write_csv(recording: Recording, path: Path, variables: Sequence[str] = ()) -> None:
+    """Write a table as CSV; numbers read back to the last digit.
+
+    Names that a spreadsheet could take for a formula get an apostrophe before them.
+
+    Raises:
+        TableError: If a variable is not there, or not over time.
+        OSError: If it cannot be written there.
+    """
+    found = list(columns(recording, variables))
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow([f"'{name}" if name.startswith(("=", "+", "-", "@")) else name for name, _ in found])
+        writer.writerows(zip(*(map(repr, map(float, values)) for _, values in found), strict=True))
+
+
+def write_parquet(recording: Recording, path: Path, variables: Sequence[str] = ()) -> None:
+    """Write a table as Parquet, by pyarrow.
+
+    Raises:
+        TableError: If a variable is not there, or pyarrow is not installed.
+        OSError: If it cannot be written there.
+    """
+    try:
+        import pyarrow
+        from pyarrow import parquet
+    except ImportError:
+        raise TableError(
+            "Parquet needs the package pyarrow, which is not installed; CSV needs nothing"
+        ) from None
+    parquet.write_table(pyarrow.table(dict(columns(recording, variables))), path)

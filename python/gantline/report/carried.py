@@ -1,0 +1,125 @@
+"""Rows of the first page: what hooks, slings, lugs and equalizers carry."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from gantline.checks import values_of
+from gantline.report.subject import ABSENT, Subject, number, share, show
+from gantline.results import series
+from gantline.results.rig import Equalizer, Hook, Sling
+from gantline.results.variable import FloatArray
+
+#: Shares of the weight over at which a load cell is read.
+READINGS = (0.25, 0.5, 0.75, 1.0)
+
+
+def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
+    """Load-cell readings of a hook [t], its largest hoist load and what that is of its rated capacity."""
+    load = subject.recording.column("hoist_load", hook.name)
+    highest = float(load.max())
+    used = values_of(subject.recording, "hoist_load_of_rated_capacity").get(hook.name)
+    return {
+        "name": hook.name,
+        "readings": [number(reading, "t", 1) for reading in _load_cell(subject, load)],
+        "static": number(_mass(subject, subject.static(load)), "t", 1),
+        "peak": number(highest / subject.rig.gravity, "t", 1),
+        "rated": number(_mass(subject, hook.rated_capacity), "t", 0),
+        "used": show(used, "%", 1),
+    }
+
+
+def _mass(subject: Subject, force: float | None) -> float | None:
+    return None if force is None else force / subject.rig.gravity
+
+
+def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
+    """What a load cell reads when a share of the loads' weight has come over [kg]; the hoist load."""
+    recording = subject.recording
+    if "load_transferred" not in recording or not subject.rig.loads:
+        return [None for _ in READINGS]
+    transferred = recording["load_transferred"].values.min(axis=1)
+    if series.is_equilibrium(recording) or transferred[0] >= READINGS[0]:
+        return [*(None for _ in READINGS[1:]), _mass(subject, subject.static(load))]
+    found: list[float | None] = []
+    for part in READINGS[:-1]:
+        over = np.flatnonzero(transferred >= part)
+        if not over.size or over[0] == 0:
+            found.append(None)
+            continue
+        at = int(over[0])
+        low, high = float(transferred[at - 1]), float(transferred[at])
+        between = (part - low) / (high - low)
+        found.append(float(load[at - 1] + between * (load[at] - load[at - 1])) / subject.rig.gravity)
+    return [*found, _mass(subject, subject.static(load))]
+
+
+def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
+    """Slings in the order of the lift file; where there are too many, those that use most of their rope."""
+
+    def used(sling: Sling) -> tuple[float, float]:
+        share = series.utilisation(subject.recording, sling.rope)
+        return share or 0.0, series.rope_peak(subject.recording, sling.rope)[0]
+
+    slings = subject.rig.slings
+    kept = {one.name for one in sorted(slings, key=used, reverse=True)[:most]}
+    worst = {
+        name: values_of(subject.recording, name)
+        for name in ("shackle_load_of_working_load_limit", "lug_load_of_capacity", "lug_out_of_plane_angle")
+    }
+    return [_sling(subject, one, *worst.values()) for one in slings if one.name in kept]
+
+
+def _sling(
+    subject: Subject,
+    sling: Sling,
+    shackles: Mapping[str, float],
+    lugs: Mapping[str, float],
+    aside: Mapping[str, float],
+) -> dict[str, Any]:
+    recording = subject.recording
+    tension = series.sling_tension(recording, sling)
+    force, time = series.rope_peak(recording, sling.rope)
+    angle = series.sling_angle(recording, sling)
+    carrying = series.is_carrying(tension)
+    own = [f"{sling.to_load}.{lug}" for lug in sling.lugs if lug is not None]
+    held = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
+    return {
+        "name": sling.name,
+        "lug": ", ".join(lug for lug in sling.lugs if lug is not None) or ABSENT,
+        "length": number(sling.length, "m", 2),
+        "static": number(subject.static(tension), "kN", 0),
+        "peak": number(force, "kN", 0),
+        "time": number(time, "s", 1),
+        "least": number(float(tension[subject.clear].min()) if subject.clear.any() else None, "kN", 0),
+        "angle": number(float(angle[carrying].max()) if carrying.any() else None, "deg", 1),
+        "rope": number(share(force, sling.minimum_breaking_force), "%", 0),
+        "shackle": number(max(held, default=None), "%", 0),
+        "lug_used": number(max((lugs[one] for one in own if one in lugs), default=None), "%", 0),
+        "aside": number(max((aside[one] for one in own if one in aside), default=None), "deg", 1),
+    }
+
+
+def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
+    """Travel used, tension spread and pins of an equalizer."""
+    recording, clear = subject.recording, subject.clear
+    spread = series.tension_spread(recording, equalizer) if equalizer.slings else None
+
+    def used(sign: float, stroke: float | None) -> str:
+        if not stroke or equalizer.mechanism != "sheaves" or not equalizer.moving_sheaves:
+            return ABSENT
+        travel = [sign * recording.column("sheave_travel", one) for one in equalizer.moving_sheaves]
+        during = clear if clear.any() else np.ones(len(recording.time), dtype=np.bool_)
+        furthest = max(0.0, *(float(one[during].max()) for one in travel))
+        return f"{show(furthest / stroke, '%', 0)} of {show(stroke, 'm', 2)}"
+
+    return {
+        "name": equalizer.name,
+        "up": used(-1.0, equalizer.travel_up),
+        "down": used(1.0, equalizer.travel_down),
+        "spread": ABSENT if spread is None or not clear.any() else show(float(spread[clear].max()), "%", 2),
+        "locked": bool(equalizer.locked),
+    }

@@ -1,0 +1,206 @@
+"""The first page: what a toolbox talk and an approval need, on one sheet of A4."""
+
+from __future__ import annotations
+
+import hashlib
+from typing import Any
+
+import numpy as np
+
+from gantline.checks import LIMITS, Check, Verdict, verdict_of
+from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
+from gantline.report.section import Section
+from gantline.report.sketch import sketches
+from gantline.report.subject import ABSENT, Subject, show
+from gantline.results import series
+from gantline.results.metrics import energy_bound
+from gantline.results.rig import Load
+
+_MOST_SLINGS = 16
+_MOST_STEPS = 12
+_MOST_NAMED = 4
+
+#: What no check of the program looks at, whatever the lift.
+_BEYOND = "local strength of the load at its lugs, wind, and the ground under supports and crane"
+
+
+class FirstPage(Section):
+    """Verdict, sketch, weights, hooks, slings, equalizers, attitude, steps, trust, signatures."""
+
+    anchor = "lift"
+    title = "Lift"
+    template = "first_page.html"
+
+    def content(self, subject: Subject) -> dict[str, Any]:
+        """What the template is given."""
+        return {
+            "rig": subject.rig,
+            "cranes": ", ".join(dict.fromkeys(hook.crane or hook.name for hook in subject.rig.hooks)),
+            "version": str(subject.recording.attributes.get("gantline_version", "")),
+            "fingerprint": fingerprint(subject),
+            "verdict": _verdict(subject),
+            "sketches": sketches(subject),
+            "weights": _weights(subject),
+            "hooks": [hook_row(subject, hook) for hook in subject.rig.hooks],
+            "readings": [f"{100 * part:.0f} %" for part in READINGS],
+            "slings": sling_rows(subject, _MOST_SLINGS),
+            "slings_left_out": max(0, len(subject.rig.slings) - _MOST_SLINGS),
+            "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
+            "attitude": _attitude(subject),
+            "steps": _steps(subject),
+            "stop_if": _stop_if(subject),
+            "trust": _trust(subject),
+        }
+
+
+def fingerprint(subject: Subject) -> str:
+    """The first digits of the SHA-256 of the lift file's text."""
+    text = str(subject.recording.attributes.get("scenario", ""))
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()[:12] if text else ABSENT
+
+
+def _verdict(subject: Subject) -> dict[str, Any]:
+    checks = subject.checks
+    sentence = verdict_of(checks)
+    head = sentence.split(":")[0].split(";")[0].strip()
+    status = str(subject.recording.attributes.get("status", "done"))
+    if status in ("stopped", "failed"):
+        head = f"INCOMPLETE: the run {'was stopped' if status == 'stopped' else 'failed'}; {head} so far"
+    tone = "bad" if head.startswith(("NO-GO", "INCOMPLETE")) else "none" if head.startswith("NO") else "good"
+    warned = [check for check in checks if check.verdict is Verdict.WARNING]
+    if tone == "good" and warned:
+        tone = "warn"
+    worst: dict[str, Check] = {}
+    for check in sorted(checks, key=lambda one: -(one.utilisation or 0.0)):
+        if check.utilisation is not None and check.verdict is not Verdict.NOT_CHECKED:
+            worst.setdefault(check.name, check)
+    missing = [
+        check.name for check in checks if check.verdict is Verdict.NOT_CHECKED and not check.has_no_limit
+    ]
+    without = [check.name for check in checks if check.has_no_limit]
+    return {
+        "head": head,
+        "tone": tone,
+        "failed": [check for check in checks if check.verdict is Verdict.FAILED],
+        "warnings": len(warned),
+        "nearest": list(worst.values())[:3],
+        "missing": _listed(missing) if missing else "",
+        "without": _listed(without) if without else "",
+        "beyond": _BEYOND,
+    }
+
+
+def _listed(names: list[str]) -> str:
+    names = [name.replace("_", " ") for name in dict.fromkeys(names)]
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    return ", ".join(names[:_MOST_NAMED]) + more
+
+
+def _weights(subject: Subject) -> list[tuple[str, str]]:
+    """From calculated weight to hoist load, as the trade counts [t]."""
+    rig = subject.rig
+    rows: list[tuple[str, str]] = []
+    for load in rig.loads:
+        if load.calculated_mass is not None and load.contingency is not None:
+            rows.append((f"{load.name}, calculated", show(load.calculated_mass, "t", 1)))
+            rows.append(
+                (f"× contingency {load.contingency:.2f} = design weight", show(load.design_mass, "t", 1))
+            )
+        else:
+            rows.append((f"{load.name}, as simulated", show(load.weight / rig.gravity, "t", 1)))
+    if not rig.hooks:
+        return rows
+    statics = [subject.static(subject.recording.column("hook_load", hook.name)) for hook in rig.hooks]
+    if all(value is not None for value in statics):
+        total = sum(value for value in statics if value is not None) / rig.gravity
+        carried = sum(load.weight for load in rig.loads) / rig.gravity
+        if rig.loads and total > carried:
+            rows.append(("rigging below the hooks", show(total - carried, "t", 1)))
+        rows.append(("static hook load", show(total, "t", 1)))
+    every = np.sum([subject.recording.column("hoist_load", hook.name) for hook in rig.hooks], axis=0)
+    factor = rig.factors.get("dynamic_amplification_factor")
+    if factor is not None:
+        rows.append(("dynamic amplification factor of the rule", f"{factor.value:.2f}"))
+    rows.append(("largest hoist load, simulated", show(float(every.max()) / rig.gravity, "t", 1)))
+    return rows
+
+
+def _attitude(subject: Subject) -> list[tuple[str, str]]:
+    recording = subject.recording
+    rows: list[tuple[str, str]] = []
+    lift_off = subject.metrics.get("lift_off_time")
+    if lift_off is not None:
+        rows.append(("lift-off", f"at {show(lift_off, 's', 1)}"))
+    elif any(load.contacts for load in subject.rig.loads):
+        rows.append(("lift-off", "never clear of a support"))
+    for load in subject.rig.loads:
+        rows += _attitude_of(subject, load)
+    if recording.attributes.get("status") == "failed":
+        rows.append(("the run failed", str((recording.attributes.get("failure") or {}).get("cause", ""))))
+    return rows
+
+
+def _attitude_of(subject: Subject, load: Load) -> list[tuple[str, str]]:
+    recording = subject.recording
+    if load.body not in recording.coordinates.get("body", ()):
+        return []
+    tilt = subject.peak(recording.column("load_tilt", load.name))
+    place = recording.column("body_position", load.body)
+    drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
+    clear = series.load_is_clear(recording, load)
+    rows = [("largest tilt", f"{show(tilt[0], 'deg', 2)} at {show(tilt[1], 's', 1)}" if tilt else ABSENT)]
+    if clear.any():
+        rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
+    rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))
+    return rows
+
+
+def _steps(subject: Subject) -> dict[str, Any]:
+    times = {name: time for time, _, name in subject.recording.events("step_begin")}
+    plan = subject.rig.plan
+    rows = [
+        {
+            "name": step.step,
+            "begin": show(times.get(step.step), "s", 1),
+            "is_hold": step.kind == "hold",
+            "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
+        }
+        for step in plan[:_MOST_STEPS]
+    ]
+    return {"rows": rows, "left_out": max(0, len(plan) - _MOST_STEPS)}
+
+
+def _requirement(key: str, bounds: Any) -> str:
+    measure = LIMITS.get(key)
+    texts = []
+    for side, limit in bounds.items():
+        bound = show(float(limit), measure.unit, measure.digits) if measure else str(limit)
+        texts.append(f"{key.replace('_', ' ')} {side} {bound}")
+    return ", ".join(texts)
+
+
+def _stop_if(subject: Subject) -> list[str]:
+    """When to stop the lift: the usual bounds, or the lift's own where it has some."""
+    limits = subject.rig.limits
+    found = ["a hook load is off its reading above by 10 %"]
+    tilt = limits.get("load_tilt")
+    found.append(f"tilt is over {show(float(tilt) if tilt else np.deg2rad(1.0), 'deg', 1)}")
+    if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
+        travel = limits.get("equalizer_travel_used")
+        found.append(f"travel is over {show(float(travel) if travel else 0.9, '%', 0)} of its stroke")
+    return [*found, "wind is over the crane's limit"]
+
+
+def _trust(subject: Subject) -> str:
+    stability = subject.stability
+    parts = list(stability.sentences())
+    settings = subject.recording.attributes.get("settings") or {}
+    method = str((settings.get("integrator") or {}).get("type", ""))
+    bound = energy_bound(settings) if method else None
+    remainder = stability.energy_remainder
+    head = f"Method {method}: " if method else ""
+    if remainder is not None and bound is not None:
+        closes = "closes" if remainder <= bound else "DOES NOT CLOSE"
+        head += f"the energy balance {closes} to {remainder:.1e} of the largest energy (bound {bound:.0e}); "
+    rest = [one for one in parts if not one.startswith("energy remainder")]
+    return head + "; ".join(rest)

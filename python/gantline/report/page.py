@@ -1,0 +1,128 @@
+"""From sections to one page that stands alone."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+from markupsafe import Markup
+
+from gantline.report.first_page import FirstPage
+from gantline.report.plots import Attitude, HookLoads, Player, Tensions
+from gantline.report.section import Section
+from gantline.report.subject import Subject
+from gantline.report.tables import Checks, Energy, Equalizers, Events, LiftFile
+from gantline.results.recording import Recording
+from gantline.viewer import bundle, pack
+from gantline.viewer.inline import json_for_script, policy, script_is_safe
+
+#: Sections in the order of the report.
+SECTIONS: tuple[Section, ...] = (
+    FirstPage(),
+    Player(),
+    Tensions(),
+    Equalizers(),
+    HookLoads(),
+    Attitude(),
+    Checks(),
+    Events(),
+    Energy(),
+    LiftFile(),
+)
+
+_STYLES = ("report.css", "first_page.css", "narrow.css", "print.css")
+
+
+def render_report(recording: Recording, *, reload_from: str = "") -> str:
+    """The report of a recording as HTML.
+
+    Args:
+        recording: Any recording.
+        reload_from: Where a served page asks whether the recording has changed; empty for a file.
+
+    Returns:
+        A page that reads nothing from elsewhere.
+
+    Raises:
+        BundleMissing: If the player is not built in this installation.
+        ValueError: If the recording cannot be drawn.
+    """
+    program = bundle()
+    if not script_is_safe(program.script):
+        raise ValueError("the player's program holds an end of a script element")
+    subject = Subject(recording)
+    packed = pack(recording)
+    environment = _environment()
+    sections = []
+    for section in SECTIONS:
+        content = section.content(subject)
+        if content is not None:
+            html = environment.get_template(section.template).render(section=section, **content)
+            sections.append({"anchor": section.anchor, "title": section.title, "html": Markup(html)})
+    style = f"{program.style}\n{_style()}"
+    return environment.get_template("page.html").render(
+        title=_title(subject),
+        rig=subject.rig,
+        policy=policy([program.script], [style], connect="'self'" if reload_from else "'none'"),
+        style=Markup(style),
+        script=Markup(program.script),
+        header=Markup(json_for_script(packed.header_text())),
+        data=Markup(packed.data_text()),
+        sections=sections,
+        reload_from=reload_from,
+    )
+
+
+def write_report(recording: Recording, path: str | Path) -> Path:
+    """Write the report of a recording: one HTML file that opens in any browser without a network.
+
+    Args:
+        recording: Any recording.
+        path: File to write; an existing one is replaced, and only once the new one is complete.
+
+    Returns:
+        The path written.
+
+    Raises:
+        OSError: If it cannot be written there.
+        BundleMissing: If the player is not built in this installation.
+        ValueError: If the recording cannot be drawn.
+    """
+    target = Path(path)
+    text = render_report(recording)
+    handle, trial = tempfile.mkstemp(prefix=".report.", dir=target.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        os.chmod(trial, 0o644)
+        os.replace(trial, target)
+    except BaseException:
+        Path(trial).unlink(missing_ok=True)
+        raise
+    return target
+
+
+def _title(subject: Subject) -> str:
+    rig = subject.rig
+    head = f"{rig.number} rev {rig.revision}" if rig.number and rig.revision else rig.number
+    return "  ".join(part for part in (head, rig.title) if part) or "Lift"
+
+
+@cache
+def _environment() -> Environment:
+    return Environment(
+        loader=PackageLoader("gantline.report", "templates"),
+        autoescape=select_autoescape(default=True, default_for_string=True),
+        undefined=StrictUndefined,
+    )
+
+
+@cache
+def _style() -> str:
+    folder = files("gantline.report") / "templates"
+    # What is narrower, and then paper, comes last.
+    return "\n".join((folder / name).read_text(encoding="utf-8") for name in _STYLES)

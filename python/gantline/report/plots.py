@@ -1,0 +1,144 @@
+"""Sections of plots; the page's program draws them from the packed recording."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from gantline.report.section import Section
+from gantline.report.subject import Subject
+
+Plot = dict[str, Any]
+
+
+class Player(Section):
+    """The lift in three dimensions, with the plot of tensions below it."""
+
+    anchor = "player"
+    title = "The lift, played"
+    template = "player.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        if not len(subject.recording.time) or not (subject.recording.attributes.get("scene") or {}).get(
+            "bodies"
+        ):
+            return None
+        return {}
+
+
+class _Plots(Section):
+    template = "plots.html"
+
+    def plots(self, subject: Subject) -> list[Plot]:
+        """The plots that this recording has."""
+        raise NotImplementedError
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        found = self.plots(subject) if subject.has_motion else []
+        return (
+            {"plots": [{**plot, "spec": json.dumps(plot, allow_nan=False)} for plot in found]}
+            if found
+            else None
+        )
+
+
+def _plot(title: str, group: str, unit: str, **more: Any) -> Plot:
+    return {"title": title, "groups": [group], "unit": unit, **more}
+
+
+class Tensions(_Plots):
+    """Tensions of ropes and what equalizers make of them."""
+
+    anchor = "tensions"
+    title = "Tensions and travel"
+
+    def plots(self, subject: Subject) -> list[Plot]:
+        """Tension, spread, travel, pins, lengthening."""
+        recording, rig = subject.recording, subject.rig
+        found = []
+        if recording.coordinates.get("rope"):
+            found.append(_plot("Rope tension", "tension", "kN", height=300, smallest=1e-3))
+        if "sheave_travel" in recording:
+            found.append(
+                _plot(
+                    "Travel of moving sheaves, down positive",
+                    "travel",
+                    "m",
+                    inverted=True,
+                    smallest=1e-3,
+                    limits=_strokes(subject),
+                )
+            )
+        if "rope_lengthening" in recording:
+            found.append(_plot("Lengthening of slings by adjusting", "lengthening", "m", smallest=1e-3))
+        if any(equalizer.slings for equalizer in rig.equalizers):
+            found.append(
+                _plot("Tension spread of an equalizer's slings", "spread", "%", height=180, smallest=0.1)
+            )
+        if "pin_force" in recording:
+            found.append(_plot("Force on locking pins", "pins", "kN", height=180, smallest=1e-3))
+        return found
+
+
+class HookLoads(_Plots):
+    """What hooks carry and supports still bear."""
+
+    anchor = "hooks"
+    title = "Hook loads"
+
+    def plots(self, subject: Subject) -> list[Plot]:
+        """Hook load, support force, load transferred."""
+        found = []
+        if subject.rig.hooks and "hook_load" in subject.recording:
+            found.append(
+                _plot("Hook load", "hook_load", "kN", height=220, smallest=1.0, limits=_ratings(subject))
+            )
+        if any(load.contacts for load in subject.rig.loads):
+            found.append(_plot("Force of all supports on a load", "support", "kN", height=180, smallest=1.0))
+        if "drum_wraps" in subject.recording:
+            found.append(_plot("Turns of rope on drums", "wraps", "", height=160, smallest=0.1))
+        return found
+
+
+class Attitude(_Plots):
+    """How loads hang: tilt, drift, height."""
+
+    anchor = "attitude"
+    title = "Attitude"
+
+    def plots(self, subject: Subject) -> list[Plot]:
+        """Tilt, drift, height."""
+        if not subject.rig.loads or "load_tilt" not in subject.recording:
+            return []
+        tilt = subject.rig.limits.get("load_tilt")
+        limits = [] if not tilt else [{"value": float(tilt) * 180.0 / 3.141592653589793, "label": "limit"}]
+        return [
+            _plot("Tilt of the load", "tilt", "deg", height=180, smallest=0.05, limits=limits),
+            _plot("Horizontal drift of the centre of gravity", "drift", "m", height=180, smallest=0.01),
+            _plot(
+                "Height of the centre of gravity above its start", "height", "m", height=180, smallest=0.01
+            ),
+        ]
+
+
+def _strokes(subject: Subject) -> list[dict[str, Any]]:
+    """Ends of the strokes, where all equalizers have the same."""
+    found = []
+    for name, sign in (("travel_up", -1.0), ("travel_down", 1.0)):
+        strokes = {getattr(equalizer, name) for equalizer in subject.rig.equalizers}
+        if len(strokes) == 1 and (stroke := strokes.pop()) is not None:
+            found.append(
+                {"value": sign * stroke, "label": f"stroke {name.removeprefix('travel_')} {stroke:g} m"}
+            )
+    return found
+
+
+def _ratings(subject: Subject) -> list[dict[str, Any]]:
+    """Rated capacity, of a lift with one hook whose rating leaves the hook block out."""
+    hooks = subject.rig.hooks
+    if len(hooks) != 1 or not hooks[0].rated_capacity or hooks[0].rating_includes_hook_block:
+        return []
+    rated = hooks[0].rated_capacity / 1e3
+    return [{"value": rated, "label": f"rated capacity {rated:.0f} kN"}]

@@ -1,0 +1,301 @@
+"""Side view and plan of a lift to scale, as lines and texts for a template to draw."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gantline.report.subject import Subject
+from gantline.results.rotation import axes
+from gantline.results.variable import FloatArray
+from gantline.viewer.shapes import vector
+
+_SIDES = {
+    "x": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
+    "y": np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
+}
+_PLAN = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+_ORDER = {"load": 1, "frame": 2, "hook": 3}  # what is drawn upon what; cranes and supports lie below
+_ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)  # m, lengths of a scale bar
+
+
+#: Kind of each body, and points in space of each of its parts.
+_Solids = dict[str, tuple[str, list[FloatArray]]]
+
+
+@dataclass(frozen=True)
+class Mark:
+    """One thing that a sketch draws.
+
+    Attributes:
+        kind: `area`, `line`, `dot`, `text` or `centre`.
+        style: Its class in the style sheet.
+        points: Places on paper [mm], `x,y x,y ...`.
+        x: Of a dot or text [mm].
+        y: Of a dot or text [mm].
+        text: Of a text.
+        anchor: Of a text: `start`, `middle` or `end`.
+    """
+
+    kind: str
+    style: str
+    points: str = ""
+    x: float = 0.0
+    y: float = 0.0
+    text: str = ""
+    anchor: str = "middle"
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """A view to scale.
+
+    Attributes:
+        title: What is seen from where.
+        width: Of the paper [mm].
+        height: Of the paper [mm].
+        scale: Metres per millimetre of paper.
+        bar: Length of the scale bar [m].
+        marks: What is drawn, in order.
+    """
+
+    title: str
+    width: float
+    height: float
+    scale: float
+    bar: float
+    marks: list[Mark]
+
+    @property
+    def bar_width(self) -> float:
+        """The scale bar on paper [mm]."""
+        return self.bar / self.scale
+
+
+class _Paper:
+    """Points in space to places on paper."""
+
+    def __init__(
+        self, view: FloatArray, extent: FloatArray, width: float, height: float, below: float
+    ) -> None:
+        flat = extent @ view.T
+        low, high = flat.min(axis=0), flat.max(axis=0)
+        room = np.array([width - 14.0, height - 10.0 - below])
+        self.scale = float(np.max((high - low) / room)) or 0.01
+        self._view, self._middle = view, (low + high) / 2
+        self._centre = np.array([width / 2, (height - below) / 2 + 1.0])
+
+    def place(self, points: FloatArray) -> FloatArray:
+        flat = (points @ self._view.T - self._middle) / self.scale
+        moved: FloatArray = self._centre + flat * np.array([1.0, -1.0])
+        return moved
+
+
+def sketches(subject: Subject) -> list[Sketch]:
+    """Side view and plan at the end of the recording; none if it has nothing to draw."""
+    recording = subject.recording
+    scene: Mapping[str, Any] = recording.attributes.get("scene") or {}
+    if not scene.get("bodies") or not len(recording.time):
+        return []
+    sample = len(recording.time) - 1
+    solids = _solids(subject, scene, sample)
+    ropes = _ropes(subject, sample)
+    parts = [one for _, pieces in solids.values() for one in pieces] + list(ropes.values())
+    if not parts:
+        return []
+    bearings = [recording.column("body_position", name)[sample] for name in _hook_bodies(subject)]
+    extent = np.concatenate([*parts, np.reshape(bearings, (-1, 3))])
+    ground = scene.get("ground")
+    below = None if not ground else float(ground["level"])
+    if below is not None:
+        extent = np.concatenate([extent, [[*extent.mean(axis=0)[:2], below]]])
+    carried = [one for kind, pieces in solids.values() if kind in ("load", "frame") for one in pieces]
+    frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
+    wide = np.ptp(np.concatenate(frames or carried or parts), axis=0)
+    along = "x" if wide[0] >= wide[1] else "y"
+    view = _SIDES[along]
+    side = _draw(
+        subject,
+        f"side view, {along} to the right",
+        view,
+        _Paper(view, extent, 92, 84, 6.0),
+        solids,
+        ropes,
+        below,
+    )
+    extent = np.concatenate(carried) if carried else extent
+    plan = _draw(
+        subject, "plan, x to the right", _PLAN, _Paper(_PLAN, extent, 92, 84, 6.0), solids, ropes, None
+    )
+    return [side, plan]
+
+
+def _solids(
+    subject: Subject, scene: Mapping[str, Any], sample: int
+) -> dict[str, tuple[str, list[FloatArray]]]:
+    """Kind of each body that has a shape, and points in space of each of its parts."""
+    recording = subject.recording
+    names = recording.coordinates.get("body", ())
+    found: _Solids = {}
+    for entry in scene["bodies"]:
+        parts = _parts(entry.get("shape"))
+        if entry["name"] not in names or not parts:
+            continue
+        turn = axes(recording.column("body_orientation", entry["name"])[sample])
+        place = recording.column("body_position", entry["name"])[sample]
+        centre = np.asarray(vector(entry.get("centre_of_gravity")))
+        placed = [place + (points - centre) @ turn.T for points in parts]
+        found[entry["name"]] = (str(entry.get("kind", "body")), placed)
+    return found
+
+
+def _parts(shape: Mapping[str, Any] | None) -> list[FloatArray]:
+    if not shape:
+        return []
+    boxes = shape.get("boxes") or ([shape] if shape.get("type") == "box" else [])
+    if boxes:
+        return [_corners(box) for box in boxes]
+    given = shape.get("vertices", shape.get("points"))
+    return [] if given is None else [np.asarray(given, dtype=np.float64).reshape(-1, 3)]
+
+
+def _corners(box: Mapping[str, Any]) -> FloatArray:
+    signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
+    half = signs * np.asarray(vector(box["size"])) / 2
+    corners: FloatArray = np.asarray(vector(box.get("centre"))) + half
+    return corners
+
+
+def _ropes(subject: Subject, sample: int) -> dict[str, FloatArray]:
+    recording = subject.recording
+    if "rope_point" not in recording:
+        return {}
+    owner = recording["rope_of_point"].values
+    points = recording["rope_point"].values[sample]
+    return {name: points[owner == name] for name in recording.coordinates["rope"] if (owner == name).any()}
+
+
+def _draw(
+    subject: Subject,
+    title: str,
+    view: FloatArray,
+    paper: _Paper,
+    solids: _Solids,
+    ropes: Mapping[str, FloatArray],
+    ground: float | None,
+) -> Sketch:
+    width, height = 92.0, 84.0
+    marks: list[Mark] = []
+    if ground is not None:
+        level = float(paper.place(np.array([0.0, 0.0, ground]))[1])
+        marks.append(Mark("line", "sk-ground", f"2,{level:.2f} {width - 2},{level:.2f}"))
+    order = sorted(solids.items(), key=lambda item: _ORDER.get(item[1][0], 0))
+    for _, (kind, pieces) in order:
+        style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
+        marks += [Mark("area", style, _text(_hull(paper.place(points)))) for points in pieces]
+    slings = {sling.rope for sling in subject.rig.slings}
+    for name, path in ropes.items():
+        marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", _text(paper.place(path))))
+    marks += _hangers(subject, paper, solids) if view is not _PLAN else []
+    marks += _numbers(subject, paper, ropes, plan=view is _PLAN)
+    marks += _centres(subject, paper)
+    marks += _hooks(subject, paper, plan=view is _PLAN)
+    bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * width), default=_ROUND[0])
+    return Sketch(title, width, height, paper.scale, bar, marks)
+
+
+def _hangers(subject: Subject, paper: _Paper, solids: _Solids) -> list[Mark]:
+    """From the bearing of its hook to the ends of each equalizer's frame."""
+    marks = []
+    hooks = _hook_bodies(subject)
+    for equalizer in subject.rig.equalizers:
+        if equalizer.body not in solids or equalizer.hook not in hooks:
+            continue
+        bearing = paper.place(subject.recording.column("body_position", equalizer.hook)[-1])
+        frame = paper.place(np.concatenate(solids[equalizer.body][1]))
+        left, right, top = frame[:, 0].min(), frame[:, 0].max(), frame[:, 1].min()
+        inset = 0.14 * (right - left)
+        marks += [
+            Mark("line", "sk-hanger", _text(np.array([bearing, (x, top)])))
+            for x in (left + inset, right - inset)
+        ]
+    return marks
+
+
+def _numbers(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *, plan: bool) -> list[Mark]:
+    """Lugs as dots, and the number of each sling beside its lug or on its way."""
+    marks: list[Mark] = []
+    taken: list[FloatArray] = []
+    for sling in subject.rig.slings:
+        path = ropes.get(sling.rope)
+        if path is None:
+            continue
+        lug = paper.place(path[-1])
+        marks.append(Mark("dot", "sk-lug", x=float(lug[0]), y=float(lug[1])))
+        upper, lower = paper.place(path[0]), lug
+        beside = lug + np.array([0.0, -2.2])
+        tries = [upper + part * (lower - upper) for part in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)]
+        free = (
+            place
+            for place in ([beside, *tries] if plan else tries)
+            if all(np.linalg.norm((place - other) / (6.5, 4.0)) > 1.0 for other in taken)
+        )
+        found = next(free, None)
+        if found is None:  # too many beside each other: those that have room stand for them
+            continue
+        place = found
+        taken.append(place)
+        marks.append(Mark("text", "sk-number", x=float(place[0]), y=float(place[1]), text=sling.name))
+    return marks
+
+
+def _centres(subject: Subject, paper: _Paper) -> list[Mark]:
+    marks = []
+    for load in subject.rig.loads:
+        if load.body in subject.recording.coordinates.get("body", ()):
+            place = paper.place(subject.recording.column("body_position", load.body)[-1])
+            marks.append(Mark("centre", "sk-centre", x=float(place[0]), y=float(place[1])))
+    return marks
+
+
+def _hooks(subject: Subject, paper: _Paper, *, plan: bool) -> list[Mark]:
+    marks = []
+    for name in _hook_bodies(subject):
+        x, y = (float(part) for part in paper.place(subject.recording.column("body_position", name)[-1]))
+        marks.append(Mark("dot", "sk-hook", x=x, y=y))
+        if not plan:
+            marks.append(Mark("text", "sk-name", x=x + 2.5, y=y + 1.0, text=name, anchor="start"))
+    return marks
+
+
+def _hook_bodies(subject: Subject) -> list[str]:
+    """Hooks that are bodies of the recording."""
+    return [
+        hook.name for hook in subject.rig.hooks if hook.name in subject.recording.coordinates.get("body", ())
+    ]
+
+
+def _text(points: FloatArray) -> str:
+    return " ".join(f"{x:.2f},{y:.2f}" for x, y in points)
+
+
+def _hull(points: FloatArray) -> FloatArray:
+    """Convex hull of points on paper (Andrew's monotone chain)."""
+    order = points[np.lexsort((points[:, 1], points[:, 0]))]
+
+    def half(ordered: FloatArray) -> list[FloatArray]:
+        chain: list[FloatArray] = []
+        for point in ordered:
+            while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= 0.0:
+                chain.pop()
+            chain.append(point)
+        return chain[:-1]
+
+    return np.array([*half(order), *half(order[::-1])])
+
+
+def _turn(a: FloatArray, b: FloatArray, c: FloatArray) -> float:
+    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))

@@ -1,0 +1,85 @@
+"""What the sections of a report are about: a recording and what is worked out of it once."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from gantline.checks import Check, check_recording
+from gantline.results import series
+from gantline.results.metrics import metrics_of
+from gantline.results.recording import Recording
+from gantline.results.rig import Rig
+from gantline.results.stability import Stability, stability_of
+from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
+
+ABSENT = "–"
+
+
+class Subject:
+    """A recording for a report.
+
+    Args:
+        recording: Any recording.
+    """
+
+    def __init__(self, recording: Recording) -> None:
+        self.recording = recording
+
+    @property
+    def rig(self) -> Rig:
+        """What was lifted with what."""
+        return self.recording.rig
+
+    @property
+    def has_motion(self) -> bool:
+        """Whether there is more than one sample to plot."""
+        return len(self.recording.time) > 1
+
+    @cached_property
+    def checks(self) -> list[Check]:
+        """All checks."""
+        return check_recording(self.recording)
+
+    @cached_property
+    def metrics(self) -> dict[str, float]:
+        """Key numbers."""
+        return metrics_of(self.recording)
+
+    @cached_property
+    def stability(self) -> Stability:
+        """How sound the run was."""
+        return stability_of(self.recording)
+
+    @cached_property
+    def window(self) -> BoolArray:
+        """Samples over which static values are means."""
+        return series.quiet_window(self.recording)
+
+    @cached_property
+    def clear(self) -> BoolArray:
+        """Samples at which nothing supports any load."""
+        return series.is_clear(self.recording)
+
+    def static(self, values: FloatArray) -> float | None:
+        """Static value of a series; None if the lift has no quiet window."""
+        return series.static_value(self.recording, values, self.window)
+
+    def peak(self, values: FloatArray, during: BoolArray | None = None) -> tuple[float, float] | None:
+        """Largest sample and its time [s]."""
+        return series.peak(self.recording, values, during)
+
+
+def show(value: float | None, unit: str, digits: int) -> str:
+    """A value with its unit, or a dash."""
+    return ABSENT if value is None else format_quantity(value, unit, digits)
+
+
+def number(value: float | None, unit: str, digits: int) -> str:
+    """A value without its unit, for columns whose head has it; or a dash."""
+    return show(value, unit, digits).removesuffix(unit).strip()
+
+
+def share(value: float | None, of: float | None) -> float | None:
+    """A value of another; None if one is missing or nothing."""
+    return None if value is None or not of else value / of

@@ -1,0 +1,210 @@
+"""Sections of tables: equalizers, checks, events, energy and accuracy, the lift file, versions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from gantline.checks import Check, Verdict
+from gantline.report.first_page import fingerprint
+from gantline.report.section import Section
+from gantline.report.subject import ABSENT, Subject, show
+from gantline.results import series
+from gantline.results.equalising import equalising
+from gantline.results.parting import stops_met
+from gantline.results.rig import Equalizer
+
+_MOST_EVENTS = 400
+
+
+class Equalizers(Section):
+    """Travel, spread, stops and pins of each equalizer."""
+
+    anchor = "equalizers"
+    title = "Equalizers"
+    template = "equalizers.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        found = [_equalizer(subject, one) for one in subject.rig.equalizers]
+        return {"equalizers": found} if found else None
+
+
+def _equalizer(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
+    recording = subject.recording
+    facts: list[tuple[str, str]] = [("hangs from", equalizer.hook or ABSENT)]
+    if equalizer.equalizing_rope:
+        force, time = series.rope_peak(recording, equalizer.equalizing_rope)
+        static = subject.static(recording.column("rope_tension", equalizer.equalizing_rope))
+        facts.append(
+            (
+                "equalizing rope",
+                f"{show(static, 'kN', 1)} static, {show(force, 'kN', 1)} at most, at {show(time, 's', 2)}",
+            )
+        )
+    if equalizer.slings and subject.clear.any():
+        spread = series.tension_spread(recording, equalizer)
+        most, last = float(spread[subject.clear].max()), float(spread[-1])
+        text = f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end"
+        facts.append(("tension spread", text))
+    found = equalising(recording, equalizer) if equalizer.slings else None
+    if found is not None:
+        facts.append(("time to equalise", f"{show(found.time, 's', 2)}, from {show(found.begin, 's', 2)} on"))
+    met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
+    facts += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}, {one.times} times") for one in met]
+    if equalizer.travel_up or equalizer.travel_down:
+        facts.append(("stops", "simulated" if equalizer.stops else "not simulated"))
+    return {"name": equalizer.name, "facts": facts, "sheaves": _sheaves(subject, equalizer)}
+
+
+def _sheaves(subject: Subject, equalizer: Equalizer) -> list[dict[str, Any]]:
+    """Travel of each moving sheave, with bars of its stroke."""
+    if "sheave_travel" not in subject.recording or equalizer.mechanism != "sheaves":
+        return []
+    rows = []
+    during = subject.clear if subject.clear.any() else np.ones(len(subject.recording.time), dtype=np.bool_)
+    for name in equalizer.moving_sheaves:
+        travel = subject.recording.column("sheave_travel", name)
+        up, down = max(0.0, float(-travel[during].min())), max(0.0, float(travel[during].max()))
+        rows.append(
+            {
+                "name": name,
+                "end": show(float(travel[-1]), "m", 3),
+                "up": show(up, "m", 3),
+                "down": show(down, "m", 3),
+                "up_used": _used(up, equalizer.travel_up),
+                "down_used": _used(down, equalizer.travel_down),
+            }
+        )
+    return rows
+
+
+def _used(travel: float, stroke: float | None) -> dict[str, Any] | None:
+    if not stroke:
+        return None
+    used = travel / stroke
+    tone = "bad" if used > 1.0 else "warn" if used > 0.9 else "good"
+    return {"text": show(used, "%", 0), "share": min(1.0, used), "tone": tone}
+
+
+class Checks(Section):
+    """Every check with its value, limit, formula, source and moment."""
+
+    anchor = "checks"
+    title = "Checks"
+    template = "checks.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        if not subject.checks:
+            return None
+        return {
+            "rule": str(subject.rig.limits.get("rule") or ""),
+            "rows": [_check(one) for one in subject.checks],
+        }
+
+
+def _check(check: Check) -> dict[str, Any]:
+    used = check.utilisation
+    tones = {Verdict.OK: "good", Verdict.WARNING: "warn", Verdict.FAILED: "bad", Verdict.NOT_CHECKED: "none"}
+    sign = "" if check.limit is None else "≥ " if check.at_least else "≤ "
+    place = [check.element, f"at {check.time:.2f} s" if check.time is not None else ""]
+    place.append(f"end of “{check.step}”" if check.step else "")
+    return {
+        "name": check.name.replace("_", " "),
+        "verdict": "no limit" if check.has_no_limit else check.verdict.value,
+        "tone": tones[check.verdict],
+        "value": check.shown(check.value) or ABSENT,
+        "limit": f"{sign}{check.shown(check.limit)}" or ABSENT,
+        "used": show(used, "%", 0),
+        "share": min(1.0, used or 0.0),
+        "place": ", ".join(part for part in place if part),
+        "meaning": check.meaning,
+        "formula": check.formula,
+        "source": check.source,
+        "remark": check.remark,
+    }
+
+
+class Events(Section):
+    """What happened when."""
+
+    anchor = "events"
+    title = "Events"
+    template = "events.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        events = subject.recording.events()
+        if not events:
+            return None
+        rows = [(f"{time:.3f}", kind.replace("_", " "), name) for time, kind, name in events[:_MOST_EVENTS]]
+        return {"rows": rows, "left_out": max(0, len(events) - _MOST_EVENTS)}
+
+
+class Energy(Section):
+    """Energy balance and what the run says of its own accuracy."""
+
+    anchor = "energy"
+    title = "Energy and accuracy"
+    template = "energy.html"
+
+    def content(self, subject: Subject) -> dict[str, Any]:
+        """What the template is given."""
+        recording = subject.recording
+        rows = []
+        if "energy" in recording and len(recording.time):
+            for kind in recording.coordinates["energy_kind"]:
+                curve = recording.column("energy", kind)
+                if np.abs(curve).max() > 0.0:
+                    rows.append(
+                        (
+                            kind.replace("_", " "),
+                            *(
+                                f"{1e-3 * value:z.3f}"
+                                for value in (curve[0], curve[-1], curve.min(), curve.max())
+                            ),
+                        )
+                    )
+        counters = recording.attributes.get("counters") or {}
+        return {
+            "rows": rows,
+            "sentences": list(subject.stability.sentences()),
+            "warnings": [str(one) for one in recording.attributes.get("warnings") or []],
+            "counters": [
+                (str(name), f"{int(count):,}".replace(",", " ")) for name, count in counters.items()
+            ],
+        }
+
+
+class LiftFile(Section):
+    """The lift file as it was simulated, with settings and versions."""
+
+    anchor = "input"
+    title = "Input"
+    template = "lift_file.html"
+
+    def content(self, subject: Subject) -> dict[str, Any]:
+        """What the template is given."""
+        attributes = subject.recording.attributes
+        settings = attributes.get("settings") or {}
+        shown = [(str(key), _setting(value)) for key, value in settings.items()]
+        facts = [
+            ("gantline", str(attributes.get("gantline_version", ""))),
+            ("lift file, SHA-256", fingerprint(subject)),
+        ]
+        size = subject.recording.sizes
+        facts.append(
+            (
+                "recording",
+                f"{size.get('time', 0)} samples, {size.get('rope', 0)} ropes, {size.get('body', 0)} bodies",
+            )
+        )
+        return {"about": [*facts, *shown], "text": str(attributes.get("scenario", ""))}
+
+
+def _setting(value: Any) -> str:
+    if isinstance(value, dict):
+        return ", ".join(f"{key} {one}" for key, one in value.items() if one is not None)
+    return str(value)

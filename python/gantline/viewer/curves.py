@@ -1,0 +1,82 @@
+"""Which series a page shows, in which group and unit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """One series over time.
+
+    Attributes:
+        group: The plot that it belongs to.
+        name: Its full name in the recording.
+        label: How a legend names it.
+        unit: Unit that people read it in.
+        factor: From SI to that unit.
+        values: SI, shape (time,).
+    """
+
+    group: str
+    name: str
+    label: str
+    unit: str
+    factor: float
+    values: FloatArray
+
+
+def curves(recording: Recording) -> Iterator[Curve]:
+    """All series that a page shows, group by group."""
+    yield from _ropes(recording)
+    for group, variable, unit, factor in (
+        ("travel", "sheave_travel", "m", 1.0),
+        ("hook_load", "hook_load", "kN", 1e-3),
+        ("hoist_load", "hoist_load", "kN", 1e-3),
+        ("transferred", "load_transferred", "%", 100.0),
+        ("tilt", "load_tilt", "deg", 180.0 / np.pi),
+        ("pins", "pin_force", "kN", 1e-3),
+        ("lengthening", "rope_lengthening", "m", 1.0),
+        ("wraps", "drum_wraps", "", 1.0),
+    ):
+        if variable in recording:
+            dim = recording[variable].dims[1]
+            for at, name in enumerate(recording.coordinates[dim]):
+                yield Curve(group, name, name, unit, factor, recording[variable].values[:, at])
+    yield from _loads(recording)
+    if "energy" in recording:
+        for at, kind in enumerate(recording.coordinates["energy_kind"]):
+            label = kind.replace("_", " ")
+            yield Curve("energy", kind, label, "MJ", 1e-6, recording["energy"].values[:, at])
+
+
+def _ropes(recording: Recording) -> Iterator[Curve]:
+    slings = {sling.rope: sling.name for sling in recording.rig.slings}
+    equalizing = {one.equalizing_rope: one.name for one in recording.rig.equalizers}
+    for name in recording.coordinates.get("rope", ()):
+        label = slings.get(name) or (f"{equalizing[name]} equalizing" if name in equalizing else name)
+        yield Curve("tension", name, label, "kN", 1e-3, recording.column("rope_tension", name))
+
+
+def _loads(recording: Recording) -> Iterator[Curve]:
+    for load in recording.rig.loads:
+        if load.body not in recording.coordinates.get("body", ()):
+            continue
+        place = recording.column("body_position", load.body)
+        drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
+        yield Curve("drift", load.name, load.name, "m", 1.0, drift)
+        yield Curve("height", load.name, load.name, "m", 1.0, place[:, 2] - place[0, 2])
+        if load.contacts:
+            force = series.support_force(recording, load)
+            yield Curve("support", load.name, load.name, "kN", 1e-3, force)
+    for equalizer in recording.rig.equalizers:
+        if equalizer.slings:
+            spread = series.tension_spread(recording, equalizer)
+            yield Curve("spread", equalizer.name, equalizer.name, "%", 100.0, spread)

@@ -1,0 +1,233 @@
+"""A recording packed for a browser: a small header of names, and the numbers in one piece.
+
+Curves keep their peaks; poses and paths are kept at frames, as many as fit. The paths are the recorded ones,
+which are the solver's, to half a micrometre.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.viewer.arrays import Arrays
+from gantline.viewer.curves import curves
+from gantline.viewer.decimate import Places, frames, peaks
+from gantline.viewer.shapes import packed_shape, vector
+from gantline.viewer.turning import natural_lengths, sheave_angles
+
+#: Numbers that all frames together may have, and points that all curves together may have.
+_FRAME_NUMBERS = 4_000_000
+_CURVE_POINTS = 400_000
+_MOST_FRAMES = 1500
+_MICROMETRE = 1e-6
+_TURN = 1e-7
+
+
+@dataclass(frozen=True)
+class Packed:
+    """A recording for a browser.
+
+    Attributes:
+        header: Names, shapes, events, and where each array is in the data; JSON.
+        data: The arrays, compressed by zlib.
+    """
+
+    header: dict[str, Any]
+    data: bytes
+
+    def header_text(self) -> str:
+        """The header as JSON text."""
+        return json.dumps(self.header, allow_nan=False, separators=(",", ":"))
+
+    def data_text(self) -> str:
+        """The numbers as base64 text."""
+        return base64.b64encode(self.data).decode("ascii")
+
+
+def pack(recording: Recording) -> Packed:
+    """Pack a recording for a browser.
+
+    Args:
+        recording: Any recording.
+
+    Raises:
+        ValueError: If its scene is none that can be drawn.
+    """
+    arrays = Arrays()
+    scene: Mapping[str, Any] = recording.attributes.get("scene") or {}
+    bodies = _bodies(recording, scene, arrays)
+    sheaves = [entry for entry in scene.get("sheaves") or () if entry["body"] in bodies]
+    at = _frames(recording, len(bodies), len(sheaves))
+    arrays.plain("time", recording.time, "f8")
+    arrays.plain("frames", at, "u4")
+    _motion(recording, at, bodies, arrays)
+    poses = {name: np.asarray(body["cog"]) for name, body in bodies.items()}
+    arrays.steps("sheave_angle", sheave_angles(recording, list(at), sheaves, poses), 1e-4)
+    lift_off = series.lift_off_time(recording) if len(recording.time) else None
+    header = {
+        "format": 1,
+        "title": recording.rig.title or recording.title,
+        "samples": len(recording.time),
+        "liftOff": lift_off,
+        "bodies": list(bodies.values()),
+        "sheaves": [_sheave(entry, list(bodies)) for entry in sheaves],
+        "ropes": _ropes(recording, scene, at),
+        "lugs": _lugs(recording, list(bodies)),
+        "contacts": _contacts(recording, scene, list(bodies), at, arrays),
+        "ground": _ground(scene),
+        "events": [list(event) for event in recording.events()],
+        "strokes": _strokes(recording),
+        "curves": _curves(recording, arrays),
+        "arrays": arrays.index,
+    }
+    return Packed(header, arrays.packed())
+
+
+def _frames(recording: Recording, bodies: int, sheaves: int) -> Places:
+    numbers = 3 * recording.sizes.get("rope_point", 0) + 7 * bodies + sheaves
+    return frames(recording, int(np.clip(_FRAME_NUMBERS // max(numbers, 1), 100, _MOST_FRAMES)))
+
+
+def _bodies(recording: Recording, scene: Mapping[str, Any], arrays: Arrays) -> dict[str, dict[str, Any]]:
+    names = recording.coordinates.get("body", ())
+    found: dict[str, dict[str, Any]] = {}
+    for place, entry in enumerate(one for one in scene.get("bodies") or () if one["name"] in names):
+        found[entry["name"]] = {
+            "name": entry["name"],
+            "kind": str(entry.get("kind", "body")),
+            "shape": packed_shape(entry.get("shape"), f"shape{place}", arrays),
+            "cog": vector(entry.get("centre_of_gravity")),
+        }
+    return found
+
+
+def _motion(recording: Recording, at: Places, bodies: Mapping[str, Any], arrays: Arrays) -> None:
+    names = list(recording.coordinates.get("body", ()))
+    columns = [names.index(name) for name in bodies]
+    empty = np.zeros((len(at), 0, 3))
+    for name, variable, step in (
+        ("position", "body_position", _MICROMETRE),
+        ("turn", "body_orientation", _TURN),
+    ):
+        values = recording[variable].values[at][:, columns] if variable in recording else empty
+        arrays.steps(name, values, step)
+    paths = recording["rope_point"].values[at] if "rope_point" in recording else empty
+    arrays.steps("path", paths, _MICROMETRE)
+
+
+def _sheave(entry: Mapping[str, Any], bodies: Sequence[str]) -> dict[str, Any]:
+    return {
+        "body": bodies.index(entry["body"]),
+        "centre": vector(entry["centre"]),
+        "axis": vector(entry["axis"]),
+        "radius": float(entry["radius"]),
+        "moves": entry.get("kind") == "moving",
+    }
+
+
+def _ropes(recording: Recording, scene: Mapping[str, Any], at: Places) -> list[dict[str, Any]]:
+    names = recording.coordinates.get("rope", ())
+    if not names:
+        return []
+    kinds = {entry["name"]: str(entry.get("kind", "rope")) for entry in scene.get("ropes") or ()}
+    owner = recording["rope_of_point"].values
+    labels = {sling.rope: sling.name for sling in recording.rig.slings}
+    found = []
+    for name, length in zip(names, natural_lengths(recording, list(at)), strict=True):
+        points = np.flatnonzero(owner == name)
+        known = recording.rig.rope(name)
+        peak, when = series.rope_peak(recording, name)
+        found.append(
+            {
+                "name": name,
+                "label": labels.get(name, name),
+                "kind": kinds.get(name, "rope"),
+                "first": int(points[0]) if len(points) else 0,
+                "count": len(points),
+                "diameter": (known.diameter if known is not None else None) or 0.0,
+                "length": length,
+                "strength": recording.rig.minimum_breaking_force(name),
+                "peak": peak,
+                "peakTime": when,
+            }
+        )
+    return found
+
+
+def _lugs(recording: Recording, bodies: Sequence[str]) -> list[dict[str, Any]]:
+    """Lugs of loads that a sling is made fast to."""
+    found = []
+    for sling in recording.rig.slings:
+        load = recording.rig.load(sling.to_load)
+        for name in sling.lugs:
+            lug = load.lugs.get(name) if load is not None and name is not None else None
+            if load is None or lug is None or load.body not in bodies:
+                continue
+            found.append(
+                {
+                    "name": name,
+                    "rope": sling.rope,
+                    "body": bodies.index(load.body),
+                    "at": vector(lug.at),
+                    "normal": vector(lug.main_plate_normal, (0.0, 1.0, 0.0)),
+                }
+            )
+    return found
+
+
+def _contacts(
+    recording: Recording, scene: Mapping[str, Any], bodies: Sequence[str], at: Places, arrays: Arrays
+) -> list[dict[str, Any]]:
+    """Contact points whose place the scene knows, and their forces at the frames."""
+    names = list(recording.coordinates.get("contact", ()))
+    known = [one for one in scene.get("contacts") or () if one["name"] in names and one.get("body") in bodies]
+    columns = [names.index(one["name"]) for one in known]
+    if "contact_force" in recording:
+        arrays.plain("contact_force", recording["contact_force"].values[at][:, columns], "f4")
+    return [
+        {"name": one["name"], "body": bodies.index(one["body"]), "at": vector(one["at"])} for one in known
+    ]
+
+
+def _ground(scene: Mapping[str, Any]) -> float | None:
+    ground = scene.get("ground")
+    return None if not ground else float(ground["level"])
+
+
+def _strokes(recording: Recording) -> dict[str, list[float | None]]:
+    """Stroke up and down of each moving sheave [m]; None where it has no end."""
+    return {
+        sheave: [equalizer.travel_up, equalizer.travel_down]
+        for equalizer in recording.rig.equalizers
+        for sheave in equalizer.moving_sheaves
+    }
+
+
+def _curves(recording: Recording, arrays: Arrays) -> list[dict[str, Any]]:
+    if not len(recording.time):
+        return []
+    every = list(curves(recording))
+    buckets = int(np.clip(_CURVE_POINTS // (4 * max(len(every), 1)), 100, 500))
+    places = [peaks(curve.values, buckets) for curve in every]
+    bounds = np.concatenate([[0], np.cumsum([len(one) for one in places])])
+    arrays.plain("curve_sample", np.concatenate(places) if places else [], "u4")
+    kept = [curve.values[one] * curve.factor for curve, one in zip(every, places, strict=True)]
+    arrays.plain("curve_value", np.concatenate(kept) if kept else [], "f4")
+    return [
+        {
+            "group": curve.group,
+            "name": curve.name,
+            "label": curve.label,
+            "unit": curve.unit,
+            "first": int(first),
+            "count": int(last - first),
+        }
+        for curve, first, last in zip(every, bounds[:-1], bounds[1:], strict=True)
+    ]

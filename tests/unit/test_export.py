@@ -1,0 +1,179 @@
+"""Recordings for other programs: poses in glTF, numbers in tables."""
+
+from __future__ import annotations
+
+import csv
+import json
+import struct
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from typer.testing import CliRunner, Result
+
+from gantline.cli.app import app
+from gantline.export import TableError, gltf_binary, write_csv, write_parquet
+from gantline.results import Recording
+from hostile import hostile_recording
+from sample_lift import ringing_lift, sample_scene
+
+Array = npt.NDArray[np.float64]
+
+
+class Glb:
+    """A `.glb` file read by the specification."""
+
+    def __init__(self, data: bytes) -> None:
+        magic, version, length = struct.unpack_from("<4sII", data)
+        assert (magic, version, length) == (b"glTF", 2, len(data))
+        size, kind = struct.unpack_from("<I4s", data, 12)
+        assert kind == b"JSON" and size % 4 == 0
+        self.document: dict[str, Any] = json.loads(data[20 : 20 + size])
+        rest, kind = struct.unpack_from("<I4s", data, 20 + size)
+        assert kind == b"BIN\0" and rest == self.document["buffers"][0]["byteLength"]
+        self.buffer = data[28 + size :]
+
+    def values(self, accessor: int) -> Array:
+        entry = self.document["accessors"][accessor]
+        view = self.document["bufferViews"][entry["bufferView"]]
+        width = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[entry["type"]]
+        found = np.frombuffer(self.buffer, "<f4", entry["count"] * width, view["byteOffset"])
+        return found.reshape(-1, width).astype(np.float64)
+
+    def motion(self, node: str, path: str) -> tuple[Array, Array]:
+        """Times and values of a node's animation."""
+        animation = self.document["animations"][0]
+        number = next(n for n, one in enumerate(self.document["nodes"]) if one["name"] == node)
+        channel = next(c for c in animation["channels"] if c["target"] == {"node": number, "path": path})
+        sampler = animation["samplers"][channel["sampler"]]
+        return self.values(sampler["input"])[:, 0], self.values(sampler["output"])
+
+
+def test_poses_in_gltf_are_those_of_the_recording() -> None:
+    time = np.linspace(0.0, 40.0, 2001)
+    recording = ringing_lift(tilt=0.2 * np.sin(time), yaw=3.0 * time, load_z=2.5 + time)
+    glb = Glb(gltf_binary(recording))
+    for body in recording.coordinates["body"]:
+        times, places = glb.motion(body, "translation")
+        at = np.array([int(np.argmin(np.abs(recording.time - when))) for when in times])
+        assert np.abs(recording.time[at] - times).max() < 1e-5
+        assert np.abs(places - recording.column("body_position", body)[at]).max() < 1e-5
+        _, turns = glb.motion(body, "rotation")
+        recorded = recording.column("body_orientation", body)[at][:, [1, 2, 3, 0]]
+        # q and -q are one attitude.
+        signs = np.sign(np.sum(turns * recorded, axis=1, keepdims=True))
+        assert np.abs(turns * signs - recorded).max() < 1e-5
+        assert (np.sum(turns[1:] * turns[:-1], axis=1) > 0.0).all()
+
+
+def test_pieces_of_ropes_go_from_point_to_point() -> None:
+    recording = ringing_lift()
+    glb = Glb(gltf_binary(recording))
+    _, begins = glb.motion("sling.S1 1", "translation")
+    _, turns = glb.motion("sling.S1 1", "rotation")
+    _, sizes = glb.motion("sling.S1 1", "scale")
+    # The third axis of the turn, from its quaternion x y z w, is the way of the rod.
+    x, y, z, w = turns.T
+    way = np.column_stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)])
+    owner = recording["rope_of_point"].values == "sling.S1"
+    path = recording["rope_point"].values[0][owner]
+    assert np.abs(begins[0] - path[0]).max() < 1e-5
+    assert np.abs(begins[0] + way[0] * sizes[0, 2] - path[1]).max() < 2e-5
+
+
+def test_z_up_becomes_y_up() -> None:
+    root = Glb(gltf_binary(ringing_lift())).document["nodes"][0]
+    x, _, _, w = root["rotation"]
+    assert root["name"] == "lift"
+    # A quarter turn about x by -90 degrees takes z to y: y component of the turned z axis is -2xw.
+    assert -2 * x * w == pytest.approx(1.0)
+
+
+def test_hostile_names_are_names() -> None:
+    glb = Glb(gltf_binary(hostile_recording()))
+    assert any("<script>" in node["name"] for node in glb.document["nodes"])
+
+
+def test_a_mesh_of_the_load_goes_along() -> None:
+    plain = ringing_lift()
+    scene = sample_scene()
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    load = next(body for body in scene["bodies"] if body["kind"] == "load")
+    load["shape"] = {"type": "mesh", "vertices": points, "triangles": [[0, 1, 2], [0, 2, 3], [1, 1, 2]]}
+
+    def made() -> bytes:
+        return gltf_binary(
+            Recording(plain.variables, plain.coordinates, {**plain.attributes, "scene": scene})
+        )
+
+    glb = Glb(made())
+    mesh = next(one for one in glb.document["meshes"] if one["name"] == load["name"])
+    count = glb.document["accessors"][mesh["primitives"][0]["attributes"]["POSITION"]]["count"]
+    assert count == 6  # two triangles; the one without area is left out
+    load["shape"]["triangles"] = [[0, 1, 9]]
+    with pytest.raises(ValueError, match="faces without them"):
+        made()
+
+
+def test_a_table_has_every_sample_to_the_last_digit(tmp_path: Path) -> None:
+    recording = ringing_lift()
+    write_csv(recording, tmp_path / "lift.csv", ["rope_tension", "body_position"])
+    with (tmp_path / "lift.csv").open(encoding="utf-8", newline="") as file:
+        head, *rows = csv.reader(file)
+    assert head[:2] == ["time [s]", "rope_tension.e1.equalizing [N]"]
+    column = head.index("rope_tension.sling.S3 [N]")
+    found = np.array([float(row[column]) for row in rows])
+    np.testing.assert_array_equal(found, recording.column("rope_tension", "sling.S3"))
+    height = head.index(f"body_position.{recording.rig.loads[0].body}.z [m]")
+    assert float(rows[0][height]) == 2.5
+
+
+def test_a_table_has_all_variables_over_time_but_paths(tmp_path: Path) -> None:
+    write_csv(ringing_lift(), tmp_path / "lift.csv")
+    head = (tmp_path / "lift.csv").read_text(encoding="utf-8").splitlines()[0]
+    assert "load_transferred" in head and "rope_point" not in head and "rope_peak_tension" not in head
+
+
+def test_variables_that_there_are_not_are_refused(tmp_path: Path) -> None:
+    for name in ("nothing", "rope_peak_tension"):
+        with pytest.raises(TableError, match=f"no variable '{name}' over time"):
+            write_csv(ringing_lift(), tmp_path / "lift.csv", [name])
+
+
+def test_parquet_without_pyarrow_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(TableError, match="needs the package pyarrow"):
+        write_parquet(ringing_lift(), tmp_path / "lift.parquet")
+
+
+def test_parquet_has_the_same_numbers(tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet", reason="pyarrow is not installed")
+    recording = ringing_lift()
+    write_parquet(recording, tmp_path / "lift.parquet", ["hook_load"])
+    table = parquet.read_table(tmp_path / "lift.parquet")
+    assert (
+        table.column("hook_load.test_hook [N]").to_numpy().tolist()
+        == recording["hook_load"].values[:, 0].tolist()
+    )
+
+
+def test_the_command_writes_by_the_ending_of_its_file(tmp_path: Path) -> None:
+    ringing_lift().save(tmp_path / "recording.nc")
+
+    def says(*words: object) -> Result:
+        return CliRunner().invoke(app, ["export", str(tmp_path), *map(str, words)])
+
+    assert says(tmp_path / "a.glb").exit_code == 0
+    assert (tmp_path / "a.glb").read_bytes()[:4] == b"glTF"
+    assert says(tmp_path / "a.csv", "--variable", "hook_load").exit_code == 0
+    for words, message in (
+        ((tmp_path / "a.obj",), "right would be one of .glb, .csv, .parquet"),
+        ((tmp_path / "a.glb", "--variable", "hook_load"), "is about tables"),
+        ((tmp_path / "a.csv", "--variable", "nothing"), "no variable 'nothing'"),
+        ((tmp_path / "missing" / "a.csv",), "cannot be written"),
+    ):
+        result = says(*words)
+        assert result.exit_code == 2 and message in result.stderr, result.output

@@ -1,0 +1,218 @@
+"""The report: what stands in it, that it needs nothing else, and that no text in it can act."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gantline.report.page
+from gantline.report import render_report, write_report
+from gantline.report.first_page import FirstPage
+from gantline.report.sketch import sketches
+from gantline.report.subject import Subject
+from gantline.results import Recording
+from gantline.viewer import BundleMissing
+from gantline.viewer.bundle import Bundle
+from gantline.viewer.inline import json_for_script, script_is_safe
+from hostile import EVIL, hostile_recording
+from sample_lift import ringing_lift, sample_rig
+
+SCRIPT = "console.log('player')"
+
+
+class Page(HTMLParser):
+    """Elements of a page in order, texts of those that matter, and all attributes."""
+
+    def __init__(self, html: str) -> None:
+        super().__init__(convert_charrefs=True)
+        self.tags: list[str] = []
+        self.attributes: list[tuple[str, str, str]] = []
+        self.texts: dict[str, list[str]] = {}
+        self._open: list[str] = []
+        self.feed(html)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append(tag)
+        self.attributes += [(tag, name, value or "") for name, value in attrs]
+        if tag not in ("meta", "link", "img", "br"):
+            self._open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        while self._open and self._open.pop() != tag:
+            pass
+
+    def handle_data(self, data: str) -> None:
+        for tag in self._open[-1:]:
+            self.texts.setdefault(tag, []).append(data)
+
+    def policy(self) -> str:
+        return next(
+            v for tag, name, v in self.attributes if (tag, name) == ("meta", "content") and "src" in v
+        )
+
+
+@pytest.fixture(autouse=True)
+def player(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program in place of the player, which only browsers can try."""
+    monkeypatch.setattr(gantline.report.page, "bundle", lambda: Bundle(SCRIPT, ".gl{}"))
+
+
+def test_a_page_reads_nothing_from_elsewhere() -> None:
+    page = Page(render_report(ringing_lift()))
+    addresses = [
+        value for _, name, value in page.attributes if name in ("src", "href", "action", "data", "style")
+    ]
+    assert addresses and all(value.startswith("#") for value in addresses)
+    assert "default-src 'none'" in page.policy() and "connect-src 'none'" in page.policy()
+    assert "unsafe" not in page.policy()
+
+
+def test_the_policy_allows_the_page_own_program_and_style_alone() -> None:
+    page = Page(render_report(ringing_lift()))
+    digests = re.findall(r"'sha256-([^']+)'", page.policy())
+    own = [SCRIPT, "".join(page.texts["style"])]
+    assert digests == [base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in own]
+
+
+def test_hostile_texts_are_texts() -> None:
+    html = render_report(hostile_recording())
+    page = Page(html)
+    assert page.tags.count("script") == 3  # header, data, program
+    assert "img" not in page.tags
+    assert not [name for _, name, _ in page.attributes if name.startswith("on")]
+    assert "".join(page.texts["h1"]) == f"Lift {EVIL}"
+    assert "{{ 7*7 }}" in html and "49" not in "".join(page.texts["h1"])
+    # The lift file is shown as it is, and the title too.
+    assert "".join(page.texts["pre"]) == f"lift: {EVIL}"
+    assert EVIL in "".join(page.texts["title"])
+
+
+def test_json_cannot_end_its_script_element() -> None:
+    escaped = json_for_script('{"a":"</script><!--&\u2028"}')
+    assert not set("<>&\u2028") & set(escaped)
+    assert json.loads(escaped) == {"a": "</script><!--&\u2028"}
+
+
+def test_a_program_that_would_end_its_element_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not script_is_safe("x = '</ScRipt>'") and not script_is_safe("<!--")
+    monkeypatch.setattr(gantline.report.page, "bundle", lambda: Bundle("'</script>'", ""))
+    with pytest.raises(ValueError, match="end of a script"):
+        render_report(ringing_lift())
+
+
+def content(recording: Recording) -> dict[str, object]:
+    return FirstPage().content(Subject(recording))
+
+
+def test_the_first_page_says_what_load_cells_read() -> None:
+    # The slings carry nothing until 10 s, so 25, 50 and 75 % are passed within one sample; static are the
+    # means of the slings, 3000 kN in all, the frame with its sheaves, 21.5 t, and the hook block, 50 kN.
+    hooks = content(ringing_lift())["hooks"]
+    assert isinstance(hooks, list)
+    static = (3000e3 + 21.5e3 * 9.81 + 50e3) / 9.81 / 1e3
+    assert hooks[0]["static"] == f"{static:.1f}"
+    assert hooks[0]["readings"][3] == f"{static:.1f}"
+    before, after = 21.5 + 50 / 9.81, (3000e3 + 21.5e3 * 9.81 + 50e3) / 9.81 / 1e3
+    # At t = 10 s the ringing has no part, and transferred goes from 0 to 1 in this sample.
+    assert float(hooks[0]["readings"][1]) == pytest.approx((before + after) / 2, abs=0.06)
+
+
+def test_the_first_page_counts_from_calculated_weight_to_hoist_load() -> None:
+    weights = dict(content(ringing_lift())["weights"])  # type: ignore[call-overload]
+    name = ringing_lift().rig.loads[0].name
+    assert weights[f"{name}, calculated"] == "300.0 t"
+    assert weights["× contingency 1.00 = design weight"] == "300.0 t"
+    # Static hook load 3000 kN + 21.5 t x g, of which 300 t x g are the load.
+    rigging = (3000e3 + 21.5e3 * 9.81) / 9.81 / 1e3 - 300.0
+    assert weights["rigging below the hooks"] == f"{rigging:.1f} t"
+    # The sample nearest to the ringing's peak is 0.01 s from it.
+    ringing = 500e3 * np.cos(2 * np.pi * 0.01)
+    peak = (3000e3 + ringing + 21.5e3 * 9.81 + 50e3) / 9.81 / 1e3
+    assert weights["largest hoist load, simulated"] == f"{peak:.1f} t"
+
+
+def test_verdicts_have_their_tone() -> None:
+    def tone(**limits: float) -> str:
+        verdict = content(ringing_lift(rig=sample_rig(**limits)))["verdict"]
+        assert isinstance(verdict, dict)
+        return str(verdict["tone"])
+
+    assert tone(sling_angle_from_vertical=1.5) in ("good", "warn")
+    assert tone(load_tilt=0.1, sling_angle_from_vertical=0.01) == "bad"
+
+
+def test_a_run_that_ended_early_is_no_go() -> None:
+    plain = ringing_lift()
+    recording = Recording(plain.variables, plain.coordinates, {**plain.attributes, "status": "stopped"})
+    verdict = content(recording)["verdict"]
+    assert isinstance(verdict, dict)
+    assert verdict["tone"] == "bad" and "was stopped" in str(verdict["head"])
+
+
+def test_sketches_are_to_scale() -> None:
+    side, plan = sketches(Subject(ringing_lift()))
+    assert "side" in side.title and "plan" in plan.title
+    load = next(mark for mark in plan.marks if "sk-load" in mark.style)
+    x = [float(point.split(",")[0]) for point in load.points.split()]
+    # The load is 10 m long.
+    assert (max(x) - min(x)) * plan.scale == pytest.approx(10.0, abs=0.02)
+    assert plan.bar_width * plan.scale == pytest.approx(plan.bar)
+    for sketch in (side, plan):
+        places = [tuple(map(float, p.split(","))) for mark in sketch.marks for p in mark.points.split()]
+        assert all(0 <= x <= sketch.width and 0 <= y <= sketch.height for x, y in places)
+        assert {mark.text for mark in sketch.marks if mark.style == "sk-number"} == {
+            "S1",
+            "S2",
+            "S3",
+            "S4",
+            "S5",
+        }
+
+
+def test_sections_that_a_lift_does_not_have_are_left_out() -> None:
+    plain = ringing_lift()
+    attributes = {**plain.attributes, "rig": {"title": "two"}, "scene": {"bodies": []}}
+    variables = {name: plain[name] for name in ("time", "energy", "body_position", "body_orientation")}
+    coordinates = {name: plain.coordinates[name] for name in ("energy_kind", "body")}
+    html = render_report(Recording(variables, coordinates, attributes))
+    page = Page(html)
+    ids = [value for tag, name, value in page.attributes if (tag, name) == ("section", "id")]
+    assert ids == ["lift", "energy", "input"]
+
+
+def test_a_report_is_replaced_once_the_new_one_is_complete(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "report.html"
+    target.write_text("old")
+    assert write_report(ringing_lift(), target) == target
+    assert target.read_text(encoding="utf-8").startswith("<!doctype html>")
+
+    def missing() -> Bundle:
+        raise BundleMissing("not built")
+
+    monkeypatch.setattr(gantline.report.page, "bundle", missing)
+    before = target.read_bytes()
+    with pytest.raises(BundleMissing):
+        write_report(ringing_lift(), target)
+    assert target.read_bytes() == before and list(tmp_path.iterdir()) == [target]
+
+
+def test_the_same_recording_gives_the_same_bytes() -> None:
+    assert render_report(ringing_lift()) == render_report(ringing_lift())
+
+
+def test_a_lift_with_hundreds_of_slings_keeps_its_first_page() -> None:
+    rig = sample_rig()
+    sling = rig["slings"][0]
+    rig["slings"] = [{**sling, "name": f"N{place}"} for place in range(100)]
+    found = content(ringing_lift(rig=rig))
+    assert len(found["slings"]) == 16 and found["slings_left_out"] == 84  # type: ignore[arg-type]
+    assert np.isfinite(len(render_report(ringing_lift(rig=rig))))

@@ -1,0 +1,81 @@
+/** The system's Chromium, without a network, opening pages that Python has written. */
+
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { type Browser, chromium, type Page } from "playwright-core";
+import type {} from "../src/main";
+
+declare global {
+  var hacked: unknown;
+}
+
+const folder = process.env.GANTLINE_PAGES!;
+
+/** What the recording has, as Python wrote it. */
+export interface Expected {
+  times: number[];
+  ropes: Record<string, number[]>;
+  paths: Record<string, number[][][]>;
+  bodies: Record<string, { position: number[]; orientation: number[] }[]>;
+  lengths: Record<string, number[]>;
+  frames: number[];
+  liftOff: number;
+  stepBegins: number[];
+}
+
+export function expected(): Expected {
+  return JSON.parse(readFileSync(join(folder, "expected.json"), "utf-8")) as Expected;
+}
+
+export function start(): Promise<Browser> {
+  // Without a sandbox since tests may run as root in a container; the pages are our own.
+  const args = ["--no-sandbox", "--enable-unsafe-swiftshader"];
+  return chromium.launch({ executablePath: process.env.GANTLINE_CHROMIUM!, args });
+}
+
+export interface Opened {
+  page: Page;
+  /** Errors, warnings of the security policy, and requests for anything but the page itself. */
+  troubles: string[];
+}
+
+export interface Wishes {
+  width?: number;
+  height?: number;
+  dark?: boolean;
+  hash?: string;
+}
+
+/** A page by its file's address, with the network off. */
+export async function open(browser: Browser, file: string, wishes: Wishes = {}): Promise<Opened> {
+  const context = await browser.newContext({
+    viewport: { width: wishes.width ?? 1000, height: wishes.height ?? 700 },
+    colorScheme: wishes.dark ? "dark" : "light",
+    offline: true,
+  });
+  const page = await context.newPage();
+  const address = pathToFileURL(join(folder, file)).href;
+  const troubles: string[] = [];
+  page.on("pageerror", (problem) => troubles.push(problem.message));
+  page.on("dialog", (dialog) => {
+    troubles.push(`dialog ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  page.on("console", (message) => {
+    // Reading pixels back is slow in software; Chromium says so.
+    if (message.type() === "error" || /security policy/i.test(message.text())) troubles.push(message.text());
+  });
+  page.on("request", (request) => {
+    if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url()))
+      troubles.push(request.url());
+  });
+  await page.goto(address + (wishes.hash ?? ""));
+  await page.waitForSelector("html[data-ready]", { timeout: 40_000 });
+  return { page, troubles };
+}
+
+/** Seconds that the player shows. */
+export async function clock(page: Page): Promise<number> {
+  return Number.parseFloat((await page.locator(".gl-clock").textContent())!);
+}

@@ -1,0 +1,213 @@
+import { readFileSync } from "node:fs";
+import type { Browser } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { clock, expected, open, start } from "./chromium";
+import { processorTime, scriptTime } from "./measured";
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await start();
+});
+afterAll(() => browser.close());
+
+/** Linear between samples, as the recording is read. */
+function at(times: number[], values: number[], time: number): number {
+  const next = times.findIndex((one) => one > time);
+  if (next <= 0) return values[next === 0 ? 0 : values.length - 1]!;
+  const share = (time - times[next - 1]!) / (times[next]! - times[next - 1]!);
+  return values[next - 1]! + share * (values[next]! - values[next - 1]!);
+}
+
+describe("the player", () => {
+  it("opens by its file without a network, and asks for nothing else", async () => {
+    const { page, troubles } = await open(browser, "report.html");
+    await page.waitForTimeout(300);
+    expect(troubles).toEqual([]);
+    expect(await page.locator(".gl-canvas").count()).toBe(1);
+  });
+
+  it("draws ropes where the solver has them, to a micrometre, and bodies too", async () => {
+    const { page } = await open(browser, "report.html");
+    const { paths, bodies, frames } = expected();
+    const drawn = await page.evaluate(
+      ({ frames, ropes, bodies }) => {
+        const { lift } = globalThis.gantlinePage!.session;
+        return frames.map((time) => {
+          lift.seek(time);
+          const index = (name: string) => lift.header.ropes.findIndex((rope) => rope.name === name);
+          const body = (name: string) => lift.header.bodies.findIndex((one) => one.name === name);
+          return {
+            paths: ropes.map((name) => (lift.hangs(index(name)) ? null : [...lift.drawnPath(index(name))])),
+            poses: bodies.map((name) => [...lift.poses.subarray(7 * body(name), 7 * body(name) + 7)]),
+          };
+        });
+      },
+      { frames, ropes: Object.keys(paths), bodies: Object.keys(bodies) },
+    );
+    let compared = 0;
+    drawn.forEach((one, frame) => {
+      Object.values(paths).forEach((recorded, rope) => {
+        const path = one.paths[rope];
+        if (!path) return;
+        compared += 1;
+        const points = recorded[frame]!.flat();
+        expect(path.length).toBe(points.length);
+        expect(Math.max(...path.map((part, place) => Math.abs(part - points[place]!)))).toBeLessThan(1e-6);
+      });
+      Object.values(bodies).forEach((recorded, body) => {
+        const pose = [...recorded[frame]!.position, ...recorded[frame]!.orientation];
+        // Half a micrometre, and half of 1e-7 for each part of a quaternion.
+        expect(
+          Math.max(...one.poses[body]!.map((part, place) => Math.abs(part - pose[place]!))),
+        ).toBeLessThan(1e-6);
+      });
+    });
+    // All ropes are taut at the end, and most of them before.
+    expect(compared).toBeGreaterThan(frames.length * 3);
+  });
+
+  it("hangs slack ropes from the same two points by their own length", async () => {
+    const { page } = await open(browser, "report.html");
+    const { lengths } = expected();
+    const found = await page.evaluate(() => {
+      const { lift } = globalThis.gantlinePage!.session;
+      lift.seek(lift.begin);
+      return lift.header.ropes.flatMap((rope, index) => {
+        if (!lift.hangs(index) || rope.kind !== "sling") return [];
+        const path = lift.drawnPath(index);
+        const first = 3 * rope.first;
+        const last = 3 * (rope.first + rope.count - 1);
+        const ends = [0, 1, 2].flatMap((part) => [
+          path[part]! - lift.path[first + part]!,
+          path[path.length - 3 + part]! - lift.path[last + part]!,
+        ]);
+        return [{ name: rope.name, length: rope.length, off: Math.max(...ends.map(Math.abs)) }];
+      });
+    });
+    expect(found.length).toBeGreaterThan(0);
+    for (const rope of found) {
+      expect(rope.off).toBeLessThan(1e-9);
+      expect(rope.length).toBe(lengths[rope.name]![0]);
+    }
+  });
+
+  it("shows what the recording has for a rope that is clicked", async () => {
+    const { page } = await open(browser, "report.html", { hash: "#t=17.5" });
+    const { times, ropes } = expected();
+    const place = await page.evaluate(() => {
+      const { session, player } = globalThis.gantlinePage!;
+      const index = session.lift.header.ropes.findIndex((rope) => rope.name === "sling.S1");
+      const path = session.lift.drawnPath(index);
+      const middle = [0, 1, 2].map((part) => 0.5 * path[part]! + 0.5 * path[path.length - 3 + part]!);
+      const canvas = player!.stage!.canvas;
+      canvas.scrollIntoView({ block: "center" });
+      const box = canvas.getBoundingClientRect();
+      const at = player!.stage!.world.project(middle[0]!, middle[1]!, middle[2]!, box.width, box.height)!;
+      return { x: box.left + at[0], y: box.top + at[1] };
+    });
+    await page.mouse.click(place.x, place.y);
+    const name = (await page.locator(".gl-pinned-name").textContent())!.split(" ")[0]!;
+    expect(name).toBe("sling.S1");
+    const shown = Number.parseFloat((await page.locator(".gl-pinned-value").textContent())!);
+    // Shown with one decimal, and the curve is decimated without losing more than that.
+    expect(Math.abs(shown - at(times, ropes[name]!, 17.5) / 1e3)).toBeLessThan(0.06);
+    expect(await page.evaluate(() => location.hash)).toContain("t=17.5");
+  });
+
+  it("plays, stops, and goes where it is told", async () => {
+    const { page } = await open(browser, "report.html");
+    await page.getByRole("button", { name: "Play (space)" }).click();
+    await page.waitForFunction(() => globalThis.gantlinePage!.session.time > 0.3);
+    await page.getByRole("button", { name: "Pause (space)" }).click();
+    const stopped = await clock(page);
+    await page.waitForTimeout(200);
+    expect(await clock(page)).toBe(stopped);
+    await page.locator(".gl-slider").fill("20");
+    expect(await clock(page)).toBe(20);
+    await page.getByRole("button", { name: "Previous event (comma)" }).click();
+    expect(await clock(page)).toBeCloseTo(expected().liftOff, 1);
+  });
+
+  it("is worked by keys alone", async () => {
+    const { page } = await open(browser, "report.html");
+    await page.locator(".gl-canvas").focus();
+    await page.keyboard.press(".");
+    expect(await clock(page)).toBeGreaterThan(0);
+    await page.keyboard.press("Home");
+    await page.keyboard.press("ArrowRight");
+    expect(await clock(page)).toBeCloseTo(0.2, 6); // half a hundredth of 40 s
+    await page.keyboard.press("2");
+    expect(await page.getByRole("button", { name: "side", exact: true }).getAttribute("aria-pressed")).toBe(
+      "true",
+    );
+    await page.keyboard.press(" ");
+    expect(await page.evaluate(() => globalThis.gantlinePage!.session.playing)).toBe(true);
+    await page.keyboard.press(" ");
+    expect(await page.evaluate(() => globalThis.gantlinePage!.session.playing)).toBe(false);
+    await page.getByLabel("Pin a rope").focus();
+    await page.keyboard.type("sling.S2");
+    expect(await page.locator(".gl-pinned-name").textContent()).toContain("sling.S2");
+    // Every control can be reached and says what it is.
+    const nameless = await page.evaluate(
+      () =>
+        [...document.querySelectorAll("button, select, input, a")].filter(
+          (one) => !(one.textContent || one.getAttribute("aria-label") || one.getAttribute("title")),
+        ).length,
+    );
+    expect(nameless).toBe(0);
+  });
+
+  it("saves what it shows as a picture", async () => {
+    const { page, troubles } = await open(browser, "report.html", { hash: "#t=17.5" });
+    const waiting = page.waitForEvent("download");
+    await page.getByRole("button", { name: "Save a picture (P)" }).click();
+    const saved = await waiting;
+    expect(saved.suggestedFilename()).toBe("One_equalizer_lifts_a_300_t_load_17.50s.png");
+    expect(
+      readFileSync(await saved.path())
+        .subarray(1, 4)
+        .toString(),
+    ).toBe("PNG");
+    expect(troubles).toEqual([]);
+  });
+
+  it("is led by its address to what was shown", async () => {
+    const hash = "#t=12.5&view=top&pin=sling.S3&speed=2&span=10,20";
+    const { page } = await open(browser, "report.html", { hash });
+    const shown = await page.evaluate(() => {
+      const { session, player } = globalThis.gantlinePage!;
+      return [session.time, player!.stage!.cameras.view, session.pinned, session.speed, session.span];
+    });
+    expect(shown).toEqual([12.5, "top", "sling.S3", 2, [10, 20]]);
+  });
+
+  it("keeps up in software: ten frames a second at 640 by 360, two milliseconds of script each", async () => {
+    const { page } = await open(browser, "report.html", { width: 682, height: 700, hash: "#t=16&speed=1" });
+    const scripts = await scriptTime(page);
+    await page.evaluate(() => {
+      const { player, session } = globalThis.gantlinePage!;
+      player!.stage!.canvas.scrollIntoView();
+      session.setLoop(true);
+      session.play();
+    });
+    await page.waitForTimeout(1000);
+    const frames = () => page.evaluate(() => globalThis.gantlinePage!.player!.stage!.measured.count);
+    const begin = {
+      frames: await frames(),
+      processor: processorTime(),
+      script: await scripts(),
+      now: Date.now(),
+    };
+    await page.waitForTimeout(4000);
+    const count = (await frames()) - begin.frames;
+    const processor = ((processorTime() ?? 0) - (begin.processor ?? 0)) / count;
+    const script = ((await scripts()) - begin.script) / count;
+    const rate = (1000 * count) / (Date.now() - begin.now);
+    console.log(
+      `${rate.toFixed(0)} frames/s; for each ${processor.toFixed(0)} ms of processor, ${script.toFixed(2)} ms of script`,
+    );
+    // On one processor that does nothing else 100 ms of its time are ten frames a second.
+    expect(processor).toBeLessThan(100);
+    expect(script).toBeLessThan(2);
+  });
+});

@@ -1,0 +1,303 @@
+/** A plot over time, in step with the player and with all other plots of the page. */
+
+import type { Curve } from "../data/curve";
+import { element, set, svg } from "../dom";
+import type { Session } from "../player/session";
+import { type Area, areaOf, type ChartSpec, frameOf, xOf, yOf } from "./frame";
+import { Legend } from "./legend";
+import { digitsOf, type Scale, shown, verticalScale } from "./scale";
+
+const CURVES_WITH_COLOURS = 8;
+const MOVED = 6; // pixels from which a press is a drag
+let made = 0;
+
+export class Chart {
+  readonly curves: Curve[];
+  private readonly svg = svg("svg", { tabindex: 0, class: "gl-plot" });
+  private readonly frame = svg("g", {});
+  private readonly lines = svg("g", { fill: "none" });
+  private readonly cursor = svg("line", { class: "gl-cursor" });
+  private readonly pointer = svg("line", { class: "gl-pointer" });
+  private readonly brush = svg("rect", { class: "gl-brush" });
+  private readonly dots: SVGCircleElement[];
+  private readonly tip = element("div", { class: "gl-tip", hidden: true, "aria-hidden": "true" });
+  private readonly clip = `gl-clip-${made++}`;
+  private readonly clipBox = svg("rect", {});
+  private readonly legend: Legend;
+  private scale: Scale = { low: 0, high: 1, ticks: [], digits: 0 };
+  private area: Area = areaOf(720, 260, {});
+  private width = 720;
+  private readonly height: number;
+  private press: number | null = null;
+  private isOnScreen = true;
+  private readonly ends: (() => void)[] = [];
+
+  constructor(
+    private readonly session: Session,
+    private readonly spec: ChartSpec,
+    private readonly root: HTMLElement,
+  ) {
+    this.height = spec.height ?? 260;
+    const every = spec.groups.flatMap((group) => session.lift.group(group));
+    this.curves = spec.only === undefined ? every : every.filter((curve) => curve.entry.name === spec.only);
+    this.legend = new Legend(session, this.curves, (index) => this.colour(index), spec.title);
+    this.dots = this.curves
+      .slice(0, CURVES_WITH_COLOURS)
+      .map((_, index) =>
+        svg("circle", { r: 3.2, fill: this.colour(index), class: "gl-dot", visibility: "hidden" }),
+      );
+    set(this.lines, { "clip-path": `url(#${this.clip})` });
+    set(this.svg, { role: "img", "aria-label": this.inWords() });
+    const clipPath = svg("clipPath", { id: this.clip }, this.clipBox);
+    this.svg.append(
+      svg("defs", {}, clipPath),
+      this.frame,
+      this.lines,
+      this.brush,
+      this.pointer,
+      this.cursor,
+      ...this.dots,
+    );
+    const plot = element("div", { class: "gl-plot-holder" }, this.svg as unknown as Node, this.tip);
+    root.append(plot, this.legend.root);
+    this.listen();
+    const sizes = new ResizeObserver(() => this.fit());
+    // What nobody sees costs nothing while the lift plays.
+    const sight = new IntersectionObserver((seen) => {
+      this.isOnScreen = seen[seen.length - 1]?.isIntersecting ?? true;
+      this.mark();
+    });
+    sizes.observe(plot);
+    sight.observe(plot);
+    this.ends.push(
+      () => sizes.disconnect(),
+      () => sight.disconnect(),
+      ...this.legend.ends,
+    );
+    this.fit();
+  }
+
+  /** Take the plot off the page. */
+  remove(): void {
+    for (const end of this.ends) end();
+    this.root.replaceChildren();
+  }
+
+  /** What the plot shows, for those who cannot see it. */
+  private inWords(): string {
+    const unit = this.spec.unit;
+    const most = this.curves
+      .map(
+        (curve) =>
+          `${curve.entry.label} from ${shown(curve.least, digitsOf(unit))} to ${shown(curve.largest, digitsOf(unit))} ${unit}`,
+      )
+      .slice(0, 12);
+    return `${this.spec.title} over time: ${most.join("; ")}. Arrow keys move the time, plus and minus zoom.`;
+  }
+
+  private fit(): void {
+    const width = Math.max(260, Math.round(this.root.clientWidth || this.width));
+    this.width = width;
+    this.area = areaOf(width, this.height, this.spec);
+    set(this.svg, { viewBox: `0 0 ${width} ${this.height}`, width, height: this.height });
+    this.draw();
+  }
+
+  private timeAt(x: number): number {
+    const [begin, end] = this.session.span;
+    const { left, right } = this.area;
+    return begin + ((x - left) / (right - left)) * (end - begin);
+  }
+
+  private x(time: number): number {
+    return xOf(this.area, this.session.span, time);
+  }
+
+  private y(value: number): number {
+    return yOf(this.area, this.scale, value);
+  }
+
+  private colour(index: number): string {
+    return this.curves.length > CURVES_WITH_COLOURS
+      ? "var(--c-many)"
+      : `var(--c${index % CURVES_WITH_COLOURS})`;
+  }
+
+  private isShown(curve: Curve): boolean {
+    return !this.session.hidden.has(`${curve.entry.group}:${curve.entry.name}`);
+  }
+
+  private draw(): void {
+    const visible = this.curves.filter((curve) => this.isShown(curve));
+    const limits = (this.spec.limits ?? []).map((limit) => limit.value);
+    const values = [...visible.flatMap((curve) => [curve.least, curve.largest]), ...limits];
+    const wanted = this.height > 200 ? 5 : 3;
+    this.scale = verticalScale(Math.min(...values), Math.max(...values), wanted, this.spec.smallest ?? 1e-9);
+    set(this.clipBox, {
+      x: this.area.left,
+      y: this.area.top - 2,
+      width: this.area.right - this.area.left,
+      height: this.area.bottom - this.area.top + 4,
+    });
+    this.frame.replaceChildren(...frameOf(this.session, this.spec, this.area, this.scale));
+    this.lines.replaceChildren();
+    this.curves.forEach((curve, index) => {
+      if (this.isShown(curve)) this.lines.append(this.path(curve, index));
+    });
+    this.mark();
+  }
+
+  private path(curve: Curve, index: number): SVGPathElement {
+    const [begin, end] = this.session.span;
+    const first = Math.max(0, curve.before(begin));
+    const last = Math.min(curve.times.length - 1, curve.before(end) + 1);
+    let way = "";
+    for (let place = first; place <= last; place++)
+      way += `${place === first ? "M" : "L"}${this.x(curve.times[place]!).toFixed(1)} ${this.y(curve.values[place]!).toFixed(1)}`;
+    const pinned = this.session.pinned;
+    const mine = pinned === curve.entry.name;
+    // Curves that lie upon each other: the first is the widest.
+    const width = 2.6 - (1.2 * index) / Math.max(1, Math.min(this.curves.length, CURVES_WITH_COLOURS) - 1);
+    const hasPinned = this.curves.some((one) => one.entry.name === pinned);
+    return svg("path", {
+      d: way,
+      stroke: mine && this.curves.length > CURVES_WITH_COLOURS ? "var(--c1)" : this.colour(index),
+      "stroke-width": mine ? 3 : this.curves.length > CURVES_WITH_COLOURS ? 1 : width || 1.8,
+      "stroke-linejoin": "round",
+      opacity: hasPinned && !mine ? 0.25 : this.curves.length > CURVES_WITH_COLOURS && !mine ? 0.6 : 1,
+    });
+  }
+
+  /** Cursors and values at the present time, or under the pointer. */
+  private mark(): void {
+    if (!this.isOnScreen) return;
+    const hover = this.session.hover;
+    this.place(this.cursor, this.session.time);
+    this.place(this.pointer, hover);
+    const time = hover ?? this.session.time;
+    this.legend.show(time);
+    const [begin, end] = this.session.span;
+    const isIn = time >= begin && time <= end && this.curves.length <= CURVES_WITH_COLOURS;
+    const x = this.x(time);
+    this.dots.forEach((dot, index) => {
+      const curve = this.curves[index]!;
+      const isDrawn = isIn && this.isShown(curve);
+      set(dot, { visibility: isDrawn ? undefined : "hidden" });
+      if (isDrawn) set(dot, { cx: x.toFixed(1), cy: this.y(curve.at(time)).toFixed(1) });
+    });
+  }
+
+  private place(line: SVGLineElement, time: number | null): void {
+    const [begin, end] = this.session.span;
+    const isIn = time !== null && time >= begin && time <= end;
+    set(line, { visibility: isIn ? undefined : "hidden" });
+    if (!isIn) return;
+    const x = this.x(time);
+    set(line, { x1: x, x2: x, y1: this.area.top - 6, y2: this.area.bottom });
+  }
+
+  private listen(): void {
+    for (const topic of ["time", "hover"] as const) this.ends.push(this.session.on(topic, () => this.mark()));
+    for (const topic of ["span", "pin", "hidden"] as const)
+      this.ends.push(this.session.on(topic, () => this.draw()));
+    this.svg.addEventListener("pointermove", (event) => this.onMove(event));
+    this.svg.addEventListener("pointerleave", () => this.leave());
+    this.svg.addEventListener("pointerdown", (event) => {
+      this.press = this.pixel(event);
+      if (event.pointerType !== "mouse") this.session.seek(this.timeAt(this.press));
+    });
+    this.svg.addEventListener("pointerup", (event) => this.onUp(event));
+    this.svg.addEventListener("dblclick", () => this.session.showAll());
+    this.svg.addEventListener("keydown", (event) => this.onKey(event));
+  }
+
+  private pixel(event: PointerEvent): number {
+    const box = this.svg.getBoundingClientRect();
+    const x = ((event.clientX - box.left) / (box.width || 1)) * this.width;
+    return Math.min(this.area.right, Math.max(this.area.left, x));
+  }
+
+  private onMove(event: PointerEvent): void {
+    const x = this.pixel(event);
+    if (event.pointerType !== "mouse") {
+      if (this.press !== null) this.session.seek(this.timeAt(x));
+      return;
+    }
+    this.session.pointAt(this.timeAt(x));
+    this.showTip(event, x);
+    const drags = this.press !== null && Math.abs(x - this.press) > MOVED;
+    set(this.brush, { visibility: drags ? undefined : "hidden" });
+    if (drags)
+      set(this.brush, {
+        x: Math.min(x, this.press!),
+        y: this.area.top,
+        width: Math.abs(x - this.press!),
+        height: this.area.bottom - this.area.top,
+      });
+  }
+
+  private onUp(event: PointerEvent): void {
+    const x = this.pixel(event);
+    if (this.press !== null && event.pointerType === "mouse") {
+      if (Math.abs(x - this.press) > MOVED) this.session.show(this.timeAt(this.press), this.timeAt(x));
+      else this.session.seek(this.timeAt(x));
+    }
+    this.press = null;
+    set(this.brush, { visibility: "hidden" });
+  }
+
+  private leave(): void {
+    this.press = null;
+    this.tip.hidden = true;
+    set(this.brush, { visibility: "hidden" });
+    this.session.pointAt(null);
+  }
+
+  /** The curve that is nearest to the pointer, with its value. */
+  private showTip(event: PointerEvent, x: number): void {
+    const box = this.svg.getBoundingClientRect();
+    const y = ((event.clientY - box.top) / (box.height || 1)) * this.height;
+    const time = this.timeAt(x);
+    const nearest = this.curves
+      .filter((curve) => this.isShown(curve))
+      .map((curve) => ({ curve, off: Math.abs(this.y(curve.at(time)) - y) }))
+      .sort((a, b) => a.off - b.off)[0];
+    this.tip.hidden = !nearest;
+    if (!nearest) return;
+    const { unit } = this.spec;
+    const value = `${shown(nearest.curve.at(time), digitsOf(unit))} ${unit}`;
+    this.tip.replaceChildren(
+      element("strong", {}, nearest.curve.entry.label),
+      ` ${value.trim()}`,
+      element("span", { class: "gl-quiet" }, ` at ${shown(time, 2)} s`),
+    );
+    const isRight = x > this.width * 0.6;
+    this.tip.style.left = isRight ? "" : `${(x / this.width) * box.width + 12}px`;
+    this.tip.style.right = isRight ? `${box.width - (x / this.width) * box.width + 12}px` : "";
+    this.tip.style.top = `${Math.max(0, (y / this.height) * box.height - 34)}px`;
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const [begin, end] = this.session.span;
+    const span = end - begin;
+    const time = this.session.time;
+    const zoom = (factor: number) =>
+      this.session.show(time - (time - begin) * factor, time + (end - time) * factor);
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => this.session.seek(time - span * (event.shiftKey ? 0.1 : 0.01)),
+      ArrowRight: () => this.session.seek(time + span * (event.shiftKey ? 0.1 : 0.01)),
+      Home: () => this.session.seek(begin),
+      End: () => this.session.seek(end),
+      "+": () => zoom(0.5),
+      "=": () => zoom(0.5),
+      "-": () => zoom(2),
+      Escape: () => this.session.showAll(),
+      " ": () => this.session.toggle(),
+    };
+    const action = actions[event.key];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    action();
+  }
+}

@@ -1,0 +1,144 @@
+/** What stands around the curves of a plot: steps of the plan, axes, limits; and where it is. */
+
+import { svg } from "../dom";
+import type { Session } from "../player/session";
+import { type Scale, shown, ticksOf } from "./scale";
+
+export interface Limit {
+  value: number;
+  label: string;
+}
+
+export interface ChartSpec {
+  title: string;
+  groups: string[];
+  unit: string;
+  /** Of a low plot beside others. */
+  height?: number;
+  /** Positive is drawn downwards. */
+  inverted?: boolean;
+  /** Only the curve of this name. */
+  only?: string;
+  limits?: Limit[];
+  /** Least span of the vertical axis, so that rounding errors do not look like motion. */
+  smallest?: number;
+}
+
+/** Where the curves are drawn [pixels]. */
+export interface Area {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+  inverted: boolean;
+}
+
+const TONNE_FORCE = 9.81; // kN
+const LETTER = 6.1; // pixels, mean width of a letter
+
+export function areaOf(width: number, height: number, spec: { unit?: string; inverted?: boolean }): Area {
+  const right = width - (spec.unit === "kN" ? 44 : 14);
+  return { left: 52, right, top: 24, bottom: height - 26, inverted: spec.inverted ?? false };
+}
+
+export function xOf(area: Area, [begin, end]: readonly [number, number], time: number): number {
+  return area.left + ((time - begin) / (end - begin || 1)) * (area.right - area.left);
+}
+
+export function yOf(area: Area, scale: Scale, value: number): number {
+  const share = (value - scale.low) / (scale.high - scale.low || 1);
+  const room = area.bottom - area.top;
+  return area.inverted ? area.top + share * room : area.bottom - share * room;
+}
+
+/** All of it, to be drawn below the curves. */
+export function frameOf(session: Session, spec: ChartSpec, area: Area, scale: Scale): SVGElement[] {
+  const kilonewtons = spec.unit === "kN" ? tonnes(area, scale) : [];
+  return [
+    ...strip(session, area),
+    ...vertical(area, scale),
+    ...horizontal(session, area),
+    ...kilonewtons,
+    ...liftOff(session, area),
+    ...limits(spec, area, scale),
+  ];
+}
+
+/** Steps of the plan above the plot. */
+function strip(session: Session, area: Area): SVGElement[] {
+  const [begin, end] = session.span;
+  return session.lift.steps.flatMap((step, index) => {
+    const from = xOf(area, session.span, Math.max(step.begin, begin));
+    const to = xOf(area, session.span, Math.min(step.end, end));
+    if (to - from < 1) return [];
+    const box = svg("rect", {
+      x: from,
+      y: 2,
+      width: Math.max(0.5, to - from - 1),
+      height: 15,
+      class: index % 2 === 0 ? "gl-step" : "gl-step gl-step-odd",
+    });
+    box.append(svg("title", {}, step.name));
+    const fits = LETTER * step.name.length < to - from - 4;
+    const place = { x: (from + to) / 2, y: 13, "text-anchor": "middle", class: "gl-step-name" };
+    return fits ? [box, svg("text", place, step.name)] : [box];
+  });
+}
+
+function vertical(area: Area, scale: Scale): SVGElement[] {
+  return scale.ticks.flatMap((tick) => {
+    const y = yOf(area, scale, tick);
+    const line = { x1: area.left, x2: area.right, y1: y, y2: y, class: tick === 0 ? "gl-zero" : "gl-grid" };
+    const text = { x: area.left - 7, y: y + 3.5, "text-anchor": "end", class: "gl-tick" };
+    return [svg("line", line), svg("text", text, shown(tick, scale.digits))];
+  });
+}
+
+function horizontal(session: Session, area: Area): SVGElement[] {
+  const { left, right, bottom } = area;
+  const { ticks, digits } = ticksOf(...session.span, Math.max(3, Math.round((right - left) / 100)));
+  const marks = ticks.flatMap((tick, index) => {
+    const x = xOf(area, session.span, tick);
+    const text = `${shown(tick, digits)}${index === ticks.length - 1 ? " s" : ""}`;
+    return [
+      svg("line", { x1: x, x2: x, y1: bottom, y2: bottom + 4, class: "gl-axis" }),
+      svg("text", { x, y: bottom + 16, "text-anchor": "middle", class: "gl-tick" }, text),
+    ];
+  });
+  return [...marks, svg("line", { x1: left, x2: right, y1: bottom, y2: bottom, class: "gl-axis" })];
+}
+
+/** The same axis in tonne-force, on the right. */
+function tonnes(area: Area, scale: Scale): SVGElement[] {
+  const wanted = area.bottom - area.top > 150 ? 5 : 3;
+  const { ticks, digits } = ticksOf(scale.low / TONNE_FORCE, scale.high / TONNE_FORCE, wanted);
+  return ticks.map((tick, index) => {
+    const text = `${shown(tick, digits)}${index === ticks.length - 1 ? " t" : ""}`;
+    const y = yOf(area, scale, tick * TONNE_FORCE) + 3.5;
+    return svg("text", { x: area.right + 7, y, class: "gl-tick gl-quiet" }, text);
+  });
+}
+
+function liftOff(session: Session, area: Area): SVGElement[] {
+  const time = session.lift.header.liftOff;
+  const [begin, end] = session.span;
+  if (time === null || time < begin || time > end) return [];
+  const x = xOf(area, session.span, time);
+  const isLate = x > area.left + 0.8 * (area.right - area.left);
+  const place = { x: x + (isLate ? -4 : 4), y: area.top + 8, "text-anchor": isLate ? "end" : "start" };
+  return [
+    svg("line", { x1: x, x2: x, y1: area.top - 2, y2: area.bottom, class: "gl-lift-off" }),
+    svg("text", { ...place, class: "gl-note" }, "lift-off"),
+  ];
+}
+
+function limits(spec: ChartSpec, area: Area, scale: Scale): SVGElement[] {
+  return (spec.limits ?? []).flatMap((limit) => {
+    const y = yOf(area, scale, limit.value);
+    const place = { x: area.right - 4, y: y - 4, "text-anchor": "end", class: "gl-limit-name" };
+    return [
+      svg("line", { x1: area.left, x2: area.right, y1: y, y2: y, class: "gl-limit" }),
+      svg("text", place, limit.label),
+    ];
+  });
+}

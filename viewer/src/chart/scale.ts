@@ -1,0 +1,49 @@
+/** Axes: round ticks, and numbers as people read them. */
+
+export interface Scale {
+  low: number;
+  high: number;
+  ticks: number[];
+  digits: number;
+}
+
+/** Round ticks over a span, about as many as wanted. */
+export function ticksOf(low: number, high: number, wanted: number): { ticks: number[]; digits: number } {
+  const span = high - low;
+  if (!(span > 0) || !Number.isFinite(span)) return { ticks: [low], digits: 0 };
+  const rough = span / Math.max(1, wanted);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 2.5, 5, 10].find((factor) => factor * power >= rough * 0.999) ?? 10);
+  const digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9) + (step / power === 2.5 ? 1 : 0));
+  const ticks: number[] = [];
+  for (let index = Math.ceil(low / step - 1e-9) + 0; index * step <= high + 1e-9 * span; index++)
+    ticks.push(index * step);
+  return { ticks, digits: Math.min(digits, 6) };
+}
+
+/** A vertical axis that holds all values and ends at round numbers. */
+export function verticalScale(least: number, largest: number, wanted: number, smallest: number): Scale {
+  let [low, high] = [least, largest];
+  if (!(low <= high)) [low, high] = [0, 1];
+  if (low > 0 && low < 0.6 * high) low = 0;
+  if (high < 0 && high > 0.6 * low) high = 0;
+  const middle = (low + high) / 2;
+  if (high - low < smallest) [low, high] = [middle - smallest / 2, middle + smallest / 2];
+  const { ticks, digits } = ticksOf(low, high, wanted);
+  const step = ticks.length > 1 ? ticks[1]! - ticks[0]! : high - low;
+  const bottom = Math.floor(low / step + 1e-9) * step;
+  const top = Math.ceil(high / step - 1e-9) * step;
+  return { low: bottom, high: top, ticks: ticksOf(bottom, top, wanted).ticks, digits };
+}
+
+/** A number with so many decimals, a proper minus, and never "-0". */
+export function shown(value: number, digits: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const text = Math.abs(value).toFixed(digits);
+  return value < 0 && Number(text) !== 0 ? `−${text}` : text;
+}
+
+/** Decimals with which values of a unit are read. */
+export function digitsOf(unit: string): number {
+  return { kN: 1, m: 3, deg: 2, "%": 1, MJ: 3, "": 2 }[unit] ?? 2;
+}

@@ -1,0 +1,91 @@
+/** What the header of a packed recording holds; `python/gantline/viewer/pack.py` writes it. */
+
+export type Vector = [number, number, number];
+
+export interface Box {
+  size: Vector;
+  centre: Vector;
+}
+
+export type Shape =
+  | ({ type: "box" } & Box)
+  | { type: "boxes"; boxes: Box[] }
+  | { type: "mesh" | "convex"; arrays: string };
+
+export interface Body {
+  name: string;
+  kind: string;
+  shape: Shape | null;
+  cog: Vector;
+}
+
+export interface Sheave {
+  body: number;
+  centre: Vector;
+  axis: Vector;
+  radius: number;
+  moves: boolean;
+}
+
+export interface Rope {
+  name: string;
+  label: string;
+  kind: string;
+  /** Its points among all points of the path. */
+  first: number;
+  count: number;
+  diameter: number;
+  /** Without tension [m]; null where it is not known or changes. */
+  length: number | null;
+  strength: number | null;
+  peak: number;
+  peakTime: number;
+}
+
+export interface Lug {
+  name: string;
+  rope: string;
+  body: number;
+  at: Vector;
+  normal: Vector;
+}
+
+export interface Contact {
+  name: string;
+  body: number;
+  at: Vector;
+}
+
+export interface CurveEntry {
+  group: string;
+  name: string;
+  label: string;
+  unit: string;
+  first: number;
+  count: number;
+}
+
+export interface ArrayEntry {
+  type: "f8" | "f4" | "u4" | "steps";
+  shape: number[];
+  step?: number;
+  at: number;
+}
+
+export interface Header {
+  format: number;
+  title: string;
+  samples: number;
+  liftOff: number | null;
+  bodies: Body[];
+  sheaves: Sheave[];
+  ropes: Rope[];
+  lugs: Lug[];
+  contacts: Contact[];
+  ground: number | null;
+  /** Time [s], kind and name. */
+  events: [number, string, string][];
+  strokes: Record<string, [number | null, number | null]>;
+  curves: CurveEntry[];
+  arrays: Record<string, ArrayEntry>;
+}

@@ -1,0 +1,183 @@
+/** A recorded lift: where everything is at a time, what every rope carries, what happens when. */
+
+import { Curve, lastNotAfter } from "./curve";
+import type { Header, Rope } from "./format";
+import { hang } from "./hanging";
+import type { Numbers, Unpacked } from "./unpack";
+
+export interface Step {
+  name: string;
+  begin: number;
+  end: number;
+}
+
+/** Straight pieces in which a slack span is drawn. */
+export const HANGING_PIECES = 14;
+/** Spans of a slack rope that hang are at least this share of its longest one. */
+const HANGING_FROM = 0.3;
+
+export class Lift {
+  readonly header: Header;
+  readonly curves: Curve[];
+  readonly steps: Step[];
+  readonly begin: number;
+  readonly end: number;
+  /** Times of the frames [s]. */
+  readonly frameTimes: Float64Array;
+  /** Pose of each body at the present time: x y z, then w x y z. */
+  readonly poses: Float64Array;
+  readonly sheaveAngles: Float64Array;
+  readonly contactForces: Float64Array;
+  /** All points of the recorded paths at the present time [m]. */
+  readonly path: Float64Array;
+  readonly tensions: Float64Array;
+  private readonly arrays: Map<string, Numbers>;
+  private readonly tensionCurves: Curve[];
+  private readonly chord = new Float64Array(4096);
+
+  constructor({ header, arrays }: Unpacked) {
+    this.header = header;
+    this.arrays = arrays;
+    const time = arrays.get("time") as Float64Array;
+    this.begin = time[0] ?? 0;
+    this.end = time[time.length - 1] ?? 0;
+    this.frameTimes = Float64Array.from(arrays.get("frames") as Uint32Array, (sample) => time[sample]!);
+    const samples = (arrays.get("curve_sample") as Uint32Array | undefined) ?? new Uint32Array();
+    const values = (arrays.get("curve_value") as Float32Array | undefined) ?? new Float32Array();
+    this.curves = header.curves.map((entry) => new Curve(entry, time, samples, values));
+    this.steps = stepsOf(header, this.end);
+    const byName = new Map(this.group("tension").map((curve) => [curve.entry.name, curve]));
+    this.tensionCurves = header.ropes.map((rope) => byName.get(rope.name)!);
+    this.poses = new Float64Array(7 * header.bodies.length);
+    this.sheaveAngles = new Float64Array(header.sheaves.length);
+    this.contactForces = new Float64Array(header.contacts.length);
+    this.path = new Float64Array(3 * (header.arrays.path?.shape[1] ?? 0));
+    this.tensions = new Float64Array(header.ropes.length);
+    this.seek(this.begin);
+  }
+
+  /** Curves of a plot. */
+  group(name: string): Curve[] {
+    return this.curves.filter((curve) => curve.entry.group === name);
+  }
+
+  array(name: string): Numbers | undefined {
+    return this.arrays.get(name);
+  }
+
+  /** Largest tension of any rope [N]. */
+  get largestTension(): number {
+    return this.header.ropes.reduce((most, rope) => Math.max(most, rope.peak), 0);
+  }
+
+  /** Put everything where it is at a time: between frames on straight lines. */
+  seek(time: number): void {
+    const frame = lastNotAfter(this.frameTimes, time);
+    const next = Math.min(frame + 1, this.frameTimes.length - 1);
+    const from = this.frameTimes[frame] ?? 0;
+    const span = (this.frameTimes[next] ?? 0) - from;
+    const share = span > 0 ? Math.min(1, Math.max(0, (time - from) / span)) : 0;
+    this.between("path", frame, next, share, this.path);
+    this.between("sheave_angle", frame, next, share, this.sheaveAngles);
+    this.between("contact_force", frame, next, share, this.contactForces);
+    const bodies = this.header.bodies.length;
+    const places = this.between("position", frame, next, share, new Float64Array(3 * bodies));
+    const turns = this.between("turn", frame, next, share, new Float64Array(4 * bodies));
+    for (let body = 0; body < bodies; body++) {
+      this.poses.set(places.subarray(3 * body, 3 * body + 3), 7 * body);
+      const turn = turns.subarray(4 * body, 4 * body + 4);
+      const size = Math.hypot(...turn) || 1;
+      for (let part = 0; part < 4; part++) this.poses[7 * body + 3 + part] = turn[part]! / size;
+    }
+    for (let rope = 0; rope < this.tensions.length; rope++)
+      this.tensions[rope] = 1e3 * this.tensionCurves[rope]!.at(time);
+  }
+
+  private between(name: string, frame: number, next: number, share: number, out: Float64Array): Float64Array {
+    const array = this.arrays.get(name);
+    if (!array) return out;
+    const step = this.header.arrays[name]!.step ?? 1;
+    const width = out.length;
+    for (let place = 0; place < width; place++) {
+      const begin = array[frame * width + place]!;
+      out[place] = step * (begin + share * (array[next * width + place]! - begin));
+    }
+    return out;
+  }
+
+  /** Whether a rope is drawn hanging: it carries nothing and is longer than its way. */
+  hangs(index: number): boolean {
+    const rope = this.header.ropes[index]!;
+    return (
+      rope.length !== null && this.tensions[index]! <= 0 && rope.length > this.lengthOf(rope) * (1 + 1e-6)
+    );
+  }
+
+  /** Length of a rope's recorded path at the present time [m]. */
+  lengthOf(rope: Rope): number {
+    let length = 0;
+    for (let piece = 0; piece + 1 < rope.count; piece++) length += this.pieceLength(rope.first + piece);
+    return length;
+  }
+
+  /**
+   * The path of a rope as it is drawn at the present time: the recorded one; of a slack rope its long straight
+   * spans hang, each by its share of what is too much.
+   *
+   * @returns Its points, x y z after each other; valid until the next call.
+   */
+  drawnPath(index: number): Float64Array {
+    const rope = this.header.ropes[index]!;
+    const recorded = this.path.subarray(3 * rope.first, 3 * (rope.first + rope.count));
+    if (!this.hangs(index)) return recorded;
+    let longest = 0;
+    for (let piece = 0; piece + 1 < rope.count; piece++)
+      longest = Math.max(longest, this.pieceLength(rope.first + piece));
+    let hanging = 0;
+    for (let piece = 0; piece + 1 < rope.count; piece++) {
+      const length = this.pieceLength(rope.first + piece);
+      if (length >= HANGING_FROM * longest) hanging += length;
+    }
+    const factor = 1 + (rope.length! - this.lengthOf(rope)) / hanging;
+    const out = this.room(3 * (HANGING_PIECES * rope.count + 1));
+    let size = 0;
+    for (let piece = 0; piece + 1 < rope.count; piece++) {
+      const from = this.point(rope.first + piece);
+      const length = this.pieceLength(rope.first + piece);
+      const to = this.point(rope.first + piece + 1);
+      if (length < HANGING_FROM * longest) {
+        out.set(from, size);
+        size += 3;
+      } else {
+        hang(out, size, from, to, factor * length, HANGING_PIECES, Math.min(from[2], to[2]));
+        size += 3 * HANGING_PIECES;
+      }
+    }
+    out.set(this.point(rope.first + rope.count - 1), size);
+    return out.subarray(0, size + 3);
+  }
+
+  private room(size: number): Float64Array {
+    return this.chord.length >= size ? this.chord : new Float64Array(size);
+  }
+
+  private point(place: number): [number, number, number] {
+    return [this.path[3 * place]!, this.path[3 * place + 1]!, this.path[3 * place + 2]!];
+  }
+
+  private pieceLength(place: number): number {
+    const at = 3 * place;
+    return Math.hypot(
+      this.path[at + 3]! - this.path[at]!,
+      this.path[at + 4]! - this.path[at + 1]!,
+      this.path[at + 5]! - this.path[at + 2]!,
+    );
+  }
+}
+
+function stepsOf(header: Header, end: number): Step[] {
+  const begins = header.events.filter(([, kind]) => kind === "step_begin");
+  return begins
+    .map(([begin, , name], place) => ({ name, begin, end: begins[place + 1]?.[0] ?? end }))
+    .filter((step) => step.end > step.begin);
+}

@@ -1,0 +1,64 @@
+/** What the pinned rope carries: now, at most, of its strength, and its curve. */
+
+import { Chart } from "../chart/chart";
+import { shown } from "../chart/scale";
+import { element, ICONS } from "../dom";
+import { button } from "./bar";
+import type { Session } from "./session";
+
+export class Pinned {
+  readonly root = element("section", { class: "gl-pinned", hidden: true, "aria-label": "Pinned rope" });
+  private readonly value = element("strong", { class: "gl-pinned-value" });
+  private chart: Chart | null = null;
+  private text = "";
+
+  constructor(private readonly session: Session) {
+    session.on("pin", () => this.show());
+    session.on("time", () => this.showValue());
+  }
+
+  private show(): void {
+    const rope = this.session.lift.header.ropes.find((one) => one.name === this.session.pinned);
+    this.root.hidden = !rope;
+    this.chart?.remove();
+    this.chart = null;
+    this.root.replaceChildren();
+    if (!rope) return;
+    const lug = this.session.lift.header.lugs.find((one) => one.rope === rope.name);
+    const close = button("Let go of this rope", ICONS.close, () => this.session.pin(null));
+    const share = rope.strength
+      ? `, ${shown((100 * rope.peak) / rope.strength, 1)} % of its minimum breaking force`
+      : "";
+    const about = `at most ${shown(rope.peak / 1e3, 1)} kN at ${shown(rope.peakTime, 2)} s${share}`;
+    const head = element(
+      "div",
+      { class: "gl-pinned-head" },
+      element("span", { class: "gl-pinned-name" }, rope.name, lug ? ` at lug ${lug.name}` : ""),
+      this.value,
+      element("span", { class: "gl-quiet" }, about),
+      close,
+    );
+    const holder = element("div");
+    this.root.append(head, holder);
+    const spec = {
+      title: `Tension of ${rope.name}`,
+      groups: ["tension"],
+      only: rope.name,
+      unit: "kN",
+      height: 150,
+    };
+    this.chart = new Chart(this.session, spec, holder);
+    this.text = "";
+    this.showValue();
+  }
+
+  private showValue(): void {
+    const { lift, pinned, time } = this.session;
+    const curve = lift.group("tension").find((one) => one.entry.name === pinned);
+    if (!curve) return;
+    const text = `${shown(curve.at(time), 1)} kN`;
+    if (text === this.text) return;
+    this.text = text;
+    this.value.textContent = text;
+  }
+}

@@ -1,0 +1,166 @@
+/** What the player and all plots of a page share: time, playing, the pinned rope, the span that is shown. */
+
+import type { Lift } from "../data/lift";
+
+export type Topic = "time" | "play" | "pin" | "span" | "hover" | "hidden";
+
+/** Speeds that can be chosen, of real time. */
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20] as const;
+
+/** Events between which one steps; the rest comes too often to be of use. */
+const NOTABLE = [
+  "step_begin",
+  "lift_off",
+  "set_down",
+  "cut",
+  "broken",
+  "stop_hit",
+  "pin_pulled",
+  "pin_put_in",
+];
+
+export class Session {
+  time: number;
+  playing = false;
+  speed = 1;
+  loop = false;
+  pinned: string | null = null;
+  /** Time under the pointer in a plot [s]. */
+  hover: number | null = null;
+  span: [number, number];
+  /** Curves that are switched off, by plot and name. */
+  readonly hidden = new Set<string>();
+  private readonly listeners = new Map<Topic, (() => void)[]>();
+  private last: number | null = null;
+
+  constructor(readonly lift: Lift) {
+    this.time = lift.begin;
+    this.span = [lift.begin, lift.end];
+    this.speed = usualSpeed(lift.end - lift.begin);
+  }
+
+  /** Call back after every change of a topic; what is returned ends that. */
+  on(topic: Topic, listener: () => void): () => void {
+    this.listeners.set(topic, [...(this.listeners.get(topic) ?? []), listener]);
+    return () =>
+      this.listeners.set(
+        topic,
+        this.listeners.get(topic)!.filter((one) => one !== listener),
+      );
+  }
+
+  private tell(topic: Topic): void {
+    for (const listener of this.listeners.get(topic) ?? []) listener();
+  }
+
+  seek(time: number): void {
+    const bounded = Math.min(this.lift.end, Math.max(this.lift.begin, time));
+    if (bounded === this.time || !Number.isFinite(bounded)) return;
+    this.time = bounded;
+    this.tell("time");
+  }
+
+  play(): void {
+    if (this.playing || this.lift.end <= this.lift.begin) return;
+    if (this.time >= this.lift.end) this.seek(this.lift.begin);
+    this.playing = true;
+    this.last = null;
+    this.tell("play");
+  }
+
+  pause(): void {
+    if (!this.playing) return;
+    this.playing = false;
+    this.tell("play");
+  }
+
+  toggle(): void {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  /** Go on by what has passed since the last call [ms of the browser's clock]. */
+  advance(now: number): void {
+    if (!this.playing) return;
+    // After a pause of the browser the lift goes on from where it was.
+    const passed = this.last === null ? 0 : Math.min(0.25, (now - this.last) / 1000);
+    this.last = now;
+    const next = this.time + this.speed * passed;
+    if (next < this.lift.end) this.seek(next);
+    else if (this.loop) this.seek(this.lift.begin);
+    else {
+      this.seek(this.lift.end);
+      this.pause();
+    }
+  }
+
+  setSpeed(speed: number): void {
+    if (!(speed > 0) || !Number.isFinite(speed)) return;
+    this.speed = speed;
+    this.tell("play");
+  }
+
+  setLoop(loop: boolean): void {
+    this.loop = loop;
+    this.tell("play");
+  }
+
+  pin(name: string | null): void {
+    const known = this.lift.header.ropes.some((rope) => rope.name === name);
+    this.pinned = known ? name : null;
+    this.tell("pin");
+  }
+
+  pointAt(time: number | null): void {
+    this.hover = time;
+    this.tell("hover");
+  }
+
+  show(begin: number, end: number): void {
+    const low = Math.max(this.lift.begin, Math.min(begin, end));
+    const high = Math.min(this.lift.end, Math.max(begin, end));
+    if (!(high - low > 1e-6 * (this.lift.end - this.lift.begin))) return;
+    this.span = [low, high];
+    this.tell("span");
+  }
+
+  showAll(): void {
+    this.show(this.lift.begin, this.lift.end);
+  }
+
+  toggleHidden(key: string): void {
+    if (!this.hidden.delete(key)) this.hidden.add(key);
+    this.tell("hidden");
+  }
+
+  /** Times of notable events, each once. */
+  notable(): { time: number; text: string }[] {
+    const found = new Map<number, string>();
+    for (const [time, kind, name] of this.lift.header.events) {
+      if (!NOTABLE.includes(kind) || time < this.lift.begin || time > this.lift.end) continue;
+      const text = kind === "step_begin" ? name : `${words(kind)} ${name}`;
+      found.set(time, found.has(time) ? `${found.get(time)}, ${text}` : text);
+    }
+    return [...found].map(([time, text]) => ({ time, text })).sort((a, b) => a.time - b.time);
+  }
+
+  /** Go to the next or the last notable event. */
+  jump(forward: boolean): void {
+    const times = this.notable().map((event) => event.time);
+    const slack = 1e-6 * (this.lift.end - this.lift.begin);
+    const next = forward
+      ? times.find((time) => time > this.time + slack)
+      : times.reverse().find((time) => time < this.time - slack);
+    this.seek(next ?? (forward ? this.lift.end : this.lift.begin));
+  }
+}
+
+/** A kind of event in words. */
+export function words(kind: string): string {
+  return kind.replaceAll("_", " ");
+}
+
+/** The slowest speed at which a lift takes no more than a minute. */
+export function usualSpeed(duration: number): number {
+  return SPEEDS.find((speed) => speed >= 1 && duration / speed <= 60) ?? SPEEDS[SPEEDS.length - 1]!;
+}

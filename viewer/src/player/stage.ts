@@ -1,0 +1,224 @@
+/** The drawing with what lies on it: views, legend, names, switches; it draws when something has changed. */
+
+import { shown } from "../chart/scale";
+import { element, set } from "../dom";
+import { Cameras, type View } from "../scene/cameras";
+import { Labels } from "../scene/labels";
+import { ropeAt } from "../scene/picking";
+import { World } from "../scene/world";
+import { onTheme, paletteOf, rampGradient } from "../theme";
+import type { Session } from "./session";
+
+const SLOW = 60; // ms between frames from which ropes are drawn in the cheap style
+const TITLES: Record<View, string> = {
+  orbit: "Whole lift (1)",
+  side: "From the side (2)",
+  top: "From above (3)",
+  hook: "At the hook (4)",
+  load: "At the load (5)",
+};
+
+export class Stage {
+  readonly root = element("div", { class: "gl-stage" });
+  readonly canvas = element("canvas", {
+    class: "gl-canvas",
+    role: "img",
+    "aria-label": "The lift, drawn to scale",
+  });
+  readonly world: World;
+  readonly cameras: Cameras;
+  private readonly labels: Labels;
+  private readonly views = new Map<View, HTMLButtonElement>();
+  private readonly ramp = element("div", { class: "gl-ramp" });
+  private readonly step = element("div", { class: "gl-step-now" });
+  private readonly cheapSign: HTMLButtonElement;
+  private needsDrawing = true;
+  private withValues = true;
+  private width = 640;
+  private height = 360;
+  private lastFrame = 0;
+  private frameTimes: number[] = [];
+  /** Frames drawn so far, and the mean time between the last ones while playing [ms]. */
+  readonly measured = { count: 0, frame: 0 };
+
+  constructor(private readonly session: Session) {
+    const { lift } = session;
+    this.root.append(this.canvas);
+    let palette = paletteOf("light");
+    this.world = new World(lift, this.canvas, palette);
+    this.cameras = new Cameras(this.world, lift, this.canvas, () => this.redraw());
+    this.labels = new Labels(lift, this.world);
+    this.cheapSign = this.toggle("Lines", "Thin ropes, faster to draw", this.world.isCheap, (on) =>
+      this.setCheap(on),
+    );
+    this.root.append(this.labels.root, this.viewButtons(), this.legend(), this.step, this.switches());
+    set(this.canvas, { tabindex: 0 });
+    onTheme((theme) => {
+      palette = paletteOf(theme);
+      this.world.setPalette(palette);
+      this.ramp.style.background = rampGradient(palette);
+      this.redraw();
+    });
+    new ResizeObserver(() => this.fit()).observe(this.root);
+    this.fit();
+    this.showView("orbit");
+    this.listen();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  redraw(): void {
+    this.needsDrawing = true;
+  }
+
+  showView(view: View): void {
+    this.cameras.show(view);
+    for (const [name, button] of this.views)
+      set(button, { "aria-pressed": String(name === this.cameras.view) });
+    this.redraw();
+  }
+
+  /** A picture of what is drawn now, as PNG. */
+  picture(): string {
+    this.draw();
+    return this.canvas.toDataURL("image/png");
+  }
+
+  private viewButtons(): HTMLElement {
+    const holder = element("div", { class: "gl-views", role: "group", "aria-label": "Views" });
+    for (const view of this.cameras.available()) {
+      const made = element("button", { type: "button", class: "gl-chip", title: TITLES[view] }, view);
+      made.addEventListener("click", () => this.showView(view));
+      this.views.set(view, made);
+      holder.append(made);
+    }
+    return holder;
+  }
+
+  private legend(): HTMLElement {
+    const most = this.session.lift.largestTension / 1e3;
+    const scale = element(
+      "div",
+      { class: "gl-scale" },
+      "0",
+      element("span", {}, `${shown(most / 2, 0)}`),
+      `${shown(most, 0)} kN`,
+    );
+    const slack = element("div", { class: "gl-slack" }, element("span", { class: "gl-slack-line" }), "slack");
+    return element(
+      "div",
+      { class: "gl-ramp-box" },
+      element("div", { class: "gl-ramp-title" }, "Rope tension"),
+      this.ramp,
+      scale,
+      slack,
+    );
+  }
+
+  private switches(): HTMLElement {
+    const holder = element("div", { class: "gl-switches", role: "group", "aria-label": "What is shown" });
+    const names = this.toggle("Names", "Names of slings, hooks and loads (N)", true, (on) => {
+      this.labels.root.hidden = !on;
+    });
+    const arrows = this.toggle("Forces", "Arrows of tensions and of support forces (F)", true, (on) => {
+      this.world.arrows.mesh.visible = on;
+    });
+    holder.append(names, arrows, this.cheapSign);
+    this.root.addEventListener("keydown", (event) => {
+      const made = { n: names, f: arrows }[event.key.toLowerCase()];
+      if (made && !event.ctrlKey && !event.metaKey) made.click();
+    });
+    return holder;
+  }
+
+  private toggle(text: string, title: string, isOn: boolean, act: (on: boolean) => void): HTMLButtonElement {
+    const made = element(
+      "button",
+      { type: "button", class: "gl-chip", title, "aria-pressed": String(isOn) },
+      text,
+    );
+    made.addEventListener("click", () => {
+      const on = made.getAttribute("aria-pressed") !== "true";
+      set(made, { "aria-pressed": String(on) });
+      act(on);
+      this.redraw();
+    });
+    return made;
+  }
+
+  private setCheap(isCheap: boolean): void {
+    this.world.setCheap(isCheap);
+    set(this.cheapSign, { "aria-pressed": String(isCheap) });
+    this.fit();
+  }
+
+  private fit(): void {
+    this.width = Math.max(1, this.root.clientWidth);
+    this.height = Math.max(1, this.root.clientHeight);
+    // Names with values need room.
+    this.withValues = this.width >= 560;
+    this.world.resize(this.width, this.height);
+    this.redraw();
+  }
+
+  private listen(): void {
+    this.session.on("time", () => this.redraw());
+    this.session.on("pin", () => this.redraw());
+    let pressed: [number, number] | null = null;
+    this.canvas.addEventListener("pointerdown", (event) => {
+      pressed = [event.clientX, event.clientY];
+    });
+    this.canvas.addEventListener("pointerup", (event) => {
+      const isClick = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 5;
+      pressed = null;
+      if (isClick) this.session.pin(this.ropeUnder(event));
+    });
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (event.buttons === 0) this.canvas.style.cursor = this.ropeUnder(event) ? "pointer" : "grab";
+    });
+  }
+
+  private ropeUnder(event: PointerEvent): string | null {
+    const box = this.canvas.getBoundingClientRect();
+    return ropeAt(
+      this.world,
+      this.session.lift,
+      event.clientX - box.left,
+      event.clientY - box.top,
+      this.width,
+      this.height,
+    );
+  }
+
+  /** One frame of the browser: go on, and draw if anything has changed. */
+  private tick(now: number): void {
+    requestAnimationFrame((next) => this.tick(next));
+    this.session.advance(now);
+    if (!this.needsDrawing) return;
+    this.needsDrawing = false;
+    this.draw();
+    if (this.session.playing) this.measure(now);
+    else this.lastFrame = 0;
+  }
+
+  private draw(): void {
+    const { lift, time } = this.session;
+    lift.seek(time);
+    this.cameras.follow();
+    this.world.draw(this.session.pinned);
+    this.labels.update(this.width, this.height, this.withValues);
+    const step = lift.steps.find((one) => time >= one.begin && time < one.end);
+    const text = step?.name ?? "";
+    if (this.step.textContent !== text) this.step.textContent = text;
+  }
+
+  /** Where frames come slowly, ropes become thin lines. */
+  private measure(now: number): void {
+    this.measured.count += 1;
+    if (this.lastFrame > 0 && now - this.lastFrame < 1000) this.frameTimes.push(now - this.lastFrame);
+    this.lastFrame = now;
+    if (this.frameTimes.length < 12) return;
+    this.measured.frame = this.frameTimes.reduce((sum, one) => sum + one, 0) / this.frameTimes.length;
+    this.frameTimes = [];
+    if (this.measured.frame > SLOW && !this.world.isCheap) this.setCheap(true);
+  }
+}

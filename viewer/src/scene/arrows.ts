@@ -1,0 +1,85 @@
+/** Arrows of forces: supports push up at contacts, slings pull at their lower ends. */
+
+import { Color, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3 } from "three";
+import type { Lift } from "../data/lift";
+import { type Palette, rampInto } from "../theme";
+import { arrowGeometry } from "./solids";
+
+const LENGTH = 0.2; // of the size of the scene, for the largest force
+const Z = new Vector3(0, 0, 1);
+
+export class Arrows {
+  readonly mesh: InstancedMesh;
+  private readonly slings: number[];
+  private readonly largest: number;
+  private readonly rgb = new Float32Array(3);
+
+  constructor(
+    private readonly lift: Lift,
+    private readonly origin: readonly [number, number, number],
+    private readonly size: number,
+  ) {
+    const { ropes, contacts, lugs } = lift.header;
+    const held = new Set(lugs.map((lug) => lug.rope));
+    this.slings = ropes.map((_, index) => index).filter((index) => held.has(ropes[index]!.name));
+    this.largest = Math.max(1, ...this.slings.map((index) => ropes[index]!.peak));
+    const count = Math.max(1, contacts.length + this.slings.length);
+    this.mesh = new InstancedMesh(arrowGeometry(), new MeshBasicMaterial(), count);
+    this.mesh.frustumCulled = false;
+    this.mesh.count = 0;
+  }
+
+  update(palette: Palette, tensionScale: number): void {
+    this.mesh.count = 0;
+    COLOUR.set(palette.contact);
+    this.lift.header.contacts.forEach((contact, index) => {
+      const body = this.lift.header.bodies[contact.body]!;
+      const pose = this.lift.poses.subarray(7 * contact.body, 7 * contact.body + 7);
+      FROM.set(contact.at[0] - body.cog[0], contact.at[1] - body.cog[1], contact.at[2] - body.cog[2]);
+      FROM.applyQuaternion(TURN.set(pose[4]!, pose[5]!, pose[6]!, pose[3]!));
+      FROM.set(FROM.x + pose[0]!, FROM.y + pose[1]!, FROM.z + pose[2]!);
+      WAY.copy(Z);
+      // It ends where it pushes.
+      this.add(this.lift.contactForces[index]!, true, LENGTH * this.size);
+    });
+    for (const index of this.slings) {
+      const tension = this.lift.tensions[index]!;
+      if (tension <= 0) continue;
+      const path = this.lift.drawnPath(index);
+      const last = path.length - 3;
+      FROM.set(path[last]!, path[last + 1]!, path[last + 2]!);
+      WAY.set(path[last - 3]! - FROM.x, path[last - 2]! - FROM.y, path[last - 1]! - FROM.z).normalize();
+      rampInto(palette, tension / tensionScale, this.rgb, 0);
+      COLOUR.setRGB(this.rgb[0]!, this.rgb[1]!, this.rgb[2]!);
+      // It stays within its sling.
+      const reach = Math.hypot(
+        path[last]! - path[0]!,
+        path[last + 1]! - path[1]!,
+        path[last + 2]! - path[2]!,
+      );
+      this.add(tension, false, Math.min(LENGTH * this.size, 0.45 * reach));
+    }
+    this.mesh.instanceMatrix.needsUpdate = true;
+    if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
+  }
+
+  /** An arrow of a force along `WAY`, which begins (or ends) at `FROM`; the largest force has the longest. */
+  private add(force: number, endsThere: boolean, longest: number): void {
+    if (!(force > 0.005 * this.largest)) return;
+    const length = longest * Math.min(1.2, force / this.largest);
+    if (endsThere) FROM.addScaledVector(WAY, -length);
+    FROM.set(FROM.x - this.origin[0], FROM.y - this.origin[1], FROM.z - this.origin[2]);
+    const thickness = Math.min(0.16 * this.size, 0.9 * length);
+    PLACED.compose(FROM, TURN.setFromUnitVectors(Z, WAY), SCALE.set(thickness, thickness, length));
+    this.mesh.setMatrixAt(this.mesh.count, PLACED);
+    this.mesh.setColorAt(this.mesh.count, COLOUR);
+    this.mesh.count += 1;
+  }
+}
+
+const FROM = new Vector3();
+const WAY = new Vector3();
+const SCALE = new Vector3();
+const TURN = new Quaternion();
+const COLOUR = new Color();
+const PLACED = new Matrix4();

@@ -1,0 +1,194 @@
+/** Loads, frames, hooks, sheaves and whatever else has a shape, put where the lift has them. */
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  EdgesGeometry,
+  Group,
+  InstancedMesh,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  type Object3D,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+} from "three";
+import type { Body } from "../data/format";
+import type { Lift } from "../data/lift";
+import type { Palette } from "../theme";
+import { geometryOf, hookGeometry, sheaveGeometry } from "./solids";
+
+const CREASE = 25; // degrees between faces from which an edge is drawn
+const MANY_SHEAVES = 40;
+const Z = new Vector3(0, 0, 1);
+
+/** Frames are seen through: ropes and sheaves run inside. */
+const OPACITY: Record<string, number> = { frame: 0.45 };
+
+export class Bodies {
+  readonly group = new Group();
+  /** One for each body, whose frame is that of the body at its centre of gravity. */
+  readonly holders: Object3D[];
+  private readonly materials = new Map<string, MeshLambertMaterial>();
+  private readonly edges = new LineBasicMaterial({ transparent: true, opacity: 0.75 });
+  private readonly shadow = new MeshBasicMaterial({ transparent: true, opacity: 0.13, depthWrite: false });
+  private readonly shadows: { mesh: Mesh; body: number }[] = [];
+  private readonly sheaves: InstancedMesh | null;
+
+  constructor(
+    private readonly lift: Lift,
+    private readonly origin: readonly [number, number, number],
+    private readonly size: number,
+  ) {
+    this.holders = lift.header.bodies.map((body, index) => this.holder(body, index));
+    this.group.add(...this.holders);
+    const count = lift.header.sheaves.length;
+    this.sheaves =
+      count > 0
+        ? new InstancedMesh(sheaveGeometry(count > MANY_SHEAVES), this.material("sheave"), count)
+        : null;
+    if (this.sheaves) {
+      this.sheaves.frustumCulled = false;
+      this.group.add(this.sheaves);
+    }
+    this.addLugs();
+  }
+
+  private material(kind: string): MeshLambertMaterial {
+    let found = this.materials.get(kind);
+    if (!found) {
+      const opacity = OPACITY[kind] ?? 1;
+      found = new MeshLambertMaterial({
+        opacity,
+        transparent: opacity < 1,
+        depthWrite: opacity === 1,
+        side: DoubleSide,
+        polygonOffset: true,
+        polygonOffsetFactor: 1,
+        polygonOffsetUnits: 1,
+      });
+      this.materials.set(kind, found);
+    }
+    return found;
+  }
+
+  private holder(body: Body, index: number): Object3D {
+    const holder = new Group();
+    const [x, y, z] = body.cog;
+    const geometry = this.shapeOf(body);
+    if (geometry) {
+      geometry.translate(-x, -y, -z);
+      holder.add(new Mesh(geometry, this.material(kindOf(body))));
+      holder.add(new LineSegments(new EdgesGeometry(geometry, CREASE), this.edges));
+      if (body.kind === "load" && this.lift.header.ground !== null) {
+        const mesh = new Mesh(geometry, this.shadow);
+        mesh.matrixAutoUpdate = false;
+        mesh.frustumCulled = false;
+        this.shadows.push({ mesh, body: index });
+        this.group.add(mesh);
+      }
+    }
+    if (body.kind === "frame" && body.shape?.type === "box") holder.add(this.hangers(body));
+    return holder;
+  }
+
+  private shapeOf(body: Body): BufferGeometry | null {
+    if (body.shape) return geometryOf(body.shape, this.lift);
+    if (body.kind === "hook") return hookGeometry().scale(...cube(0.055 * this.size));
+    const hasSheave = this.lift.header.sheaves.some(
+      (sheave) => this.lift.header.bodies[sheave.body] === body,
+    );
+    return hasSheave ? null : new SphereGeometry(0.008 * this.size, 16, 10);
+  }
+
+  /** Lines from the bearing of its hook to the upper edge of a frame. */
+  private hangers(body: Body): LineSegments {
+    const shape = body.shape as { size: number[]; centre: number[] };
+    const top = shape.centre[2]! + shape.size[2]! / 2;
+    const points: number[] = [];
+    for (const end of [-0.36, 0.36])
+      points.push(0, 0, 0, shape.centre[0]! + end * shape.size[0]!, shape.centre[1]!, top);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+    geometry.translate(-body.cog[0], -body.cog[1], -body.cog[2]);
+    return new LineSegments(geometry, this.edges);
+  }
+
+  private addLugs(): void {
+    const radius = 0.0055 * this.size;
+    const geometry = new SphereGeometry(radius, 14, 10);
+    for (const lug of this.lift.header.lugs) {
+      const mesh = new Mesh(geometry, this.material("lug"));
+      const cog = this.lift.header.bodies[lug.body]!.cog;
+      mesh.position.set(lug.at[0] - cog[0], lug.at[1] - cog[1], lug.at[2] - cog[2]);
+      this.holders[lug.body]!.add(mesh);
+    }
+  }
+
+  setPalette(palette: Palette): void {
+    for (const [kind, material] of this.materials)
+      material.color.set((palette as unknown as Record<string, number>)[kind] ?? palette.load);
+    this.edges.color.set(palette.edge);
+    this.shadow.color.set(palette.shadow);
+  }
+
+  /** Cheap: without edges and seen-through faces. */
+  setCheap(isCheap: boolean): void {
+    this.edges.opacity = isCheap ? 1 : 0.75;
+    this.edges.transparent = !isCheap;
+  }
+
+  update(): void {
+    const poses = this.lift.poses;
+    const [ox, oy, oz] = this.origin;
+    this.holders.forEach((holder, body) => {
+      const at = 7 * body;
+      holder.position.set(poses[at]! - ox, poses[at + 1]! - oy, poses[at + 2]! - oz);
+      holder.quaternion.set(poses[at + 4]!, poses[at + 5]!, poses[at + 6]!, poses[at + 3]!);
+      holder.updateMatrix();
+    });
+    this.turnSheaves();
+    const level = (this.lift.header.ground ?? 0) - oz + 0.0008 * this.size;
+    for (const { mesh, body } of this.shadows) {
+      FLAT.makeScale(1, 1, 0).setPosition(0, 0, level);
+      mesh.matrix.multiplyMatrices(FLAT, this.holders[body]!.matrix);
+      mesh.matrixWorldNeedsUpdate = true;
+    }
+  }
+
+  private turnSheaves(): void {
+    if (!this.sheaves) return;
+    this.lift.header.sheaves.forEach((sheave, index) => {
+      const cog = this.lift.header.bodies[sheave.body]!.cog;
+      PLACE.set(sheave.centre[0] - cog[0], sheave.centre[1] - cog[1], sheave.centre[2] - cog[2]);
+      AXIS.fromArray(sheave.axis).normalize();
+      TURN.setFromUnitVectors(Z, AXIS);
+      SPIN.setFromAxisAngle(Z, this.lift.sheaveAngles[index]!);
+      LOCAL.compose(PLACE, TURN.multiply(SPIN), SCALE.setScalar(sheave.radius));
+      LOCAL.premultiply(this.holders[sheave.body]!.matrix);
+      this.sheaves!.setMatrixAt(index, LOCAL);
+    });
+    this.sheaves.instanceMatrix.needsUpdate = true;
+  }
+}
+
+const FLAT = new Matrix4();
+const LOCAL = new Matrix4();
+const PLACE = new Vector3();
+const AXIS = new Vector3();
+const SCALE = new Vector3();
+const TURN = new Quaternion();
+const SPIN = new Quaternion();
+
+function kindOf(body: Body): string {
+  return ["load", "frame", "hook"].includes(body.kind) ? body.kind : "other";
+}
+
+function cube(size: number): [number, number, number] {
+  return [size, size, size];
+}

@@ -1,0 +1,105 @@
+/** Geometry of what has a body: boxes, meshes, convex hulls, sheaves, hooks, arrows. */
+
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  ConeGeometry,
+  CylinderGeometry,
+  ExtrudeGeometry,
+  Shape as Outline,
+  Path,
+  Vector3,
+} from "three";
+import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import type { Box, Shape } from "../data/format";
+import type { Lift } from "../data/lift";
+
+/** Geometry of a shape in the frame of its body. */
+export function geometryOf(shape: Shape, lift: Lift): BufferGeometry {
+  if (shape.type === "box") return boxGeometry(shape);
+  if (shape.type === "boxes") return merged(shape.boxes.map(boxGeometry));
+  const vertices = lift.array(`${shape.arrays}.vertices`) as Float32Array;
+  if (shape.type === "convex") {
+    const points: Vector3[] = [];
+    for (let at = 0; at < vertices.length; at += 3) points.push(new Vector3().fromArray(vertices, at));
+    return new ConvexGeometry(points);
+  }
+  const indexed = new BufferGeometry();
+  indexed.setAttribute("position", new BufferAttribute(Float32Array.from(vertices), 3));
+  indexed.setIndex(
+    new BufferAttribute(Uint32Array.from(lift.array(`${shape.arrays}.faces`) as Uint32Array), 1),
+  );
+  const flat = indexed.toNonIndexed();
+  flat.computeVertexNormals();
+  return flat;
+}
+
+/** Corners of the box around a shape, in the frame of its body, x y z after each other [m]. */
+export function cornersOf(shape: Shape, lift: Lift): number[] {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  const hold = (axis: number, from: number, to: number) => {
+    low[axis] = Math.min(low[axis]!, from);
+    high[axis] = Math.max(high[axis]!, to);
+  };
+  if (shape.type === "box" || shape.type === "boxes") {
+    for (const { size, centre } of shape.type === "box" ? [shape] : shape.boxes)
+      for (let axis = 0; axis < 3; axis++)
+        hold(axis, centre[axis]! - size[axis]! / 2, centre[axis]! + size[axis]! / 2);
+  } else {
+    const vertices = lift.array(`${shape.arrays}.vertices`) as Float32Array;
+    vertices.forEach((part, place) => {
+      hold(place % 3, part, part);
+    });
+  }
+  const corners: number[] = [];
+  for (const x of [low[0]!, high[0]!])
+    for (const y of [low[1]!, high[1]!]) for (const z of [low[2]!, high[2]!]) corners.push(x, y, z);
+  return corners;
+}
+
+function boxGeometry(box: Box): BufferGeometry {
+  return new BoxGeometry(...box.size).translate(...box.centre);
+}
+
+/** A sheave of radius 1 about z, with five holes that show how it turns; of many each is drawn plainly. */
+export function sheaveGeometry(isOneOfMany: boolean): BufferGeometry {
+  const rim = new Outline().absarc(0, 0, 0.98, 0, 2 * Math.PI, false);
+  for (let hole = 0; hole < 5; hole++) {
+    const angle = (2 * Math.PI * hole) / 5;
+    const opening = new Path();
+    opening.absarc(0.57 * Math.cos(angle), 0.57 * Math.sin(angle), 0.21, 0, 2 * Math.PI, true);
+    rim.holes.push(opening);
+  }
+  const depth = 0.22;
+  const disc = new ExtrudeGeometry(rim, { depth, bevelEnabled: false, curveSegments: isOneOfMany ? 4 : 20 });
+  disc.translate(0, 0, -depth / 2);
+  if (isOneOfMany) return disc;
+  const pin = new CylinderGeometry(0.14, 0.14, 0.5, 16).rotateX(Math.PI / 2);
+  return merged([disc, pin]);
+}
+
+/** A hook block of height 1 whose hook bears at the origin. */
+export function hookGeometry(): BufferGeometry {
+  const cheeks = new BoxGeometry(0.42, 0.3, 0.6).translate(0, 0, 0.75);
+  const shank = new CylinderGeometry(0.07, 0.07, 0.3, 12).rotateX(Math.PI / 2).translate(0, 0, 0.35);
+  const bend = new Outline();
+  bend.absarc(0, 0.02, 0.2, (75 * Math.PI) / 180, (395 * Math.PI) / 180, false);
+  bend.absarc(0, 0.02, 0.1, (395 * Math.PI) / 180, (75 * Math.PI) / 180, true);
+  const hook = new ExtrudeGeometry(bend, { depth: 0.1, bevelEnabled: false, curveSegments: 16 });
+  hook.translate(0, 0, -0.05).rotateX(Math.PI / 2);
+  return merged([cheeks, shank, hook]);
+}
+
+/** An arrow of length 1 along z from the origin, thin. */
+export function arrowGeometry(): BufferGeometry {
+  const shaft = new CylinderGeometry(0.022, 0.022, 0.75, 10).rotateX(Math.PI / 2).translate(0, 0, 0.375);
+  const head = new ConeGeometry(0.065, 0.25, 14).rotateX(Math.PI / 2).translate(0, 0, 0.875);
+  return merged([shaft, head]);
+}
+
+function merged(parts: BufferGeometry[]): BufferGeometry {
+  return mergeGeometries(parts.map((part) => (part.index ? part.toNonIndexed() : part)));
+}

@@ -1,0 +1,241 @@
+/** The drawn lift: bodies, ropes, arrows, ground, light; one call draws it as it is at a time. */
+
+import {
+  AmbientLight,
+  BufferAttribute,
+  BufferGeometry,
+  CircleGeometry,
+  Color,
+  ColorManagement,
+  DirectionalLight,
+  Group,
+  LinearSRGBColorSpace,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  PerspectiveCamera,
+  Quaternion,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import type { Lift } from "../data/lift";
+import type { Palette } from "../theme";
+import { Arrows } from "./arrows";
+import { Bodies } from "./bodies";
+import { Ropes } from "./ropes";
+import { cornersOf } from "./solids";
+
+/** Points of ropes from which software begins with the cheap style. */
+const MANY_POINTS = 1500;
+
+export interface Extent {
+  middle: [number, number, number];
+  size: number;
+  low: [number, number, number];
+  high: [number, number, number];
+}
+
+export class World {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(32, 1, 0.1, 4000);
+  readonly extent: Extent;
+  readonly bodies: Bodies;
+  readonly arrows: Arrows;
+  readonly isSoftware: boolean;
+  private readonly renderer: WebGLRenderer;
+  private readonly ropes: Ropes;
+  private readonly ambient = new AmbientLight();
+  private readonly sun = new DirectionalLight();
+  private readonly ground = new Group();
+  private palette: Palette;
+  private cheap = false;
+
+  /** Throws where the browser cannot draw in three dimensions. */
+  constructor(
+    private readonly lift: Lift,
+    canvas: HTMLCanvasElement,
+    palette: Palette,
+  ) {
+    this.isSoftware = rendersInSoftware();
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    // Colours are those of the page, and shall look like them.
+    ColorManagement.enabled = false;
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.palette = palette;
+    this.extent = extentOf(lift);
+    const { middle, size } = this.extent;
+    this.bodies = new Bodies(lift, middle, size);
+    this.ropes = new Ropes(lift, middle);
+    this.arrows = new Arrows(lift, middle, size);
+    this.camera.up.set(0, 0, 1);
+    this.camera.near = size / 500;
+    this.camera.far = size * 40;
+    this.sun.position.set(-0.5, -1, 1.6);
+    this.scene.add(
+      this.bodies.group,
+      this.ropes.group,
+      this.arrows.mesh,
+      this.ground,
+      this.ambient,
+      this.sun,
+    );
+    this.setPalette(palette);
+    this.setCheap(this.isSoftware && lift.path.length / 3 > MANY_POINTS);
+  }
+
+  setPalette(palette: Palette): void {
+    this.palette = palette;
+    this.bodies.setPalette(palette);
+    this.ropes.setPalette(palette);
+    [this.ambient.intensity, this.sun.intensity] = palette.light;
+    this.layGround();
+  }
+
+  get isCheap(): boolean {
+    return this.cheap;
+  }
+
+  setCheap(isCheap: boolean): void {
+    this.cheap = isCheap;
+    this.ropes.setThin(isCheap);
+    this.bodies.setCheap(isCheap);
+  }
+
+  resize(width: number, height: number): void {
+    const ratio = this.cheap ? 1 : Math.min(2, globalThis.devicePixelRatio || 1);
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Draw the lift at its present time. */
+  draw(pinned: string | null): void {
+    const largest = this.lift.largestTension || 1;
+    this.bodies.update();
+    this.ropes.update(this.palette, largest, pinned);
+    if (this.arrows.mesh.visible) this.arrows.update(this.palette, largest);
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Where a point of the lift is on the canvas, in pixels of the page; null behind the camera. */
+  project(x: number, y: number, z: number, width: number, height: number): [number, number] | null {
+    const [ox, oy, oz] = this.extent.middle;
+    POINT.set(x - ox, y - oy, z - oz).project(this.camera);
+    if (POINT.z > 1) return null;
+    return [((POINT.x + 1) / 2) * width, ((1 - POINT.y) / 2) * height];
+  }
+
+  private layGround(): void {
+    this.ground.clear();
+    const level = this.lift.header.ground;
+    if (level === null) return;
+    const { size, middle, low, high } = this.extent;
+    const cell = niceCell(size / 12);
+    const half = Math.ceil(Math.max(high[0] - low[0], high[1] - low[1], 0.8 * size) / cell) * cell * 1.3;
+    const disc = new Mesh(
+      faded(new CircleGeometry(half, 48).toNonIndexed(), this.palette.ground, half, 0.9),
+      new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
+    );
+    disc.renderOrder = -2;
+    disc.position.z = -0.0004 * size;
+    const grid = new LineSegments(
+      faded(gridGeometry(half, cell), this.palette.grid, half, 0.9),
+      new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
+    );
+    grid.renderOrder = -1;
+    this.ground.add(disc, grid);
+    // On whole multiples of the grid, so that its lines are at round numbers.
+    const snap = (value: number) => Math.round(value / cell) * cell - value;
+    this.ground.position.set(snap(middle[0]), snap(middle[1]), level - middle[2]);
+  }
+}
+
+const POINT = new Vector3();
+const TURN = new Quaternion();
+
+/** Lines over a square, cut where they cross, so that each part can fade. */
+function gridGeometry(half: number, cell: number): BufferGeometry {
+  const places: number[] = [];
+  const count = Math.floor(half / cell);
+  for (let line = -count; line <= count; line++) {
+    for (let part = -count; part < count; part++) {
+      places.push(line * cell, part * cell, 0, line * cell, (part + 1) * cell, 0);
+      places.push(part * cell, line * cell, 0, (part + 1) * cell, line * cell, 0);
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3));
+  return geometry;
+}
+
+/** A flat geometry in one colour that fades away from the middle. */
+function faded(geometry: BufferGeometry, colour: number, radius: number, strength: number): BufferGeometry {
+  const places = geometry.attributes.position!;
+  const colours = new Float32Array(4 * places.count);
+  const { r, g, b } = new Color(colour);
+  for (let at = 0; at < places.count; at++) {
+    const out = Math.hypot(places.getX(at), places.getY(at)) / radius;
+    colours.set([r, g, b, strength * Math.max(0, 1 - out) ** 0.8], 4 * at);
+  }
+  geometry.setAttribute("color", new BufferAttribute(colours, 4));
+  return geometry;
+}
+
+/** What is a round number of metres near a size. */
+export function niceCell(size: number): number {
+  const power = 10 ** Math.floor(Math.log10(size));
+  const share = size / power;
+  return power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
+}
+
+/** The room that the lift takes over all its frames. */
+export function extentOf(lift: Lift): Extent {
+  const low: [number, number, number] = [1e9, 1e9, 1e9];
+  const high: [number, number, number] = [-1e9, -1e9, -1e9];
+  const hold = (x: number, y: number, z: number) => {
+    const point = [x, y, z];
+    for (let axis = 0; axis < 3; axis++) {
+      low[axis] = Math.min(low[axis]!, point[axis]!);
+      high[axis] = Math.max(high[axis]!, point[axis]!);
+    }
+  };
+  const corners = lift.header.bodies.map((body) => (body.shape ? cornersOf(body.shape, lift) : body.cog));
+  const count = lift.frameTimes.length;
+  for (let part = 0; part <= 8; part++) {
+    lift.seek(lift.frameTimes[Math.round((part / 8) * (count - 1))] ?? 0);
+    for (let at = 0; at < lift.path.length; at += 3)
+      hold(lift.path[at]!, lift.path[at + 1]!, lift.path[at + 2]!);
+    corners.forEach((points, index) => {
+      const { cog } = lift.header.bodies[index]!;
+      const pose = lift.poses.subarray(7 * index, 7 * index + 7);
+      TURN.set(pose[4]!, pose[5]!, pose[6]!, pose[3]!);
+      for (let at = 0; at < points.length; at += 3) {
+        POINT.set(points[at]! - cog[0], points[at + 1]! - cog[1], points[at + 2]! - cog[2]).applyQuaternion(
+          TURN,
+        );
+        hold(POINT.x + pose[0]!, POINT.y + pose[1]!, POINT.z + pose[2]!);
+      }
+    });
+  }
+  lift.seek(lift.begin);
+  if (low[0] > high[0]) return { middle: [0, 0, 0], size: 10, low: [-5, -5, -5], high: [5, 5, 5] };
+  if (lift.header.ground !== null) low[2] = Math.max(low[2], lift.header.ground);
+  const middle = low.map((value, axis) => (value + high[axis]!) / 2) as [number, number, number];
+  return {
+    middle,
+    size: Math.max(Math.hypot(...low.map((value, axis) => high[axis]! - value)), 1),
+    low,
+    high,
+  };
+}
+
+function rendersInSoftware(): boolean {
+  const context = document.createElement("canvas").getContext("webgl");
+  const info = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = String(context?.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : context.RENDERER));
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}

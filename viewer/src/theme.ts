@@ -1,0 +1,111 @@
+/** Light or dark, and the colours of each for what is drawn by the graphics card. */
+
+export interface Palette {
+  ramp: readonly [number, number, number][];
+  slack: [number, number, number];
+  load: number;
+  frame: number;
+  sheave: number;
+  /** Cranes, supports, plain bodies. */
+  other: number;
+  hook: number;
+  edge: number;
+  ground: number;
+  grid: number;
+  contact: number;
+  shadow: number;
+  pinned: number;
+  lug: number;
+  /** Strength of light from all sides, and from the sun. */
+  light: [number, number];
+}
+
+const LIGHT: Palette = {
+  ramp: [
+    [0.42, 0.68, 0.84],
+    [0.2, 0.45, 0.72],
+    [0.48, 0.32, 0.64],
+    [0.8, 0.27, 0.42],
+    [0.9, 0.4, 0.1],
+  ],
+  slack: [0.6, 0.63, 0.66],
+  load: 0xdfe5ea,
+  frame: 0xf2c14e,
+  sheave: 0x8d9aa6,
+  other: 0xc3ccd4,
+  hook: 0xe2a72e,
+  edge: 0x4a5866,
+  ground: 0xf1f3f0,
+  grid: 0xc2cbd2,
+  contact: 0x12805c,
+  shadow: 0x22303c,
+  pinned: 0x111820,
+  lug: 0x5d6b78,
+  light: [2.0, 1.5],
+};
+
+const DARK: Palette = {
+  ramp: [
+    [0.45, 0.72, 0.9],
+    [0.36, 0.6, 0.95],
+    [0.68, 0.54, 0.93],
+    [0.95, 0.5, 0.62],
+    [1.0, 0.63, 0.3],
+  ],
+  slack: [0.46, 0.5, 0.54],
+  load: 0x55636f,
+  frame: 0xb08a2c,
+  sheave: 0x75828e,
+  other: 0x46535f,
+  hook: 0xb9882a,
+  edge: 0xa9b7c3,
+  ground: 0x1b232b,
+  grid: 0x3b4853,
+  contact: 0x3fcf9b,
+  shadow: 0x05080b,
+  pinned: 0xffffff,
+  lug: 0xa5b2bd,
+  light: [1.9, 1.5],
+};
+
+const THEMES = ["light", "dark"] as const;
+export type Theme = (typeof THEMES)[number];
+
+/** The theme that is shown: what the reader has chosen, else what the system prefers. */
+export function currentTheme(): Theme {
+  const chosen = document.documentElement.dataset.theme;
+  if (chosen === "light" || chosen === "dark") return chosen;
+  return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+}
+
+export function paletteOf(theme: Theme): Palette {
+  return theme === "dark" ? DARK : LIGHT;
+}
+
+/** Call back now and whenever the theme changes. */
+export function onTheme(callback: (theme: Theme) => void): void {
+  const tell = () => callback(currentTheme());
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", tell);
+  new MutationObserver(tell).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  tell();
+}
+
+/** Colour of a share from 0 to 1 of the largest tension, into three numbers of `out` from `at`. */
+export function rampInto(palette: Palette, share: number, out: Float32Array, at: number): void {
+  const last = palette.ramp.length - 1;
+  const place = Math.min(1, Math.max(0, share)) * last;
+  const below = Math.min(last - 1, Math.floor(place));
+  const part = place - below;
+  const from = palette.ramp[below]!;
+  const to = palette.ramp[below + 1]!;
+  for (let channel = 0; channel < 3; channel++)
+    out[at + channel] = from[channel]! + part * (to[channel]! - from[channel]!);
+}
+
+/** The ramp as a gradient of CSS, from left to right. */
+export function rampGradient(palette: Palette): string {
+  const stops = palette.ramp.map(
+    (colour) => `rgb(${colour.map((part) => Math.round(255 * part)).join(" ")})`,
+  );
+  return `linear-gradient(to right, ${stops.join(", ")})`;
+}

@@ -1,0 +1,155 @@
+import { describe, expect, it } from "vitest";
+import { shown, ticksOf, verticalScale } from "../src/chart/scale";
+import { parse, written } from "../src/player/address";
+import { Session, usualSpeed } from "../src/player/session";
+import { distanceToPiece } from "../src/scene/picking";
+import { niceCell } from "../src/scene/world";
+import { paletteOf, rampInto } from "../src/theme";
+
+describe("axes", () => {
+  it("have round ticks", () => {
+    expect(ticksOf(0, 702, 5)).toEqual({ ticks: [0, 200, 400, 600], digits: 0 });
+    expect(ticksOf(0, 1, 4)).toEqual({ ticks: [0, 0.25, 0.5, 0.75, 1], digits: 2 });
+  });
+
+  it("hold all values, begin at 0 where that is near, and are never without height", () => {
+    const scale = verticalScale(100, 702, 5, 1);
+    expect([scale.low, scale.high]).toEqual([0, 800]);
+    const flat = verticalScale(3, 3, 5, 0.1);
+    expect(flat.high - flat.low).toBeGreaterThanOrEqual(0.1);
+    expect(verticalScale(Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY, 5, 1).high).toBeGreaterThan(0);
+  });
+
+  it("write numbers with a proper minus and no -0", () => {
+    expect(shown(-1.25, 1)).toBe("−1.3");
+    expect(shown(-0.001, 1)).toBe("0.0");
+    expect(shown(Number.NaN, 1)).toBe("–");
+  });
+});
+
+describe("the address", () => {
+  it("leads back to what was shown", () => {
+    const state = {
+      time: 12.345,
+      view: "side" as const,
+      camera: [1, 2, 3, 4, 5, 6],
+      pinned: "sling.S 1&x=<b>",
+      speed: 2,
+      span: [1, 9] as [number, number],
+    };
+    expect(parse(written(state))).toEqual(state);
+  });
+
+  it("leaves out what it does not understand", () => {
+    expect(parse("#t=x&view=<script>&camera=1,2&speed=-3&span=1")).toEqual({});
+    expect(parse("")).toEqual({});
+  });
+});
+
+function session(): Session {
+  const lift = {
+    begin: 0,
+    end: 10,
+    header: {
+      ropes: [{ name: "r" }],
+      events: [
+        [0, "step_begin", "hoist"],
+        [3, "taut", "r"],
+        [4, "lift_off", "block"],
+        [4, "step_begin", "hold"],
+      ],
+    },
+  };
+  return new Session(lift as never);
+}
+
+describe("playing", () => {
+  it("goes on by the speed, and stops at the end", () => {
+    const one = session();
+    one.setSpeed(10);
+    one.play();
+    one.advance(1000);
+    one.advance(1100);
+    expect(one.time).toBeCloseTo(1, 9);
+    for (let now = 1200; now < 4000; now += 100) one.advance(now);
+    expect([one.time, one.playing]).toEqual([10, false]);
+    one.play();
+    expect(one.time).toBe(0);
+  });
+
+  it("begins again where it is told to loop", () => {
+    const one = session();
+    one.setLoop(true);
+    one.seek(9.99);
+    one.play();
+    one.advance(0);
+    one.advance(200);
+    expect([one.time, one.playing]).toEqual([0, true]);
+  });
+
+  it("steps between notable events, which are told once each", () => {
+    const one = session();
+    expect(one.notable()).toEqual([
+      { time: 0, text: "hoist" },
+      { time: 4, text: "lift off block, hold" },
+    ]);
+    one.jump(true);
+    expect(one.time).toBe(4);
+    one.jump(true);
+    expect(one.time).toBe(10);
+    one.jump(false);
+    one.jump(false);
+    expect(one.time).toBe(0);
+  });
+
+  it("pins only ropes that there are, and refuses times that are none", () => {
+    const one = session();
+    one.pin("r");
+    expect(one.pinned).toBe("r");
+    one.pin("nobody");
+    expect(one.pinned).toBe(null);
+    one.seek(Number.NaN);
+    expect(one.time).toBe(0);
+    one.show(5, 5);
+    expect(one.span).toEqual([0, 10]);
+    one.show(8, 99);
+    expect(one.span).toEqual([8, 10]);
+  });
+
+  it("tells each listener until it has had enough", () => {
+    const one = session();
+    let told = 0;
+    const end = one.on("time", () => {
+      told += 1;
+    });
+    one.seek(1);
+    end();
+    one.seek(2);
+    expect(told).toBe(1);
+  });
+
+  it("chooses a speed at which a lift takes a minute at most", () => {
+    expect([usualSpeed(40), usualSpeed(300), usualSpeed(1e9)]).toEqual([1, 5, 20]);
+  });
+});
+
+describe("drawing", () => {
+  it("measures to the nearest point of a piece", () => {
+    expect(distanceToPiece(5, 3, [0, 0], [10, 0])).toBe(3);
+    expect(distanceToPiece(-3, 4, [0, 0], [10, 0])).toBe(5);
+    expect(distanceToPiece(3, 4, [0, 0], [0, 0])).toBe(5);
+  });
+
+  it("lays a grid of round metres", () => {
+    expect([0.08, 1.2, 3.3, 6, 40].map(niceCell)).toEqual([0.1, 1, 2, 5, 50]);
+  });
+
+  it("colours by tension from the first to the last colour, and no further", () => {
+    const palette = paletteOf("light");
+    const out = new Float32Array(3);
+    rampInto(palette, 0, out, 0);
+    expect([...out]).toEqual([...Float32Array.from(palette.ramp[0]!)]);
+    rampInto(palette, 7, out, 0);
+    expect([...out]).toEqual([...Float32Array.from(palette.ramp[palette.ramp.length - 1]!)]);
+  });
+});
