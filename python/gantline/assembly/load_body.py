@@ -15,6 +15,7 @@ from gantline.cad.mesh import TriangleMesh
 from gantline.cad.simplify import contact_hull
 from gantline.scenario import Scenario
 from gantline.scenario.check_load import check_centre, check_lug, check_underside
+from gantline.scenario.check_supports import check_places
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
 
@@ -163,6 +164,7 @@ def _check(scenario: Scenario, load: Load, box: Array) -> None:
         check_centre(findings, load.centre_of_gravity.at, (low, high))
     for name, lug in load.lugs.items():
         check_lug(findings, name, lug.at, (low, high))
+    check_places(findings, low, high)
     if load.is_at_origin:
         check_underside(findings, load, load.position[2] + low[2])
     findings.raise_any()

@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.supports import every_support, pad_shape, support_contact
@@ -64,9 +66,11 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
 def load_parts(scenario: Scenario, lifted: LiftedLoad) -> list[Json]:
     """Parts of the load's shape, in the frame of its body, whose origin is its centre of gravity."""
     assert scenario.load is not None
-    box = scenario.load.shape.box
-    centre = [-float(lifted.centre[0]), -float(lifted.centre[1]), box[2] / 2 - float(lifted.centre[2])]
-    return [{"type": "box", "size": list(box), "centre": centre}]
+    body = lifted.body
+    if body.mesh is not None:
+        return [{"type": "convex", "vertices": (body.hull - lifted.centre).tolist()}]
+    size, middle = np.ptp(body.box, axis=0), np.mean(body.box, axis=0)
+    return [{"type": "box", "size": size.tolist(), "centre": (middle - lifted.centre).tolist()}]
 
 
 def _box(x: Sequence[float], y: Sequence[float], z: Sequence[float]) -> Json:

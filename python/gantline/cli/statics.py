@@ -126,10 +126,13 @@ def statics(
     from gantline.cli.tilting import tilting_lines
     from gantline.study.tilting import margins_of, tilting_of
 
-    found = question.modes(max(modes, rest.unstable + rest.neutral))
+    found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
     far = []
     if margins and rest.recording.rig.loads:
-        far = margins_of(without_cases(question.scenario), rest)
+        try:
+            far = margins_of(without_cases(question.scenario), rest)
+        except ValueError as problem:
+            stop(f"--margins: {problem}")
     shown = found[: max(modes, rest.unstable)]
     parts = [
         _heading(question, rest, found),

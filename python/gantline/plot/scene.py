@@ -105,11 +105,7 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
     place = _Places(recording, sample, bodies)
     sheaves = [entry for entry in scene.get("sheaves", ()) if entry["body"] in bodies]
     plain = set(bodies) - {entry["body"] for entry in sheaves}
-    boxes = [
-        box
-        for name, entry in bodies.items()
-        for box in _boxes(place, name, entry)
-    ]
+    boxes = [box for name, entry in bodies.items() for box in _boxes(place, name, entry)]
     plain -= {box.name for box in boxes}
     loads = {load.name: load.body for load in recording.rig.loads}
     frames = {e.name: e.body for e in recording.rig.equalizers if e.body in bodies}
@@ -169,7 +165,7 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
 
 
 def _boxes(place: _Places, name: str, entry: Mapping[str, Any]) -> list[Box]:
-    """What is drawn of a body: its box, the boxes that it is put together of, or its triangles in their box."""
+    """What is drawn of a body: its box, the boxes that it is made of, or its triangles in their box."""
     shape, kind = entry.get("shape") or {}, entry.get("kind", "body")
     if shape.get("type") == "mesh":
         vertices = np.asarray(shape["vertices"], dtype=np.float64)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gantline.scenario.check_supports import top_of
+from gantline.scenario.check_supports import check_places, top_of
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
@@ -31,6 +31,8 @@ def check_load(findings: Findings, load: Load) -> None:
             findings.add(("load", "lugs", name, "type"), sentence)
         if box is not None:
             check_lug(findings, name, lug.at, _box_of(box))
+    if box is not None:
+        check_places(findings, *_box_of(box))
     if isinstance(load.inertia, LoadInertia):
         _check_inertia(findings, load.inertia)
     if load.stands_on is not None:

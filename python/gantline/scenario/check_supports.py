@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
-from gantline.scenario.load import Load
 from gantline.scenario.model import Scenario
 from gantline.scenario.structures import Dock
 from gantline.scenario.supports import Supports, supports_of
 
-__all__ = ["check_supports", "foot_of", "top_of"]
+__all__ = ["check_places", "check_supports", "foot_of", "top_of"]
 
 _ROUNDING = 1e-9
 
@@ -74,18 +75,20 @@ def _check_group(findings: Findings, name: str, group: Supports) -> list[str]:
             )
             break
     for one in supports:
-        if load is not None and group.measured_from == "load":
-            _check_place(findings, load, path, one.name, one.at)
         if one.removed_at is not None and one.removed_at > scenario.duration:
             sentence = f"'{one.name}' is taken away at {one.removed_at:g} s, after the end of the lift"
             findings.add(path, f"{sentence} at {scenario.duration:g} s")
     return [one.name for one in supports]
 
 
-def _check_place(
-    findings: Findings, load: Load, path: tuple[str, ...], name: str, at: tuple[float, float]
-) -> None:
-    length, breadth, _ = load.shape.box
-    if abs(at[0]) > length / 2 * (1 + _ROUNDING) or abs(at[1]) > breadth / 2 * (1 + _ROUNDING):
-        sentence = f"'{name}' at ({at[0]:g}, {at[1]:g}) m is not under the load"
-        findings.add(path, f"{sentence}, which is {length:g} by {breadth:g} m about its datum")
+def check_places(findings: Findings, least: Sequence[float], most: Sequence[float]) -> None:
+    """Note supports that are not under a load of these least and largest x, y from its datum [m]."""
+    for group, given in (findings.scenario.supports or {}).items():
+        if given.measured_from != "load":
+            continue
+        for one in supports_of(group, given):
+            sides = zip(one.at, least, most, strict=False)
+            if any(not low - _ROUNDING <= at <= high + _ROUNDING for at, low, high in sides):
+                sentence = f"'{one.name}' at ({one.at[0]:g}, {one.at[1]:g}) m is not under the load"
+                from_to = f"x {least[0]:g} to {most[0]:g} m, y {least[1]:g} to {most[1]:g} m from its datum"
+                findings.add(("supports", group), f"{sentence}, which is at {from_to}")

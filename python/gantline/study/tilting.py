@@ -163,12 +163,15 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
         farthest: Where the search ends [m].
 
     Raises:
-        ValueError: If the lift has no load.
+        ValueError: If the lift has no load, or one whose centre of gravity is that of its CAD file.
     """
     load = scenario.load
     if load is None:
         raise ValueError("the lift has no load")
     at = load.centre_of_gravity.at
+    if at == "from_cad":
+        sentence = "the centre of gravity is that of the CAD file"
+        raise ValueError(f"{sentence}; state it in 'load.centre_of_gravity.at' to see how far it may move")
     ways = [("up", 2, 1.0), ("+x", 0, 1.0), ("−x", 0, -1.0), ("+y", 1, 1.0), ("−y", 1, -1.0)]
     slack = {sling.name for sling in rest.recording.rig.slings if rest.tension(sling.rope) <= 0.0}
 
