@@ -3,7 +3,7 @@
 The figures are small-angle ones of a box hull, 105.6 × 46 × 7.5 m, of plausible weights, from the keel and
 from the stern: hull and A-frame 9100 t at (47.6, 0, 8.1) m; boom 1500 t, 110 m long at 60° from heel pins at
 (98, 0, 9) m, centre at 48 %; gear at its head 460 t; ballast in eight tanks of 26.4 × 11.5 m, 3311 t in the
-first row and 6441 t in the second; block and rigging 1096 t at the boom head.
+first row and 6441 t in the second; load and rigging 1096 t at the boom head.
 """
 
 from __future__ import annotations
