@@ -48,11 +48,11 @@ class ContactHull:
 
 
 def light_mesh(mesh: TriangleMesh, most: int) -> LightMesh:
-    """At most so many triangles that look like a mesh: whichever of two ways comes closer to it.
+    """At most so many triangles that look like a mesh: vertices within a cell of a grid are made one.
 
-    Collapsing edges of least quadric error suits smooth surfaces. Thin plates and profiles it loses; they
-    become sheets and lines when vertices within a cell of a grid become one, of which none then moves
-    farther than the cell's diagonal. The same mesh gives the same triangles.
+    The grid is the finest that leaves few enough triangles. None of the vertices moves farther than the
+    diagonal of a cell; plates and profiles that are thinner than a cell become sheets and lines. The same
+    mesh gives the same triangles.
 
     Args:
         mesh: closed, open, or of many pieces.
@@ -66,40 +66,18 @@ def light_mesh(mesh: TriangleMesh, most: int) -> LightMesh:
     welded = mesh.welded(1e-6 * mesh.size)
     if len(welded.triangles) <= most:
         return LightMesh(welded, 0.0)
-    found = [_collapsed(welded, most), _clustered(welded, most)]
-    light = [LightMesh(one, max(_farthest(welded, one), _farthest(one, welded))) for one in found if one]
-    if not light:
-        raise CadError(f"nothing is left of a mesh that is made lighter to {most} triangles")
-    return min(light, key=lambda one: one.error)
-
-
-def _collapsed(mesh: TriangleMesh, most: int) -> TriangleMesh | None:
-    """Edges collapsed one after another; None if that does not go far enough."""
-    import fast_simplification
-
-    middle, size = mesh.middle, mesh.size  # it counts in single precision within
-    points, triangles = fast_simplification.simplify(
-        np.ascontiguousarray((mesh.vertices - middle) / size),
-        np.array(mesh.triangles),  # the library takes none that cannot be written
-        target_count=max(most, 4),
-        agg=5.0,
-    )
-    light = TriangleMesh(np.asarray(points, dtype=float) * size + middle, triangles).welded()
-    return light if 0 < len(light.triangles) <= most else None
-
-
-def _clustered(mesh: TriangleMesh, most: int) -> TriangleMesh | None:
-    """Vertices in one cell of the finest grid that is coarse enough made one; None if nothing is left."""
-    fine, coarse, light = 0.0, mesh.size, None
+    fine, coarse, light = 0.0, welded.size, None
     for _ in range(_HALVINGS):
         cell = (fine + coarse) / 2
-        found = _in_cells(mesh, cell)
+        found = _in_cells(welded, cell)
         if len(found.triangles) > most:
             fine = cell
             continue
         coarse = cell
         light = found if len(found.triangles) else light
-    return light
+    if light is None:
+        raise CadError(f"nothing is left of a mesh that is made lighter to {most} triangles")
+    return LightMesh(light, max(_farthest(welded, light), _farthest(light, welded)))
 
 
 def _in_cells(mesh: TriangleMesh, cell: float) -> TriangleMesh:
