@@ -269,13 +269,13 @@ def test_a_broken_file_is_one_clear_sentence(name: str) -> None:
 
 
 def bounded(make: Callable[[], bytes], said: str) -> None:
-    """The file is refused within ten seconds and 200 MB over its own size."""
+    """The file is refused within ten seconds of work and 200 MB over its own size."""
     data = make()
     tracemalloc.start()
-    began = time.perf_counter()
+    began = time.process_time()
     try:
         assert re.search(said, message(data))
-        assert time.perf_counter() - began < 10.0
+        assert time.process_time() - began < 10.0
         assert tracemalloc.get_traced_memory()[1] < 200e6
     finally:
         tracemalloc.stop()
@@ -323,9 +323,9 @@ def test_a_contour_of_very_many_lines_in_disorder_is_read_in_time() -> None:
     ring.append(ring[0])
     order = np.random.default_rng(1).permutation(count)
     data = W.file(W.plate("P", "".join(W.line(ring[place], ring[place + 1]) for place in order)))
-    began = time.perf_counter()
+    began = time.process_time()
     part = read(data).parts[0]
-    assert time.perf_counter() - began < 30.0
+    assert time.process_time() - began < 30.0
     assert part.properties is not None and part.doubts == ()
     area = count * math.sin(2 * math.pi / count) / 2
     assert part.properties.mass == pytest.approx(78.5 * area, rel=1e-12)
