@@ -255,14 +255,11 @@ class Statics:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
         return self._found(found, losses)
 
-    def stick_range(
-        self, direction: Sequence[float], time: float | None = None
-    ) -> tuple[Equilibrium | None, Equilibrium | None]:
-        """Where loads come to rest that slide along a direction of the world, and against it.
+    def slid(self, direction: Sequence[float], time: float | None = None) -> Equilibrium | None:
+        """Where loads come to rest that slide along a direction of the world.
 
-        Between these two friction of their contacts holds them wherever they are put. The first is the one
-        that lies back: friction pulls the load back along the direction, and slings pull it on. None where
-        nothing else holds the load: the range is open.
+        From where the plan has brought them: friction of their contacts, as large as it can be, pulls them
+        back, and slings pull them on. None where nothing but friction holds them.
 
         Args:
             direction: Of the world.
@@ -271,16 +268,22 @@ class Statics:
         Raises:
             NoEquilibriumError: If there is none for another cause.
         """
+        try:
+            return self.equilibrium(time, slide=direction)
+        except NoEquilibriumError as problem:
+            if problem.cause == _FALLS:
+                return None
+            raise
 
-        def slid(way: Sequence[float]) -> Equilibrium | None:
-            try:
-                return self.equilibrium(time, slide=way)
-            except NoEquilibriumError as problem:
-                if problem.cause == _FALLS:
-                    return None
-                raise
+    def stick_range(
+        self, direction: Sequence[float], time: float | None = None
+    ) -> tuple[Equilibrium | None, Equilibrium | None]:
+        """Where loads come to rest that slide along a direction, and against it.
 
-        return slid(direction), slid([-part for part in direction])
+        Between these two friction of their contacts holds them wherever they are put; where one is None the
+        range is open on that side. For the rest see `slid`.
+        """
+        return self.slid(direction, time), self.slid([-part for part in direction], time)
 
     def step_off(self) -> Equilibrium | None:
         """From the unstable equilibrium found last to the stable one downhill of it.

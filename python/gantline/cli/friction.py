@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from gantline.cli.summary import show
-from gantline.cli.table import table
+from gantline.cli.table import ABSENT, table
 
 if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics
-
-_WAYS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0)}
 
 
 def contact_forces(rest: Equilibrium) -> list[str]:
@@ -32,13 +30,22 @@ def contact_forces(rest: Equilibrium) -> list[str]:
 
 def stick_ranges(question: Statics, rest: Equilibrium) -> list[str]:
     """How far the loads could stand from where they do, along x and y, and friction would still hold them."""
-    found = {way: question.stick_range(direction, rest.time) for way, direction in _WAYS.items()}
-    rows = [
-        (f"{load.name} along {way}", *(_shift(rest, end, load.body, "xyz".index(way)) for end in ends))
-        for load in rest.recording.rig.loads
-        for way, ends in found.items()
-    ]
-    return table(("Friction holds", "from", "to"), rows, "lrr") if rows else []
+    from gantline.statics import NoEquilibriumError
+
+    loads = rest.recording.rig.loads
+    rows, causes = [], []
+    for axis, way in enumerate("xy"):
+        ends = []
+        for sign in (1.0, -1.0):
+            try:
+                slid = question.slid([sign * (axis == other) for other in range(3)], rest.time)
+                ends.append([_shift(rest, slid, load.body, axis) for load in loads])
+            except NoEquilibriumError as problem:
+                ends.append([ABSENT] * len(loads))
+                causes.append(f"  {ABSENT} along {way}: {problem.cause} ({problem.element})")
+        rows += [(f"{load.name} along {way}", *cells) for load, *cells in zip(loads, *ends, strict=True)]
+    lines = table(("Friction holds", "from", "to"), rows, "lrr") if rows else []
+    return [*lines, *dict.fromkeys(causes)]
 
 
 def _shift(rest: Equilibrium, end: Equilibrium | None, body: str, axis: int) -> str:

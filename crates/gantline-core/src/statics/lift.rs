@@ -61,7 +61,8 @@ impl StaticLift {
     ///
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
     /// A plan that waits for a condition is followed from rest to rest in steps of 0.1 s. So is a lift whose drums
-    /// remember what they wind, or whose friction holds: in parts that are short where that matters.
+    /// remember what they wind, or whose friction holds: in parts that are short where that matters. What slides does so
+    /// from there.
     ///
     /// # Errors
     /// [`NoEquilibrium`] says why there is none.
@@ -79,10 +80,16 @@ impl StaticLift {
                 free.map(|(step, driven)| if driven.is_none() { *step } else { 0.0 }).collect();
             system.tree.advance(&mut state.q, &free);
         }
-        let rest = if system.coils.is_empty() && losses != Losses::Held {
-            self.jump(time, losses)
-        } else {
-            self.follow(time, losses)
+        let rest = match losses {
+            // What slides does so where the plan has brought it.
+            Losses::Slide(_) => {
+                self.follow(time, Losses::Held)?;
+                self.statics.go_on(&self.system, &mut self.state, losses)
+            }
+            Losses::None | Losses::Forward | Losses::Backward if system.coils.is_empty() => {
+                self.jump(time, losses)
+            }
+            _ => self.follow(time, losses),
         }?;
         self.sample(time > 0.0);
         Ok(rest)
