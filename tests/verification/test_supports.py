@@ -40,8 +40,8 @@ def forces(recording: gantline.Recording) -> np.ndarray:
 def test_sixteen_supports_share_the_weight_by_their_stiffness(tmp_path: Path, integrator: str) -> None:
     """A rigid load on equal springs: N = W/n (1 + e x/<x²>), here <x²> = (18² + 6²)/2 = 180 m², e = −2 m.
 
-    It turns about its centre of gravity as it settles, which so stays where it is over the supports; what is left
-    are squares of a tilt of 16 µrad.
+    It turns about its centre of gravity as it settles, which so stays where it is over the supports; what is
+    left are squares of a tilt of 16 µrad.
     """
     found = forces(run(tmp_path, lift(), integrator=integrator))
     expected = WEIGHT / 16 * (1 + CENTRE[0] * PLACES[:, 0] / 180)
