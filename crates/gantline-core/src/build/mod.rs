@@ -87,7 +87,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let shapes = build_shapes(spec, &tree)?;
     let Built { constraints, groups, seats, touches } = build_constraints(spec, &tree, &start, &shapes)?;
     let Touches { finders, removals, mut spots } = touches;
-    let watches = build_watches(spec, &shapes, &constraints)?;
+    let watches = build_watches(spec, &shapes)?;
     let rows = Rows::new(&constraints);
     let coils = places_of_coils(spec, &tree, &constraints, &rows);
     tree.supplies = coils.len();

@@ -27,7 +27,12 @@ use crate::tree::{Body, Tree};
 /// Largest stretch of a rope over sheaves at the start: more is a mistake in its length.
 const MOST_STRAIN: f64 = 0.02;
 
-fn body_index(element: &str, tree: &Tree, name: Option<&String>) -> Result<Option<usize>, BuildError> {
+/// Number of the body of that name; none is the world.
+pub(super) fn body_index(
+    element: &str,
+    tree: &Tree,
+    name: Option<&String>,
+) -> Result<Option<usize>, BuildError> {
     let Some(name) = name else { return Ok(None) };
     match tree.bodies.iter().position(|body| &body.name == name) {
         Some(index) => Ok(Some(index)),

@@ -2,6 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
+use super::rows::body_index;
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
 use crate::constraint::touch::Touch;
@@ -23,15 +24,6 @@ fn vector(given: [f64; 3]) -> DVec3 {
     DVec3::from_array(given)
 }
 
-/// Number of the body of that name; none is the world.
-fn body_of(element: &str, tree: &Tree, name: Option<&String>) -> Result<Option<usize>, BuildError> {
-    let Some(name) = name else { return Ok(None) };
-    match tree.bodies.iter().position(|body| &body.name == name) {
-        Some(index) => Ok(Some(index)),
-        None => error(element, format!("there is no body `{name}`")),
-    }
-}
-
 /// All shapes of the document.
 pub(super) fn build_shapes(spec: &SystemSpec, tree: &Tree) -> Result<Vec<BodyShape>, BuildError> {
     spec.shapes.iter().map(|given| build_shape(given, tree)).collect()
@@ -39,7 +31,7 @@ pub(super) fn build_shapes(spec: &SystemSpec, tree: &Tree) -> Result<Vec<BodySha
 
 fn build_shape(given: &ShapeSpec, tree: &Tree) -> Result<BodyShape, BuildError> {
     let name = &given.name;
-    let body = body_of(name, tree, given.body.as_ref())?;
+    let body = body_index(name, tree, given.body.as_ref())?;
     let mut parts = Vec::with_capacity(given.parts.len());
     for part in &given.parts {
         parts.push(match part {
@@ -163,7 +155,7 @@ fn build_pad(given: &SupportSpec, tree: &Tree) -> Result<(Pad, usize), BuildErro
     for half in given.half {
         positive(name, "half a side of its top", half)?;
     }
-    let Some(body) = body_of(name, tree, Some(&given.body))? else { return error(name, "it has no body") };
+    let Some(body) = body_index(name, tree, Some(&given.body))? else { return error(name, "it has no body") };
     let along = unit(name, "the direction of its first side", given.along)?;
     let Some(top) = top(vector(given.at), DVec3::Z, along) else {
         return error(name, "the direction of its first side is upright; it must be level");
@@ -205,11 +197,7 @@ fn underside(name: &str, given: &[[f64; 3]]) -> Result<(Plane, Vec<[f64; 2]>), B
 }
 
 /// Distances that are recorded.
-pub(super) fn build_watches(
-    spec: &SystemSpec,
-    shapes: &[BodyShape],
-    constraints: &[AnyConstraint],
-) -> Result<Vec<Watch>, BuildError> {
+pub(super) fn build_watches(spec: &SystemSpec, shapes: &[BodyShape]) -> Result<Vec<Watch>, BuildError> {
     let watched = |name: &str, given: &WatchedSpec| {
         let mut watched = Watched::default();
         for shape in &given.shapes {
@@ -219,7 +207,6 @@ pub(super) fn build_watches(
             let Some(index) = spec.ropes.iter().position(|one| one.name == rope.rope) else {
                 return error(name, format!("there is no rope `{}`", rope.rope));
             };
-            debug_assert!(matches!(constraints[index], AnyConstraint::Rope(_)));
             at_least_zero(name, "the radius of a rope", rope.radius)?;
             for part in rope.without {
                 at_least_zero(name, "what is left out of a rope", part)?;
