@@ -71,6 +71,7 @@ def test_slings_ropes_and_hooks_carry_what_masses_say(recording: Recording) -> N
 
 
 def test_hook_loads_sum_to_weight_and_rigging(recording: Recording) -> None:
+    """Masses of load, frames, sheaves, slings and shackles times g; 417.6 t by hand."""
     document = assemble(load_scenario(FILE)).document
     bodies = {body["name"]: body for body in document["bodies"]}
     hanging = set(HOOKS)
@@ -86,6 +87,7 @@ def test_hook_loads_sum_to_weight_and_rigging(recording: Recording) -> None:
 
 
 def test_equalizers_share_after_settling_and_while_hoisting(recording: Recording) -> None:
+    """Slings of one equalizer pull alike upwards: 2 % after settling, 5 % while hoisting."""
     settled = end_of(recording, "settle")
     first, last = (int(np.searchsorted(recording.time, t)) for t in bounds(recording, "hoist"))
     for equalizer in EQUALIZERS:
@@ -125,6 +127,7 @@ def test_hooks_are_level_as_by_hand(recording: Recording) -> None:
 
 
 def test_the_balance_closes_and_nothing_is_overloaded(recording: Recording) -> None:
+    """Remainder below 1e-5; corner loads sum to all weights and hoist loads."""
     assert recording.metrics()["energy_remainder"] < 1e-5
     assert recording.events("overload") == []
     corners = recording["corner_load"].values
@@ -155,6 +158,7 @@ def stopped() -> Recording:
 
 
 def test_an_emergency_stop_at_full_hoist_speed_runs_through(stopped: Recording) -> None:
+    """Drums go on by v^2/2a; hoist loads swing by less than 2 a/g of their weight."""
     (stop,) = stopped.events("emergency_stop")
     assert stop[2] == "hoist"
     after = stopped.time > stop[0]
@@ -198,6 +202,7 @@ def test_it_bounces_as_three_masses_on_three_springs(stopped: Recording) -> None
 
 
 def test_a_sling_that_is_cut_while_hoisting_runs_through() -> None:
+    """Four slings are left of five at one hook: each hangs at 5/4 of what it carried."""
     sling = "{from: E1.1, to: block.U1.1, length: 20 m"
     cut = incident("", (sling + "}", sling + ", cut_at: 300 s}"))
     ((time, _, name),) = cut.events("cut")

@@ -35,6 +35,7 @@ def moved(recording: Recording, body: str, axis: int) -> FloatArray:
 
 @pytest.mark.parametrize(("verb", "what", "axis"), [("traverse", "one", 0), ("travel", "gol", 1)])
 def test_swing_after_a_trapezoidal_move_is_that_of_a_pendulum(verb: str, what: str, axis: int) -> None:
+    """u'' + g/L u = -a(t) from rest: every jump c of a adds -(c L/g)(1 - cos omega (t - t_c))."""
     recording = run(
         goliath_lift(
             f"{{step: move, {verb}: {what}, speed: 30 m/min, by: {WAY} m}}\n{{step: end, hold: until_end}}"

@@ -27,6 +27,7 @@ def joint(recording: Recording, name: str) -> np.ndarray:
 
 
 def test_steps_side_by_side_end_by_themselves_and_the_next_waits_for_all() -> None:
+    """A way s at speed v with ramps of a takes s/v + v/a, or 2 sqrt(s/a) where it is too short for v."""
     plan = """\
 {step: hoist, hoist: A, speed: 6 m/min, by: 2 m}
 {step: over, traverse: one, starts: with_previous, speed: 30 m/min, by: -10 m}
@@ -101,6 +102,7 @@ def test_steps_end_on_loads_spreads_and_supports() -> None:
 
 
 def test_trolleys_stop_in_an_emergency_by_their_deceleration() -> None:
+    """v^2/2a to speed, v t, and v^2/2a to rest; no step ends or begins after it."""
     plan = """\
 {step: over, traverse: one, speed: 30 m/min, by: 40 m}
 {step: never, traverse: one, speed: 30 m/min, by: -5 m}"""
@@ -116,6 +118,7 @@ def test_trolleys_stop_in_an_emergency_by_their_deceleration() -> None:
 
 
 def test_a_hoist_stops_in_an_emergency_and_its_load_bounces() -> None:
+    """The drum goes on by v^2/2a; falls unload and swing about the weight."""
     plan = "{step: up, hoist: A, speed: 10 m/min, by: 10 m}"
     more = "emergency_stop: {at: 20 s}\n"
     hoist = ", emergency_acceleration: 1 m/s^2"
