@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from gantline.assembly.goliath import crane_shape, goliaths
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.supports import every_support, pad_shape, support_contact
@@ -35,7 +36,7 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
     """Give a shape to load, ground, structures, supports, equalizer frames and bodies of `mechanics`."""
     load = scenario.load
     if load is not None and lifted is not None:
-        parts.add_shape(load.name, load.name, load_parts(scenario, lifted))
+        parts.add_shape(load.name, load.name, load_parts(lifted))
     dock = dock_of(scenario)
     ground = scenario.ground
     if ground is not None:
@@ -56,6 +57,9 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
         size = [frame.length, frame.width, frame.height]
         centre = [0.0, 0.0, -frame.centre_of_gravity_below_hook]
         parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+    for name in goliaths(scenario):
+        for side, leg in enumerate((crane_shape(scenario, name) or {})["boxes"], start=1):
+            parts.add_shape(f"{name}.legs.{side}", name, [leg])
     plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
     for name, body in plain.items():
         if body.shape is not None:
@@ -63,9 +67,8 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
             parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
 
 
-def load_parts(scenario: Scenario, lifted: LiftedLoad) -> list[Json]:
+def load_parts(lifted: LiftedLoad) -> list[Json]:
     """Parts of the load's shape, in the frame of its body, whose origin is its centre of gravity."""
-    assert scenario.load is not None
     body = lifted.body
     if body.mesh is not None:
         return [{"type": "convex", "vertices": (body.hull - lifted.centre).tolist()}]
