@@ -181,7 +181,7 @@ def test_a_new_lift_from_one_that_comes_with_gantline(name: str, tmp_path: Path)
 def test_a_new_lift_from_an_unknown_name(tmp_path: Path) -> None:
     code, _, err = gantline_says("new", str(tmp_path / "mine"), "--from", "derrick")
     assert code == 2
-    assert "there are equalizer, equalizer_sling_cut, equalizer_yard, mechanisms, pulleys" in err
+    assert "there are equalizer, equalizer_sling_cut, equalizer_yard, goliath, mechanisms, pulleys" in err
     assert list(tmp_path.iterdir()) == []
 
 
