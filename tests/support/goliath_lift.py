@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 #: Heights of upper sheaves and of the hook's bearing at the start, bearing to sheaves of the hook block [m].
-TOP, HOOK, BLOCK = 88.0, 35.0, 3.0
+TOP, HOOK, TO_SHEAVES = 88.0, 35.0, 3.0
 #: Length of the falls [m].
-FALLS = TOP - HOOK - BLOCK
+FALLS = TOP - HOOK - TO_SHEAVES
 #: Masses of hook block and of what hangs in the hook [kg].
 HOOK_BLOCK, HUNG = 12e3, 88e3
 PARTS = 8
