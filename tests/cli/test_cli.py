@@ -178,6 +178,18 @@ def test_a_new_lift_from_one_that_comes_with_gantline(name: str, tmp_path: Path)
     assert gantline_says("check", str(folder))[0] == 0
 
 
+def test_a_new_lift_has_the_cad_file_of_its_load(tmp_path: Path) -> None:
+    code, out, _ = gantline_says("new", str(tmp_path / "mine"), "--from", "goliath")
+    assert code == 0, out
+    assert sorted(path.name for path in (tmp_path / "mine").iterdir()) == [
+        "block.3docx",
+        "lift.schema.json",
+        "scenario.yaml",
+    ]
+    code, _, err = gantline_says("check", str(tmp_path / "mine"))
+    assert code == 0, err
+
+
 def test_a_new_lift_from_an_unknown_name(tmp_path: Path) -> None:
     code, _, err = gantline_says("new", str(tmp_path / "mine"), "--from", "derrick")
     assert code == 2

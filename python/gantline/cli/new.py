@@ -24,28 +24,31 @@ def new(
     """Write a commented lift file to start from, with the schema by which editors check it while typing."""
     from gantline.scenario import FILE_NAME, schema_text, template
 
-    text = template() if source is None else _shipped(source)
-    files = {folder / FILE_NAME: text, folder / "lift.schema.json": schema_text()}
+    text, beside = (template(), None) if source is None else _shipped(source)
+    files = {folder / FILE_NAME: text.encode(), folder / "lift.schema.json": schema_text().encode()}
+    if beside is not None:
+        files[folder / beside.name] = beside.read_bytes()
     if folder.exists() and not folder.is_dir():
         stop(f"{folder}: is a file; the name of a folder is needed")
     if (folder / FILE_NAME).exists():
         stop(f"{folder / FILE_NAME}: exists already; nothing was written")
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
-        for path, text in files.items():
-            path.write_text(text, encoding="utf-8")
+        for path, content in files.items():
+            path.write_bytes(content)
     for path in files:
         typer.echo(path)
     typer.echo(f"Next: gantline run {folder}")
 
 
-def _shipped(name: str) -> str:
-    """Text of a lift that comes with gantline, with the schema beside it."""
-    from gantline.scenario import shipped
+def _shipped(name: str) -> tuple[str, Path | None]:
+    """Text of a lift that comes with gantline, with the schema beside it; and the CAD file of its load."""
+    from gantline.scenario import load_scenario, shipped
 
     lifts = shipped()
     if name not in lifts:
         stop(f"--from: no lift '{name}' comes with gantline; there are {', '.join(lifts)}")
-    return (
-        lifts[name].read_text(encoding="utf-8").replace("../../schema/lift.schema.json", "lift.schema.json")
-    )
+    scenario = load_scenario(lifts[name])
+    cad = None if scenario.load is None else scenario.load.shape.cad
+    text = scenario.text.replace("../../schema/lift.schema.json", "lift.schema.json")
+    return text, None if cad is None else lifts[name].parent / cad
