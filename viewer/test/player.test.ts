@@ -1,9 +1,10 @@
+import { type Plane, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { shown, ticksOf, verticalScale } from "../src/chart/scale";
 import { parse, written } from "../src/player/address";
 import { Session, usualSpeed } from "../src/player/session";
+import { holesUnder, insideOf, niceCell, outsideOf, pitOf } from "../src/scene/ground";
 import { distanceToPiece } from "../src/scene/picking";
-import { niceCell } from "../src/scene/world";
 import { paletteOf, rampInto } from "../src/theme";
 
 describe("axes", () => {
@@ -142,6 +143,46 @@ describe("drawing", () => {
 
   it("lays a grid of round metres", () => {
     expect([0.08, 1.2, 3.3, 6, 40].map(niceCell)).toEqual([0.1, 1, 2, 5, 50]);
+  });
+
+  it("cuts the ground to what is outside of a hole, and a shadow to what is inside", () => {
+    const hole = { x: [10, 70] as [number, number], y: [-200, 200] as [number, number], floor: -12 };
+    const origin = [20, 5, 0];
+    const sides = (planes: Plane[], x: number, y: number) =>
+      planes.map((plane) => plane.distanceToPoint(new Vector3(x - 20, y - 5, 0)) < 0);
+    const outside = outsideOf([hole], origin);
+    // Of an intersection only what is behind all planes is cut.
+    expect(outside.clipIntersection).toBe(true);
+    const places = [
+      [40, 0, true],
+      [9, 0, false],
+      [71, 0, false],
+      [40, -201, false],
+      [40, 201, false],
+    ] as const;
+    for (const [x, y, isInside] of places) {
+      expect(sides(outside.clippingPlanes!, x, y).every((cut) => cut)).toBe(isInside);
+      expect(sides(insideOf(hole, origin).clippingPlanes!, x, y).some((cut) => cut)).toBe(!isInside);
+    }
+    expect(outsideOf([], origin)).toEqual({});
+    expect(holesUnder({ holes: [hole] }, [0, 0, 0], [20, 9, 9])).toEqual([hole]);
+    expect(holesUnder({ holes: [hole] }, [0, 0, 0], [10, 9, 9])).toEqual([]);
+  });
+
+  it("shows the walls and the floor of a pit from within", () => {
+    const { floor, walls, edges } = pitOf({ x: [0, 2], y: [0, 4], floor: -3 }, 1);
+    const middle = new Vector3(1, 2, -1);
+    let area = 0;
+    for (const places of [floor, walls])
+      for (let at = 0; at < places.length; at += 9) {
+        const [a, b, c] = [0, 3, 6].map((corner) => new Vector3().fromArray(places, at + corner));
+        const normal = b!.clone().sub(a!).cross(c!.clone().sub(a!));
+        expect(normal.dot(middle.clone().sub(a!))).toBeGreaterThan(0);
+        area += normal.length() / 2;
+      }
+    // The floor 2 by 4, and walls 4 high all around.
+    expect(area).toBeCloseTo(2 * 4 + 4 * (2 + 4 + 2 + 4), 6);
+    expect(Math.min(...edges.filter((_, at) => at % 3 === 2))).toBe(-3);
   });
 
   it("colours by tension from the first to the last colour, and no further", () => {
