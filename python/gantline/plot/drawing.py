@@ -64,7 +64,10 @@ def system(recording: Recording) -> Figure | None:
     if ground is not None:
         extent = np.concatenate([extent, ground.near(lift)])
     norm = _norm(shown)
-    windows = [_window(SIDE.project(extent), below=max(0.8, _room_below(ground, lift))), _window(TOP.project(extent))]
+    windows = [
+        _window(SIDE.project(extent), below=max(0.8, _room_below(ground, lift))),
+        _window(TOP.project(extent)),
+    ]
     windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
     windows[1][0] = windows[0][0] = _hull(windows[0][0], windows[1][0])
     figure, panels = _strip(recording, "The system", len(shown), windows)

@@ -238,17 +238,15 @@ def _ground_line(paper: _Paper, ground: Ground | None, axis: int, lift: FloatArr
 
 def _holes(paper: _Paper, ground: Ground | None) -> list[Mark]:
     """Holes of the ground in a plan; none that goes on beyond the paper on all sides."""
+    if ground is None:
+        return []
     whole = np.array([_WIDTH, _HEIGHT]) - 2 * _MARGIN
-    corners = [
-        np.array([(x, y, ground.level) for x in hole.x for y in hole.y])
-        for hole in (ground.holes if ground is not None else ())
-    ]
-    return [
-        mark
-        for one in corners
-        if not (np.abs(np.ptp(paper.shown(one), axis=0) - whole) < 1e-9).all()
-        for mark in paper.area(one, "sk-hole")
-    ]
+    marks = []
+    for hole in ground.holes:
+        rim = np.array([(x, y, ground.level) for x in hole.x for y in hole.y])
+        if (np.ptp(paper.shown(rim), axis=0) < whole - 1e-9).any():
+            marks += paper.area(rim, "sk-hole")
+    return marks
 
 
 def _hangers(subject: Subject, paper: _Paper, solids: _Solids) -> list[Mark]:

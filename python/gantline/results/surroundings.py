@@ -61,15 +61,24 @@ class Ground:
             points: Of the lift [m], shape (points, 3); holes beside them are not cut.
 
         Returns:
-            Corners from one end to the other: place along the axis and height [m], shape (corners, 2).
+            Corners from one end to the other: place along the axis and height [m], shape (corners, 2). Where
+            a hole goes on beyond an end, that is on its floor.
         """
         left, right = ends
-        corners = [(left, self.level)]
+        before, within, after = [(left, self.level)], [], [(right, self.level)]
         for hole in sorted(self.holes, key=lambda hole: hole.side(axis)):
-            begin, end = (float(np.clip(side, left, right)) for side in hole.side(axis))
-            if begin < end and _meet(hole.side(1 - axis), points[:, 1 - axis]):
-                corners += [(begin, self.level), (begin, hole.floor), (end, hole.floor), (end, self.level)]
-        return np.array([*corners, (right, self.level)])
+            begin, end = hole.side(axis)
+            if begin >= right or end <= left or not _meet(hole.side(1 - axis), points[:, 1 - axis]):
+                continue
+            if begin > left:
+                within += [(begin, self.level), (begin, hole.floor)]
+            else:
+                before = [(left, hole.floor)]
+            if end < right:
+                within += [(end, hole.floor), (end, self.level)]
+            else:
+                after = [(right, hole.floor)]
+        return np.array([*before, *within, *after])
 
 
 @dataclass(frozen=True, eq=False)

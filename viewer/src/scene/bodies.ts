@@ -5,7 +5,9 @@ import {
   BufferGeometry,
   DoubleSide,
   EdgesGeometry,
+  EqualStencilFunc,
   Group,
+  IncrementStencilOp,
   InstancedMesh,
   LineBasicMaterial,
   LineSegments,
@@ -193,9 +195,20 @@ const SCALE = new Vector3();
 const TURN = new Quaternion();
 const SPIN = new Quaternion();
 
+/** A shadow is as dark where several faces of a load lie over each other as where there is one. */
 function shadowOn(level: number, clipping: Clipping): { material: MeshBasicMaterial; level: number } {
-  const look = { transparent: true, opacity: 0.13, depthWrite: false };
-  return { material: new MeshBasicMaterial({ ...look, ...clipping }), level };
+  const material = new MeshBasicMaterial({
+    transparent: true,
+    opacity: 0.13,
+    depthWrite: false,
+    side: DoubleSide,
+    stencilWrite: true,
+    stencilFunc: EqualStencilFunc,
+    stencilRef: 0,
+    stencilZPass: IncrementStencilOp,
+    ...clipping,
+  });
+  return { material, level };
 }
 
 function kindOf(body: Body): string {

@@ -53,7 +53,7 @@ export class World {
     palette: Palette,
   ) {
     this.isSoftware = rendersInSoftware();
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
     // Colours are those of the page, and shall look like them.
     ColorManagement.enabled = false;
     this.renderer.localClippingEnabled = lift.header.holes.length > 0;
