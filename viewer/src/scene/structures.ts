@@ -42,7 +42,7 @@ export class Structures {
       holder: this.holder(one, origin),
       removedAt: one.removedAt,
     }));
-    this.group.add(...this.holders.map(({ holder }) => holder));
+    for (const { holder } of this.holders) this.group.add(holder);
   }
 
   private holder(structure: Structure, origin: readonly [number, number, number]): Group {
