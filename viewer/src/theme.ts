@@ -11,6 +11,8 @@ export interface Palette {
   hook: number;
   edge: number;
   ground: number;
+  /** Floor and walls of a hole in the ground. */
+  pit: [number, number];
   grid: number;
   contact: number;
   shadow: number;
@@ -36,6 +38,7 @@ const LIGHT: Palette = {
   hook: 0xe2a72e,
   edge: 0x4a5866,
   ground: 0xf1f3f0,
+  pit: [0xd5dbd9, 0xbcc5c6],
   grid: 0xc2cbd2,
   contact: 0x12805c,
   shadow: 0x22303c,
@@ -60,6 +63,7 @@ const DARK: Palette = {
   hook: 0xb9882a,
   edge: 0xa9b7c3,
   ground: 0x1b232b,
+  pit: [0x131920, 0x0c1116],
   grid: 0x3b4853,
   contact: 0x3fcf9b,
   shadow: 0x05080b,

@@ -108,6 +108,8 @@ function smallLift(tension: number[]): Lift {
     lugs: [],
     contacts: [],
     ground: null,
+    holes: [],
+    structures: [],
     events: [
       [0, "step_begin", "hoist"],
       [1, "step_begin", "hold"],

@@ -1,9 +1,13 @@
+import { Box3, type Mesh, type Plane, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { shown, ticksOf, verticalScale } from "../src/chart/scale";
+import type { Vector } from "../src/data/format";
+import type { Lift } from "../src/data/lift";
 import { parse, written } from "../src/player/address";
 import { Session, usualSpeed } from "../src/player/session";
+import { holesUnder, insideOf, niceCell, outsideOf, pitOf } from "../src/scene/ground";
 import { distanceToPiece } from "../src/scene/picking";
-import { niceCell } from "../src/scene/world";
+import { Structures } from "../src/scene/structures";
 import { paletteOf, rampInto } from "../src/theme";
 
 describe("axes", () => {
@@ -142,6 +146,77 @@ describe("drawing", () => {
 
   it("lays a grid of round metres", () => {
     expect([0.08, 1.2, 3.3, 6, 40].map(niceCell)).toEqual([0.1, 1, 2, 5, 50]);
+  });
+
+  it("cuts the ground to what is outside of a hole, and a shadow to what is inside", () => {
+    const hole = { x: [10, 70] as [number, number], y: [-200, 200] as [number, number], floor: -12 };
+    const origin = [20, 5, 0];
+    const sides = (planes: Plane[], x: number, y: number) =>
+      planes.map((plane) => plane.distanceToPoint(new Vector3(x - 20, y - 5, 0)) < 0);
+    const outside = outsideOf([hole], origin);
+    // Of an intersection only what is behind all planes is cut.
+    expect(outside.clipIntersection).toBe(true);
+    const places = [
+      [40, 0, true],
+      [9, 0, false],
+      [71, 0, false],
+      [40, -201, false],
+      [40, 201, false],
+    ] as const;
+    for (const [x, y, isInside] of places) {
+      expect(sides(outside.clippingPlanes!, x, y).every((cut) => cut)).toBe(isInside);
+      expect(sides(insideOf(hole, origin).clippingPlanes!, x, y).some((cut) => cut)).toBe(!isInside);
+    }
+    expect(outsideOf([], origin)).toEqual({});
+    expect(holesUnder({ holes: [hole] }, [0, 0, 0], [20, 9, 9])).toEqual([hole]);
+    expect(holesUnder({ holes: [hole] }, [0, 0, 0], [10, 9, 9])).toEqual([]);
+  });
+
+  it("shows the walls and the floor of a pit from within", () => {
+    const { floor, walls, edges } = pitOf({ x: [0, 2], y: [0, 4], floor: -3 }, 1);
+    const middle = new Vector3(1, 2, -1);
+    let area = 0;
+    for (const places of [floor, walls])
+      for (let at = 0; at < places.length; at += 9) {
+        const [a, b, c] = [0, 3, 6].map((corner) => new Vector3().fromArray(places, at + corner));
+        const normal = b!.clone().sub(a!).cross(c!.clone().sub(a!));
+        expect(normal.dot(middle.clone().sub(a!))).toBeGreaterThan(0);
+        area += normal.length() / 2;
+      }
+    // The floor 2 by 4, and walls 4 high all around.
+    expect(area).toBeCloseTo(2 * 4 + 4 * (2 + 4 + 2 + 4), 6);
+    expect(Math.min(...edges.filter((_, at) => at % 3 === 2))).toBe(-3);
+  });
+
+  it("lets supports stand until they are taken away", () => {
+    const corners = [0, 1].flatMap((x) => [0, 2].flatMap((y) => [0, 3].map((z) => [x, y, z] as Vector)));
+    const made = { name: "support.a", kind: "support" as const, boxes: [corners] };
+    const header = {
+      structures: [
+        { ...made, removedAt: 5 },
+        { ...made, removedAt: null },
+      ],
+    };
+    const lift = { header, now: 4.9 } as unknown as Lift;
+    const structures = new Structures(lift, [10, 0, 0]);
+    structures.update();
+    expect(structures.group.children.map((one) => one.visible)).toEqual([true, true]);
+    lift.now = 5;
+    structures.update();
+    expect(structures.group.children.map((one) => one.visible)).toEqual([false, true]);
+    const box = new Box3().setFromObject(structures.group);
+    expect([...box.min.toArray(), ...box.max.toArray()]).toEqual([-10, 0, 0, -9, 2, 3]);
+    const mesh = structures.group.children[0]!.children[0] as Mesh;
+    const places = mesh.geometry.attributes.position!;
+    // The sum of the volumes under its faces is that of the box if all of them look outwards.
+    let volume = 0;
+    for (let at = 0; at < places.count; at += 3) {
+      const [a, b, c] = [0, 1, 2].map((corner) => new Vector3().fromBufferAttribute(places, at + corner));
+      volume += a!.dot(b!.cross(c!)) / 6;
+    }
+    expect(volume).toBeCloseTo(6, 6);
+    const none = new Structures({ header: { structures: [] }, now: 0 } as unknown as Lift, [0, 0, 0]);
+    expect(none.group.children).toEqual([]);
   });
 
   it("colours by tension from the first to the last colour, and no further", () => {

@@ -15,7 +15,7 @@ from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
-from gantline.assembly.shapes import watch_name
+from gantline.assembly.shapes import members, watch_name
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
@@ -32,6 +32,7 @@ from gantline.scenario.plan import Bound, HoldStep
 from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import RopeWeight, rope_weight
+from gantline.scenario.structures import Dock, dock_of
 
 __all__ = ["rig", "rope_kinds", "scene"]
 
@@ -365,9 +366,37 @@ def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts
         "sheaves": [*_sheaves(parts), *_extension_sheaves(scenario, rigging, lifted, parts)],
         "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.rope_names],
         "contacts": [{key: one[key] for key in ("name", "body", "at")} for one in parts.contacts],
-        "ground": None if scenario.ground is None else {"level": scenario.ground.level},
+        "ground": _ground(scenario),
+        **({"structures": structures} if (structures := _structures(scenario, parts)) else {}),
         "axes": None,
     }
+
+
+def _ground(scenario: Scenario) -> Json | None:
+    """Level of the ground, and the hole in it where there is a dock."""
+    if scenario.ground is None:
+        return None
+    level, dock = scenario.ground.level, dock_of(scenario)
+    if dock is None:
+        return {"level": level}
+    return {"level": level, "holes": [{"x": list(dock.x), "y": list(dock.y), "floor": dock.floor}]}
+
+
+def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
+    """What stands in the world, of boxes: supports by their contacts, and what is no hole in the ground."""
+    shapes = {
+        (name, "structure"): [parts.shapes[shape] for shape in members(parts.shapes, name)]
+        for name, structure in (scenario.structures or {}).items()
+        if scenario.ground is None or not isinstance(structure, Dock)
+    }
+    shapes |= {
+        (support_contact(support), "support"): [parts.shapes[support.name]]
+        for _, support in every_support(scenario)
+    }
+    return [
+        {"name": name, "kind": kind, "boxes": [box for one in given for box in one["parts"]]}
+        for (name, kind), given in shapes.items()
+    ]
 
 
 def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body: Json) -> Json:

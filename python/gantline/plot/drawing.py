@@ -21,6 +21,7 @@ from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
 from gantline.plot.style import FAINT, INK, KILO, QUIET, force_unit, shortened
 from gantline.results.recording import Recording
 from gantline.results.rig import Equalizer
+from gantline.results.surroundings import Ground, ground_of
 from gantline.results.variable import FloatArray
 
 _TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
@@ -28,10 +29,11 @@ _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
 _MOST_LUGS = 10  # that are labelled one by one
 _TITLES = 0.9  # height of the titles of a further row [inch]
 _SLACK_BELOW = 1e-3  # of the largest tension shown
-_FILL = {"load": "#C9D6E2", "frame": "#8FA3B5"}
+_EARTH, _EARTH_EDGE = "#ECE7DF", "#8C7B62"
+_FILL = {"load": "#C9D6E2", "frame": "#8FA3B5", "support": "#CFC6B8", "structure": "#E6E6E6"}
 # Directions in which a label may stand, the preferred ones first.
 _AROUND = np.array([(np.cos(a), np.sin(a)) for a in np.deg2rad([45, -45, 135, -135, *range(0, 360, 15)])])
-_EDGE = {"load": "#5B7286", "frame": "#4A5F73"}
+_EDGE = {"load": "#5B7286", "frame": "#4A5F73", "support": _EARTH_EDGE, "structure": "#A3A3A3"}
 
 
 @dataclass(frozen=True)
@@ -57,11 +59,15 @@ def system(recording: Recording) -> Figure | None:
     if not any(len(snap.ropes) or len(snap.boxes) for _, snap in shown):
         return None
     extent = np.concatenate([snap.extent() for _, snap in shown])
-    ground = (recording.attributes.get("scene") or {}).get("ground")
+    ground = ground_of(recording)
+    lift = extent
     if ground is not None:
-        extent = np.concatenate([extent, [[*extent.mean(axis=0)[:2], float(ground["level"])]]])
+        extent = np.concatenate([extent, ground.near(lift)])
     norm = _norm(shown)
-    windows = [_window(SIDE.project(extent), below=0.8), _window(TOP.project(extent))]
+    windows = [
+        _window(SIDE.project(extent), below=max(0.8, _room_below(ground, lift))),
+        _window(TOP.project(extent)),
+    ]
     windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
     windows[1][0] = windows[0][0] = _hull(windows[0][0], windows[1][0])
     figure, panels = _strip(recording, "The system", len(shown), windows)
@@ -69,7 +75,8 @@ def system(recording: Recording) -> Figure | None:
         for view, row in ((SIDE, panels[0]), (TOP, panels[1])):
             draw(row[column], snap, view, norm)
         if ground is not None:
-            _draw_ground(panels[0][column], float(ground["level"]))
+            _draw_ground(panels[0][column], ground, lift)
+            _draw_holes(panels[1][column], ground)
         _title(panels[0][column], name, snap.time)
         _label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
@@ -86,13 +93,16 @@ def stages(recording: Recording) -> Figure | None:
         return None
     shown = [(name, snapshot(recording, sample)) for name, sample in found]
     norm = _norm(shown)
-    window = _window(SIDE.project(np.concatenate([snap.extent() for _, snap in shown])))
-    ground = (recording.attributes.get("scene") or {}).get("ground")
+    extent = lift = np.concatenate([snap.extent() for _, snap in shown])
+    ground = ground_of(recording)
+    if ground is not None:
+        extent = np.concatenate([lift, ground.near(lift)])
+    window = _window(SIDE.project(extent), below=_room_below(ground, lift))
     figure, rows = _strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
     panels = [panel for row in rows for panel in row]
     for panel, (name, snap) in zip(panels, shown, strict=False):
         if ground is not None:
-            _draw_ground(panel, float(ground["level"]))
+            _draw_ground(panel, ground, lift)
         draw(panel, snap, SIDE, norm)
         _title(panel, name, snap.time)
     for panel in panels[len(shown) :]:
@@ -144,7 +154,7 @@ def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: boo
         large: Whether sheaves are large enough on paper to show their rims.
     """
     limits = panel.get_xlim(), panel.get_ylim()
-    for box in snap.boxes:
+    for box in (*snap.surroundings, *snap.boxes):
         _draw_box(panel, box, view)
         if box.name in snap.frame_origin:
             _draw_hanger(panel, box, snap.frame_origin[box.name], view)
@@ -323,13 +333,30 @@ def _strip(
     return figure, rows
 
 
-def _draw_ground(panel: Axes, level: float) -> None:
+def _draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
+    """The ground in a side view, cut where the lift is."""
     left, right = panel.get_xlim()
     low, _ = panel.get_ylim()
-    panel.add_patch(
-        Rectangle((left, low), right - left, level - low, facecolor="#ECE7DF", edgecolor="none", zorder=0)
-    )
-    panel.plot([left, right], [level, level], color="#8C7B62", linewidth=1.0, zorder=0.5)
+    line = ground.profile(0, (left, right), lift)
+    below = np.concatenate([line, [(right, low), (left, low)]])
+    panel.add_patch(Polygon(below, facecolor=_EARTH, edgecolor="none", zorder=0))
+    panel.plot(*line.T, color=_EARTH_EDGE, linewidth=1.0, zorder=0.5)
+
+
+def _room_below(ground: Ground | None, lift: FloatArray) -> float:
+    """What the scale bar takes below the floor of a hole [m]."""
+    return 0.05 * float(np.ptp(lift[:, 0])) if ground is not None and ground.holes else 0.0
+
+
+def _draw_holes(panel: Axes, ground: Ground) -> None:
+    """Holes of the ground in a top view."""
+    for hole in ground.holes:
+        (x0, x1), (y0, y1) = hole.x, hole.y
+        panel.add_patch(
+            Rectangle(
+                (x0, y0), x1 - x0, y1 - y0, facecolor=_EARTH, edgecolor=_EARTH_EDGE, linewidth=1.0, zorder=0
+            )
+        )
 
 
 def _title(panel: Axes, name: str, time: float) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
+from gantline.results.surroundings import structures_of
 from gantline.results.variable import FloatArray
 
 _FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
@@ -59,6 +60,7 @@ class Snapshot:
     Attributes:
         time: Of the sample [s].
         boxes: Bodies with a shape.
+        surroundings: What stands in the world: supports and structures.
         sheaves: All sheaves.
         ropes: All ropes.
         points: Bodies without shape and sheave, by name [m]: hooks and plain bodies.
@@ -71,6 +73,7 @@ class Snapshot:
 
     time: float
     boxes: Sequence[Box]
+    surroundings: Sequence[Box]
     sheaves: Sequence[Sheave]
     ropes: Sequence[RopePath]
     points: Mapping[str, FloatArray]
@@ -81,8 +84,9 @@ class Snapshot:
     frame_origin: Mapping[str, FloatArray]
 
     def extent(self) -> FloatArray:
-        """All points that the drawing must hold [m], shape (points, 3)."""
+        """All points that the drawing must hold [m], shape (points, 3); structures may reach out of it."""
         parts = [box.faces.reshape(-1, 3) for box in self.boxes]
+        parts += [box.faces.reshape(-1, 3) for box in self.surroundings if box.kind == "support"]
         parts += [sheave.circle for sheave in self.sheaves]
         parts += [rope.path for rope in self.ropes]
         parts += [point[None] for point in (*self.points.values(), *self.frame_origin.values())]
@@ -111,9 +115,16 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
     frames = {e.name: e.body for e in recording.rig.equalizers if e.body in bodies}
     ropes = _ropes(recording, sample, scene)
     ends = {rope.name: rope.path[-1] for rope in ropes}
+    time = float(recording.time[sample])
     return Snapshot(
-        float(recording.time[sample]),
+        time,
         boxes,
+        [
+            Box(one.name, one.kind, _faces(corners))
+            for one in structures_of(recording)
+            if one.stands(time)
+            for corners in one.boxes
+        ],
         [Sheave(e["body"], e.get("kind") == "moving", place.world(e["body"], _circle(e))) for e in sheaves],
         ropes,
         {name: place.origin(name) for name in bodies if name in plain},
@@ -180,7 +191,11 @@ def _boxes(place: _Places, name: str, entry: Mapping[str, Any]) -> list[Box]:
 def _box_faces(shape: Mapping[str, Any]) -> FloatArray:
     half = np.asarray(shape["size"], dtype=np.float64) / 2.0
     signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
-    corners = np.asarray(shape.get("centre", (0.0, 0.0, 0.0))) + signs * half
+    return _faces(np.asarray(shape.get("centre", (0.0, 0.0, 0.0))) + signs * half)
+
+
+def _faces(corners: FloatArray) -> FloatArray:
+    """The six faces of a box with these corners, x slowest, z fastest."""
     return np.stack([corners[list(face)] for face in _FACES])
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from gantline.report.subject import Subject
 from gantline.results.rotation import axes
+from gantline.results.surroundings import Ground, Structure, ground_of, structures_of
 from gantline.results.variable import FloatArray
 from gantline.viewer.shapes import vector
 
@@ -21,6 +22,12 @@ _PLAN = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 _ORDER = {"load": 1, "frame": 2, "hook": 3}  # what is drawn upon what; cranes and supports lie below
 _ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)  # m, lengths of a scale bar
 
+
+_WIDTH, _HEIGHT, _MARGIN = (
+    92.0,
+    84.0,
+    2.0,
+)  # of the paper [mm]; no world is drawn beyond the margin
 
 #: Kind of each body, and points in space of each of its parts.
 _Solids = dict[str, tuple[str, list[FloatArray]]]
@@ -78,20 +85,35 @@ class Sketch:
 class _Paper:
     """Points in space to places on paper."""
 
-    def __init__(
-        self, view: FloatArray, extent: FloatArray, width: float, height: float, below: float
-    ) -> None:
+    def __init__(self, view: FloatArray, extent: FloatArray, below: float = 6.0) -> None:
         flat = extent @ view.T
         low, high = flat.min(axis=0), flat.max(axis=0)
-        room = np.array([width - 14.0, height - 10.0 - below])
+        room = np.array([_WIDTH - 14.0, _HEIGHT - 10.0 - below])
         self.scale = float(np.max((high - low) / room)) or 0.01
         self._view, self._middle = view, (low + high) / 2
-        self._centre = np.array([width / 2, (height - below) / 2 + 1.0])
+        self._centre = np.array([_WIDTH / 2, (_HEIGHT - below) / 2 + 1.0])
 
     def place(self, points: FloatArray) -> FloatArray:
         flat = (points @ self._view.T - self._middle) / self.scale
         moved: FloatArray = self._centre + flat * np.array([1.0, -1.0])
         return moved
+
+    def shown(self, points: FloatArray) -> FloatArray:
+        """Places of points, those beyond the margin on it."""
+        within: FloatArray = np.clip(
+            self.place(points), _MARGIN, np.array([_WIDTH - _MARGIN, _HEIGHT - _MARGIN])
+        )
+        return within
+
+    def ends(self) -> tuple[float, float]:
+        """Least and most on the horizontal axis that the paper shows [m]."""
+        half = (_WIDTH / 2 - _MARGIN) * self.scale
+        return float(self._middle[0]) - half, float(self._middle[0]) + half
+
+    def area(self, points: FloatArray, style: str) -> list[Mark]:
+        """The outline of something of the world as far as it is on the paper; none if it is beside it."""
+        shown = self.shown(points)
+        return [Mark("area", style, _text(_hull(shown)))] if (np.ptp(shown, axis=0) > 0.0).all() else []
 
 
 def sketches(subject: Subject) -> list[Sketch]:
@@ -107,29 +129,24 @@ def sketches(subject: Subject) -> list[Sketch]:
     if not parts:
         return []
     bearings = [recording.column("body_position", name)[sample] for name in _hook_bodies(subject)]
-    extent = np.concatenate([*parts, np.reshape(bearings, (-1, 3))])
-    ground = scene.get("ground")
-    below = None if not ground else float(ground["level"])
-    if below is not None:
-        extent = np.concatenate([extent, [[*extent.mean(axis=0)[:2], below]]])
+    now = float(recording.time[sample])
+    around = [one for one in structures_of(recording) if one.stands(now)]
+    under = [one.boxes.reshape(-1, 3) for one in around if one.kind == "support"]
+    lift = extent = np.concatenate([*parts, np.reshape(bearings, (-1, 3)), *under])
+    ground = ground_of(recording)
+    if ground is not None:
+        extent = np.concatenate([lift, ground.near(lift)])
     carried = [one for kind, pieces in solids.values() if kind in ("load", "frame") for one in pieces]
     frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
     wide = np.ptp(np.concatenate(frames or carried or parts), axis=0)
     along = "x" if wide[0] >= wide[1] else "y"
     view = _SIDES[along]
-    side = _draw(
-        subject,
-        f"side view, {along} to the right",
-        view,
-        _Paper(view, extent, 92, 84, 6.0),
-        solids,
-        ropes,
-        below,
-    )
-    extent = np.concatenate(carried) if carried else extent
-    plan = _draw(
-        subject, "plan, x to the right", _PLAN, _Paper(_PLAN, extent, 92, 84, 6.0), solids, ropes, None
-    )
+    paper = _Paper(view, extent)
+    behind = _standing(paper, around) + _ground_line(paper, ground, "xy".index(along), lift)
+    side = _draw(subject, f"side view, {along} to the right", view, paper, solids, ropes, behind)
+    paper = _Paper(_PLAN, np.concatenate(carried) if carried else extent)
+    behind = _holes(paper, ground) + _standing(paper, around)
+    plan = _draw(subject, "plan, x to the right", _PLAN, paper, solids, ropes, behind)
     return [side, plan]
 
 
@@ -185,13 +202,9 @@ def _draw(
     paper: _Paper,
     solids: _Solids,
     ropes: Mapping[str, FloatArray],
-    ground: float | None,
+    behind: list[Mark],
 ) -> Sketch:
-    width, height = 92.0, 84.0
-    marks: list[Mark] = []
-    if ground is not None:
-        level = float(paper.place(np.array([0.0, 0.0, ground]))[1])
-        marks.append(Mark("line", "sk-ground", f"2,{level:.2f} {width - 2},{level:.2f}"))
+    marks = list(behind)
     order = sorted(solids.items(), key=lambda item: _ORDER.get(item[1][0], 0))
     for _, (kind, pieces) in order:
         style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
@@ -203,8 +216,37 @@ def _draw(
     marks += _numbers(subject, paper, ropes, plan=view is _PLAN)
     marks += _centres(subject, paper)
     marks += _hooks(subject, paper, plan=view is _PLAN)
-    bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * width), default=_ROUND[0])
-    return Sketch(title, width, height, paper.scale, bar, marks)
+    bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * _WIDTH), default=_ROUND[0])
+    return Sketch(title, _WIDTH, _HEIGHT, paper.scale, bar, marks)
+
+
+def _standing(paper: _Paper, around: list[Structure]) -> list[Mark]:
+    """Structures, and supports upon them."""
+    order = sorted(around, key=lambda one: one.kind == "support")
+    return [mark for one in order for box in one.boxes for mark in paper.area(box, f"sk-solid sk-{one.kind}")]
+
+
+def _ground_line(paper: _Paper, ground: Ground | None, axis: int, lift: FloatArray) -> list[Mark]:
+    """The ground in a side view, with the holes that the lift is over."""
+    if ground is None:
+        return []
+    line = ground.profile(axis, paper.ends(), lift)
+    points = np.zeros((len(line), 3))
+    points[:, axis], points[:, 2] = line.T
+    return [Mark("line", "sk-ground", _text(paper.place(points)))]
+
+
+def _holes(paper: _Paper, ground: Ground | None) -> list[Mark]:
+    """Holes of the ground in a plan; none that goes on beyond the paper on all sides."""
+    if ground is None:
+        return []
+    whole = np.array([_WIDTH, _HEIGHT]) - 2 * _MARGIN
+    marks = []
+    for hole in ground.holes:
+        rim = np.array([(x, y, ground.level) for x in hole.x for y in hole.y])
+        if (np.ptp(paper.shown(rim), axis=0) < whole - 1e-9).any():
+            marks += paper.area(rim, "sk-hole")
+    return marks
 
 
 def _hangers(subject: Subject, paper: _Paper, solids: _Solids) -> list[Mark]:

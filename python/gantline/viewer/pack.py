@@ -16,6 +16,7 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.recording import Recording
+from gantline.results.surroundings import ground_of, structures_of
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
 from gantline.viewer.decimate import Places, frames, peaks
@@ -81,7 +82,7 @@ def pack(recording: Recording) -> Packed:
         "ropes": _ropes(recording, scene, at),
         "lugs": _lugs(recording, list(bodies)),
         "contacts": _contacts(recording, scene, list(bodies), at, arrays),
-        "ground": _ground(scene),
+        **_surroundings(recording),
         "events": [list(event) for event in recording.events()],
         "strokes": _strokes(recording),
         "curves": _curves(recording, arrays),
@@ -196,9 +197,18 @@ def _contacts(
     ]
 
 
-def _ground(scene: Mapping[str, Any]) -> float | None:
-    ground = scene.get("ground")
-    return None if not ground else float(ground["level"])
+def _surroundings(recording: Recording) -> dict[str, Any]:
+    """Level of the ground, its holes, and what stands on it; times at which supports are taken away."""
+    ground = ground_of(recording)
+    holes = () if ground is None else ground.holes
+    return {
+        "ground": None if ground is None else ground.level,
+        "holes": [{"x": list(one.x), "y": list(one.y), "floor": one.floor} for one in holes],
+        "structures": [
+            {"name": one.name, "kind": one.kind, "boxes": one.boxes.tolist(), "removedAt": one.removed_at}
+            for one in structures_of(recording)
+        ],
+    }
 
 
 def _strokes(recording: Recording) -> dict[str, list[float | None]]:

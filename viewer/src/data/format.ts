@@ -56,6 +56,21 @@ export interface Contact {
   at: Vector;
 }
 
+/** A hole in the ground: from wall to wall along x and y, and its floor [m]. */
+export interface Hole {
+  x: [number, number];
+  y: [number, number];
+  floor: number;
+}
+
+/** What stands in the world: the eight corners of each of its boxes, z fastest; when it is taken away [s]. */
+export interface Structure {
+  name: string;
+  kind: "support" | "structure";
+  boxes: Vector[][];
+  removedAt: number | null;
+}
+
 export interface CurveEntry {
   group: string;
   name: string;
@@ -82,7 +97,10 @@ export interface Header {
   ropes: Rope[];
   lugs: Lug[];
   contacts: Contact[];
+  /** Level of the ground [m]. */
   ground: number | null;
+  holes: Hole[];
+  structures: Structure[];
   /** Time [s], kind and name. */
   events: [number, string, string][];
   strokes: Record<string, [number | null, number | null]>;

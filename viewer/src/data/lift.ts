@@ -22,6 +22,8 @@ export class Lift {
   readonly steps: Step[];
   readonly begin: number;
   readonly end: number;
+  /** The present time [s]. */
+  now = 0;
   /** Times of the frames [s]. */
   readonly frameTimes: Float64Array;
   /** Pose of each body at the present time: x y z, then w x y z. */
@@ -72,6 +74,7 @@ export class Lift {
 
   /** Put everything where it is at a time: between frames on straight lines. */
   seek(time: number): void {
+    this.now = time;
     const frame = lastNotAfter(this.frameTimes, time);
     const next = Math.min(frame + 1, this.frameTimes.length - 1);
     const from = this.frameTimes[frame] ?? 0;

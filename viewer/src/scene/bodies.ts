@@ -5,7 +5,9 @@ import {
   BufferGeometry,
   DoubleSide,
   EdgesGeometry,
+  EqualStencilFunc,
   Group,
+  IncrementStencilOp,
   InstancedMesh,
   LineBasicMaterial,
   LineSegments,
@@ -21,6 +23,7 @@ import {
 import type { Body } from "../data/format";
 import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
+import { type Clipping, insideOf, outsideOf } from "./ground";
 import { geometryOf, hookGeometry, sheaveGeometry } from "./solids";
 
 const CREASE = 25; // degrees between faces from which an edge is drawn
@@ -36,8 +39,9 @@ export class Bodies {
   readonly holders: Object3D[];
   private readonly materials = new Map<string, MeshLambertMaterial>();
   private readonly edges = new LineBasicMaterial({ transparent: true, opacity: 0.75 });
-  private readonly shadow = new MeshBasicMaterial({ transparent: true, opacity: 0.13, depthWrite: false });
-  private readonly shadows: { mesh: Mesh; body: number }[] = [];
+  /** Of the shadows on the ground, and on the floor of each hole, with their levels. */
+  private readonly shadowOn: { material: MeshBasicMaterial; level: number }[];
+  private readonly shadows: { mesh: Mesh; body: number; level: number }[] = [];
   private readonly sheaves: InstancedMesh | null;
 
   constructor(
@@ -45,6 +49,9 @@ export class Bodies {
     private readonly origin: readonly [number, number, number],
     private readonly size: number,
   ) {
+    const { ground, holes } = lift.header;
+    this.shadowOn = ground === null ? [] : [shadowOn(ground, outsideOf(holes, origin))];
+    for (const hole of holes) this.shadowOn.push(shadowOn(hole.floor, insideOf(hole, origin)));
     this.holders = lift.header.bodies.map((body, index) => this.holder(body, index));
     this.group.add(...this.holders);
     const count = lift.header.sheaves.length;
@@ -85,16 +92,20 @@ export class Bodies {
       geometry.translate(-x, -y, -z);
       holder.add(new Mesh(geometry, this.material(kindOf(body))));
       holder.add(new LineSegments(new EdgesGeometry(geometry, CREASE), this.edges));
-      if (body.kind === "load" && this.lift.header.ground !== null) {
-        const mesh = new Mesh(geometry, this.shadow);
-        mesh.matrixAutoUpdate = false;
-        mesh.frustumCulled = false;
-        this.shadows.push({ mesh, body: index });
-        this.group.add(mesh);
-      }
+      if (body.kind === "load") this.addShadows(geometry, index);
     }
     if (body.kind === "frame" && body.shape?.type === "box") holder.add(this.hangers(body));
     return holder;
+  }
+
+  private addShadows(geometry: BufferGeometry, body: number): void {
+    for (const { material, level } of this.shadowOn) {
+      const mesh = new Mesh(geometry, material);
+      mesh.matrixAutoUpdate = false;
+      mesh.frustumCulled = false;
+      this.shadows.push({ mesh, body, level });
+      this.group.add(mesh);
+    }
   }
 
   private shapeOf(body: Body): BufferGeometry | null {
@@ -134,7 +145,7 @@ export class Bodies {
     for (const [kind, material] of this.materials)
       material.color.set((palette as unknown as Record<string, number>)[kind] ?? palette.load);
     this.edges.color.set(palette.edge);
-    this.shadow.color.set(palette.shadow);
+    for (const { material } of this.shadowOn) material.color.set(palette.shadow);
   }
 
   /** Cheap: without edges and seen-through faces. */
@@ -153,9 +164,8 @@ export class Bodies {
       holder.updateMatrix();
     });
     this.turnSheaves();
-    const level = (this.lift.header.ground ?? 0) - oz + 0.0008 * this.size;
-    for (const { mesh, body } of this.shadows) {
-      FLAT.makeScale(1, 1, 0).setPosition(0, 0, level);
+    for (const { mesh, body, level } of this.shadows) {
+      FLAT.makeScale(1, 1, 0).setPosition(0, 0, level - oz + 0.0008 * this.size);
       mesh.matrix.multiplyMatrices(FLAT, this.holders[body]!.matrix);
       mesh.matrixWorldNeedsUpdate = true;
     }
@@ -184,6 +194,22 @@ const AXIS = new Vector3();
 const SCALE = new Vector3();
 const TURN = new Quaternion();
 const SPIN = new Quaternion();
+
+/** A shadow is as dark where several faces of a load lie over each other as where there is one. */
+function shadowOn(level: number, clipping: Clipping): { material: MeshBasicMaterial; level: number } {
+  const material = new MeshBasicMaterial({
+    transparent: true,
+    opacity: 0.13,
+    depthWrite: false,
+    side: DoubleSide,
+    stencilWrite: true,
+    stencilFunc: EqualStencilFunc,
+    stencilRef: 0,
+    stencilZPass: IncrementStencilOp,
+    ...clipping,
+  });
+  return { material, level };
+}
 
 function kindOf(body: Body): string {
   return ["load", "frame", "hook"].includes(body.kind) ? body.kind : "other";

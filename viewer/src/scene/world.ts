@@ -2,18 +2,9 @@
 
 import {
   AmbientLight,
-  BufferAttribute,
-  BufferGeometry,
-  CircleGeometry,
-  Color,
   ColorManagement,
   DirectionalLight,
-  Group,
   LinearSRGBColorSpace,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshBasicMaterial,
   PerspectiveCamera,
   Quaternion,
   Scene,
@@ -24,8 +15,10 @@ import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
 import { Arrows } from "./arrows";
 import { Bodies } from "./bodies";
+import { Ground, holesUnder } from "./ground";
 import { Ropes } from "./ropes";
 import { cornersOf } from "./solids";
+import { Structures } from "./structures";
 
 /** Points of ropes from which software begins with the cheap style. */
 const MANY_POINTS = 1500;
@@ -48,7 +41,8 @@ export class World {
   private readonly ropes: Ropes;
   private readonly ambient = new AmbientLight();
   private readonly sun = new DirectionalLight();
-  private readonly ground = new Group();
+  private readonly ground: Ground;
+  private readonly structures: Structures;
   private palette: Palette;
   private cheap = false;
 
@@ -59,9 +53,10 @@ export class World {
     palette: Palette,
   ) {
     this.isSoftware = rendersInSoftware();
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
     // Colours are those of the page, and shall look like them.
     ColorManagement.enabled = false;
+    this.renderer.localClippingEnabled = lift.header.holes.length > 0;
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.palette = palette;
     this.extent = extentOf(lift);
@@ -69,6 +64,8 @@ export class World {
     this.bodies = new Bodies(lift, middle, size);
     this.ropes = new Ropes(lift, middle);
     this.arrows = new Arrows(lift, middle, size);
+    this.ground = new Ground(lift.header, this.extent);
+    this.structures = new Structures(lift, middle);
     this.camera.up.set(0, 0, 1);
     this.camera.near = size / 500;
     this.camera.far = size * 40;
@@ -77,7 +74,8 @@ export class World {
       this.bodies.group,
       this.ropes.group,
       this.arrows.mesh,
-      this.ground,
+      this.ground.group,
+      this.structures.group,
       this.ambient,
       this.sun,
     );
@@ -90,7 +88,8 @@ export class World {
     this.bodies.setPalette(palette);
     this.ropes.setPalette(palette);
     [this.ambient.intensity, this.sun.intensity] = palette.light;
-    this.layGround();
+    this.structures.setPalette(palette);
+    this.ground.lay(palette);
   }
 
   get isCheap(): boolean {
@@ -115,6 +114,7 @@ export class World {
   draw(pinned: string | null): void {
     const largest = this.lift.largestTension || 1;
     this.bodies.update();
+    this.structures.update();
     this.ropes.update(this.palette, largest, pinned);
     if (this.arrows.mesh.visible) this.arrows.update(this.palette, largest);
     this.renderer.render(this.scene, this.camera);
@@ -127,69 +127,10 @@ export class World {
     if (POINT.z > 1) return null;
     return [((POINT.x + 1) / 2) * width, ((1 - POINT.y) / 2) * height];
   }
-
-  private layGround(): void {
-    this.ground.clear();
-    const level = this.lift.header.ground;
-    if (level === null) return;
-    const { size, middle, low, high } = this.extent;
-    const cell = niceCell(size / 12);
-    const half = Math.ceil(Math.max(high[0] - low[0], high[1] - low[1], 0.8 * size) / cell) * cell * 1.3;
-    const disc = new Mesh(
-      faded(new CircleGeometry(half, 48).toNonIndexed(), this.palette.ground, half, 0.9),
-      new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
-    );
-    disc.renderOrder = -2;
-    disc.position.z = -0.0004 * size;
-    const grid = new LineSegments(
-      faded(gridGeometry(half, cell), this.palette.grid, half, 0.9),
-      new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
-    );
-    grid.renderOrder = -1;
-    this.ground.add(disc, grid);
-    // On whole multiples of the grid, so that its lines are at round numbers.
-    const snap = (value: number) => Math.round(value / cell) * cell - value;
-    this.ground.position.set(snap(middle[0]), snap(middle[1]), level - middle[2]);
-  }
 }
 
 const POINT = new Vector3();
 const TURN = new Quaternion();
-
-/** Lines over a square, cut where they cross, so that each part can fade. */
-function gridGeometry(half: number, cell: number): BufferGeometry {
-  const places: number[] = [];
-  const count = Math.floor(half / cell);
-  for (let line = -count; line <= count; line++) {
-    for (let part = -count; part < count; part++) {
-      places.push(line * cell, part * cell, 0, line * cell, (part + 1) * cell, 0);
-      places.push(part * cell, line * cell, 0, (part + 1) * cell, line * cell, 0);
-    }
-  }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3));
-  return geometry;
-}
-
-/** A flat geometry in one colour that fades away from the middle. */
-function faded(geometry: BufferGeometry, colour: number, radius: number, strength: number): BufferGeometry {
-  const places = geometry.attributes.position!;
-  const colours = new Float32Array(4 * places.count);
-  const { r, g, b } = new Color(colour);
-  for (let at = 0; at < places.count; at++) {
-    const out = Math.hypot(places.getX(at), places.getY(at)) / radius;
-    colours.set([r, g, b, strength * Math.max(0, 1 - out) ** 0.8], 4 * at);
-  }
-  geometry.setAttribute("color", new BufferAttribute(colours, 4));
-  return geometry;
-}
-
-/** What is a round number of metres near a size. */
-export function niceCell(size: number): number {
-  const power = 10 ** Math.floor(Math.log10(size));
-  const share = size / power;
-  return power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
-}
 
 /** The room that the lift takes over all its frames. */
 export function extentOf(lift: Lift): Extent {
@@ -222,7 +163,10 @@ export function extentOf(lift: Lift): Extent {
   }
   lift.seek(lift.begin);
   if (low[0] > high[0]) return { middle: [0, 0, 0], size: 10, low: [-5, -5, -5], high: [5, 5, 5] };
-  if (lift.header.ground !== null) low[2] = Math.max(low[2], lift.header.ground);
+  if (lift.header.ground !== null) {
+    low[2] = Math.max(low[2], lift.header.ground);
+    for (const hole of holesUnder(lift.header, low, high)) low[2] = Math.min(low[2], hole.floor);
+  }
   const middle = low.map((value, axis) => (value + high[axis]!) / 2) as [number, number, number];
   return {
     middle,
