@@ -209,11 +209,12 @@ def test_the_lock_satisfies_the_project_file() -> None:
 
 
 def test_every_scenario_comes_with_the_package() -> None:
-    links = {path.stem: path for path in (ROOT / "python/gantline/scenarios").iterdir()}
-    lifts = {path.parent.name: path for path in (ROOT / "scenarios").glob("*/scenario.yaml")}
-    assert links.keys() == lifts.keys()
+    links = {path.name: path for path in (ROOT / "python/gantline/scenarios").iterdir()}
+    lifts = {f"{path.parent.name}.yaml": path for path in (ROOT / "scenarios").glob("*/scenario.yaml")}
+    loads = {path.name: path for path in (ROOT / "scenarios").glob("*/*.3docx")}
+    assert links.keys() == (lifts | loads).keys()
     for name, link in links.items():
-        assert link.is_symlink() and link.resolve() == lifts[name], "one copy, and links to it"
+        assert link.is_symlink() and link.resolve() == (lifts | loads)[name], "one copy, and links to it"
 
 
 # --- versions, change log ------------------------------------------------------------------------

@@ -145,11 +145,12 @@ def test_swing_after_the_traverse_is_small(recording: Recording) -> None:
 def incident(more: str, *changes: tuple[str, str]) -> Recording:
     """The lift with a further section and changes, until a little after."""
     text = FILE.read_text(encoding="utf-8")
-    for old, new in (("duration: 1040 s", "duration: 330 s"), *changes):
+    shorter = (("duration: 1060 s", "duration: 350 s"), ("sample_interval: 0.1 s", "sample_interval: 20 ms"))
+    for old, new in (*shorter, *changes):
         assert text.count(old) == 1, old
         text = text.replace(old, new)
     begin = text.index("cases:")
-    return Simulation(parse_scenario(text[:begin] + more + text[text.index("limits:") :])).run()
+    return Simulation(parse_scenario(text[:begin] + more + text[text.index("limits:") :], str(FILE))).run()
 
 
 @pytest.fixture(scope="module")
@@ -204,19 +205,19 @@ def test_it_bounces_as_three_masses_on_three_springs(stopped: Recording) -> None
 def test_a_sling_that_is_cut_while_hoisting_runs_through() -> None:
     """Four slings are left of five at one hook: each hangs at 5/4 of what it carried."""
     sling = "{from: E1.1, to: block.U1.1, length: 20 m"
-    cut = incident("", (sling + "}", sling + ", cut_at: 300 s}"))
+    cut = incident("", (sling + "}", sling + ", cut_at: 320 s}"))
     ((time, _, name),) = cut.events("cut")
-    assert (time, name) == (300.0, "sling.U1.1")
+    assert (time, name) == (320.0, "sling.U1.1")
     # The equalizing rope runs through until the sheave without a sling meets its stop. The load falls at that
     # hook, is caught by the four slings left, and hangs in them.
     stops = [time for time, _, name in cut.events("stop_hit") if name == "E1.1"]
-    assert 300.0 < stops[0] < 301.0
+    assert 320.0 < stops[0] < 321.0
     peaks = [series.rope_peak(cut, f"sling.U1.{n}") for n in range(2, 6)]
-    assert all(force > 3 * SHARE / 5 * G and 300.0 < at < 302.0 for force, at in peaks)
+    assert all(force > 3 * SHARE / 5 * G and 320.0 < at < 322.0 for force, at in peaks)
     hanging = np.mean(
-        [cut.column("rope_tension", f"sling.U1.{n}")[cut.time > 320.0].mean() for n in range(2, 6)]
+        [cut.column("rope_tension", f"sling.U1.{n}")[cut.time > 340.0].mean() for n in range(2, 6)]
     )
     assert hanging == pytest.approx(SHARE / 4 * G, rel=0.03)
-    overloaded = [name for time, _, name in cut.events("overload") if time > 300.0]
+    overloaded = [name for time, _, name in cut.events("overload") if time > 320.0]
     assert "goliath.U1" in overloaded
     assert cut.metrics()["energy_remainder"] < 1e-5
