@@ -69,7 +69,8 @@ RULES = [
             r"np\.block",
             # The key of a hook block in a lift file, and the name of a load there or in code, not in prose.
             r"block: \{+mass: [^}]*\}",
-            r"block\.\w+|(name|to|under|load): block|between: \[(slings, )?block\b|(?<=['\"`])blocks?(?=['\"`.])",
+            r"block\.\w+|(name|to|under|load): block|between: \[(slings, )?block\b",
+            r"(?<=['\"`])blocks?(?=['\"`.])",
         )
         + r"|`[^`]*\bblock\b[^`]*`|"
         + PAPER,

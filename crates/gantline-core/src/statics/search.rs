@@ -238,11 +238,18 @@ impl Search {
         }
     }
 
-    /// Bodies may touch where they are near each other here.
+    /// Bodies may touch where they are near each other here. What a support bears stays on it: without friction it would
+    /// slide, and off the edge in the end.
     fn find_spots(&mut self, system: &System, state: &mut State, bearings: &[Bearing]) {
         let mut changed = false;
-        let kinematics = &self.here.frame.kinematics;
-        spots::find(system, kinematics, &mut state.spots, |_, _, _| changed = true);
+        let Potential { frame, follows, .. } = &self.here;
+        spots::find(
+            system,
+            &frame.kinematics,
+            &mut state.spots,
+            |row| follows[row],
+            |_, _, _| changed = true,
+        );
         if changed {
             self.here.update(system, bearings, &Remembered::of(state));
         }

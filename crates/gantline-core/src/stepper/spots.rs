@@ -46,12 +46,13 @@ fn pose(kinematics: &Kinematics, body: Option<usize>) -> Pose {
     body.map_or(Pose::IDENTITY, |body| kinematics.pose[body])
 }
 
-/// Finds all spots anew at the poses; `changed` hears of every one that is not where it was, with the index of its touch
-/// and what it was and is.
+/// Finds all spots anew at the poses, but those on tops of supports whose row is `held`; `changed` hears of every one that
+/// is not where it was, with the index of its touch and what it was and is.
 pub fn find(
     system: &System,
     kinematics: &Kinematics,
     spots: &mut [Spot],
+    held: impl Fn(usize) -> bool,
     mut changed: impl FnMut(&Touch, &Spot, &Spot),
 ) {
     let mut meetings = Vec::new();
@@ -61,8 +62,8 @@ pub fn find(
                 let AnyConstraint::Touch(touch) = &system.constraints[*index] else { continue };
                 let found = pad.spot(&pose(kinematics, touch.bodies[0]));
                 let spot = &mut spots[touch.spot];
-                let stays =
-                    spot.is_near && found.is_near && (spot.point - found.point).length() < STAYS_ON_PAD;
+                let near = (spot.point - found.point).length() < STAYS_ON_PAD;
+                let stays = spot.is_near && (held(system.rows.first[*index]) || found.is_near && near);
                 if !stays && found != *spot {
                     changed(touch, spot, &found);
                     *spot = found;
@@ -185,27 +186,33 @@ pub fn follow(
 ) -> Followed {
     let mut followed = Followed::default();
     let mut spots = std::mem::take(&mut state.spots);
-    find(system, kinematics, &mut spots, |touch, old, new| {
-        let row = first_row(system, touch);
-        followed.any = true;
-        let carries = state.modes[row].carries();
-        followed.carrying |= carries;
-        if carries && !new.is_near {
-            for row in row..row + 3 {
-                state.modes[row] = Mode::Slack;
-                (state.tension[row], state.trial[row]) = (0.0, 0.0);
+    find(
+        system,
+        kinematics,
+        &mut spots,
+        |_| false,
+        |touch, old, new| {
+            let row = first_row(system, touch);
+            followed.any = true;
+            let carries = state.modes[row].carries();
+            followed.carrying |= carries;
+            if carries && !new.is_near {
+                for row in row..row + 3 {
+                    state.modes[row] = Mode::Slack;
+                    (state.tension[row], state.trial[row]) = (0.0, 0.0);
+                }
+                if touch.is_support {
+                    log.push(state.time, EventKind::OffSupport, system.constraint_index(row));
+                }
+                note_lift_off(system, state, touch.group, state.time, log);
+            } else if new.is_near && state.modes[row] != Mode::Parted {
+                let values = if carries { [value[row + 1], value[row + 2]] } else { [0.0; 2] };
+                let displaced = touch.displaced(kinematics, old, values);
+                let remembered = touch.remembered(kinematics, new, displaced);
+                state.memory[row + 1..row + 3].copy_from_slice(&remembered);
             }
-            if touch.is_support {
-                log.push(state.time, EventKind::OffSupport, system.constraint_index(row));
-            }
-            note_lift_off(system, state, touch.group, state.time, log);
-        } else if new.is_near && state.modes[row] != Mode::Parted {
-            let values = if carries { [value[row + 1], value[row + 2]] } else { [0.0; 2] };
-            let displaced = touch.displaced(kinematics, old, values);
-            let remembered = touch.remembered(kinematics, new, displaced);
-            state.memory[row + 1..row + 3].copy_from_slice(&remembered);
-        }
-    });
+        },
+    );
     state.spots = spots;
     followed
 }
