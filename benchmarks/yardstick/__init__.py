@@ -19,8 +19,10 @@ from benchmarks.lifts import Lift
 SOURCE = Path(__file__).parent / "equalizer_lift.c"
 BUILD = Path(__file__).resolve().parents[2] / "build" / "bench"
 FLAGS = ("-O3", "-march=native", "-shared", "-fPIC")
-VECTOR_FLAGS = ("-fno-math-errno", "-fno-trapping-math", "-fno-signed-zeros", "-fassociative-math")
-VECTOR_FLAGS += ("-freciprocal-math", "-ffinite-math-only", "-fopenmp-simd")
+VECTOR_FLAGS = (
+    *("-fno-math-errno", "-fno-trapping-math", "-fno-signed-zeros", "-fassociative-math"),
+    *("-freciprocal-math", "-ffinite-math-only", "-fopenmp-simd"),
+)
 """With these the compiler may reorder sums, and so works on several sheaves at a time. Not by `-ffast-math`:
 that sets subnormal numbers to zero in all of the process that loads the library, and others then fail."""
 PACES = (14, 12, 10, 9, 8, 7)

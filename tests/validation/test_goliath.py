@@ -225,7 +225,7 @@ def test_a_sling_that_is_cut_while_hoisting_runs_through() -> None:
 
 
 def test_statics_finds_it_hanging_without_a_run() -> None:
-    """Plan followed from rest to rest, from keel blocks without friction on which it could slide: 228.9 kN/cos."""
+    """Plan followed from rest to rest, from keel blocks on which it could slide: 228.9 kN/cos."""
     rest = Statics(load_scenario(FILE)).equilibrium(300.0)
     assert rest.is_stable
     for group in EQUALIZERS.values():
