@@ -233,3 +233,26 @@ def test_statics_finds_it_hanging_without_a_run() -> None:
             by_hand = SHARE / 5 * G / math.cos(math.radians(angle))
             # shackle and half of the sling hang on the lug beside: 0.5 %; the hooks are not quite level
             assert rest.tension(f"sling.{group}.{number}") == pytest.approx(by_hand, rel=0.01)
+
+
+def test_losses_leave_the_residual_of_the_closed_form() -> None:
+    """2 % at each of nine crossings, all slipping one way: parts of the rope are 0.98^j of the first."""
+    text = FILE.read_text(encoding="utf-8")
+    assert text.count("efficiency: 1.0") == 2
+    lossy = text[: text.index("cases:")] + text[text.index("limits:") :]
+    lift = parse_scenario(lossy.replace("efficiency: 1.0", "efficiency: 0.98"), str(FILE))
+    rest = Statics(lift).equilibrium(300.0, losses="forward")
+    parts = 0.98 ** np.arange(9, -1, -1)
+    pairs = parts[::2] + parts[1::2]
+    assert pairs[::-1] / pairs.mean() == pytest.approx([1.0824, 1.0395, 0.9984, 0.9588, 0.9209], abs=1e-4)
+    slings = {sling.name: sling for sling in rest.recording.rig.slings}
+    for group in EQUALIZERS.values():
+        names = [f"{group}.{number}" for number in range(1, 6)]
+        upright = [
+            rest.tension(f"sling.{name}")
+            * math.cos(float(series.sling_angle(rest.recording, slings[name])[-1]))
+            for name in names
+        ]
+        # Two parts carry a sling with its moving sheave, 300 kg, and half of the sling, 90 kg: 0.1 %.
+        carried = np.array(upright) + 300 * G
+        assert carried / carried.mean() == pytest.approx(pairs / pairs.mean(), rel=1e-3)
