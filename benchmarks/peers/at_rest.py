@@ -168,14 +168,7 @@ class OpenSimToRest:
         for sling in slings:
             self._reporter.addToReport(sling.getOutput("force_magnitude"), sling.getName())
         self._model.addComponent(self._reporter)
-        state = self._model.initSystem()
-        self._manager = osim.Manager(self._model)
-        self._manager.setWriteToStorage(False)
-        self._manager.setPerformAnalyses(False)
-        self._manager.setIntegratorMethod(osim.Manager.IntegratorMethod_CPodes)
-        self._manager.setIntegratorAccuracy(accuracy)
-        self._manager.setIntegratorInternalStepLimit(opensim.MANY_STEPS)
-        self._manager.initialize(state)
+        self._manager = opensim.manager_of(self._model, "CPodes", accuracy)
 
     def integrate(self) -> None:
         """To the end."""

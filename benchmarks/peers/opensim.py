@@ -115,6 +115,20 @@ def _equalizing_rope(lift: Lift, frame: Any, sheaves: list[Any], path_through_po
     return rope
 
 
+def manager_of(model: Any, method: str, accuracy: float) -> Any:
+    """A model ready to run by a method at an accuracy, nothing written."""
+    osim = import_module("opensim")
+    state = model.initSystem()
+    manager = osim.Manager(model)
+    manager.setWriteToStorage(False)
+    manager.setPerformAnalyses(False)
+    manager.setIntegratorMethod(getattr(osim.Manager, f"IntegratorMethod_{method}"))
+    manager.setIntegratorAccuracy(accuracy)
+    manager.setIntegratorInternalStepLimit(MANY_STEPS)
+    manager.initialize(state)
+    return manager
+
+
 class OpenSimRun:
     """One integration."""
 
@@ -130,14 +144,7 @@ class OpenSimRun:
         for sling in slings:
             self._reporter.addToReport(sling.getOutput("force_magnitude"), sling.getName())
         self._model.addComponent(self._reporter)
-        state = self._model.initSystem()
-        self._manager = osim.Manager(self._model)
-        self._manager.setWriteToStorage(False)
-        self._manager.setPerformAnalyses(False)
-        self._manager.setIntegratorMethod(getattr(osim.Manager, f"IntegratorMethod_{method}"))
-        self._manager.setIntegratorAccuracy(setting.value)
-        self._manager.setIntegratorInternalStepLimit(MANY_STEPS)
-        self._manager.initialize(state)
+        self._manager = manager_of(self._model, method, setting.value)
 
     def integrate(self) -> None:
         """To the end."""

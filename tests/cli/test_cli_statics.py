@@ -122,6 +122,7 @@ def test_friction_that_holds(tmp_path: Path) -> None:
     # The contacts of the ground give by tenths of a millimetre, beside 12 mm of stretch.
     assert float(found[1]) == pytest.approx(tension, rel=0.05)
     friction = [float(one) for one in re.findall(r"corner_\d +[\d.]+ kN +([\d.]+) kN", result.stdout)]
+    # The contacts of the corners share what two slings pull aside; their tensions are read as printed.
     assert sum(friction) == pytest.approx(2 * float(found[1]) * 2 / distance, rel=0.01)
     ends = re.search(r"box along x +(-[\d.]+) m +([\d.]+) m", result.stdout)
     assert ends is not None

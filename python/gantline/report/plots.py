@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from abc import abstractmethod
 from typing import Any
 
 from gantline.report.section import Section
@@ -30,9 +31,9 @@ class Player(Section):
 class _Plots(Section):
     template = "plots.html"
 
+    @abstractmethod
     def plots(self, subject: Subject) -> list[Plot]:
         """The plots that this recording has."""
-        raise NotImplementedError
 
     def content(self, subject: Subject) -> dict[str, Any] | None:
         """What the template is given."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
@@ -28,9 +29,9 @@ class _Structure(Element):
         None, description="Damping at each place that touches; that of the ground if not given."
     )
 
+    @abstractmethod
     def extents(self) -> dict[str, tuple[float, float]]:
         """Its extents by their keys, each from less to more [m]."""
-        raise NotImplementedError
 
     @model_validator(mode="after")
     def _in_order(self) -> _Structure:

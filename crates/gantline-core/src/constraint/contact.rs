@@ -12,10 +12,6 @@ use crate::contact::plane::Plane;
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::Twist;
 
-/// Damping time of a tangential spring [s], at least: with none at all the anchor of a sliding point would have to
-/// follow at once.
-const LEAST_DAMPING: f64 = 1e-5;
-
 /// A point that may touch a plane.
 #[derive(Debug, Clone)]
 pub struct Contact {
@@ -59,14 +55,7 @@ impl Constraint for Contact {
     }
 
     fn laws(&self, first_row: usize) -> Vec<Law> {
-        let (compliance, damping_time) = (self.compliance, self.damping_time);
-        let friction = Law::Friction {
-            compliance,
-            damping_time: damping_time.max(LEAST_DAMPING),
-            coefficient: self.friction,
-            normal: first_row,
-        };
-        vec![Law::Unilateral { compliance, damping_time }, friction, friction]
+        Law::of_contact(self.compliance, self.damping_time, self.friction, first_row)
     }
 
     fn lines(&self) -> usize {

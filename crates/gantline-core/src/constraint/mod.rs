@@ -56,7 +56,18 @@ pub enum Law {
     Pin,
 }
 
+/// Damping time of a tangential spring [s], at least: with none at all the anchor of a sliding point would have to
+/// follow at once.
+const LEAST_DAMPING: f64 = 1e-5;
+
 impl Law {
+    /// The three laws of a place that touches: across, and two along, whose bound follows the first row's force.
+    pub fn of_contact(compliance: f64, damping_time: f64, coefficient: f64, first_row: usize) -> Vec<Self> {
+        let along = damping_time.max(LEAST_DAMPING);
+        let friction = Self::Friction { compliance, damping_time: along, coefficient, normal: first_row };
+        vec![Self::Unilateral { compliance, damping_time }, friction, friction]
+    }
+
     /// ε [m/N].
     pub fn compliance(&self) -> f64 {
         match self {

@@ -24,9 +24,6 @@ use crate::tree::kinematics::{Kinematics, Twist};
 
 /// Value of the depth of a spot that is not near [m].
 const FAR: f64 = -1.0;
-/// Damping time of a tangential spring [s], at least, as of other contacts.
-const LEAST_DAMPING: f64 = 1e-5;
-
 /// A place at which two bodies may touch.
 #[derive(Debug, Clone)]
 pub struct Touch {
@@ -158,14 +155,7 @@ impl Constraint for Touch {
     }
 
     fn laws(&self, first_row: usize) -> Vec<Law> {
-        let (compliance, damping_time) = (self.compliance, self.damping_time);
-        let friction = Law::Friction {
-            compliance,
-            damping_time: damping_time.max(LEAST_DAMPING),
-            coefficient: self.friction,
-            normal: first_row,
-        };
-        vec![Law::Unilateral { compliance, damping_time }, friction, friction]
+        Law::of_contact(self.compliance, self.damping_time, self.friction, first_row)
     }
 
     /// One for each row, with the direction in which it pushes the first body against the second.
