@@ -16,8 +16,9 @@ from gantline.rule_data import (
     Preset,
     Sourced,
     dynamic_factor,
+    several_cranes,
 )
-from gantline.scenario import Scenario
+from gantline.scenario import Rigging, Scenario
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
 from gantline.scenario.limits import Rules
@@ -32,11 +33,12 @@ _FLEET_ANGLE_SOURCE = "DGUV Vorschrift 54, notes on section 20"
 _LIFT_FILE = "lift file"
 
 
-def limits_and_rules(scenario: Scenario, *, has_sheaves: bool) -> Json:
+def limits_and_rules(scenario: Scenario, rigging: Rigging, *, has_sheaves: bool) -> Json:
     """Limits and factors of the lift file, then of its preset, each with its source.
 
     Args:
         scenario: the lift.
+        rigging: what hangs from which hook.
         has_sheaves: whether a rope runs over sheaves with true tangents.
     """
     rules = scenario.rules or Rules()
@@ -57,16 +59,22 @@ def limits_and_rules(scenario: Scenario, *, has_sheaves: bool) -> Json:
         "limits": {**named, **given, **{key: one.value for key, one in of_preset.items()}, **assumed},
         "assumed_limits": list(assumed),
         "limit_sources": sources,
-        "factors": _factors(scenario, rules, preset, own),
+        "factors": _factors(scenario, rigging, rules, preset, own),
         "shackle_side_load": _side_load(rules, own),
     }
 
 
-def _factors(scenario: Scenario, rules: Rules, preset: Preset, own: str) -> Json:
+def _factors(scenario: Scenario, rigging: Rigging, rules: Rules, preset: Preset, own: str) -> Json:
+    hooks = {sling.hook for sling in rigging.slings.values()} & set(scenario.hooks)
+    lifting = {scenario.hooks[hook].crane for hook in hooks}
+    of_several = None
+    if rules.several_cranes is not None:
+        of_several = several_cranes(rules.several_cranes, len(lifting))
     mass = scenario.load.weight.design if scenario.load is not None else None
     of_preset: dict[str, Sourced | None] = {
         **preset.factors,
         "dynamic_amplification_factor": dynamic_factor(preset, mass),
+        "several_cranes_factor": of_several,
     }
     found = {}
     for key in FACTORS:

@@ -60,7 +60,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "wrapped_sheaves": (wrapped := _wrapped_sheaves(parts)),
         "ratings": ratings(scenario),
         "bends": bends(scenario, parts),
-        **limits_and_rules(scenario, has_sheaves=bool(wrapped)),
+        **limits_and_rules(scenario, rigging, has_sheaves=bool(wrapped)),
         **_equalised_below(scenario),
         "plan": [_step(scenario, step) for step in scenario.plan],
         **_supports_and_watches(scenario),

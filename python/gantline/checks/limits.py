@@ -6,7 +6,19 @@ held against. Those that everybody has to hand in are listed without a limit too
 
 from __future__ import annotations
 
-from gantline.checks import contacts, cranes, equalizers, hooks, loads, lugs, ropes, shackles, slings
+from gantline.checks import (
+    contacts,
+    cranes,
+    crawlers,
+    equalizers,
+    hooks,
+    loads,
+    lugs,
+    ratings,
+    ropes,
+    shackles,
+    slings,
+)
 from gantline.checks.measure import Measure
 
 _ALL = "by definition"
@@ -69,6 +81,43 @@ LIMITS: dict[str, Measure] = {
         cranes.distance_margin,
         at_least=True,
         by_definition=0.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "hoist_load_of_rating": Measure(
+        "hoist load (hook load, if the rating leaves the hook block out) x factor of several cranes / rated "
+        "load of the chart where the hook is, of crane and hook",
+        "%",
+        1,
+        ratings.load_of_rating,
+        by_definition=1.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "attitude_of_rating": Measure(
+        "heel, trim, off-lead and side-lead under load / largest for which the rating chart holds",
+        "%",
+        1,
+        ratings.beyond_rating,
+        by_definition=1.0,
+        definition="'rating' of the crane",
+        is_listed=True,
+    ),
+    "moment_of_tipping_moment": Measure(
+        "moment of what hangs / moment of the crane's own weight, about its worst tipping line",
+        "%",
+        1,
+        crawlers.tipping,
+        by_definition=1.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "ground_pressure_of_allowed": Measure(
+        "largest pressure on the ground under a track or its mats / what the ground bears",
+        "%",
+        1,
+        crawlers.ground_pressure,
+        by_definition=1.0,
         definition=_ALL,
         is_listed=True,
     ),

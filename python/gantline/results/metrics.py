@@ -34,6 +34,10 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `static_hook_load`, `peak_hook_load` [N]: hook load, the largest over the hooks
 - `static_hoist_load`, `peak_hoist_load` [N]: hook load with hook block and hanging falls, the largest over
   the hooks
+- `rating_utilisation.<crane>` [1]: largest of hoist load (or hook load) over rated load of the chart where
+  the hooks were then, at any sample; absent where a load hung outside of the chart
+- `tipping_utilisation.<crane>` [1]: largest moment of what hangs over that of a crawler crane's own weight
+- `peak_ground_pressure.<crane>` [Pa]: largest pressure on the ground under a crawler crane
 - `final_load_transferred` [1]: 1 - support forces/weight at the last sample, the smallest over the loads
 - `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
 - `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity from its start
@@ -66,6 +70,7 @@ from gantline.results import series
 from gantline.results.clearances import peak_support_force
 from gantline.results.equalising import equalising
 from gantline.results.parting import partings
+from gantline.results.rating import chart_used
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew
 
@@ -101,6 +106,8 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         _loads,
         _supports,
         _hooks,
+        _charts,
+        _crawlers,
         _travel,
         _lengthening,
         _audit,
@@ -225,6 +232,20 @@ def _hooks(recording: Recording) -> Iterator[_Metric]:
         statics = (series.static_value(recording, force, window) for force in forces)
         yield f"static_{name}", _largest(static for static in statics if static is not None)
         yield f"peak_{name}", float(forces.max())
+
+
+def _charts(recording: Recording) -> Iterator[_Metric]:
+    for chart in recording.rig.rating_charts:
+        used = float(chart_used(recording, chart).max())
+        yield f"rating_utilisation.{chart.crane}", used if np.isfinite(used) else None
+
+
+def _crawlers(recording: Recording) -> Iterator[_Metric]:
+    for crane in recording.rig.crawlers:
+        tipping = recording.column("tipping_utilisation", crane.name)
+        yield f"tipping_utilisation.{crane.name}", float(tipping.max())
+        pressures = [recording.column("ground_pressure", corner) for corner in crane.corners]
+        yield f"peak_ground_pressure.{crane.name}", float(np.max(pressures))
 
 
 def _travel(recording: Recording) -> Iterator[_Metric]:

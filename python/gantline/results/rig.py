@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from typing import Any, Self
 
 from gantline.results.crane import Crane
+from gantline.results.crawler import Crawler
+from gantline.results.rating_chart import RatingChart
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
@@ -348,6 +350,7 @@ class Rig(FromJson):
         watches: Pairs whose distance is watched.
         hooks: Hooks of all cranes.
         cranes: Goliath cranes, with what is particular to their hooks.
+        crawlers: Crawler cranes, with what they stand on.
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
         ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
@@ -360,6 +363,7 @@ class Rig(FromJson):
         factors: Factors on loads and strengths by name, see `gantline.rule_data.FACTORS`.
         shackle_side_load: Chart of side loads on shackles.
         ratings: Rated capacities of hooks, trolleys and cranes.
+        rating_charts: Rating charts of cranes.
         bends: The smallest sheave or drum of each rope.
         equalised_below: Tension spread below which an equalizer has equalised [1].
         plan: Steps of the plan.
@@ -375,6 +379,7 @@ class Rig(FromJson):
     watches: Sequence[Watch] = ()
     hooks: Sequence[Hook] = ()
     cranes: Sequence[Crane] = ()
+    crawlers: Sequence[Crawler] = ()
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
     ropes: Sequence[Rope] = ()
@@ -387,6 +392,7 @@ class Rig(FromJson):
     factors: Mapping[str, Factor] = field(default_factory=dict)
     shackle_side_load: SideLoad = field(default_factory=SideLoad)
     ratings: Sequence[Rating] = ()
+    rating_charts: Sequence[RatingChart] = ()
     bends: Sequence[Bend] = ()
     equalised_below: float = EQUALISED_BELOW
     plan: Sequence[Step] = ()
@@ -400,6 +406,7 @@ class Rig(FromJson):
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
+            "crawlers": tuple(Crawler.from_json(d) for d in document.get("crawlers") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
@@ -413,6 +420,7 @@ class Rig(FromJson):
             "factors": {name: Factor.from_json(one) for name, one in (document.get("factors") or {}).items()},
             "shackle_side_load": SideLoad.from_json(document.get("shackle_side_load") or {}),
             "ratings": _ratings(document),
+            "rating_charts": tuple(RatingChart.from_json(d) for d in document.get("rating_charts") or ()),
             "bends": tuple(Bend.from_json(d) for d in document.get("bends") or ()),
         }
         return super().from_json({**document, **parts})

@@ -3,21 +3,25 @@
 from gantline.rule_data.presets import (
     FACTORS,
     PRESETS,
+    SEVERAL_CRANES,
     SIDE_LOAD,
     SIDE_LOAD_SOURCE,
     DynamicRow,
     Preset,
     Sourced,
     dynamic_factor,
+    several_cranes,
 )
 
 __all__ = [
     "FACTORS",
     "PRESETS",
+    "SEVERAL_CRANES",
     "SIDE_LOAD",
     "SIDE_LOAD_SOURCE",
     "DynamicRow",
     "Preset",
     "Sourced",
     "dynamic_factor",
+    "several_cranes",
 ]

@@ -15,12 +15,14 @@ from typing import Final
 __all__ = [
     "FACTORS",
     "PRESETS",
+    "SEVERAL_CRANES",
     "SIDE_LOAD",
     "SIDE_LOAD_SOURCE",
     "DynamicRow",
     "Preset",
     "Sourced",
     "dynamic_factor",
+    "several_cranes",
 ]
 
 #: Factors that rules may set, and what each is multiplied with.
@@ -36,6 +38,7 @@ FACTORS: Final[Mapping[str, str]] = MappingProxyType(
         "least_safety_factor": "least product of load, consequence and material factor",
         "lug_consequence_factor": "on lug loads, where a capacity does not hold it already",
         "shackle_breaking_factor": "between the dynamic load of a shackle and its minimum breaking force",
+        "several_cranes_factor": "on the share of each crane with a rating chart, where several lift one load",
     }
 )
 
@@ -124,6 +127,29 @@ def dynamic_factor(preset: Preset, mass: float | None) -> Sourced | None:
     row = next((row for row in preset.dynamic if mass <= row.up_to), preset.dynamic[-1])
     weight = max(mass, 3e3)  # below 3 t the table asks to calculate with 3 t
     return Sourced(row.factor + row.falling * math.sqrt(100e3 / weight), preset.dynamic_source)
+
+
+#: Factor on the share of each crane by how many lift one load, by the name of the rule; the last row is for
+#: more of them too.
+SEVERAL_CRANES: Final[Mapping[str, Mapping[int, Sourced]]] = MappingProxyType(
+    {
+        "queensland": {
+            count: Sourced(factor, f"Mobile crane code of practice 2006, Queensland, 14.3.2: {count} cranes")
+            for count, factor in ((2, 1.20), (3, 1.33), (4, 1.50))
+        }
+    }
+)
+
+
+def several_cranes(rule: str, cranes: int) -> Sourced | None:
+    """Factor of a rule on the share of each of several cranes; None of one alone.
+
+    Args:
+        rule: A name of `SEVERAL_CRANES`.
+        cranes: How many lift one load.
+    """
+    rows = SEVERAL_CRANES[rule]
+    return rows[min(cranes, max(rows))] if cranes > 1 else None
 
 
 def _nd(place: str, column: Sequence[tuple[float, float, float]]) -> Preset:

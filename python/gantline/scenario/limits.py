@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field, model_validator
 
-from gantline.rule_data import PRESETS
+from gantline.rule_data import PRESETS, SEVERAL_CRANES
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
     NotNegativeLength,
@@ -115,6 +115,22 @@ class Limits(Element):
     hook_distance_margin: NotNegativeLength | None = Field(
         None, description="Least distance of hooks of two trolleys beyond that of the crane; 0 if not given."
     )
+    hoist_load_of_rating: Ratio | None = Field(
+        None,
+        description="Hoist load of the rated load of the chart where the hook is; 100 % if not given.",
+    )
+    attitude_of_rating: Ratio | None = Field(
+        None,
+        description="Heel, trim, off-lead and side-lead of those for which the chart holds; 100 % if not given.",
+    )
+    moment_of_tipping_moment: Ratio | None = Field(
+        None,
+        description="Moment of what hangs of that at which a crawler crane tips, 75 % for instance; 100 % if "
+        "not given.",
+    )
+    ground_pressure_of_allowed: Ratio | None = Field(
+        None, description="Pressure on the ground of 'allowed_pressure' of the tracks; 100 % if not given."
+    )
     corner_load: PositiveForce | None = Field(
         None, description="Load of a corner of a Goliath crane, by moments of weights and hoist loads."
     )
@@ -178,6 +194,14 @@ class Rules(Element):
     )
     shackle_breaking_factor: _Factor | None = Field(
         None, description="Least factor of a shackle's minimum breaking force over its dynamic load."
+    )
+    several_cranes: Annotated[str, Word(tuple(SEVERAL_CRANES))] | None = Field(
+        None,
+        description="Rule that says what capacity cranes with a rating chart keep back where several lift "
+        "one load.",
+    )
+    several_cranes_factor: _Factor | None = Field(
+        None, description="The same as a factor of one's own, on the share of each of them."
     )
     shackle_side_load: list[SideLoad] | None = Field(
         None,

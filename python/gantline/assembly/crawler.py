@@ -1,0 +1,213 @@
+"""Crawler cranes into mechanics: four corners on elastic ground, tracks, an upper structure that slews.
+
+The tracks are carried by slider and hinges: along their heading (driven by the travel, or none), up and down,
+about their heading, and across it. So they rock and tip as the ground lets them, and neither slide nor turn
+aside. Under each of their ends is a point that the ground pushes and never pulls. The boom comes on the upper
+structure like any other.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from gantline.assembly.operations import along_drive, slew_drive
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.spatial import about_axis, inertia_list, point_inertia, solid_box
+from gantline.scenario import Scenario
+from gantline.scenario.boom import boom_name
+from gantline.scenario.crawler import TRACK_CORNERS, Crawler, Tracks, tracks_body, upper_body
+
+__all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_contact"]
+
+#: Parts of pictures that no mechanics depends on: height of tracks, machinery and counterweight, sizes of the
+#: last two along and across [m].
+_TRACK = 1.4
+_MACHINE = (6.0, 4.0, 3.0)
+_WEIGHT = (2.0, 6.0, 3.0)
+
+
+def crawlers(scenario: Scenario) -> dict[str, Crawler]:
+    """The crawler cranes of a lift by name."""
+    cranes = scenario.cranes or {}
+    return {name: crane for name, crane in cranes.items() if isinstance(crane, Crawler)}
+
+
+def track_contact(crane: str, corner: str) -> str:
+    """Name of the contact under an end of a track."""
+    return f"{crane}.{corner}"
+
+
+def add_crawlers(parts: Parts, scenario: Scenario) -> None:
+    """Add the bodies of every crawler crane up to its upper structure, and what they stand on."""
+    for name, crane in crawlers(scenario).items():
+        _add_tracks(parts, scenario, name, crane)
+        _add_corners(parts, scenario, name, crane.tracks)
+        _add_upper(parts, name, crane)
+
+
+def _add_tracks(parts: Parts, scenario: Scenario, name: str, crane: Crawler) -> None:
+    assert scenario.ground is not None  # checked: it stands on the ground
+    place = (*crane.position, scenario.ground.level)
+    heading = about_axis((0.0, 0.0, 1.0), crane.heading)
+    along: Json = {"type": "fixed"}
+    if crane.travel is not None:
+        parts.add_drive(along_drive(name))
+        along = _axis("slider", (1.0, 0.0, 0.0), drive=along_drive(name))
+    parts.add_body(f"{name}/along", along, position=place, orientation=heading)
+    sinks = _weight(scenario, name, crane) / (4 * crane.tracks.stiffness)
+    parts.add_body(f"{name}/up", _axis("slider", (0.0, 0.0, 1.0), -sinks), parent=f"{name}/along")
+    parts.add_body(f"{name}/over", _axis("hinge", (1.0, 0.0, 0.0)), parent=f"{name}/up")
+    mass = crane.base_mass - crane.upper_mass + crane.central_ballast
+    tracks = crane.tracks
+    sizes = (tracks.length, tracks.gauge + tracks.width, tracks.height)
+    parts.add_body(
+        tracks_body(name),
+        _axis("hinge", (0.0, 1.0, 0.0)),
+        parent=f"{name}/over",
+        mass=mass,
+        centre_of_gravity=(0.0, 0.0, tracks.height / 2),
+        inertia=inertia_list(solid_box(mass, sizes)),
+    )
+
+
+def _weight(scenario: Scenario, name: str, crane: Crawler) -> float:
+    """Weight of a crane without what hangs in its hooks [N]."""
+    mass = crane.base_mass + crane.central_ballast + crane.counterweight.mass
+    return (mass + crane.boom.mass + crane.boom.head_gear) * scenario.simulation.gravity
+
+
+def _add_corners(parts: Parts, scenario: Scenario, name: str, tracks: Tracks) -> None:
+    """The ground under each end of a track; one that settles is drawn away from under it."""
+    assert scenario.ground is not None
+    settling = tracks.settling
+    for corner, at in _corners(tracks).items():
+        body = tracks_body(name)
+        if settling is not None and corner in settling.corners:
+            # A foot that is drawn up into the track lets it down as ground that goes down would.
+            foot = f"{body}/{corner}"
+            speed = 2 * settling.by / settling.over
+            ramps = [
+                {"at": settling.at, "duration": settling.over / 2, "velocity": speed, "shape": "smooth"},
+                {
+                    "at": settling.at + settling.over / 2,
+                    "duration": settling.over / 2,
+                    "velocity": 0.0,
+                    "shape": "smooth",
+                },
+            ]
+            parts.add_drive(f"{foot}.settling", ramps)
+            joint = _axis("slider", (0.0, 0.0, 1.0), drive=f"{foot}.settling")
+            parts.add_body(foot, joint, parent=body, position=at)
+            body, at = foot, (0.0, 0.0, 0.0)
+        level = scenario.ground.level + (tracks.levels or {}).get(corner, 0.0)
+        parts.contacts.append(
+            {
+                "name": track_contact(name, corner),
+                "group": track_contact(name, corner),
+                "body": body,
+                "at": list(at),
+                "plane_point": [0.0, 0.0, level],
+                "plane_normal": [0.0, 0.0, 1.0],
+                "stiffness": tracks.stiffness,
+                "damping_time": tracks.damping / tracks.stiffness,
+                "friction": 0.0,  # the joints of the tracks hold what friction would
+            }
+        )
+
+
+def _corners(tracks: Tracks) -> dict[str, tuple[float, float, float]]:
+    """Where the ends of the tracks are from their middle [m]."""
+    along, aside = tracks.length / 2, tracks.gauge / 2
+    places = ((along, aside), (-along, aside), (along, -aside), (-along, -aside))
+    return {corner: (x, y, 0.0) for corner, (x, y) in zip(TRACK_CORNERS, places, strict=True)}
+
+
+def _add_upper(parts: Parts, name: str, crane: Crawler) -> None:
+    """Machinery on the slewing axis and counterweight, a point mass each."""
+    turns: Json = _axis("hinge", (0.0, 0.0, 1.0), crane.slew)
+    if crane.slewing is None:
+        turns = {"type": "fixed"}
+    else:
+        parts.add_drive(slew_drive(name))
+        turns["drive"] = slew_drive(name)
+    weight = crane.counterweight
+    lumps = [
+        (crane.upper_mass, np.array((0.0, 0.0, crane.tracks.height))),
+        (weight.mass, np.array((-weight.behind, 0.0, weight.height))),
+    ]
+    mass = math.fsum(lump for lump, _ in lumps)
+    centre = np.sum([lump * at for lump, at in lumps], axis=0) / mass
+    inertia = np.sum([point_inertia(lump, at - centre) for lump, at in lumps], axis=0)
+    parts.add_body(
+        upper_body(name),
+        turns,
+        parent=tracks_body(name),
+        orientation=(1.0, 0.0, 0.0, 0.0) if crane.slewing else about_axis((0.0, 0.0, 1.0), crane.slew),
+        mass=mass,
+        centre_of_gravity=[float(part) for part in centre],
+        inertia=inertia_list(inertia),
+    )
+
+
+def _axis(
+    kind: str, axis: tuple[float, float, float], position: float = 0.0, drive: str | None = None
+) -> Json:
+    joint = {"type": kind, "axis": list(axis), "position": position, "velocity": 0.0, "damping": 0.0}
+    return joint | {"friction": 0.0, "drive": drive}
+
+
+def crawler_shape(scenario: Scenario, body: str) -> Json | None:
+    """Boxes for pictures: two tracks with their mats, or machinery and counterweight."""
+    for name, crane in crawlers(scenario).items():
+        tracks = crane.tracks
+        if body == tracks_body(name):
+            sides = (tracks.gauge / 2, -tracks.gauge / 2)
+            boxes = [_box((tracks.length, tracks.width, _TRACK), (0.0, y, _TRACK / 2)) for y in sides]
+            across = tracks.gauge - tracks.width
+            middle = _box((tracks.length / 3, across, _TRACK / 2), (0.0, 0.0, tracks.height - _TRACK / 4))
+            return {"type": "boxes", "boxes": [*boxes, middle]}
+        if body == upper_body(name):
+            behind = crane.counterweight.behind
+            machine = (0.0, 0.0, tracks.height + _MACHINE[2] / 2)
+            slabs = (-behind, 0.0, max(crane.counterweight.height, tracks.height + _WEIGHT[2] / 2))
+            long = (behind, 2.0, 1.0)
+            frame = (-behind / 2, 0.0, tracks.height + 0.5)
+            return {
+                "type": "boxes",
+                "boxes": [_box(_MACHINE, machine), _box(_WEIGHT, slabs), _box(long, frame)],
+            }
+    return None
+
+
+def _box(size: tuple[float, float, float], centre: tuple[float, float, float]) -> Json:
+    return {"type": "box", "size": list(size), "centre": list(centre)}
+
+
+def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
+    """What results need to know of crawler cranes [SI]."""
+    gravity = scenario.simulation.gravity
+    found = []
+    for name, crane in crawlers(scenario).items():
+        tracks = crane.tracks
+        own = [tracks_body(name), upper_body(name), boom_name(name)]
+        found.append(
+            {
+                "name": name,
+                "tracks": tracks_body(name),
+                "upper": upper_body(name),
+                "slew_at_start": crane.slew,
+                "slews": crane.slewing is not None,
+                "length": tracks.length,
+                "width": tracks.width,
+                "gauge": tracks.gauge,
+                "mats": tracks.mats,
+                "allowed_pressure": tracks.allowed_pressure,
+                "centre": parts.bodies[tracks_body(name)]["centre_of_gravity"],
+                "corners": [track_contact(name, corner) for corner in TRACK_CORNERS],
+                "weights": {body: parts.bodies[body]["mass"] * gravity for body in own},
+                "hooks": [hook.name for hook in scenario.hooks.values() if hook.crane == name],
+            }
+        )
+    return found

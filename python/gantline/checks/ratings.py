@@ -1,0 +1,152 @@
+"""Rating charts: what hangs against what may, where the hook is at every moment, and where charts hold."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from gantline.checks.forces import NO_STATIC, Force, factor, hook_force, kilonewton
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
+from gantline.results import series
+from gantline.results.rating import chart_load, chart_places
+from gantline.results.rating_chart import RatingChart
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
+
+SEVERAL = "several_cranes_factor"
+#: What a chart may be limited to, and the variables that are held against it, by crane or by hook.
+_OF_CRANE = {"heel": "crane_heel", "trim": "crane_trim"}
+_OF_HOOK = {"off_lead": "off_lead", "side_lead": "side_lead"}
+
+
+def load_of_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Hoist load (or hook load) over the rated load of the chart, of cranes and of each of several hooks."""
+    several = len(_lifting(recording)) > 1
+    for chart in recording.rig.rating_charts:
+        kept = factor(recording, SEVERAL) if several and chart.crane in _lifting(recording) else None
+        if several and kept is None and chart.crane in _lifting(recording):
+            yield Caution(f"{len(_lifting(recording))} cranes lift together, and no rule keeps capacity back")
+        groups = [(f"crane {chart.crane}", tuple(chart.hooks), 1.0)]
+        if len(chart.hooks) > 1:
+            groups += [(hook, (hook,), chart.share_of(hook)) for hook in chart.hooks]
+        for element, hooks, share in groups:
+            yield from _of_row(recording, during, chart, (element, hooks, share, kept or 1.0))
+
+
+def _lifting(recording: Recording) -> set[str]:
+    """The cranes from whose hooks slings hang."""
+    rig = recording.rig
+    hooks = {rig.hook_of(sling) for sling in rig.slings}
+    return {hook.crane for hook in rig.hooks if hook.name in hooks}
+
+
+def _of_row(
+    recording: Recording,
+    during: BoolArray,
+    chart: RatingChart,
+    of: tuple[str, tuple[str, ...], float, float],
+) -> Iterator[Finding]:
+    element, hooks, share, kept = of
+    load = chart_load(recording, chart, hooks)
+    places = chart_places(recording, chart, hooks)
+    outside = during & (load > 0) & ~chart.holds(places).all(axis=1)
+    if outside.any():
+        yield Refused(element, _outside(recording, chart, places, outside))
+        return
+    rated = share * chart.rated_at(places).min(axis=1)
+    yield from _by_rule(recording, during, (element, hooks, kept), chart, rated)
+    if series.is_equilibrium(recording):
+        return
+    loaded = during & (load > 0)
+    if loaded.any() and not rated[loaded].all():
+        at = int(np.flatnonzero(loaded & (rated <= 0))[0])
+        reason = f"nothing may hang at {_shown(chart, places[at].max())}, at {recording.time[at]:.2f} s"
+        yield Refused(element, reason)
+        return
+    used = np.where(loaded, kept * load / np.where(loaded, rated, 1.0), 0.0)
+    names = (SEVERAL,) if kept > 1 else ()
+
+    def text(at: int) -> str:
+        raised = f" x {kept:.4g}" if kept > 1 else ""
+        of_row = f"{share * 100:.4g} % of " if share < 1 else ""
+        row = f"{of_row}{kilonewton(rated[at] / share)} at {_shown(chart, _worst(chart, places[at]))}"
+        return f"{kilonewton(load[at])}{raised} / {row}"
+
+    for found in extreme(recording, used, loaded, element, text):
+        yield Found(found.value, found.element, found.time, found.formula, names)
+
+
+def _by_rule(
+    recording: Recording,
+    during: BoolArray,
+    of: tuple[str, tuple[str, ...], float],
+    chart: RatingChart,
+    rated: FloatArray,
+) -> Iterator[Finding]:
+    """The design weight with the rule's dynamics against the least that is rated while the load hangs still."""
+    element, hooks, kept = of
+    window = series.quiet_window(recording) & during
+    variable = "hoist_load" if chart.includes_hook_block else "hook_load"
+    force: Force = hook_force(recording, hooks, variable, during)
+    still = force.rule if force.rule is not None else force.static
+    if still is None:
+        if series.is_equilibrium(recording):
+            yield Missing(element, NO_STATIC)
+        return
+    if not window.any() or still <= 0:
+        return
+    least = float(rated[window].min())
+    if least <= 0:
+        yield Refused(element, "nothing may hang where the load hangs still")
+        return
+    text = f"{force.rule_text if force.rule is not None else force.static_text}"
+    raised = f" x {kept:.4g}" if kept > 1 else ""
+    names = (*force.factors, *((SEVERAL,) if kept > 1 else ()))
+    yield Found(kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}", names)
+
+
+def _worst(chart: RatingChart, places: FloatArray) -> float:
+    """Of some places that with the least rated load."""
+    return float(places[int(np.argmin(chart.rated_at(places)))])
+
+
+def _outside(recording: Recording, chart: RatingChart, places: FloatArray, outside: BoolArray) -> str:
+    at = int(np.flatnonzero(outside)[0])
+    place = float(places[at][int(np.argmin(chart.holds(places[at])))])
+    rows = f"{_shown(chart, chart.at[0])} to {_shown(chart, chart.at[-1])}"
+    when = f"at {recording.time[at]:.2f} s"
+    return f"{chart.over} of {_shown(chart, place)} {when} is outside of the chart, {rows}: no lift"
+
+
+def _shown(chart: RatingChart, place: float) -> str:
+    if chart.over == "angle":
+        return format_quantity(place, "deg", 2)
+    return format_quantity(place, "m", 2)
+
+
+def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Heel, trim, off-lead and side-lead while a load hangs, over the largest for which the chart holds."""
+    for chart in recording.rig.rating_charts:
+        loaded = during & (chart_load(recording, chart, tuple(chart.hooks)) > 0)
+        for key, variable in _OF_CRANE.items():
+            limit = getattr(chart, key)
+            if limit is not None:
+                values = np.abs(recording.column(variable, chart.crane))
+                yield from _over(recording, values, loaded, limit, f"{key} {chart.crane}")
+        for key, variable in _OF_HOOK.items():
+            limit = getattr(chart, key)
+            for hook in chart.hooks if limit is not None else ():
+                values = np.abs(recording.column(variable, hook))
+                yield from _over(recording, values, loaded, limit, f"{key} {hook}")
+
+
+def _over(
+    recording: Recording, values: FloatArray, during: BoolArray, limit: float, element: str
+) -> Iterator[Finding]:
+    def text(at: int) -> str:
+        return f"{math.degrees(values[at]):.3f} deg / {math.degrees(limit):.4g} deg"
+
+    yield from extreme(recording, values / limit, during, element, text)

@@ -1,0 +1,65 @@
+"""Rating charts of cranes with a boom: what may hang at which radius, and for which attitudes that holds.
+
+docs/concepts/rating.md says what is compared with what.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.results.strength import FromJson
+from gantline.results.variable import BoolArray, FloatArray
+
+__all__ = ["RatingChart"]
+
+#: Rounding of radii and angles at the ends of a chart, as a share of its largest entry.
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class RatingChart(FromJson):
+    """The rating chart of one crane.
+
+    Attributes:
+        crane: The crane.
+        over: What its rows are for: `radius`, `outreach` or `angle`.
+        at: Radius or outreach [m], or boom angle [rad], of each row, rising.
+        rated: What may hang there, all hooks together [N].
+        includes_hook_block: Whether that is the hoist load, else the hook load.
+        hooks: The hooks of the crane.
+        hook_shares: By hook the largest share of the row that it may carry alone [1].
+        heel: Largest heel for which the chart holds [rad]; None if not said, as the next three.
+        trim: Largest trim.
+        off_lead: Largest angle of falls from plumb in the plane of the boom.
+        side_lead: Largest angle of falls from plumb across it.
+    """
+
+    crane: str
+    over: str = "radius"
+    at: Sequence[float] = ()
+    rated: Sequence[float] = ()
+    includes_hook_block: bool = False
+    hooks: Sequence[str] = ()
+    hook_shares: Mapping[str, float] | None = None
+    heel: float | None = None
+    trim: float | None = None
+    off_lead: float | None = None
+    side_lead: float | None = None
+
+    def holds(self, place: FloatArray) -> BoolArray:
+        """Where a radius [m] or boom angle [rad] is within the rows, of any shape."""
+        rounding = _ROUNDING * abs(self.at[-1])
+        inside: BoolArray = (place >= self.at[0] - rounding) & (place <= self.at[-1] + rounding)
+        return inside
+
+    def rated_at(self, place: FloatArray) -> FloatArray:
+        """Rated load [N] at a radius [m] or boom angle [rad], on lines between rows; 0 outside of them."""
+        rated: FloatArray = np.where(self.holds(place), np.interp(place, self.at, self.rated), 0.0)
+        return rated
+
+    def share_of(self, hook: str) -> float:
+        """Largest share of a row that a hook may carry alone [1]."""
+        return (self.hook_shares or {}).get(hook, 1.0)

@@ -1,0 +1,109 @@
+"""Pressure under the two tracks of a crawler crane, and how near it is to tipping, from the forces under it.
+
+The crane is rigid and stands on two strips of elastic ground that push and never pull.
+docs/concepts/crawler.md has the derivation; names of its symbols are in brackets here.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gantline.results.variable import FloatArray
+
+__all__ = ["CORNERS", "line_pressures", "tipping_utilisation"]
+
+#: Ends of the tracks, in the order of all arrays here: track, and end along the tracks' heading.
+CORNERS = ("left.front", "left.back", "right.front", "right.back")
+#: Halvings of the bracket of the slope: more than a float has digits.
+_HALVINGS = 60
+
+
+def line_pressures(corners: FloatArray, length: float) -> FloatArray:
+    """Force per length at the ends of both tracks.
+
+    Each track is pressed into the ground by w + s x along its length, with one slope s of both: they are
+    parts of one crane. Where that is below zero the track is clear of the ground. What each track carries
+    [F] follows from the forces across, the slope from the moment along that both take together.
+
+    Args:
+        corners: Forces under the ends of the tracks, in the order of `CORNERS`, shape (time, 4) [N].
+        length: Length of a track on the ground [L, m].
+
+    Returns:
+        Force per length of each end, the same order and shape [N/m]; 0 where an end is clear. Where all
+        force is under one end, and no strip could carry it, a hundredth of the length carries it.
+    """
+    carried = corners[:, 0::2] + corners[:, 1::2]  # left, right
+    moment = (corners[:, 0] - corners[:, 1] + corners[:, 2] - corners[:, 3]) * length / 2
+    forward = np.where(moment < 0, -1.0, 1.0)
+    # Not more than what a hundredth of the length at the end can bear: a triangle of which the resultant is
+    # at its third.
+    most = carried.sum(axis=1) * length * (0.5 - 0.01 / 3)
+    slope = _slope(carried, np.minimum(np.abs(moment), most), length)
+    near, far = np.zeros_like(carried), np.zeros_like(carried)
+    for track in range(2):
+        force = carried[:, track]
+        mean = force / length
+        whole = slope * length <= 2 * mean  # all of the track is on the ground
+        near[:, track] = np.where(whole, mean + slope * length / 2, np.sqrt(2 * force * slope))
+        far[:, track] = np.where(whole, mean - slope * length / 2, 0.0)
+    front = np.where(forward[:, None] > 0, near, far)
+    back = np.where(forward[:, None] > 0, far, near)
+    return np.stack([front[:, 0], back[:, 0], front[:, 1], back[:, 1]], axis=1)
+
+
+def _slope(carried: FloatArray, moment: FloatArray, length: float) -> FloatArray:
+    """Slope of the force per length [s, N/m^2] with which both tracks take a moment [N m], shape (time,)."""
+    total = carried.sum(axis=1)
+    low = np.zeros_like(moment)
+    # Beyond this even the heavier track stands on less than a hundredth of its length.
+    high = np.maximum(2e4 * total / length**2, np.finfo(float).tiny)
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        below = _moment(carried, middle, length) < moment
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    return (low + high) / 2
+
+
+def _moment(carried: FloatArray, slope: FloatArray, length: float) -> FloatArray:
+    """Moment of both tracks about their middle at a slope of the force per length, shape (time,) [N m]."""
+    total = np.zeros_like(slope)
+    for force in carried.T:
+        whole = slope * length**2 <= 2 * force
+        on_ground = np.sqrt(2 * force / np.maximum(slope, np.finfo(float).tiny))
+        total += np.where(whole, slope * length**3 / 12, force * (length / 2 - on_ground / 3))
+    return total
+
+
+def tipping_utilisation(
+    corners: FloatArray, own: FloatArray, centre: FloatArray, length: float, gauge: float
+) -> FloatArray:
+    """Moment of all that is not the crane's own weight over that of its own weight, about a tipping line.
+
+    The lines are those through the ends of the tracks: over each side and each end. Of a load that hangs
+    still it is the load over the load at which the crane tips; dynamics and falls out of plumb are in it.
+
+    Args:
+        corners: Forces under the ends of the tracks, in the order of `CORNERS`, shape (time, 4) [N].
+        own: Weight of the crane, shape (time,) [N].
+        centre: Centre of gravity of the crane from the middle of its tracks: forward and to the left, shape
+            (time, 2) [m].
+        length: Length of a track on the ground [m].
+        gauge: Distance of the tracks, middle to middle [m].
+
+    Returns:
+        The worst of the four lines, shape (time,) [1]; 1 where two corners are clear. Where the crane's own
+        weight does not hold it, 1 as well.
+    """
+    lines = (
+        (corners[:, 1] + corners[:, 3], length, 0, 1.0),  # over the front end; the back corners hold
+        (corners[:, 0] + corners[:, 2], length, 0, -1.0),
+        (corners[:, 2] + corners[:, 3], gauge, 1, 1.0),  # over the left track
+        (corners[:, 0] + corners[:, 1], gauge, 1, -1.0),
+    )
+    worst = np.full(len(own), -np.inf)
+    for beyond, across, axis, sign in lines:
+        holds = own * (across / 2 - sign * centre[:, axis])
+        used = 1 - beyond * across / np.where(holds > 0, holds, 1.0)
+        worst = np.maximum(worst, np.where(holds > 0, used, 1.0))
+    return worst

@@ -1,0 +1,215 @@
+"""Rating charts on recordings of given numbers, and how lift files say them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from gantline.checks.check import Check, Verdict
+from gantline.checks.run import check_recording
+from gantline.results.rating_chart import RatingChart
+from gantline.results.recording import Recording
+from gantline.results.variable import Variable
+from gantline.rule_data import several_cranes
+from gantline.scenario.rating import Rating
+from gantline.scenario.tree import ListNode, MapNode, TextNode
+
+G = 9.81
+T = 1e3 * G
+RADII = (12.0, 14.0, 16.0, 18.0)
+RATED = (360 * T, 283 * T, 231 * T, 195 * T)
+
+
+def node(text: str | list[str]) -> Any:
+    return ListNode([TextNode(one) for one in text]) if isinstance(text, list) else TextNode(text)
+
+
+def rating(**given: str | list[str]) -> Rating:
+    return Rating.model_validate(MapNode({key: node(text) for key, text in given.items()}))
+
+
+def recording(
+    radius: list[list[float]],
+    load: list[list[float]],
+    *,
+    cranes: tuple[str, ...] = ("c1",),
+    shares: dict[str, float] | None = None,
+    lead: float = 0.0,
+    factors: dict[str, Any] | None = None,
+    limits: dict[str, float] | None = None,
+) -> Recording:
+    """One hook to each crane, or several to one; radius [m] and hoist load [t] are (time, hook)."""
+    count = len(radius[0])
+    hooks = [f"H{n}" for n in range(count)]
+    crane_of = dict(zip(hooks, cranes if len(cranes) == count else cranes * count, strict=True))
+    hoist = np.array(load) * T
+    by_hook, by_crane = ("time", "hook"), ("time", "crane")
+    slings = [f"sling.{hook}" for hook in hooks]
+    plumb = np.array([[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]] * count)
+    still = np.zeros((len(radius), len(cranes)))
+    variables = {
+        "time": Variable(("time",), np.arange(len(radius), dtype=float), "s", ""),
+        "hoist_load": Variable(by_hook, hoist, "N", ""),
+        "hook_load": Variable(by_hook, np.maximum(hoist - 9 * T, 0.0), "N", ""),
+        "crane_radius": Variable(by_hook, np.array(radius), "m", ""),
+        "boom_angle": Variable(by_crane, still + math.radians(60), "rad", ""),
+        "off_lead": Variable(by_hook, np.full(hoist.shape, lead), "rad", ""),
+        "side_lead": Variable(by_hook, np.zeros(hoist.shape), "rad", ""),
+        "crane_heel": Variable(by_crane, still, "rad", ""),
+        "crane_trim": Variable(by_crane, still, "rad", ""),
+        "rope_tension": Variable(("time", "rope"), hoist, "N", ""),
+        "rope_peak_tension": Variable(("rope",), hoist.max(axis=0), "N", ""),
+        "rope_peak_time": Variable(("rope",), np.zeros(count), "s", ""),
+        "rope_point": Variable(("time", "rope_point", "xyz"), np.stack([plumb] * len(radius)), "m", ""),
+        "rope_of_point": Variable(("rope_point",), np.repeat(slings, 2), "1", ""),
+    }
+    charts = [
+        {
+            "crane": crane,
+            "over": "radius",
+            "at": RADII,
+            "rated": RATED,
+            "includes_hook_block": True,
+            "hooks": [hook for hook in hooks if crane_of[hook] == crane],
+            "hook_shares": shares or {},
+            "off_lead": math.radians(1.0),
+        }
+        for crane in dict.fromkeys(cranes)
+    ]
+    rig = {
+        "hooks": [{"name": hook, "crane": crane_of[hook]} for hook in hooks],
+        "slings": [{"name": hook, "rope": f"sling.{hook}", "from": hook, "to_lug": "L"} for hook in hooks],
+        "rating_charts": charts,
+        "factors": factors or {},
+        "limits": limits or {},
+    }
+    labels = {
+        "hook": hooks,
+        "crane": list(dict.fromkeys(cranes)),
+        "rope": slings,
+        "xyz": ["x", "y", "z"],
+    }
+    return Recording(variables, labels, {"title": "", "rig": rig})
+
+
+def check(of: Recording, key: str = "hoist_load_of_rating") -> Check:
+    return next(one for one in check_recording(of) if one.name == key)
+
+
+def test_the_worst_moment_is_where_load_and_radius_make_it() -> None:
+    """150 t at 13 m (321.5 t), 150 t at 17 m (213 t), 160 t at 16 m (231 t): the second governs."""
+    found = check(recording([[13.0], [17.0], [16.0]], [[150.0], [150.0], [160.0]]))
+    assert found.value == pytest.approx(150 / 213)
+    assert (found.verdict, found.element, found.time) == (Verdict.OK, "crane c1", 1.0)
+    assert "17.00 m" in found.formula
+
+
+def test_more_than_is_rated_fails() -> None:
+    found = check(recording([[18.0], [18.0]], [[100.0], [196.0]]))
+    assert found.verdict is Verdict.FAILED
+    assert found.value == pytest.approx(196 / 195)
+
+
+@pytest.mark.parametrize(("radius", "words"), [(18.5, "18.50 m at 1.00 s"), (11.0, "11.00 m at 1.00 s")])
+def test_outside_of_the_chart_nothing_may_hang(radius: float, words: str) -> None:
+    found = check(recording([[14.0], [radius]], [[10.0], [10.0]]))
+    assert found.verdict is Verdict.FAILED
+    assert words in found.remark
+    assert "12.00 m to 18.00 m: no lift" in found.remark
+
+
+def test_an_empty_hook_may_be_anywhere() -> None:
+    found = check(recording([[14.0], [30.0]], [[100.0], [9.0]]))
+    assert found.verdict is Verdict.OK
+    assert found.value == pytest.approx(100 / 283)
+
+
+def test_a_hook_has_its_share_of_the_row() -> None:
+    """Two hooks at 14 m: 120 and 60 t of 283 t together, and of 40 % of it alone."""
+    of = recording([[14.0, 14.0]] * 2, [[120.0, 60.0]] * 2, shares={"H0": 0.4, "H1": 0.4})
+    found = check(of)
+    assert found.element == "H0"
+    assert found.value == pytest.approx(120 / (0.4 * 283))
+    assert found.verdict is Verdict.FAILED
+
+
+def test_the_hook_that_reaches_farthest_decides_for_the_crane() -> None:
+    of = recording([[14.0, 18.0]] * 2, [[100.0, 80.0]] * 2)
+    assert check(of).value == pytest.approx(180 / 195)
+
+
+def test_cranes_that_lift_together_keep_capacity_back() -> None:
+    """Three cranes, 150 t each: 150 x 1.33 of 231 t at 16 m passes, of 195 t at 18 m it does not."""
+    three = ("c1", "c2", "c3")
+    factor = several_cranes("queensland", 3)
+    assert factor is not None
+    factors = {"several_cranes_factor": {"value": factor.value, "source": factor.source}}
+    near = check(recording([[16.0] * 3] * 2, [[150.0] * 3] * 2, cranes=three, factors=factors))
+    assert near.value == pytest.approx(150 * 1.33 / 231)
+    assert near.verdict is Verdict.OK
+    assert "14.3.2: 3 cranes" in near.source
+    far = check(recording([[18.0] * 3] * 2, [[150.0] * 3] * 2, cranes=three, factors=factors))
+    assert far.value == pytest.approx(150 * 1.33 / 195)
+    assert far.verdict is Verdict.FAILED
+
+
+def test_without_a_rule_for_several_cranes_there_is_a_warning() -> None:
+    found = check(recording([[16.0] * 2] * 2, [[150.0] * 2] * 2, cranes=("c1", "c2")))
+    assert found.verdict is Verdict.WARNING
+    assert "2 cranes lift together" in found.remark
+
+
+def test_factors_of_the_rule_by_number_of_cranes() -> None:
+    """Mobile crane code of practice 2006, Queensland, 14.3.2: 20, 33 and 50 % over the share."""
+    found = {count: several_cranes("queensland", count) for count in (1, 2, 3, 4, 6)}
+    assert found[1] is None
+    assert [one.value for one in found.values() if one] == [1.20, 1.33, 1.50, 1.50]
+
+
+@pytest.mark.parametrize(("lead", "verdict"), [(0.9, Verdict.OK), (1.1, Verdict.FAILED)])
+def test_a_chart_holds_for_falls_that_are_plumb(lead: float, verdict: Verdict) -> None:
+    of = recording([[14.0]] * 2, [[100.0]] * 2, lead=math.radians(lead))
+    found = check(of, "attitude_of_rating")
+    assert found.verdict is verdict
+    assert found.value == pytest.approx(lead)
+    assert found.element == "off_lead H0"
+
+
+def test_a_chart_over_angles_is_read_by_the_angle() -> None:
+    chart = RatingChart("fc", "angle", (math.radians(45), math.radians(75)), (1500 * T, 3600 * T))
+    between = chart.rated_at(np.radians([45.0, 60.0, 75.0, 44.9, 75.1]))
+    assert between == pytest.approx([1500 * T, 2550 * T, 3600 * T, 0.0, 0.0])
+
+
+def test_a_table_may_rise_or_fall() -> None:
+    chart = rating(angle=["75 deg", "60 deg", "45 deg"], rated=["3600 t", "3000 t", "1500 t"])
+    assert chart.over == "angle"
+    assert [round(math.degrees(at)) for at, _ in chart.rows] == [45, 60, 75]
+    assert [mass for _, mass in chart.rows] == [1.5e6, 3e6, 3.6e6]
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"rated": ["1 t", "2 t"]}, "found none of them"),
+        (
+            {"radius": ["1 m", "2 m"], "angle": ["1 deg", "2 deg"], "rated": ["1 t", "2 t"]},
+            "found 'radius' and 'angle'",
+        ),
+        ({"radius": ["1 m", "2 m"], "rated": ["1 t", "2 t", "3 t"]}, "3 loads stand beside 2 places"),
+        ({"radius": ["1 m", "3 m", "2 m"], "rated": ["3 t", "2 t", "1 t"]}, "'radius' is not in order"),
+        ({"radius": ["1 m", "1 m"], "rated": ["3 t", "2 t"]}, "'radius' is not in order"),
+        ({"radius": ["1 m", "2 m"], "rated": ["0 t", "0 t"]}, "nothing may hang anywhere"),
+        ({"radius": ["1 m"], "rated": ["1 t"]}, "at least 2 are needed"),
+        ({"radius": ["1 m", "2 m"], "rated": ["2 t", "1 t"], "hooks_share": "130 %"}, "130 % is more than"),
+        ({"radius": ["1 t", "2 m"], "rated": ["2 t", "1 t"]}, "needed is a length"),
+    ],
+)
+def test_what_is_no_table_is_refused(given: dict[str, Any], words: str) -> None:
+    with pytest.raises(ValidationError) as refused:
+        rating(**given)
+    assert words in str(refused.value)
