@@ -6,6 +6,7 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
+from gantline.assembly.boom import add_booms
 from gantline.assembly.describe import rig, rope_kinds, scene
 from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
@@ -68,6 +69,7 @@ def assemble(scenario: Scenario) -> Assembly:
     rigging = resolve(scenario)
     parts = Parts()
     add_goliaths(parts, scenario)
+    add_booms(parts, scenario)
     add_hooks(parts, scenario, rigging)
     pins = pins_of(scenario, rigging)
     add_equalizers(parts, rigging, pins.at_start)

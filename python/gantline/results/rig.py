@@ -10,7 +10,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
-from gantline.results.crane import Crane
+from gantline.results.boom import Boom
+from gantline.results.crane import Crane, CraneHook
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
@@ -348,6 +349,7 @@ class Rig(FromJson):
         watches: Pairs whose distance is watched.
         hooks: Hooks of all cranes.
         cranes: Goliath cranes, with what is particular to their hooks.
+        booms: Booms, with what is particular to their hooks.
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
         ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
@@ -375,6 +377,7 @@ class Rig(FromJson):
     watches: Sequence[Watch] = ()
     hooks: Sequence[Hook] = ()
     cranes: Sequence[Crane] = ()
+    booms: Sequence[Boom] = ()
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
     ropes: Sequence[Rope] = ()
@@ -400,6 +403,7 @@ class Rig(FromJson):
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
+            "booms": tuple(Boom.from_json(d) for d in document.get("booms") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
@@ -416,6 +420,12 @@ class Rig(FromJson):
             "bends": tuple(Bend.from_json(d) for d in document.get("bends") or ()),
         }
         return super().from_json({**document, **parts})
+
+    @property
+    def carried_hooks(self) -> list[CraneHook]:
+        """Hooks that a trolley or a boom takes along."""
+        of_trolleys = [hook for crane in self.cranes for _, hook in crane.hooks]
+        return of_trolleys + [hook for boom in self.booms for hook in boom.hooks]
 
     def rope(self, name: str) -> Rope | None:
         """The rope of that name, if something is known of it."""

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from gantline.scenario.check_booms import check_booms
 from gantline.scenario.check_equalizer import check_equalizer
-from gantline.scenario.check_goliath import check_goliaths, crane_parts
+from gantline.scenario.check_goliath import check_goliaths
 from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
 from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.check_supports import check_supports
+from gantline.scenario.crane_parts import crane_parts
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
@@ -34,6 +36,7 @@ def check(scenario: Scenario) -> None:
     """
     findings = Findings(scenario)
     check_goliaths(findings)
+    check_booms(findings)
     findings.raise_any()  # nothing can be said of what hangs from hooks that are not whole
     _check_names(findings)
     try:

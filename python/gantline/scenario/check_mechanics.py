@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from gantline.scenario.check_goliath import crane_bodies
+from gantline.scenario.crane_parts import crane_bodies
 from gantline.scenario.drum import Drum
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path

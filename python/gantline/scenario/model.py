@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Discriminator, Field, PrivateAttr, Tag
+from pydantic import Field, PrivateAttr
 
 from gantline.scenario.base import Element, Named
+from gantline.scenario.boom import PlacedBoom
 from gantline.scenario.case import Case
-from gantline.scenario.crane import Equalizer, EqualizerType, FixedHook
+from gantline.scenario.crane import Equalizer, EqualizerType
+from gantline.scenario.crane_types import Crane
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
-from gantline.scenario.goliath import Goliath, HookType, crane_type
 from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
 from gantline.scenario.hook_group import HookGroup
-from gantline.scenario.hooks import Hook, hooks_of
+from gantline.scenario.hook_parts import HookType
+from gantline.scenario.hooks import Hook, booms_of, hooks_of
 from gantline.scenario.limits import Limits, Rules
 from gantline.scenario.load import Load, LugType
 from gantline.scenario.mechanics import Mechanics
@@ -31,10 +33,6 @@ __all__ = ["COMING", "Scenario"]
 
 #: Sections that the format will have and that this version does not know.
 COMING = ("vessels",)
-
-Crane = Annotated[
-    Annotated[FixedHook, Tag("fixed_hook")] | Annotated[Goliath, Tag("goliath")], Discriminator(crane_type)
-]
 
 
 class _FormatReader(Reader):
@@ -79,7 +77,9 @@ class Scenario(Element):
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
     lug_types: Named[LugType] | None = Field(None, description="Types of lug by name.")
     load: Load | None = Field(None, description="The load.")
-    hook_types: Named[HookType] | None = Field(None, description="Types of hook of trolleys, by name.")
+    hook_types: Named[HookType] | None = Field(
+        None, description="Types of hook of trolleys and booms, by name."
+    )
     cranes: Named[Crane] | None = Field(None, description="Cranes by name.")
     supports: Named[Supports] | None = Field(None, description="Groups of supports under the load by name.")
     structures: Named[Structure] | None = Field(None, description="What stands in the yard, by name.")
@@ -144,6 +144,11 @@ class Scenario(Element):
     def hooks(self) -> dict[str, Hook]:
         """Hooks of all cranes by their full names."""
         return hooks_of(self.cranes or {}, self.hook_types or {})
+
+    @property
+    def booms(self) -> dict[str, PlacedBoom]:
+        """Booms of all cranes that have one, by the name of the crane."""
+        return booms_of(self.cranes or {})
 
     @property
     def starts_at_rest(self) -> bool:
