@@ -49,6 +49,7 @@ simulation: {{tension_tolerance: {tolerance} N, position_tolerance: 0.001 mm, sa
 """
 
 PRESCRIBED = "speed: 30 deg/min, acceleration: 0.05 deg/s^2, range: [40 deg, 80 deg]"
+STANDS = "    position: [0 m, 0 m, 0 m]\n"
 ONE_HOOK = "H1: {type: H, height: 40 m}"
 HUNG = "hung: {parent: fc.H1, joint: {type: fixed}, mass: 300 t}"
 HOLD = "{step: hold, hold: until_end}"
@@ -60,7 +61,7 @@ def boom_lift(
     duration: float = 10.0,
     start: str = "as_given",
     angle: float = 60.0,
-    base: str = "",
+    base: str = STANDS,
     luffing: str = PRESCRIBED,
     hooks: str = ONE_HOOK,
     bodies: str = HUNG,

@@ -24,7 +24,8 @@ def add_booms(parts: Parts, scenario: Scenario) -> None:
         if isinstance(crane, FloatingCrane):
             place = crane.position or (0.0, 0.0, 0.0)
             turned = about_axis((0.0, 0.0, 1.0), crane.heading)
-            parts.add_body(name, {"type": "fixed"}, position=place, orientation=turned)
+            fixed = {"type": "fixed"}
+            parts.add_body(name, fixed, parent=crane.vessel, position=place, orientation=turned)
     for placed in scenario.booms.values():
         _add_boom(parts, placed)
 

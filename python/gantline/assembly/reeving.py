@@ -5,9 +5,9 @@ gaps between them: a rope comes down at x = -r of a sheave of the hook block, go
 upper sheave to the next. Its dead end is above where its parts are even and on the hook block where they are
 odd. The lead line goes from the last upper sheave down to the drum.
 
-At a boom the upper sheaves hang in a sheave block that is pinned to the boom head, so that they stay above
-those of the hook block as the boom luffs. The lead line ends on the sheave block itself: led along the boom it
-would have no moment about the heel pins either.
+At a boom the upper sheaves hang in a sheave block that is pinned to the boom head, and so they stay above
+those of the hook block as the boom luffs. The lead line ends on the sheave block itself; led along the boom
+it would have no moment about the heel pins either.
 
 The flow of the drum counts what the hook rises, as the drive of a hook without reeving does.
 """
@@ -147,7 +147,7 @@ def _add_swinging(parts: Parts, hook: ReevedHook, at: Sequence[float], heading: 
 def _add_at_boom(parts: Parts, scenario: Scenario, hook: ReevedHook, boom: str, mass: float) -> None:
     """The hook under a boom head, its upper sheaves in a sheave block pinned there, which hangs plumb.
 
-    The pin is parallel to the heel pins: the sheave block turns into the line of its falls in the boom's plane.
+    The pin is parallel to the heel pins: in the boom's plane the sheave block turns into the line of its falls.
     """
     along, across = hook.hook.place
     pin = parts.place(boom, (along, across, 0.0))

@@ -22,6 +22,7 @@ from gantline.scenario.quantities import (
     Length,
     ListOf,
     Mass,
+    Name,
     Position,
     PositiveAngle,
     PositiveAngularAcceleration,
@@ -33,6 +34,7 @@ from gantline.scenario.quantities import (
     Ratio,
     refuse,
 )
+from gantline.scenario.vessel import Vessel
 
 __all__ = [
     "Boom",
@@ -143,14 +145,17 @@ class FloatingCrane(Element):
     what: ClassVar[str] = "a floating crane"
 
     type: Literal["floating_crane"] = Field(description="Type of crane: 'floating_crane'.")
+    vessel: Name | None = Field(None, description="The vessel that bears it, a name of 'vessels'.")
     position: Position | None = Field(
-        None, description="Of a crane that stands still: where its axes begin in the world."
+        None, description="Of a crane that stands still, without a vessel: where its axes begin in the world."
     )
     heading: Angle = Field(
         0.0, description="Of a crane that stands still: direction of its x axis, from world x towards y."
     )
     outreach_from: Length | None = Field(
-        None, description="From which x of its base outreach counts; from the heel pins if not given."
+        None,
+        description="From which x of its axes outreach counts; from the bow of its vessel if not given, or "
+        "from the heel pins without one.",
     )
     rated_capacity: PositiveMass | None = Field(None, description="Rated capacity of all hooks together.")
     rating_includes_hook_block: Flag = Field(
@@ -162,6 +167,16 @@ class FloatingCrane(Element):
     hooks: Named[BoomHook] = Field(
         description="Hooks in a row across the boom head, by name; each is called <crane>.<hook>."
     )
+
+    @model_validator(mode="after")
+    def _stands_somewhere(self) -> FloatingCrane:
+        if (self.vessel is None) == (self.position is None):
+            found = "none of them" if self.vessel is None else "both"
+            right = "'vessel: <name>', or 'position' of one that stands still"
+            raise refuse(f"has one of 'vessel' and 'position'; found {found}, and right is {right}")
+        if self.vessel is not None and "heading" in self.model_fields_set:
+            raise refuse("its vessel says where it points; leave 'heading' out", "heading")
+        return self
 
 
 @dataclass(frozen=True)
@@ -198,11 +213,13 @@ def boom_name(crane: str) -> str:
     return f"{crane}.boom"
 
 
-def placed_boom(name: str, crane: object) -> PlacedBoom | None:
+def placed_boom(name: str, crane: object, vessels: Mapping[str, Vessel]) -> PlacedBoom | None:
     """The boom of a crane with what bears it; None of a crane without one."""
     if not isinstance(crane, FloatingCrane):
         return None
     pins = crane.boom.heel_pins
+    vessel = vessels.get(crane.vessel or "")
+    reach_from = pins.at[0] if vessel is None else vessel.hull.bottom[0] + vessel.hull.box[0] / 2
     return PlacedBoom(
         crane=name,
         name=boom_name(name),
@@ -213,7 +230,7 @@ def placed_boom(name: str, crane: object) -> PlacedBoom | None:
         luffing=crane.luffing,
         hooks=crane.hooks,
         reach_from=(
-            pins.at[0] if crane.outreach_from is None else crane.outreach_from,
+            reach_from if crane.outreach_from is None else crane.outreach_from,
             pins.at[1],
             pins.at[2],
         ),

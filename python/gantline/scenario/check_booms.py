@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-from gantline.scenario.boom import PlacedBoom
+from gantline.scenario.boom import FloatingCrane, PlacedBoom
 from gantline.scenario.check_hooks import check_carried_hook
+from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 
 __all__ = ["check_booms"]
@@ -13,6 +14,11 @@ __all__ = ["check_booms"]
 
 def check_booms(findings: Findings) -> None:
     """Note everything that is wrong with booms beyond the reeving of their hooks."""
+    for name, crane in (findings.scenario.cranes or {}).items():
+        vessels = findings.scenario.vessels or {}
+        if isinstance(crane, FloatingCrane) and crane.vessel is not None and crane.vessel not in vessels:
+            sentence = f"'{crane.vessel}' is not a name of 'vessels'; {nearest(crane.vessel, vessels)}"
+            findings.add(("cranes", name, "vessel"), sentence)
     for placed in findings.scenario.booms.values():
         _check_angle(findings, placed)
         for hook, one in placed.hooks.items():

@@ -6,13 +6,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from gantline.scenario.boom import FloatingCrane, PlacedBoom, placed_boom
+from gantline.scenario.boom import FloatingCrane, PlacedBoom, boom_name, placed_boom
 from gantline.scenario.crane import FixedHook, Hoist
 from gantline.scenario.crane_types import AnyCrane
 from gantline.scenario.errors import PathPart
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hook_parts import CarriedHook, HookType
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving
+from gantline.scenario.vessel import Vessel
 
 __all__ = ["PARTS", "Carrier", "Hook", "booms_of", "full_name", "hooks_of", "trolley_name"]
 
@@ -80,9 +81,9 @@ def full_name(text: str, known: Mapping[str, object]) -> str | None:
     return fitting[0] if len(fitting) == 1 else None
 
 
-def booms_of(cranes: Mapping[str, AnyCrane]) -> dict[str, PlacedBoom]:
+def booms_of(cranes: Mapping[str, AnyCrane], vessels: Mapping[str, Vessel]) -> dict[str, PlacedBoom]:
     """Booms of all cranes that have one, by the name of the crane."""
-    found = {name: placed_boom(name, crane) for name, crane in cranes.items()}
+    found = {name: placed_boom(name, crane, vessels) for name, crane in cranes.items()}
     return {name: boom for name, boom in found.items() if boom is not None}
 
 
@@ -111,12 +112,10 @@ def _carried(name: str, crane: Goliath | FloatingCrane) -> Iterator[tuple[Carrie
                 place = bears.position + given.along, crane.position + given.across
                 yield given, _Place(f"{name}.{hook}", name, carrier, path, place)
         return
-    boom = placed_boom(name, crane)
-    assert boom is not None  # every other crane with several hooks has one
-    carrier = Carrier(boom.name, "boom")
-    for hook, at_head in boom.hooks.items():
-        place = boom.boom.length, at_head.across
-        yield at_head, _Place(f"{name}.{hook}", name, carrier, (*boom.path, "hooks", hook), place)
+    carrier = Carrier(boom_name(name), "boom")
+    for hook, at_head in crane.hooks.items():
+        place = crane.boom.length, at_head.across
+        yield at_head, _Place(f"{name}.{hook}", name, carrier, ("cranes", name, "hooks", hook), place)
 
 
 def _fixed(name: str, crane: FixedHook) -> Hook:
