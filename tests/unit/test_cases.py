@@ -98,7 +98,7 @@ def test_what_a_case_changes() -> None:
     assert heavy.scenario.load is not None and heavy.scenario.load.weight.simulated == 63e3
     assert heavy.scenario.sling_defaults is not None and heavy.scenario.sling_defaults.tolerance == 0.01
     high = variants_of(scenario, "high")
-    assert [one.scenario.hooks["hook"].at[2] for one in high] == [20.0, 20.1]
+    assert [one.scenario.hooks["hook"].height for one in high] == [20.0, 20.1]
     assert high[0].label == "cranes.hook.at.z +0 m, load.heading +5 deg"
     assert without_cases(scenario).cases is None
     assert scenario.load is not None and scenario.load.weight.simulated == 60e3

@@ -9,7 +9,7 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.checks import check_recording
-from gantline.results.crane import Crane, crane_events, crane_state
+from gantline.results.crane import Crane, corner_loads, crane_events, hook_state
 from gantline.results.strength import Rating
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
@@ -166,10 +166,12 @@ def test_corner_loads_are_those_of_moments() -> None:
         "body_position": np.array(
             [[[30.0, 4.0, 9.0], [30.0, 4.0, 59.0]], [[33.0, 8.0, 9.0], [30.0, 4.0, 59.0]]]
         ),
+        "body_orientation": np.tile([1.0, 0.0, 0.0, 0.0], (2, 2, 1)),
     }
     names = {"joint": ["c.t"], "body": ["c.h", "c.h/top"]}
     hoist = {"c.h": np.array([1000.0, 1000.0])}
-    found, labels = crane_state(columns, names, [Crane.from_json(CRANE)], ["load"], hoist)
+    crane = Crane.from_json(CRANE)
+    found, labels = corner_loads(columns, names, [crane], hoist)
     corners = dict(zip(labels["corner"], found["corner_load"].values[0], strict=True))
     # fixed leg: 100 + 80/2 + 400/2 + 200 (50 - 25)/100 + 1000 (50 - 30)/100; of the hook's 200 each corner
     # has 1/2 +- 4/20
@@ -178,6 +180,7 @@ def test_corner_loads_are_those_of_moments() -> None:
     assert corners["c.fixed.back"] == pytest.approx(fixed / 2 - 200 * 0.2)
     assert corners["c.hinged.front"] == pytest.approx(hinged / 2 + 800 * 0.2)
     assert corners["c.hinged.back"] == pytest.approx(hinged / 2 - 800 * 0.2)
+    found, _ = hook_state(columns, names, [hook for _, hook in crane.hooks], ["load"])
     # 3 m and 4 m off under 50 m of falls
     assert found["falls_out_of_plumb"].values[:, 0] == pytest.approx([0.0, math.atan(5 / 50)])
     assert found["load_swing"].values[:, 0] == pytest.approx([0.0, 5.0])
@@ -189,11 +192,9 @@ def test_overloads_and_heights_are_events_at_their_crossing() -> None:
     load = {"c.h": np.array([90.0, 110.0, 90.0, 130.0])}
     rating = Rating("c.h", "hook", ("c.h",), 100.0, True)
     heights = {"c.h": np.array([11.0, 9.0, 9.0, 11.0])}
-    events = list(
-        crane_events(
-            time, [rating], {"hoist_load": load, "hook_load": load}, [Crane.from_json(CRANE)], heights
-        )
-    )
+    hooks = [hook for _, hook in Crane.from_json(CRANE).hooks]
+    loads = {"hoist_load": load, "hook_load": load}
+    events = list(crane_events(time, [rating], loads, hooks, heights))
     assert [(kind, name) for _, kind, name in events] == [("overload", "c.h")] * 2 + [
         ("hook_too_high", "c.h")
     ] * 2

@@ -19,6 +19,7 @@ from gantline.rule_data import (
     several_cranes,
 )
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.crane import FixedHook
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
 from gantline.scenario.limits import Rules
@@ -99,11 +100,11 @@ def ratings(scenario: Scenario) -> list[Json]:
     for name, hook in hooks.items():
         found.append(_rating(name, "hook", (name,), hook, gravity))
     for name, crane in (scenario.cranes or {}).items():
-        if not isinstance(crane, Goliath):
+        if isinstance(crane, FixedHook):
             continue
-        for trolley, given in crane.trolleys.items():
+        for trolley, given in crane.trolleys.items() if isinstance(crane, Goliath) else ():
             full = trolley_name(name, trolley)
-            own = tuple(hook.name for hook in hooks.values() if hook.trolley == full)
+            own = tuple(hook.name for hook in hooks.values() if hook.carrier and hook.carrier.name == full)
             if given.rated_capacity is not None:
                 found.append(_shared(full, "trolley", own, given.rated_capacity * gravity, crane))
         own = tuple(hook.name for hook in hooks.values() if hook.crane == name)

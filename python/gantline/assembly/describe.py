@@ -8,20 +8,27 @@ from typing import Any
 
 import numpy as np
 
+from gantline.assembly.boom import boom_rig, boom_shape
 from gantline.assembly.catenary import end_mass
 from gantline.assembly.checked import bends, limits_and_rules, ratings
 from gantline.assembly.goliath import crane_rig, crane_shape
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
+from gantline.assembly.reeving import (
+    ReevedHook,
+    falls_on_upper_sheaves,
+    reeved_hooks,
+    upper_sheaves,
+)
 from gantline.assembly.shapes import members, watch_name
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
+from gantline.assembly.vessels import hull_shape
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.check_goliath import crane_bodies
+from gantline.scenario.crane_parts import crane_bodies
 from gantline.scenario.drum import Drum
 from gantline.scenario.extension import lugs_below
 from gantline.scenario.gear import RopeMaterial, Shackle
@@ -51,6 +58,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
+        **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),
         "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
@@ -129,7 +137,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
     if reeved is not None:
         gravity = scenario.simulation.gravity
         hung = reeved.reeving.parts_each
-        above = parts.bodies[upper_sheaves(name)]["mass"] * gravity
+        above = falls_on_upper_sheaves(parts, scenario, reeved) * gravity
         falls = {
             "falls": [f"{rope}/{part}" for rope in reeved.ropes for part in range(hung)],
             "falls_weight_above": above,
@@ -419,7 +427,9 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif name in map(upper_sheaves, scenario.hooks):
         kind = "body"
     elif name in crane_bodies(scenario.cranes or {}):
-        shape = crane_shape(scenario, name)
+        shape = crane_shape(scenario, name) or boom_shape(scenario, name)
+    elif name in (scenario.vessels or {}):
+        kind, shape = "vessel", hull_shape((scenario.vessels or {})[name])
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:

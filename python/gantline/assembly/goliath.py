@@ -12,11 +12,11 @@ import math
 
 from gantline.assembly.operations import along_drive
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.reeving import upper_sheaves
+from gantline.assembly.reeving import hook_rig
 from gantline.scenario import Scenario
-from gantline.scenario.check_goliath import girder_body
-from gantline.scenario.goliath import Goliath, TrolleyHook
-from gantline.scenario.hooks import Hook, trolley_name
+from gantline.scenario.crane_parts import girder_body
+from gantline.scenario.goliath import Goliath
+from gantline.scenario.hooks import trolley_name
 
 __all__ = ["BENDING_SHARE", "add_goliaths", "crane_rig", "crane_shape", "goliaths", "rest_on_girders"]
 
@@ -137,7 +137,8 @@ def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:
                     "name": trolley_name(name, trolley),
                     "weight": given.mass * gravity,
                     "hooks": [
-                        _hook_rig(parts, scenario.hooks[f"{name}.{hook}"], one)
+                        hook_rig(parts, scenario.hooks[f"{name}.{hook}"])
+                        | {"along": one.along, "across": one.across}
                         for hook, one in given.hooks.items()
                     ],
                 }
@@ -146,16 +147,3 @@ def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:
         }
         for name, crane in goliaths(scenario).items()
     ]
-
-
-def _hook_rig(parts: Parts, hook: Hook, given: TrolleyHook) -> Json:
-    top = upper_sheaves(hook.name)
-    return {
-        "name": hook.name,
-        "highest": hook.highest,
-        "bearing": [-value for value in parts.bodies[hook.name]["centre_of_gravity"]],
-        "top": top,
-        "top_from": [-value for value in parts.bodies[top]["centre_of_gravity"]],
-        "along": given.along,
-        "across": given.across,
-    }

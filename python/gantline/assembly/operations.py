@@ -12,7 +12,7 @@ from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, Step
 from gantline.scenario.reeving import hoist_ropes
 
-__all__ = ["along_drive", "emergency_stop", "moved_drives", "operations"]
+__all__ = ["along_drive", "emergency_stop", "luff_drive", "moved_drives", "operations"]
 
 #: Within this a motor is asked to stop in an emergency [s]; brakes slip far longer.
 _AT_ONCE = 1e-3
@@ -21,6 +21,11 @@ _AT_ONCE = 1e-3
 def along_drive(name: str) -> str:
     """Name of the drive of a trolley along its girder, or of a crane along its rails."""
     return f"{name}.along"
+
+
+def luff_drive(boom: str) -> str:
+    """Name of the drive that luffs a boom."""
+    return f"{boom}.luff"
 
 
 def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json]:
@@ -62,6 +67,8 @@ def emergency_stop(scenario: Scenario) -> Json | None:
 def _drive(one: Mover) -> str:
     if one.kind == "hook":
         return hoist_drive(one.name)
+    if one.kind == "boom":
+        return luff_drive(one.name)
     return drum_drive(one.name) if one.kind == "drum" else along_drive(one.name)
 
 

@@ -5,11 +5,17 @@ gaps between them: a rope comes down at x = -r of a sheave of the hook block, go
 upper sheave to the next. Its dead end is above where its parts are even and on the hook block where they are
 odd. The lead line goes from the last upper sheave down to the drum.
 
+At a boom the upper sheaves hang in a sheave block that is pinned to the boom head, and so they stay above
+those of the hook block as the boom luffs. The lead line ends on the sheave block itself; led along the boom
+it would have no moment about the heel pins either.
+
 The flow of the drum counts what the hook rises, as the drive of a hook without reeving does.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,12 +24,21 @@ from gantline.assembly.parts import Json, Parts, drum_layers, end, half_turn, ma
 from gantline.assembly.rope_weight import lump_rope
 from gantline.assembly.route import route_length
 from gantline.assembly.sheave import add_sheave_flow
+from gantline.assembly.spatial import about_axis, inertia_list, rotation_matrix, solid_box
 from gantline.scenario import Scenario
 from gantline.scenario.hooks import Hook
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving, hoist_drum, hoist_ropes
 from gantline.scenario.rope_weight import rope_weight
 
-__all__ = ["ReevedHook", "add_reeved_hook", "hang_in_ropes", "reeved_hooks", "upper_sheaves"]
+__all__ = [
+    "ReevedHook",
+    "add_reeved_hook",
+    "hang_in_ropes",
+    "hook_rig",
+    "mass_on",
+    "reeved_hooks",
+    "upper_sheaves",
+]
 
 #: Mass that moves with the rope of a drum whose motion is prescribed and whose inertia nobody says [kg].
 _DRIVEN = 1.0
@@ -77,19 +92,21 @@ def add_reeved_hook(parts: Parts, scenario: Scenario, hook: ReevedHook, drive: s
         drive: name of the drive that hoists it.
         own_mass: mass that hangs on it beside the hook block, of shackles and slings [kg].
     """
-    x, y, _ = hook.hook.at
-    top = np.array((x, y, hook.reeving.upper_sheaves_at))
-    mass, trolley = hook.hook_block.mass + own_mass, hook.hook.trolley
-    if trolley is None:
+    mass = hook.hook_block.mass + own_mass
+    if hook.hook.carrier is None:
         guided = {"type": "slider", "axis": [0.0, 0.0, 1.0], "position": 0.0, "velocity": 0.0, "damping": 0.0}
         guided |= {"friction": 0.0, "drive": None, "stops": None}
-        parts.add_body(hook.name, guided, position=hook.hook.at, mass=mass)
-    else:  # it swings, upright
-        swings = {"type": "point", "position": list(hook.hook.at), "velocity": [0.0, 0.0, 0.0]}
-        parts.add_body(hook.name, swings, mass=mass)
-        top = top - parts.pose(trolley)[0]
-    at_trolley = [float(part) for part in top]
-    parts.add_body(upper_sheaves(hook.name), {"type": "fixed"}, parent=trolley, position=at_trolley)
+        parts.add_body(hook.name, guided, position=_bearing(hook), mass=mass)
+        at_top = (*hook.hook.place, _said(hook.reeving.upper_sheaves_at))
+        parts.add_body(upper_sheaves(hook.name), {"type": "fixed"}, position=at_top)
+    elif hook.hook.carrier.kind == "trolley":
+        _add_swinging(parts, hook, _bearing(hook), 0.0, mass)
+        at_top = (*hook.hook.place, _said(hook.reeving.upper_sheaves_at))
+        trolley = hook.hook.carrier.name
+        at_trolley = [float(part) for part in np.array(at_top) - parts.pose(trolley)[0]]
+        parts.add_body(upper_sheaves(hook.name), {"type": "fixed"}, parent=trolley, position=at_trolley)
+    else:
+        _add_at_boom(parts, scenario, hook, hook.hook.carrier.name, mass)
     parts.add_drive(drive)
     _add_drum(parts, hook, drive)
     kind = (scenario.ropes or {})[hook.reeving.rope]
@@ -107,6 +124,57 @@ def add_reeved_hook(parts: Parts, scenario: Scenario, hook: ReevedHook, drive: s
         length = route_length(parts, route)
         parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
         lump_rope(parts, name, weight, length, route)
+
+
+def _said(value: float | None) -> float:
+    """What the check of the lift file has seen to."""
+    assert value is not None
+    return value
+
+
+def _bearing(hook: ReevedHook) -> tuple[float, float, float]:
+    return (*hook.hook.place, hook.hook.height)
+
+
+def _add_swinging(parts: Parts, hook: ReevedHook, at: Sequence[float], heading: float, mass: float) -> None:
+    """The hook as a point under the world: it swings, upright, with its sheaves across a heading [rad]."""
+    turned = about_axis((0.0, 0.0, 1.0), heading)
+    position = rotation_matrix(turned).T @ np.array(at)
+    swings = {"type": "point", "position": [float(x) for x in position], "velocity": [0.0, 0.0, 0.0]}
+    parts.add_body(hook.name, swings, orientation=turned, mass=mass)
+
+
+def _add_at_boom(parts: Parts, scenario: Scenario, hook: ReevedHook, boom: str, mass: float) -> None:
+    """The hook under a boom head, its upper sheaves in a sheave block pinned there, which hangs plumb.
+
+    The pin is parallel to the heel pins: in the boom's plane the sheave block turns into the line of its falls.
+    """
+    along, across = hook.hook.place
+    pin = parts.place(boom, (along, across, 0.0))
+    axes = parts.pose(boom)[1]
+    below, kind = _said(hook.reeving.below_head), (scenario.ropes or {})[hook.reeving.rope]
+    lowest = pin[2] - below - hook.reeving.diameter(kind.diameter)
+    highest = hook.hook.height + hook.hook_block.height
+    if highest > lowest:
+        sentence = f"the sheaves of the hook block start at {highest:g} m, and the upper ones hang at"
+        sentence += f" {pin[2] - below:.3f} m under the boom head, not a sheave's diameter above"
+        right = f"a 'height' of {lowest - hook.hook_block.height:.3f} m or less is right"
+        raise scenario.error((*hook.hook.paths[""], "height"), f"{sentence}; {right}")
+    heading = math.atan2(-axes[0, 1], axes[1, 1])
+    _add_swinging(parts, hook, (pin[0], pin[1], hook.hook.height), heading, mass)
+    up = axes.T @ np.array((0.0, 0.0, 1.0))
+    plumb = math.atan2(-up[0], up[2])
+    hinge = {"type": "hinge", "axis": [0.0, -1.0, 0.0], "position": plumb, "velocity": 0.0, "damping": 0.0}
+    hung, size = _sheave_block(scenario, hook), hook.reeving.diameter(kind.diameter)
+    parts.add_body(
+        upper_sheaves(hook.name),
+        hinge | {"friction": 0.0, "drive": None, "stops": None},
+        parent=boom,
+        position=(along, across, 0.0),
+        mass=hung,
+        centre_of_gravity=(0.0, 0.0, -below),
+        inertia=inertia_list(solid_box(hung, (size, size, size))),
+    )
 
 
 def _add_drum(parts: Parts, hook: ReevedHook, drive: str) -> None:
@@ -130,8 +198,9 @@ def _on_drum(hook: ReevedHook, lead: Json, rope_diameter: float | None) -> Json:
 
 
 def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
-    """Dead end, sheaves in turn, and the place of the drum as an end on the world, or on the trolley."""
+    """Dead end, sheaves in turn, and the place of the drum: the world, or what bears the upper sheaves."""
     count, above = hook.reeving.parts_each, upper_sheaves(hook.name)
+    high = -(hook.reeving.below_head or 0.0)
     spacing = _SPACING * radius
     # Each rope takes as many places along the axle as it has sheaves below; mirrored from one to the next.
     width = spacing * (count // 2 + 1)
@@ -144,7 +213,7 @@ def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
         guides.append(end(hook.name, (0.0, rows[0], low)))
         enter, row, is_below = 0.0, 0, False
     else:
-        guides.append(end(above, (-radius, rows[0], 0.0)))
+        guides.append(end(above, (-radius, rows[0], high)))
         enter, row, is_below = -radius, 0, True
     for _ in range(count):
         if is_below:
@@ -155,14 +224,14 @@ def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
         else:
             leave = -radius
             guides.append(
-                half_turn(above, (enter, rows[2 * row], 0.0), (leave, rows[2 * row + 2], 0.0), (0, 0, 1))
+                half_turn(above, (enter, rows[2 * row], high), (leave, rows[2 * row + 2], high), (0, 0, 1))
             )
             enter, row = leave, row + 1
         is_below = not is_below
-    if hook.hook.trolley is not None:
-        return [*guides, end(above, (enter, rows[2 * row], -hook.reeving.lead_line))]
-    x, y, _ = hook.hook.at
-    lead = (x + enter, y + rows[2 * row], hook.reeving.upper_sheaves_at - hook.reeving.lead_line)
+    if hook.hook.carrier is not None:
+        return [*guides, end(above, (enter, rows[2 * row], high - hook.reeving.lead_line))]
+    x, y = hook.hook.place
+    lead = (x + enter, y + rows[2 * row], _said(hook.reeving.upper_sheaves_at) - hook.reeving.lead_line)
     return [*guides, end(None, lead)]
 
 
@@ -174,14 +243,44 @@ def hang_in_ropes(parts: Parts, scenario: Scenario, hook: ReevedHook) -> None:
         scenario: the lift.
         hook: the hook.
     """
-    hanging = {hook.name}
-    for name, body in parts.bodies.items():  # parents stand before their children
-        if body["parent"] in hanging:
-            hanging.add(name)
-    weight = sum(parts.bodies[name]["mass"] for name in hanging) * scenario.simulation.gravity
+    weight = mass_on(parts, hook.name) * scenario.simulation.gravity
     kind = (scenario.ropes or {})[hook.reeving.rope]
     assert kind.stiffness is not None  # checked: a hoist rope stretches
     strain = weight / hook.reeving.parts / kind.stiffness
     for rope in parts.ropes:
         if rope["name"] in hook.ropes:
             rope["length"] /= 1 + strain
+
+
+def falls_on_upper_sheaves(parts: Parts, scenario: Scenario, hook: ReevedHook) -> float:
+    """What the upper sheaves bear of the mass of the falls [kg]: theirs, without a sheave block at a boom."""
+    borne: float = parts.bodies[upper_sheaves(hook.name)]["mass"]
+    if hook.hook.carrier is None or hook.hook.carrier.kind == "trolley":
+        return borne
+    return borne - _sheave_block(scenario, hook)
+
+
+def _sheave_block(scenario: Scenario, hook: ReevedHook) -> float:
+    return _said(hook.reeving.sheave_block_at_head((scenario.ropes or {})[hook.reeving.rope].diameter))
+
+
+def mass_on(parts: Parts, body: str) -> float:
+    """Mass of a body with everything that hangs on it by joints [kg]."""
+    hanging = {body}
+    for name, given in parts.bodies.items():  # parents stand before their children
+        if given["parent"] in hanging:
+            hanging.add(name)
+    return math.fsum(parts.bodies[name]["mass"] for name in hanging)
+
+
+def hook_rig(parts: Parts, hook: Hook) -> Json:
+    """What results need to know of a hook that something takes along [SI]."""
+    top = upper_sheaves(hook.name)
+    return {
+        "name": hook.name,
+        "highest": hook.highest,
+        "bearing": [-value for value in parts.bodies[hook.name]["centre_of_gravity"]],
+        "sheaves_above": 0.0 if hook.hook_block is None else hook.hook_block.height,
+        "top": top,
+        "top_from": [-value for value in parts.bodies[top]["centre_of_gravity"]],
+    }

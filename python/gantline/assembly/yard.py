@@ -66,7 +66,7 @@ def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
         parts.add_body(
             name,
             _slider((0.0, 0.0, 1.0), drive),
-            position=hook.at,
+            position=(*hook.place, hook.height),
             mass=math.fsum(upper_lump(sling) for sling in direct),
         )
 
@@ -161,10 +161,11 @@ def _add_frame(parts: Parts, equalizer: EqualizerRigging) -> None:
     box = np.diag(solid_box(frame.mass, (frame.length, frame.width, frame.height)))
     given = (frame.inertia_about_length, frame.inertia_about_width, frame.inertia_about_vertical)
     inertia = [float(own if value is None else value) for own, value in zip(box, given, strict=True)]
+    axes = parts.pose(equalizer.hook)[1]  # of a hook at a boom turned with its vessel
     hinge = {
         "type": "hinge",
         "axis": [0.0, 0.0, 1.0],
-        "position": equalizer.heading,
+        "position": equalizer.heading - math.atan2(axes[1, 0], axes[0, 0]),
         "velocity": 0.0,
         "damping": equalizer.hinge.damping,
         "friction": equalizer.hinge.friction,

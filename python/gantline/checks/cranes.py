@@ -1,4 +1,4 @@
-"""Goliath cranes: falls out of plumb, height, approach and distance of hooks, loads of corners, wind."""
+"""Cranes: falls out of plumb, height of hooks; of Goliath cranes distances, loads of corners, wind."""
 
 from __future__ import annotations
 
@@ -14,22 +14,18 @@ from gantline.results.variable import BoolArray, FloatArray
 
 def falls_out_of_plumb(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Angle of the falls of a hook from plumb."""
-    for crane in recording.rig.cranes:
-        for _, hook in crane.hooks:
-            yield from extreme(
-                recording, recording.column("falls_out_of_plumb", hook.name), during, hook.name
-            )
+    for hook in recording.rig.carried_hooks:
+        yield from extreme(recording, recording.column("falls_out_of_plumb", hook.name), during, hook.name)
 
 
 def height_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """How far a hook stays below its highest position."""
-    for crane in recording.rig.cranes:
-        for _, hook in crane.hooks:
-            if hook.highest is None:
-                yield Missing(hook.name, "highest position not known")
-                continue
-            left = hook.highest - recording.column("hook_height", hook.name)
-            yield from extreme(recording, left, during, hook.name, smallest=True)
+    for hook in recording.rig.carried_hooks:
+        if hook.highest is None:
+            yield Missing(hook.name, "highest position not known")
+            continue
+        left = hook.highest - recording.column("hook_height", hook.name)
+        yield from extreme(recording, left, during, hook.name, smallest=True)
 
 
 def approach_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

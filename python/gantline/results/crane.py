@@ -1,6 +1,6 @@
-"""Goliath cranes in a recording: hooks under their trolleys, loads of the corners of legs, overloads.
+"""Cranes in a recording: hooks under trolleys and booms, loads of the corners of Goliath cranes, overloads.
 
-Sizes and weights come with the rig; docs/concepts/goliath.md has the equations.
+Sizes and weights come with the rig; docs/concepts/goliath.md and docs/concepts/booms.md have the equations.
 """
 
 from __future__ import annotations
@@ -11,10 +11,20 @@ from typing import Any, Self
 
 import numpy as np
 
+from gantline.results.rotation import axes
 from gantline.results.strength import FromJson, Rating
 from gantline.results.variable import FloatArray, Variable
 
-__all__ = ["CORNERS", "Crane", "CraneHook", "Trolley", "crane_events", "crane_state"]
+__all__ = [
+    "CORNERS",
+    "Crane",
+    "CraneHook",
+    "Trolley",
+    "bearing_and_falls",
+    "corner_loads",
+    "crane_events",
+    "hook_state",
+]
 
 #: Corners of a crane: leg, and side along the rails.
 CORNERS = ("fixed.front", "fixed.back", "hinged.front", "hinged.back")
@@ -25,14 +35,15 @@ Names = Mapping[str, Sequence[str]]
 
 @dataclass(frozen=True)
 class CraneHook(FromJson):
-    """A hook under a trolley.
+    """A hook under a trolley or a boom.
 
     Attributes:
         name: Its name.
         highest: Highest position of its bearing [m]; None if not said.
-        bearing: Its bearing from the centre of gravity of its body [m].
+        bearing: Its bearing from the centre of gravity of its body, axes of that [m].
+        sheaves_above: How far above the bearing the sheaves of its hook block are [m].
         top: Body of its upper sheaves.
-        top_from: Their middle from the centre of gravity of that body [m].
+        top_from: Their middle, under a boom their pin, from the centre of gravity of that body, its axes [m].
         along: Where it is under its trolley, along the girder [m].
         across: Where it is across the girder [m].
     """
@@ -40,6 +51,7 @@ class CraneHook(FromJson):
     name: str
     highest: float | None = None
     bearing: Sequence[float] = (0.0, 0.0, 0.0)
+    sheaves_above: float = 0.0
     top: str = ""
     top_from: Sequence[float] = (0.0, 0.0, 0.0)
     along: float = 0.0
@@ -115,37 +127,40 @@ class Crane(FromJson):
 _Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
 
 
-def crane_state(
-    columns: Columns,
-    names: Names,
-    cranes: Sequence[Crane],
-    loads: Sequence[str],
-    hoist: Mapping[str, FloatArray],
-) -> _Derived:
-    """Heights and angles of hooks, swing of loads, loads of corners.
+def bearing_and_falls(columns: Columns, names: Names, hook: CraneHook) -> tuple[FloatArray, FloatArray]:
+    """Where the bearing of a hook is, and the way up its falls, shapes (time, 3) [m].
+
+    The falls go from the sheaves of the hook block, which stays upright, to the upper ones.
+    """
+    bodies = list(names["body"])
+
+    def place(body: str, offset: Sequence[float]) -> FloatArray:
+        at = bodies.index(body)
+        turned = axes(columns["body_orientation"][:, at]) @ np.asarray(offset)
+        found: FloatArray = columns["body_position"][:, at] + turned
+        return found
+
+    bearing = place(hook.name, hook.bearing)
+    return bearing, place(hook.top, hook.top_from) - bearing - (0.0, 0.0, hook.sheaves_above)
+
+
+def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads: Sequence[str]) -> _Derived:
+    """Heights and angles of hooks, swing of loads.
 
     Args:
         columns: Columns of the core by name.
         names: Names along their dimensions.
-        cranes: Goliath cranes of the rig.
+        hooks: Hooks that a trolley or a boom takes along.
         loads: Names of the loads, which hang from their hooks together.
-        hoist: Hoist load by hook, shape (time,) [N].
     """
-    if not cranes:
+    if not hooks:
         return {}, {}
-    bodies = list(names["body"])
-    position = columns["body_position"]
-    heights, angles, aside, hooks = [], [], [], []
-    for crane in cranes:
-        for _, hook in crane.hooks:
-            bearing = position[:, bodies.index(hook.name)] + np.asarray(hook.bearing)
-            falls = position[:, bodies.index(hook.top)] + np.asarray(hook.top_from) - bearing
-            aside.append(-falls[:, :2])
-            heights.append(bearing[:, 2])
-            angles.append(np.arctan2(np.linalg.norm(falls[:, :2], axis=1), falls[:, 2]))
-            hooks.append(hook.name)
-    corners = [corner for crane in cranes for corner in crane.corners]
-    carried = np.concatenate([_corner_loads(columns, names, crane, hoist) for crane in cranes], axis=1)
+    heights, angles, aside = [], [], []
+    for hook in hooks:
+        bearing, falls = bearing_and_falls(columns, names, hook)
+        aside.append(-falls[:, :2])
+        heights.append(bearing[:, 2])
+        angles.append(np.arctan2(np.linalg.norm(falls[:, :2], axis=1), falls[:, 2]))
     swing = np.linalg.norm(np.mean(aside, axis=0), axis=1)
     dims = ("time", "crane_hook")
     found = {
@@ -153,21 +168,31 @@ def crane_state(
         "falls_out_of_plumb": Variable(
             dims, np.stack(angles, axis=1), "rad", "angle of the falls of a hook from plumb"
         ),
-        "corner_load": Variable(
-            ("time", "corner"),
-            carried,
-            "N",
-            "load of a corner of a crane by moments of weights and hoist loads, without inertia and wind",
-        ),
     }
     if loads:
         found["load_swing"] = Variable(
             ("time", "load"),
             np.repeat(swing[:, None], len(loads), axis=1),
             "m",
-            "distance of a load from its place under the trolleys: mean of its hooks' offsets, as a vector",
+            "distance of a load from its place under the upper sheaves: mean of its hooks, as a vector",
         )
-    return found, {"crane_hook": hooks, "corner": corners}
+    return found, {"crane_hook": [hook.name for hook in hooks]}
+
+
+def corner_loads(
+    columns: Columns, names: Names, cranes: Sequence[Crane], hoist: Mapping[str, FloatArray]
+) -> _Derived:
+    """Loads of the corners of Goliath cranes; `hoist` is the hoist load by hook, shape (time,) [N]."""
+    if not cranes:
+        return {}, {}
+    carried = np.concatenate([_corner_loads(columns, names, crane, hoist) for crane in cranes], axis=1)
+    variable = Variable(
+        ("time", "corner"),
+        carried,
+        "N",
+        "load of a corner of a crane by moments of weights and hoist loads, without inertia and wind",
+    )
+    return {"corner_load": variable}, {"corner": [corner for crane in cranes for corner in crane.corners]}
 
 
 def _corner_loads(
@@ -203,7 +228,7 @@ def crane_events(
     time: FloatArray,
     ratings: Sequence[Rating],
     loads: Mapping[str, Mapping[str, FloatArray]],
-    cranes: Sequence[Crane],
+    hooks: Sequence[CraneHook],
     heights: Mapping[str, FloatArray],
 ) -> Iterator[tuple[float, str, str]]:
     """Moments at which a rated capacity or a highest position is passed: time [s], kind, element.
@@ -212,21 +237,20 @@ def crane_events(
         time: Shape (time,) [s].
         ratings: Rated capacities.
         loads: `hook_load` and `hoist_load` by hook, shape (time,) [N].
-        cranes: Goliath cranes of the rig.
+        hooks: Hooks that a trolley or a boom takes along.
         heights: Height of the bearing by hook, shape (time,) [m].
     """
-    own = {hook.name for crane in cranes for _, hook in crane.hooks}
+    own = {hook.name for hook in hooks}
     for rating in ratings:
         if rating.rated_capacity and set(rating.hooks) <= own:
             of = loads["hoist_load" if rating.includes_hook_block else "hook_load"]
             total = np.sum([of[name] for name in rating.hooks], axis=0)
             for at in _passed(time, total - rating.rated_capacity):
                 yield at, "overload", rating.name
-    for crane in cranes:
-        for _, hook in crane.hooks:
-            if hook.highest is not None:
-                for at in _passed(time, heights[hook.name] - hook.highest):
-                    yield at, "hook_too_high", hook.name
+    for hook in hooks:
+        if hook.highest is not None:
+            for at in _passed(time, heights[hook.name] - hook.highest):
+                yield at, "hook_too_high", hook.name
 
 
 def _passed(time: FloatArray, beyond: FloatArray) -> list[float]:

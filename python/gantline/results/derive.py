@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from gantline.results.crane import crane_events, crane_state
+from gantline.results.boom import boom_state
+from gantline.results.crane import corner_loads, crane_events, hook_state
 from gantline.results.flows import rope_flows
 from gantline.results.nodes import joined
 from gantline.results.recording import Recording
@@ -221,19 +222,26 @@ def _hook_load(columns: Columns, names: Names, hook: Hook) -> FloatArray:
 
 
 def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]) -> _Derived:
-    """What is particular to Goliath cranes; moments at which their limits are passed join the events."""
-    if not rig.cranes:
+    """What is particular to cranes; moments at which their limits are passed join the events."""
+    hooks = rig.carried_hooks
+    if not hooks:
         return {}, {}
     loads = {
         name: {hook.name: known[name].values[:, place] for place, hook in enumerate(rig.hooks)}
         for name in ("hook_load", "hoist_load")
     }
-    found, labels = crane_state(
-        columns, names, rig.cranes, [load.name for load in rig.loads], loads["hoist_load"]
-    )
+    found: dict[str, Variable] = {}
+    labels: dict[str, Sequence[str]] = {}
+    for of, named in (
+        hook_state(columns, names, hooks, [load.name for load in rig.loads]),
+        corner_loads(columns, names, rig.cranes, loads["hoist_load"]),
+        boom_state(columns, names, rig.booms),
+    ):
+        found |= of
+        labels |= named
     height = found["hook_height"].values
     heights = {name: height[:, place] for place, name in enumerate(labels["crane_hook"])}
-    passed = list(crane_events(columns["time"], rig.ratings, loads, rig.cranes, heights))
+    passed = list(crane_events(columns["time"], rig.ratings, loads, hooks, heights))
     if passed:
         events = [known[f"event_{key}"].values for key in ("time", "kind", "name")]
         together = [*zip(*(values.tolist() for values in events), strict=True), *passed]

@@ -10,7 +10,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
-from gantline.results.crane import Crane
+from gantline.results.boom import Boom
+from gantline.results.crane import Crane, CraneHook
 from gantline.results.crawler import Crawler
 from gantline.results.rating_chart import RatingChart
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
@@ -350,6 +351,7 @@ class Rig(FromJson):
         watches: Pairs whose distance is watched.
         hooks: Hooks of all cranes.
         cranes: Goliath cranes, with what is particular to their hooks.
+        booms: Booms, with what is particular to their hooks.
         crawlers: Crawler cranes, with what they stand on.
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
@@ -379,6 +381,7 @@ class Rig(FromJson):
     watches: Sequence[Watch] = ()
     hooks: Sequence[Hook] = ()
     cranes: Sequence[Crane] = ()
+    booms: Sequence[Boom] = ()
     crawlers: Sequence[Crawler] = ()
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
@@ -406,6 +409,7 @@ class Rig(FromJson):
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
+            "booms": tuple(Boom.from_json(d) for d in document.get("booms") or ()),
             "crawlers": tuple(Crawler.from_json(d) for d in document.get("crawlers") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
@@ -424,6 +428,12 @@ class Rig(FromJson):
             "bends": tuple(Bend.from_json(d) for d in document.get("bends") or ()),
         }
         return super().from_json({**document, **parts})
+
+    @property
+    def carried_hooks(self) -> list[CraneHook]:
+        """Hooks that a trolley or a boom takes along."""
+        of_trolleys = [hook for crane in self.cranes for _, hook in crane.hooks]
+        return of_trolleys + [hook for boom in self.booms for hook in boom.hooks]
 
     def rope(self, name: str) -> Rope | None:
         """The rope of that name, if something is known of it."""

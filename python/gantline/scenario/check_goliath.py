@@ -1,51 +1,12 @@
-"""Whether Goliath cranes can be built as written, and what their parts are called."""
+"""Whether Goliath cranes can be built as written."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from gantline.scenario.crane import FixedHook, Hoist
-from gantline.scenario.errors import nearest
+from gantline.scenario.check_hooks import check_carried_hook
 from gantline.scenario.findings import Findings, Path
-from gantline.scenario.goliath import Goliath, HookType, Trolley, TrolleyHook
-from gantline.scenario.hooks import NEEDED, parts_of, trolley_name
-from gantline.scenario.reeving import HoistDrum
+from gantline.scenario.goliath import Goliath, Trolley
 
-__all__ = ["check_goliaths", "crane_bodies", "crane_parts", "girder_body"]
-
-_RIGHT = {
-    "hook_block": "block: {mass: 12 t, height: 3 m}",
-    "reeving": "reeving: {parts_each: 8, rope: hoist_42, sheave_diameter: 1 m, upper_sheaves_at: 88 m}",
-    "drum": "drum: {diameter: 1.6 m}",
-    "hoist": "hoist: {speed: 5 m/min, acceleration: 0.02 m/s^2}",
-}
-
-
-def girder_body(crane: str) -> str:
-    """Name of the part of a girder that bends."""
-    return f"{crane}.girder"
-
-
-def crane_bodies(cranes: Mapping[str, FixedHook | Goliath]) -> list[str]:
-    """Names of the bodies of cranes, without hooks."""
-    return [str(name) for name, _, _ in crane_parts(cranes)] + [
-        name for name, crane in cranes.items() if isinstance(crane, Goliath)
-    ]
-
-
-def crane_parts(cranes: Mapping[str, FixedHook | Goliath]) -> list[tuple[str, str, Path]]:
-    """Names that the parts of Goliath cranes take, what they are, and where the file says them."""
-    found: list[tuple[str, str, Path]] = []
-    for name, crane in cranes.items():
-        if not isinstance(crane, Goliath):
-            continue
-        path = ("cranes", name)
-        found.append((girder_body(name), "the girder of a crane", (*path, "girder")))
-        for trolley, given in crane.trolleys.items():
-            at = (*path, "trolleys", trolley)
-            found.append((trolley_name(name, trolley), "a trolley", at))
-            found += [(f"{name}.{hook}", "a hook", (*at, "hooks", hook)) for hook in given.hooks]
-    return found
+__all__ = ["check_goliaths"]
 
 
 def check_goliaths(findings: Findings) -> None:
@@ -61,7 +22,7 @@ def check_goliaths(findings: Findings) -> None:
             at = (*path, "trolleys", trolley)
             _check_trolley(findings, at, crane, given)
             for hook, one in given.hooks.items():
-                _check_hook(findings, (*at, "hooks", hook), one)
+                check_carried_hook(findings, (*at, "hooks", hook), one, "trolley")
         _check_distance(findings, path, crane)
 
 
@@ -80,31 +41,6 @@ def _check_trolley(findings: Findings, path: Path, crane: Goliath, trolley: Trol
         sentence = f"hooks of this trolley would come to {max(ends, key=abs):g} m along the girder"
         right = f"with this span and approach {reach:g} m is the most"
         findings.add((*path, "traverse", "range"), f"{sentence}; {right}")
-
-
-def _check_hook(findings: Findings, path: Path, hook: TrolleyHook) -> None:
-    types = findings.scenario.hook_types or {}
-    kind: HookType | None = None
-    if hook.type is not None:
-        kind = types.get(hook.type)
-        if kind is None:
-            sentence = f"'{hook.type}' is not a name of 'hook_types'; {nearest(hook.type, types)}"
-            findings.add((*path, "type"), sentence)
-            return
-    parts = parts_of(hook, kind)
-    for key in NEEDED:
-        if parts[key] is None:
-            word = "block" if key == "hook_block" else key
-            sentence = f"'{word}' is missing; a hook of a trolley needs it, or a type that has it"
-            findings.add(path, f"{sentence}, such as '{_RIGHT[key]}'")
-    hoist, drum = parts["hoist"], parts["drum"]
-    is_limited = isinstance(hoist, Hoist) and hoist.capacity is not None
-    if is_limited and isinstance(drum, HoistDrum) and drum.inertia is None:
-        sentence = "a hoist with a capacity needs the inertia of its drum"
-        findings.add(path, f"{sentence}; give 'drum' a 'moment_of_inertia' or 'rotating_mass'")
-    highest = parts["highest"]
-    if isinstance(highest, float) and hook.height > highest:
-        findings.add((*path, "height"), f"{hook.height:g} m is above the highest position, {highest:g} m")
 
 
 def _check_distance(findings: Findings, path: Path, crane: Goliath) -> None:

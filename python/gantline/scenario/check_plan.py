@@ -1,8 +1,8 @@
-"""Whether the plan can be carried out by the hooks, drums, trolleys and cranes there are."""
+"""Whether the plan can be carried out by the hooks, drums, trolleys, cranes and booms there are."""
 
 from __future__ import annotations
 
-from gantline.scenario.check_travel import check_travel
+from gantline.scenario.check_travel import check_travel, said
 from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
@@ -19,6 +19,7 @@ _WORDS = {
     "drum": ("drum", "turn", "drive"),
     "trolley": ("trolley", "traverse", "traverse"),
     "crane": ("crane that travels", "travel", "travel"),
+    "boom": ("crane with 'luffing'", "luff", "luffing"),
 }
 
 
@@ -66,8 +67,8 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
             sentence = f"'{text}' is not a {what}; {nearest(text, known)}"
             findings.add(("plan", place, step.verb), sentence)
             continue
-        moved.append(name)
         one = known[name]
+        moved.append(name if one is None else one.name)
         if one is None:
             sentence = f"drum '{name}' has no 'drive' that could turn it"
             right = "'drive: {speed: 30 m/min, acceleration: 0.1 m/s^2}'"
@@ -76,13 +77,13 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
         if step.emergency_stop_at is not None:
             _check_stop(findings, ("plan", place, "emergency_stop_at"), one, drive)
         if step.speed > one.speed * _ROUNDING:
-            sentence = f"{step.speed:g} m/s is faster than '{name}' can {can}"
-            findings.add(("plan", place, "speed"), f"{sentence}; its highest speed is {one.speed:g} m/s")
+            sentence = f"{said(step.kind, step.speed, 'speed')} is faster than '{name}' can {can}"
+            right = f"its highest speed is {said(step.kind, one.speed, 'speed')}"
+            findings.add(("plan", place, "speed"), f"{sentence}; {right}")
         if step.acceleration is not None and step.acceleration > one.acceleration * _ROUNDING:
-            sentence = f"{step.acceleration:g} m/s^2 is more than '{name}' can do"
-            findings.add(
-                ("plan", place, "acceleration"), f"{sentence}; its most is {one.acceleration:g} m/s^2"
-            )
+            sentence = f"{said(step.kind, step.acceleration, 'acceleration')} is more than '{name}' can do"
+            right = f"its most is {said(step.kind, one.acceleration, 'acceleration')}"
+            findings.add(("plan", place, "acceleration"), f"{sentence}; {right}")
     if len(set(moved)) < len(moved):
         short = what.partition(" ")[0]
         findings.add(("plan", place, step.verb), f"names a {short} twice; each {short} stands once")

@@ -20,6 +20,8 @@ def check_reeving(findings: Findings, hook: Hook) -> None:
     path: Path = hook.paths["reeving"]
     ropes = findings.scenario.ropes or {}
     kind = ropes.get(reeving.rope)
+    if not _check_place(findings, hook, reeving):
+        return
     if kind is None:
         sentence = f"'{reeving.rope}' is not a name of 'ropes'; {nearest(reeving.rope, ropes)}"
         findings.add((*path, "rope"), sentence)
@@ -57,7 +59,9 @@ def check_reeving(findings: Findings, hook: Hook) -> None:
 def _check_room(findings: Findings, hook: Hook, reeving: Reeving, diameter: float) -> None:
     """The hook block has to start below the upper sheaves, and the hook has something to lift."""
     assert hook.hook_block is not None
-    sheaves = hook.at[2] + hook.hook_block.height
+    if reeving.upper_sheaves_at is None:  # at a boom: its head is known once everything has its place
+        return
+    sheaves = hook.height + hook.hook_block.height
     if reeving.upper_sheaves_at < sheaves + diameter:
         sentence = f"the sheaves of the hook block start at {sheaves:g} m, and the upper ones at "
         sentence += f"{reeving.upper_sheaves_at:g} m, not a sheave's diameter above"
@@ -65,3 +69,31 @@ def _check_room(findings: Findings, hook: Hook, reeving: Reeving, diameter: floa
             (*hook.paths["reeving"], "upper_sheaves_at"),
             f"{sentence}; {sheaves + 2 * diameter:g} m or more is right",
         )
+
+
+def _check_place(findings: Findings, hook: Hook, reeving: Reeving) -> bool:
+    """The place of the upper sheaves: under a boom head, or at a height; true where it is said and right."""
+    path = hook.paths["reeving"]
+    at_boom = hook.carrier is not None and hook.carrier.kind == "boom"
+    needed, other = ("below_head", "upper_sheaves_at") if at_boom else ("upper_sheaves_at", "below_head")
+    where = "at a boom" if at_boom else "that does not hang at a boom"
+    right = "below_head: 1.3 m" if at_boom else "upper_sheaves_at: 88 m"
+    if getattr(reeving, needed) is None:
+        findings.add(
+            path, f"'{needed}' is missing; the reeving of a hook {where} needs it, such as '{right}'"
+        )
+        return False
+    for key in (other, *(() if at_boom else ("sheave_block_mass",))):
+        if getattr(reeving, key) is not None:
+            findings.add((*path, key), f"'{key}' has no meaning for a hook {where}; leave it out")
+            return False
+    kind = (findings.scenario.ropes or {}).get(reeving.rope)
+    if at_boom and kind is not None and kind.diameter is None and reeving.sheave_block_mass is None:
+        sentence = (
+            f"the diameter of rope '{reeving.rope}' is not known, from which the mass of the sheave block"
+        )
+        findings.add(
+            path, f"{sentence} at the boom head would follow; give 'sheave_block_mass', such as '8 t'"
+        )
+        return False
+    return True

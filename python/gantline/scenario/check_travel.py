@@ -1,4 +1,4 @@
-"""Whether the steps of a plan keep to the limits of height, traverse and travel, as far as that is known.
+"""Whether the steps of a plan keep to the limits of height and range, as far as that is known.
 
 A step that ends on a condition or a time leaves a hook or trolley somewhere on its way, so positions are
 followed as bounds: what passes its limit for sure is a mistake of the plan, what may is left to the run.
@@ -13,18 +13,32 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
 from gantline.scenario.movers import Mover, mover
-from gantline.scenario.plan import HoldStep, HookStep, MovingStep
+from gantline.scenario.plan import HoldStep, HookStep, Kind, MovingStep
 
-__all__ = ["check_travel"]
+__all__ = ["check_travel", "said"]
 
 #: Rounding of positions that steps add up [m].
 _ROUNDING = 1e-9
 
 _Bounds = tuple[float, float]
 
+#: Units of messages: of positions, speeds and accelerations.
+_METRES = {"position": ("m", 1.0), "speed": ("m/s", 1.0), "acceleration": ("m/s^2", 1.0)}
+_DEGREES = {
+    "position": ("deg", math.degrees(1)),
+    "speed": ("deg/min", 60 * math.degrees(1)),
+    "acceleration": ("deg/s^2", math.degrees(1)),
+}
+
+
+def said(kind: Kind, value: float, of: str) -> str:
+    """A value of what moves in a message, such as '0.5 m/s'; `of` is position, speed or acceleration."""
+    unit, factor = (_DEGREES if kind == "boom" else _METRES)[of]
+    return f"{value * factor:g} {unit}"
+
 
 def check_travel(findings: Findings) -> None:
-    """Note steps that leave the range of a trolley or crane, or hoist a hook too high."""
+    """Note steps that leave the range of a trolley, crane or boom, or hoist a hook too high."""
     where: dict[str, _Bounds] = {}
     plan = findings.scenario.plan
     for place, step in enumerate(plan):
@@ -82,10 +96,9 @@ def _check_range(findings: Findings, path: Path, one: Mover, after: _Bounds) -> 
     )
     if far is None:
         return
-    if one.kind == "hook":
-        findings.add(path, f"'{one.name}' would come to {far:g} m; its highest position is {high:g} m")
-    else:
-        findings.add(path, f"'{one.name}' would come to {far:g} m; its range is {low:g} m to {high:g} m")
+    there, least, most = (said(one.kind, value, "position") for value in (far, low, high))
+    right = f"its highest position is {most}" if one.kind == "hook" else f"its range is {least} to {most}"
+    findings.add(path, f"'{one.name}' would come to {there}; {right}")
 
 
 def _check_distances(findings: Findings, path: Path, where: dict[str, _Bounds]) -> None:

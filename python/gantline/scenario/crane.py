@@ -53,8 +53,12 @@ __all__ = [
     "Travel",
 ]
 
-#: Crane types that the format will have and that this version cannot simulate.
-_COMING_CRANES = ("sheerleg", "floating_crane", "crawler", "crawler_crane")
+#: Crane types that this version can simulate.
+_CRANES = ("fixed_hook", "goliath", "floating_crane")
+#: Crane types that the format will have.
+_COMING_CRANES = ("crawler", "crawler_crane")
+#: What other words for a type of crane mean.
+_MEANT = {"sheerleg": "floating_crane", "sheerlegs": "floating_crane"}
 
 
 class Hoist(Element):
@@ -153,14 +157,12 @@ class FixedHook(Element):
         kind = data.get("type")
         if kind is None or kind == "fixed_hook":
             return
+        if kind in _MEANT:
+            raise refuse(f"a {found(kind)} is written as 'type: {_MEANT[str(kind)]}' here", "type")
         if kind in _COMING_CRANES:
-            raise refuse(
-                f"cranes of type {found(kind)} cannot be simulated yet; 'fixed_hook' and 'goliath' can",
-                "type",
-            )
-        raise refuse(
-            f"{found(kind)} is not a type of crane; {nearest(str(kind), ['fixed_hook', 'goliath'])}", "type"
-        )
+            listed = ", ".join(f"'{one}'" for one in _CRANES[:-1]) + f" and '{_CRANES[-1]}'"
+            raise refuse(f"cranes of type {found(kind)} cannot be simulated yet; {listed} can", "type")
+        raise refuse(f"{found(kind)} is not a type of crane; {nearest(str(kind), _CRANES)}", "type")
 
 
 class EqualizerFrame(Element):

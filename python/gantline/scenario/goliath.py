@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element, Named
-from gantline.scenario.crane import Hoist
+from gantline.scenario.hook_parts import CarriedHook
 from gantline.scenario.quantities import (
     Flag,
     Length,
     ListOf,
     Mass,
-    Name,
     NotNegativeLength,
     PositiveAcceleration,
     PositiveLength,
@@ -24,51 +23,26 @@ from gantline.scenario.quantities import (
     Ratio,
     refuse,
 )
-from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving
 
 __all__ = [
     "Girder",
     "Goliath",
     "GoliathLegs",
-    "HookParts",
-    "HookType",
     "Traverse",
     "Trolley",
     "TrolleyHook",
-    "crane_type",
 ]
 
 _Range = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 
 
-class HookParts(Element):
-    """All that a hook type may say; a type says what its hooks share, a hook what differs."""
-
-    what: ClassVar[str] = "a hook"
-
-    rated_capacity: PositiveMass | None = Field(None, description="Rated capacity of the hook.")
-    highest: PositiveLength | None = Field(None, description="Highest position of the hook's bearing.")
-    hook_block: HookBlock | None = Field(None, alias="block", description="Hook block.")
-    reeving: Reeving | None = Field(None, description="Ropes that the hook hangs in.")
-    drum: HoistDrum | None = Field(None, description="Drum of the hoist.")
-    hoist: Hoist | None = Field(None, description="Speed and acceleration of the hoist, of the hook.")
-
-
-class HookType(HookParts):
-    """A type of hook, for several hooks with the same gear."""
-
-    what: ClassVar[str] = "a hook type"
-
-
-class TrolleyHook(HookParts):
+class TrolleyHook(CarriedHook):
     """A hook under a trolley."""
 
     what: ClassVar[str] = "a hook of a trolley"
 
-    type: Name | None = Field(None, description="A name of 'hook_types' that gives what is not said here.")
     across: Length = Field(0.0, description="Place across the girder, from its centre line along y.")
     along: Length = Field(0.0, description="Place along the girder, from the trolley's position along x.")
-    height: PositiveLength = Field(description="Height of the hook's bearing at the start.")
 
 
 class Traverse(Element):
@@ -185,9 +159,3 @@ class Goliath(Element):
     def fixed_leg_at(self) -> float:
         """Where the fixed leg stands along the girder [m]."""
         return -self.span / 2 if self.legs.fixed_leg_at is None else self.legs.fixed_leg_at
-
-
-def crane_type(data: Any) -> str:
-    """Which model a crane of a lift file is read by; an unknown type is left to the first to refuse."""
-    kind = data.get("type") if isinstance(data, dict) else getattr(data, "type", None)
-    return "goliath" if kind == "goliath" else "fixed_hook"

@@ -2,20 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
+from gantline.scenario.boom import FloatingCrane, PlacedBoom, boom_name, placed_boom
 from gantline.scenario.crane import FixedHook, Hoist
+from gantline.scenario.crane_types import AnyCrane
 from gantline.scenario.errors import PathPart
-from gantline.scenario.goliath import Goliath, HookType, TrolleyHook
+from gantline.scenario.goliath import Goliath
+from gantline.scenario.hook_parts import CarriedHook, HookType
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving
+from gantline.scenario.vessel import Vessel
 
-__all__ = ["PARTS", "Hook", "full_name", "hooks_of", "trolley_name"]
+__all__ = ["PARTS", "Carrier", "Hook", "booms_of", "full_name", "hooks_of", "trolley_name"]
 
-#: What a hook of a trolley has from itself or from its type.
+#: What a hook of a trolley or boom has from itself or from its type.
 PARTS = ("rated_capacity", "highest", "hook_block", "reeving", "drum", "hoist")
 #: Of these, what it cannot do without.
 NEEDED = ("hook_block", "reeving", "drum", "hoist")
+
+
+@dataclass(frozen=True)
+class Carrier:
+    """What bears the upper sheaves of a hook and takes them along.
+
+    Attributes:
+        name: full name of a trolley or boom, which is also that of its body.
+        kind: which of the two.
+    """
+
+    name: str
+    kind: Literal["trolley", "boom"]
 
 
 @dataclass(frozen=True)
@@ -25,18 +43,21 @@ class Hook:
     Attributes:
         name: full name: of its crane, or `<crane>.<hook>`.
         crane: name of its crane.
-        trolley: full name of its trolley, `<crane>.<trolley>`; None of a hook without one.
+        carrier: what takes it along; None of a hook that no crane stands behind.
         paths: where the lift file says `reeving` and `drum`, and under `""` the hook itself.
-        at: bearing point at the start, world axes [m].
+        place: of a hook at a boom along and across the boom, where its upper sheaves are pinned; of another x
+            and y of its bearing point at the start, world axes [m].
+        height: height of its bearing point at the start [m].
         highest: highest position of the bearing [m]; None if not said.
         hook_block_mass: mass of hook block and falls that are no part of the mechanics [kg].
     """
 
     name: str
     crane: str
-    trolley: str | None
+    carrier: Carrier | None
     paths: Mapping[str, tuple[PathPart, ...]]
-    at: tuple[float, float, float]
+    place: tuple[float, float]
+    height: float
     rated_capacity: float | None
     rating_includes_hook_block: bool
     highest: float | None
@@ -60,22 +81,41 @@ def full_name(text: str, known: Mapping[str, object]) -> str | None:
     return fitting[0] if len(fitting) == 1 else None
 
 
-def hooks_of(cranes: Mapping[str, FixedHook | Goliath], types: Mapping[str, HookType]) -> dict[str, Hook]:
+def booms_of(cranes: Mapping[str, AnyCrane], vessels: Mapping[str, Vessel]) -> dict[str, PlacedBoom]:
+    """Booms of all cranes that have one, by the name of the crane."""
+    found = {name: placed_boom(name, crane, vessels) for name, crane in cranes.items()}
+    return {name: boom for name, boom in found.items() if boom is not None}
+
+
+def hooks_of(cranes: Mapping[str, AnyCrane], types: Mapping[str, HookType]) -> dict[str, Hook]:
     """All hooks, in the order of the lift file; hooks of which something is missing are left out."""
     found: dict[str, Hook] = {}
     for name, crane in cranes.items():
         if isinstance(crane, FixedHook):
             found[name] = _fixed(name, crane)
             continue
-        for trolley, carrier in crane.trolleys.items():
-            for hook, given in carrier.hooks.items():
-                x, y = carrier.position + given.along, crane.position + given.across
-                own = ("cranes", name, "trolleys", trolley, "hooks", hook)
-                of = _Place(f"{name}.{hook}", name, trolley_name(name, trolley), own, (x, y, given.height))
-                one = _of_trolley(of, given, types.get(given.type or ""), crane)
-                if one is not None:
-                    found[one.name] = one
+        includes = crane.rating_includes_hook_block
+        for given, of in _carried(name, crane):
+            one = _of_carrier(of, given, types.get(given.type or ""), includes)
+            if one is not None:
+                found[one.name] = one
     return found
+
+
+def _carried(name: str, crane: Goliath | FloatingCrane) -> Iterator[tuple[CarriedHook, _Place]]:
+    """Each hook of a crane that bears several, what takes it along, and where."""
+    if isinstance(crane, Goliath):
+        for trolley, bears in crane.trolleys.items():
+            carrier = Carrier(trolley_name(name, trolley), "trolley")
+            for hook, given in bears.hooks.items():
+                path = ("cranes", name, "trolleys", trolley, "hooks", hook)
+                place = bears.position + given.along, crane.position + given.across
+                yield given, _Place(f"{name}.{hook}", name, carrier, path, place)
+        return
+    carrier = Carrier(boom_name(name), "boom")
+    for hook, at_head in crane.hooks.items():
+        place = crane.boom.length, at_head.across
+        yield at_head, _Place(f"{name}.{hook}", name, carrier, ("cranes", name, "hooks", hook), place)
 
 
 def _fixed(name: str, crane: FixedHook) -> Hook:
@@ -83,9 +123,10 @@ def _fixed(name: str, crane: FixedHook) -> Hook:
     return Hook(
         name=name,
         crane=name,
-        trolley=None,
+        carrier=None,
         paths={"": path, "reeving": (*path, "reeving"), "drum": (*path, "drum")},
-        at=crane.at,
+        place=crane.at[:2],
+        height=crane.at[2],
         rated_capacity=crane.rated_capacity,
         rating_includes_hook_block=crane.rating_includes_hook_block,
         highest=None,
@@ -101,18 +142,18 @@ def _fixed(name: str, crane: FixedHook) -> Hook:
 class _Place:
     name: str
     crane: str
-    trolley: str
+    carrier: Carrier
     path: tuple[PathPart, ...]
-    at: tuple[float, float, float]
+    place: tuple[float, float]
 
 
-def parts_of(given: TrolleyHook, kind: HookType | None) -> dict[str, object]:
+def parts_of(given: CarriedHook, kind: HookType | None) -> dict[str, object]:
     """The parts of a hook, its own before those of its type; None where neither has one."""
     own = {key: getattr(given, key) for key in PARTS}
     return {key: getattr(kind, key, None) if part is None else part for key, part in own.items()}
 
 
-def _of_trolley(of: _Place, given: TrolleyHook, kind: HookType | None, crane: Goliath) -> Hook | None:
+def _of_carrier(of: _Place, given: CarriedHook, kind: HookType | None, includes: bool) -> Hook | None:
     parts = parts_of(given, kind)
     if any(parts[key] is None for key in NEEDED):
         return None
@@ -123,10 +164,11 @@ def _of_trolley(of: _Place, given: TrolleyHook, kind: HookType | None, crane: Go
     return Hook(
         name=of.name,
         crane=of.crane,
-        trolley=of.trolley,
+        carrier=of.carrier,
         paths=paths,
-        at=of.at,
-        rating_includes_hook_block=crane.rating_includes_hook_block,
+        place=of.place,
+        height=given.height,
+        rating_includes_hook_block=includes,
         hook_block_mass=0.0,
         **parts,  # type: ignore[arg-type]
     )

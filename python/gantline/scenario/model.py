@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Discriminator, Field, PrivateAttr, Tag
+from pydantic import Field, PrivateAttr
 
 from gantline.scenario.base import Element, Named
+from gantline.scenario.boom import PlacedBoom
 from gantline.scenario.case import Case
-from gantline.scenario.crane import Equalizer, EqualizerType, FixedHook
+from gantline.scenario.crane import Equalizer, EqualizerType
+from gantline.scenario.crane_types import Crane
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
-from gantline.scenario.goliath import Goliath, HookType, crane_type
 from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
 from gantline.scenario.hook_group import HookGroup
-from gantline.scenario.hooks import Hook, hooks_of
+from gantline.scenario.hook_parts import HookType
+from gantline.scenario.hooks import Hook, booms_of, hooks_of
 from gantline.scenario.limits import Limits, Rules
 from gantline.scenario.load import Load, LugType
 from gantline.scenario.mechanics import Mechanics
@@ -24,17 +26,11 @@ from gantline.scenario.quantities import PositiveTime, Quantity, Reader, WordOr,
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
 from gantline.scenario.tree import MapNode, line_of
+from gantline.scenario.vessel import Vessel
 from gantline.scenario.watch import Watch
 from gantline.scenario.water import Water
 
-__all__ = ["COMING", "Scenario"]
-
-#: Sections that the format will have and that this version does not know.
-COMING = ("vessels",)
-
-Crane = Annotated[
-    Annotated[FixedHook, Tag("fixed_hook")] | Annotated[Goliath, Tag("goliath")], Discriminator(crane_type)
-]
+__all__ = ["Scenario"]
 
 
 class _FormatReader(Reader):
@@ -63,7 +59,7 @@ class Scenario(Element):
         None,
         description="'rest': everything in equilibrium, found from the positions given; 'settled': the load "
         "has settled on the ground, all else is as given; 'as_given': from the positions given. If not "
-        "given: 'rest' for a lift with a 'load', else 'as_given'.",
+        "given: 'rest' for a lift with a 'load' or 'vessels', else 'as_given'.",
     )
     axes: Axes | None = Field(None, description="Where the axes point, for people.")
     wind: Annotated[float | Literal["none"], WordOr(("none",), Quantity("speed", "not_negative"))] | None = (
@@ -75,11 +71,14 @@ class Scenario(Element):
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     water: Water | None = Field(None, description="Water around hulls; sea water up to 0 if not given.")
+    vessels: Named[Vessel] | None = Field(None, description="Vessels by name.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
     lug_types: Named[LugType] | None = Field(None, description="Types of lug by name.")
     load: Load | None = Field(None, description="The load.")
-    hook_types: Named[HookType] | None = Field(None, description="Types of hook of trolleys, by name.")
+    hook_types: Named[HookType] | None = Field(
+        None, description="Types of hook of trolleys and booms, by name."
+    )
     cranes: Named[Crane] | None = Field(None, description="Cranes by name.")
     supports: Named[Supports] | None = Field(None, description="Groups of supports under the load by name.")
     structures: Named[Structure] | None = Field(None, description="What stands in the yard, by name.")
@@ -146,9 +145,15 @@ class Scenario(Element):
         return hooks_of(self.cranes or {}, self.hook_types or {})
 
     @property
+    def booms(self) -> dict[str, PlacedBoom]:
+        """Booms of all cranes that have one, by the name of the crane."""
+        return booms_of(self.cranes or {}, self.vessels or {})
+
+    @property
     def starts_at_rest(self) -> bool:
         """Whether everything is in equilibrium before the lift begins."""
-        return self.start == "rest" or (self.start is None and self.load is not None)
+        has_rest = self.load is not None or self.vessels is not None
+        return self.start == "rest" or (self.start is None and has_rest)
 
     @property
     def load_has_settled(self) -> bool:

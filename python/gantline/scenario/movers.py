@@ -1,9 +1,10 @@
-"""What steps of the plan can move: hooks, drums, trolleys, cranes."""
+"""What steps of the plan can move: hooks, drums, trolleys, cranes, booms."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+from gantline.scenario.boom import Luffing
 from gantline.scenario.goliath import Goliath, Traverse
 from gantline.scenario.hooks import full_name, trolley_name
 from gantline.scenario.model import Scenario
@@ -19,14 +20,14 @@ class Mover:
     Attributes:
         name: its full name.
         kind: what it is.
-        speed: highest speed [m/s].
-        acceleration: highest acceleration [m/s^2].
+        speed: highest speed [m/s, of a boom rad/s].
+        acceleration: highest acceleration [m/s^2, rad/s^2].
         capacity: whether a motor with a limit drives it.
         brake: force that its brake holds, along what its drive counts [N]; None is that of the motor.
-        emergency: deceleration of an emergency stop [m/s^2]; None where nobody has said it.
-        start: position at the start, as `to` counts it [m]; None for a drum, which has none.
-        zero: what `to` counts where the drive is at 0 [m].
-        range: least and largest position as `to` counts it [m]; None where there is no limit.
+        emergency: deceleration of an emergency stop [m/s^2, rad/s^2]; None where nobody has said it.
+        start: position at the start, as `to` counts it [m, rad]; None for a drum, which has none.
+        zero: what `to` counts where the drive is at 0 [m, rad].
+        range: least and largest position as `to` counts it [m, rad]; None where there is no limit.
     """
 
     name: str
@@ -48,6 +49,11 @@ def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
     if kind == "drum":
         return _drums(scenario)
     found: dict[str, Mover | None] = {}
+    if kind == "boom":
+        for placed in scenario.booms.values():
+            if placed.luffing is not None:
+                found[placed.crane] = _along(placed.name, kind, placed.luffing, placed.boom.angle)
+        return found
     for name, crane in (scenario.cranes or {}).items():
         if not isinstance(crane, Goliath):
             continue
@@ -67,7 +73,7 @@ def mover(scenario: Scenario, kind: Kind, text: str) -> Mover | None:
     return None if name is None else known[name]
 
 
-def _along(name: str, kind: Kind, drive: Traverse, start: float) -> Mover:
+def _along(name: str, kind: Kind, drive: Traverse | Luffing, start: float) -> Mover:
     emergency = drive.emergency_acceleration or drive.acceleration
     return Mover(
         name, kind, drive.speed, drive.acceleration, False, None, emergency, start, 0.0, drive.range_
@@ -86,8 +92,8 @@ def _hooks(scenario: Scenario) -> dict[str, Mover]:
             capacity=hoist.capacity is not None,
             brake=None if hoist.brake is None else hoist.brake * parts,
             emergency=hoist.emergency_acceleration,
-            start=hook.at[2],
-            zero=hook.at[2],
+            start=hook.height,
+            zero=hook.height,
             range=None if hook.highest is None else (-float("inf"), hook.highest),
         )
     return found

@@ -12,9 +12,12 @@ from gantline.scenario.base import Element
 from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import (
+    Angle,
     Length,
     Names,
     PositiveAcceleration,
+    PositiveAngularAcceleration,
+    PositiveAngularSpeed,
     PositiveLength,
     PositiveSpeed,
     Quantity,
@@ -27,7 +30,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.units import example, units_of
 
-Kind = Literal["hook", "drum", "trolley", "crane"]
+Kind = Literal["hook", "drum", "trolley", "crane", "boom"]
 
 __all__ = [
     "MEASURES",
@@ -41,12 +44,14 @@ __all__ = [
     "HookStep",
     "Kind",
     "LowerStep",
+    "LuffStep",
     "MovingStep",
     "PayOutStep",
     "Require",
     "Step",
     "TravelStep",
     "TraverseStep",
+    "TurnStep",
 ]
 
 
@@ -141,7 +146,7 @@ class Require(Element):
     hook_load: ForceBound | None = Field(None, description="Hook load of every hook.")
     load_transferred: RatioBound | None = Field(None, description="1 - support forces/weight.")
     falls_out_of_plumb: AngleBound | None = Field(
-        None, description="Angle of the falls from plumb, of hooks of Goliath cranes."
+        None, description="Angle of the falls from plumb, of hooks of Goliath and boom cranes."
     )
 
 
@@ -170,7 +175,7 @@ class _AnyStep(Element):
 
 
 class MovingStep(_AnyStep):
-    """A step that moves hooks, drums, trolleys or cranes."""
+    """A step that moves hooks, drums, trolleys, cranes or booms."""
 
     #: The key that says what is moved.
     verb: ClassVar[str]
@@ -247,6 +252,8 @@ class AlongStep(MovingStep):
     """A step that moves trolleys along the girder, or a crane along its rails."""
 
     ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by", "to")
+    #: A way, as messages show it.
+    way: ClassVar[str] = "75 m"
 
     by: Length | None = Field(None, description="Way after which they are at rest; negative goes back.")
     to: Length | None = Field(None, description="Position in which they are at rest.")
@@ -262,10 +269,38 @@ class AlongStep(MovingStep):
     @model_validator(mode="after")
     def _goes_somewhere(self) -> AlongStep:
         if self.by == 0:
-            raise refuse("'0' goes nowhere; a way like '75 m' or '-75 m' is needed", "by")
+            right = type(self).way
+            raise refuse(f"'0' goes nowhere; a way like '{right}' or '-{right}' is needed", "by")
         if "towards" in self.model_fields_set and (self.by is not None or self.to is not None):
             raise refuse("'by' and 'to' say where it goes; leave 'towards' out", "towards")
         return self
+
+
+class TurnStep(AlongStep):
+    """A step that turns something about an axis, between ends of its range."""
+
+    way: ClassVar[str] = "10 deg"
+
+    speed: PositiveAngularSpeed = Field(description="Angular speed.")
+    acceleration: PositiveAngularAcceleration | None = Field(
+        None, description="That of the drive itself if not given."
+    )
+    by: Angle | None = Field(None, description="Angle after which it is at rest; negative goes back.")
+    to: Angle | None = Field(None, description="Angle in which it is at rest.")
+    towards: Literal["plus", "minus"] = Field(
+        "plus", description="Where it turns if neither 'by' nor 'to' says it: to larger angles, or smaller."
+    )
+
+
+class LuffStep(TurnStep):
+    """A step in which booms luff; larger angles are steeper."""
+
+    what: ClassVar[str] = "a luff step"
+
+    luff: Names = Field(description="Crane or cranes whose booms luff.")
+
+    verb: ClassVar[str] = "luff"
+    kind: ClassVar[Kind] = "boom"
 
 
 class HoistStep(HookStep):
@@ -351,7 +386,7 @@ class HoldStep(_AnyStep):
 
 
 class EmergencyStop(Element):
-    """An emergency stop of all hoists, trolleys, cranes and drums at once."""
+    """An emergency stop of all hoists, trolleys, cranes, booms and drums at once."""
 
     what: ClassVar[str] = "emergency_stop"
 
@@ -371,7 +406,7 @@ class EmergencyStop(Element):
 
 
 #: Keys by which a step says what it does.
-VERBS = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "hold")
+VERBS = ("hoist", "lower", "traverse", "travel", "luff", "haul_in", "pay_out", "hold")
 
 
 def _verb(data: Any) -> str | None:
@@ -386,6 +421,7 @@ Step = Annotated[
     | Annotated[LowerStep, Tag("lower step")]
     | Annotated[TraverseStep, Tag("traverse step")]
     | Annotated[TravelStep, Tag("travel step")]
+    | Annotated[LuffStep, Tag("luff step")]
     | Annotated[HaulInStep, Tag("haul_in step")]
     | Annotated[PayOutStep, Tag("pay_out step")]
     | Annotated[HoldStep, Tag("hold step")],
@@ -393,6 +429,6 @@ Step = Annotated[
         _verb,
         custom_error_type="gantline",
         custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', "
-        "'travel', 'haul_in', 'pay_out' and 'hold'",
+        "'travel', 'luff', 'haul_in', 'pay_out' and 'hold'",
     ),
 ]

@@ -30,6 +30,7 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
     "speed": (1e3, "1000 m/s"),
     "angular_speed": (1e4, "1e4 rad/s"),
     "acceleration": (1e4, "1e4 m/s^2"),
+    "angular_acceleration": (1e3, "1e3 rad/s^2"),
     "stiffness": (1e13, "1e7 MN/m"),
     "damping": (1e13, "1e7 MN s/m"),
     "torque": (1e12, "1e6 MN m"),
@@ -323,6 +324,8 @@ PositiveAngle = Annotated[float, Quantity("angle", "positive")]
 Speed = Annotated[float, Quantity("speed")]
 PositiveSpeed = Annotated[float, Quantity("speed", "positive")]
 AngularSpeed = Annotated[float, Quantity("angular_speed")]
+PositiveAngularSpeed = Annotated[float, Quantity("angular_speed", "positive")]
+PositiveAngularAcceleration = Annotated[float, Quantity("angular_acceleration", "positive")]
 PositiveAcceleration = Annotated[float, Quantity("acceleration", "positive")]
 Acceleration = Annotated[float, Quantity("acceleration", "not_negative")]
 PositiveStress = Annotated[float, Quantity("stress", "positive")]

@@ -66,7 +66,18 @@ class Reeving(Element):
         description="Losses and inertia of each sheave. Inertia if none is given: of a disc of steel as "
         "thick as the rope.",
     )
-    upper_sheaves_at: Length = Field(description="Height of the upper sheaves' centres.")
+    upper_sheaves_at: Length | None = Field(
+        None, description="Height of the upper sheaves' centres; of a hook that does not hang at a boom."
+    )
+    below_head: PositiveLength | None = Field(
+        None,
+        description="Of a hook at a boom: depth of the upper sheaves' centres below their pin at its head.",
+    )
+    sheave_block_mass: PositiveMass | None = Field(
+        None,
+        description="Of a hook at a boom: mass of the sheave block that hangs at its head; of its sheaves "
+        "as discs of steel as thick as the rope if not given.",
+    )
     lead_line: PositiveLength = Field(5.0, description="Rope from the last upper sheave down to the drum.")
     rope_weight: RopeWeightWord | None = Field(
         None,
@@ -111,9 +122,20 @@ class Reeving(Element):
 
     def losses(self, rope_diameter: float | None, rope_mass: float) -> SheaveLosses:
         """What each sheave does to the rope, of the diameter [m] and mass [kg/m] that are known of it."""
-        diameter = self.diameter(rope_diameter)
-        own = None if rope_diameter is None else _STEEL * math.pi / 4 * diameter**2 * rope_diameter
-        return sheave_losses(self.words, diameter / 2, rope_mass, own)
+        own = self._disc(rope_diameter)
+        return sheave_losses(self.words, self.diameter(rope_diameter) / 2, rope_mass, own)
+
+    def sheave_block_at_head(self, rope_diameter: float | None) -> float | None:
+        """Mass of the sheave block at a boom head [kg]; None where nothing says it."""
+        disc = self._disc(rope_diameter)
+        if self.sheave_block_mass is not None or disc is None:
+            return self.sheave_block_mass
+        return disc * self.ropes * ((self.parts_each + 1) // 2)
+
+    def _disc(self, rope_diameter: float | None) -> float | None:
+        if rope_diameter is None:
+            return None
+        return _STEEL * math.pi / 4 * self.diameter(rope_diameter) ** 2 * rope_diameter
 
 
 def hoist_drum(hook: str) -> str:

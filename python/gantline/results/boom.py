@@ -1,0 +1,119 @@
+"""Booms in a recording: their angles, outreach of their hooks, off-lead and side-lead of the falls.
+
+docs/concepts/booms.md has the equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Self
+
+import numpy as np
+
+from gantline.results.crane import CraneHook, bearing_and_falls
+from gantline.results.rotation import axes
+from gantline.results.strength import FromJson
+from gantline.results.variable import FloatArray, Variable
+
+__all__ = ["Boom", "boom_state"]
+
+Columns = Mapping[str, FloatArray]
+Names = Mapping[str, Sequence[str]]
+
+
+@dataclass(frozen=True)
+class Boom(FromJson):
+    """A boom with the hooks at its head.
+
+    Attributes:
+        name: Name of its crane.
+        boom: Its body, whose axes begin midway between the heel pins, x along the boom.
+        base: The body that bears the heel pins.
+        range: Least and largest angle [rad]; None of a boom that does not luff.
+        reach_from: From where outreach or radius counts, axes of the base from its origin [m].
+        base_from: Origin of the base from its centre of gravity, its axes [m].
+        hooks: Its hooks.
+    """
+
+    name: str
+    boom: str = ""
+    base: str = ""
+    range: Sequence[float] | None = None
+    reach_from: Sequence[float] = (0.0, 0.0, 0.0)
+    base_from: Sequence[float] = (0.0, 0.0, 0.0)
+    hooks: Sequence[CraneHook] = ()
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        hooks = tuple(CraneHook.from_json(one) for one in document.get("hooks", ()))
+        return super().from_json({**document, "hooks": hooks})
+
+
+def boom_state(
+    columns: Columns, names: Names, booms: Sequence[Boom]
+) -> tuple[dict[str, Variable], dict[str, Sequence[str]]]:
+    """Angles of booms; outreach, off-lead and side-lead of their hooks.
+
+    Args:
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+        booms: Booms of the rig.
+    """
+    if not booms:
+        return {}, {}
+    angles = [_angle(columns, names, boom) for boom in booms]
+    of_hooks = [values for boom in booms for values in _hooks(columns, names, boom)]
+    reach, off, side = (np.stack(values, axis=1) for values in zip(*of_hooks, strict=True))
+    dims = ("time", "boom_hook")
+    found = {
+        "boom_angle": Variable(
+            ("time", "boom"), np.stack(angles, axis=1), "rad", "angle of a boom over the plane of its base"
+        ),
+        "crane_radius": Variable(
+            dims,
+            reach,
+            "m",
+            "outreach or radius: level distance of a hook along its boom from bow or slewing axis",
+        ),
+        "off_lead": Variable(
+            dims, off, "rad", "angle of the falls from plumb in the plane of the boom, outwards positive"
+        ),
+        "side_lead": Variable(
+            dims, side, "rad", "angle of the falls from plumb across the boom, to its port side positive"
+        ),
+    }
+    return found, {
+        "boom": [boom.name for boom in booms],
+        "boom_hook": [hook.name for boom in booms for hook in boom.hooks],
+    }
+
+
+def _turned(columns: Columns, names: Names, body: str) -> FloatArray:
+    return axes(columns["body_orientation"][:, list(names["body"]).index(body)])
+
+
+def _angle(columns: Columns, names: Names, boom: Boom) -> FloatArray:
+    """Angle of the boom in the axes of its base, shape (time,) [rad]."""
+    along = _turned(columns, names, boom.boom)[:, :, 0]
+    base = _turned(columns, names, boom.base)
+    ahead, up = (np.einsum("ti,ti->t", along, base[:, :, axis]) for axis in (0, 2))
+    angle: FloatArray = np.arctan2(up, ahead)
+    return angle
+
+
+def _hooks(columns: Columns, names: Names, boom: Boom) -> Iterator[tuple[FloatArray, FloatArray, FloatArray]]:
+    """Of each hook outreach [m], off-lead and side-lead [rad], shapes (time,)."""
+    port = _turned(columns, names, boom.boom)[:, :2, 1]
+    port = port / np.linalg.norm(port, axis=1, keepdims=True)
+    ahead = np.stack((port[:, 1], -port[:, 0]), axis=1)  # level, in the plane of the boom
+    base = list(names["body"]).index(boom.base)
+    offset = np.asarray(boom.reach_from) + np.asarray(boom.base_from)
+    start = columns["body_position"][:, base] + _turned(columns, names, boom.base) @ offset
+    for hook in boom.hooks:
+        bearing, falls = bearing_and_falls(columns, names, hook)
+        reach = np.einsum("ti,ti->t", bearing[:, :2] - start[:, :2], ahead)
+        leads = [-np.einsum("ti,ti->t", falls[:, :2], axis) for axis in (ahead, port)]
+        off, side = (np.arctan2(lead, falls[:, 2]) for lead in leads)
+        yield reach, off, side

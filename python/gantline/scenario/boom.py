@@ -1,0 +1,238 @@
+"""Booms, luffing and the hooks at a boom head, of every crane that has them; the floating crane.
+
+A boom turns up and down about its heel pins. Its axes begin midway between them: x along the boom to its
+head, y along the heel pins to port, z square to both. Its angle is that of x over the plane of its base.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from gantline.scenario.base import Element, Named
+from gantline.scenario.errors import PathPart
+from gantline.scenario.hook_parts import CarriedHook
+from gantline.scenario.quantities import (
+    Angle,
+    Flag,
+    Length,
+    ListOf,
+    Mass,
+    Name,
+    Position,
+    PositiveAngle,
+    PositiveAngularAcceleration,
+    PositiveAngularSpeed,
+    PositiveInertia,
+    PositiveLength,
+    PositiveMass,
+    Quantity,
+    Ratio,
+    refuse,
+)
+from gantline.scenario.vessel import Vessel
+
+__all__ = [
+    "Boom",
+    "BoomHook",
+    "BoomParts",
+    "FloatingCrane",
+    "HeelPins",
+    "Luffing",
+    "PlacedBoom",
+    "boom_name",
+    "placed_boom",
+]
+
+_Angles = Annotated[tuple[float, float], ListOf(Quantity("angle"), 2)]
+
+
+class HeelPins(Element):
+    """The pins about which a boom turns."""
+
+    what: ClassVar[str] = "the heel pins of a boom"
+
+    at: Position = Field(description="Midway between them, in the axes of the vessel or of the crane's base.")
+    apart: PositiveLength = Field(description="Distance of the two, across the boom.")
+
+
+class BoomParts(Element):
+    """All of a boom but where its heel pins are, which each type of crane says in its own way."""
+
+    what: ClassVar[str] = "a boom"
+
+    length: PositiveLength = Field(
+        description="From the heel pins to the pin of the upper sheaves at its head."
+    )
+    angle: PositiveAngle = Field(description="Angle over the plane of its base at the start.")
+    mass: PositiveMass = Field(description="Mass, without head gear and without what hangs at the head.")
+    centre_of_gravity: Ratio = Field(
+        0.5,
+        description="Its centre of gravity as share of the length, from the heel pins; 50 % if not given.",
+    )
+    inertia: PositiveInertia | None = Field(
+        None, description="Inertia about its centre of gravity, across; of a slender rod if not given."
+    )
+    head_gear: Mass = Field(
+        0.0, description="Mass fixed at its head, without the sheave blocks that hang there."
+    )
+
+    @model_validator(mode="after")
+    def _is_possible(self) -> BoomParts:
+        if self.centre_of_gravity > 1:
+            share = f"{self.centre_of_gravity * 100:g} %"
+            raise refuse(
+                f"{share} of the length is beyond the head; 100 % or less is right", "centre_of_gravity"
+            )
+        if self.angle >= math.pi / 2:
+            raise refuse("a boom stands below 90 deg; an angle like '60 deg' is right", "angle")
+        return self
+
+    @property
+    def own_inertia(self) -> float:
+        """Inertia about its centre of gravity, across [kg m^2]."""
+        return self.mass * self.length**2 / 12 if self.inertia is None else self.inertia
+
+
+class Boom(BoomParts):
+    """A boom with heel pins in the axes of its base."""
+
+    heel_pins: HeelPins = Field(description="The pins about which it turns.")
+
+
+class Luffing(Element):
+    """What luffs a boom."""
+
+    what: ClassVar[str] = "luffing"
+
+    speed: PositiveAngularSpeed = Field(description="Highest speed of the boom.")
+    acceleration: PositiveAngularAcceleration = Field(
+        description="Highest acceleration; also used where a step names none."
+    )
+    emergency_acceleration: PositiveAngularAcceleration | None = Field(
+        None, description="Deceleration of an emergency stop; the acceleration if not given."
+    )
+    range_: _Angles = Field(alias="range", description="Least and largest angle of the boom.")
+
+    @model_validator(mode="after")
+    def _range_is_one(self) -> Luffing:
+        low, high = self.range_
+        if not 0 <= low < high:
+            sentence = "a range goes from the least to the largest angle, from 0 deg on"
+            raise refuse(f"{sentence}; found {_degrees(low)} to {_degrees(high)}", "range")
+        return self
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(angle):g} deg"
+
+
+class BoomHook(CarriedHook):
+    """A hook at a boom head."""
+
+    what: ClassVar[str] = "a hook of a boom"
+
+    across: Length = Field(0.0, description="Place across the boom head, from the boom's middle to port.")
+
+
+class FloatingCrane(Element):
+    """A floating crane: a boom that luffs and does not slew, on a vessel."""
+
+    what: ClassVar[str] = "a floating crane"
+
+    type: Literal["floating_crane"] = Field(description="Type of crane: 'floating_crane'.")
+    vessel: Name | None = Field(None, description="The vessel that bears it, a name of 'vessels'.")
+    position: Position | None = Field(
+        None, description="Of a crane that stands still, without a vessel: where its axes begin in the world."
+    )
+    heading: Angle = Field(
+        0.0, description="Of a crane that stands still: direction of its x axis, from world x towards y."
+    )
+    outreach_from: Length | None = Field(
+        None,
+        description="From which x of its axes outreach counts; from the bow of its vessel if not given, or "
+        "from the heel pins without one.",
+    )
+    rated_capacity: PositiveMass | None = Field(None, description="Rated capacity of all hooks together.")
+    rating_includes_hook_block: Flag = Field(
+        False,
+        description="true: rated capacities are compared with hoist loads, false: with hook loads.",
+    )
+    boom: Boom = Field(description="The boom.")
+    luffing: Luffing | None = Field(None, description="What luffs the boom; it keeps its angle if not given.")
+    hooks: Named[BoomHook] = Field(
+        description="Hooks in a row across the boom head, by name; each is called <crane>.<hook>."
+    )
+
+    @model_validator(mode="after")
+    def _stands_somewhere(self) -> FloatingCrane:
+        if (self.vessel is None) == (self.position is None):
+            found = "none of them" if self.vessel is None else "both"
+            right = "'vessel: <name>', or 'position' of one that stands still"
+            raise refuse(f"has one of 'vessel' and 'position'; found {found}, and right is {right}")
+        if self.vessel is not None and "heading" in self.model_fields_set:
+            raise refuse("its vessel says where it points; leave 'heading' out", "heading")
+        return self
+
+
+@dataclass(frozen=True)
+class PlacedBoom:
+    """A boom with what bears it.
+
+    Attributes:
+        crane: name of its crane.
+        name: full name, of its body and joint.
+        base: body that bears the heel pins.
+        boom: the boom.
+        heel: midway between the heel pins, axes of the base [m].
+        apart: distance of the heel pins [m].
+        luffing: what luffs it.
+        hooks: hooks at its head by name.
+        reach_from: from where outreach or radius counts, level and along the boom, axes of the base [m].
+        path: where the lift file has the crane.
+    """
+
+    crane: str
+    name: str
+    base: str
+    boom: BoomParts
+    heel: tuple[float, float, float]
+    apart: float
+    luffing: Luffing | None
+    hooks: Mapping[str, BoomHook]
+    reach_from: tuple[float, float, float]
+    path: tuple[PathPart, ...]
+
+
+def boom_name(crane: str) -> str:
+    """Full name of the boom of a crane."""
+    return f"{crane}.boom"
+
+
+def placed_boom(name: str, crane: object, vessels: Mapping[str, Vessel]) -> PlacedBoom | None:
+    """The boom of a crane with what bears it; None of a crane without one."""
+    if not isinstance(crane, FloatingCrane):
+        return None
+    pins = crane.boom.heel_pins
+    vessel = vessels.get(crane.vessel or "")
+    reach_from = pins.at[0] if vessel is None else vessel.hull.bottom[0] + vessel.hull.box[0] / 2
+    return PlacedBoom(
+        crane=name,
+        name=boom_name(name),
+        base=name,
+        boom=crane.boom,
+        heel=pins.at,
+        apart=pins.apart,
+        luffing=crane.luffing,
+        hooks=crane.hooks,
+        reach_from=(
+            reach_from if crane.outreach_from is None else crane.outreach_from,
+            pins.at[1],
+            pins.at[2],
+        ),
+        path=("cranes", name),
+    )

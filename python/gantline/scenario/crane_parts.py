@@ -1,0 +1,45 @@
+"""What the bodies of cranes are called."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gantline.scenario.boom import FloatingCrane, boom_name
+from gantline.scenario.crane import FixedHook
+from gantline.scenario.crane_types import AnyCrane
+from gantline.scenario.errors import PathPart
+from gantline.scenario.goliath import Goliath
+from gantline.scenario.hooks import trolley_name
+
+__all__ = ["crane_bodies", "crane_parts", "girder_body"]
+
+_Path = tuple[PathPart, ...]
+
+
+def girder_body(crane: str) -> str:
+    """Name of the part of a girder that bends."""
+    return f"{crane}.girder"
+
+
+def crane_bodies(cranes: Mapping[str, AnyCrane]) -> list[str]:
+    """Names of the bodies of cranes, without hooks."""
+    return [str(name) for name, _, _ in crane_parts(cranes)] + [
+        name for name, crane in cranes.items() if not isinstance(crane, FixedHook)
+    ]
+
+
+def crane_parts(cranes: Mapping[str, AnyCrane]) -> list[tuple[str, str, _Path]]:
+    """Names that the parts of cranes take, what they are, and where the file says them."""
+    found: list[tuple[str, str, _Path]] = []
+    for name, crane in cranes.items():
+        path: _Path = ("cranes", name)
+        if isinstance(crane, Goliath):
+            found.append((girder_body(name), "the girder of a crane", (*path, "girder")))
+            for trolley, given in crane.trolleys.items():
+                at = (*path, "trolleys", trolley)
+                found.append((trolley_name(name, trolley), "a trolley", at))
+                found += [(f"{name}.{hook}", "a hook", (*at, "hooks", hook)) for hook in given.hooks]
+        elif isinstance(crane, FloatingCrane):
+            found.append((boom_name(name), "the boom of a crane", (*path, "boom")))
+            found += [(f"{name}.{hook}", "a hook", (*path, "hooks", hook)) for hook in crane.hooks]
+    return found
