@@ -17,6 +17,7 @@ from typing import Any
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
 from gantline.results.clearances import clearance_events, contact_warnings
+from gantline.results.crawler import tipping_warnings
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.metrics import energy_bound
@@ -194,6 +195,7 @@ class Simulation:
         columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
         warnings += drum_warnings(rig, columns, names)
+        warnings += tipping_warnings(columns, names, rig.crawlers)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):

@@ -304,9 +304,12 @@ class Statics:
     def _found(self, found: dict[str, Any], losses: Losses) -> Equilibrium:
         self._losses = losses
         moment = float(found["time"])
+        recording = self._recording(f"at rest at {moment:g} s")
+        for _, _, crane in recording.events("tipping"):  # downhill of the start lies the crane on its back
+            raise NoEquilibriumError(moment, crane, "the crane tips over")
         return Equilibrium(
             time=moment,
-            recording=self._recording(f"at rest at {moment:g} s"),
+            recording=recording,
             residual=found["residual"],
             neutral=found["neutral"],
             unstable=found["unstable"],

@@ -27,7 +27,8 @@ hook_types:
   H:
     rated_capacity: 400 t
     block: {{mass: 7 t, height: 2 m}}
-    reeving: {{parts_each: 14, rope: hoist, sheave_diameter: 0.7 m, below_head: 1 m}}
+    reeving: {{parts_each: 14, rope: hoist, sheave_diameter: 0.7 m, below_head: 1 m,
+      sheave_block_mass: 1 kg}}
     drum: {{diameter: 0.8 m}}
     hoist: {{speed: 6 m/min, acceleration: 0.02 m/s^2}}
 cranes:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gantline.assembly.boom import add_booms
+from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.describe import rig, rope_kinds, scene
 from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
@@ -71,6 +72,7 @@ def assemble(scenario: Scenario) -> Assembly:
     parts = Parts()
     add_vessels(parts, scenario)
     add_goliaths(parts, scenario)
+    add_crawlers(parts, scenario)
     add_booms(parts, scenario)
     add_hooks(parts, scenario, rigging)
     pins = pins_of(scenario, rigging)

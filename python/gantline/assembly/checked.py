@@ -25,7 +25,7 @@ from gantline.scenario.hooks import trolley_name
 from gantline.scenario.limits import Rules
 from gantline.scenario.reeving import hoist_drum
 
-__all__ = ["bends", "limits_and_rules", "ratings"]
+__all__ = ["bends", "limits_and_rules", "rating_charts", "ratings"]
 
 #: Largest fleet angle where the lift file names none [rad]: 4 deg (1 : 15), by the notes on section 20 of
 #: DGUV Vorschrift 54; `docs/concepts/sheave.md` has more rules.
@@ -112,6 +112,34 @@ def ratings(scenario: Scenario) -> list[Json]:
             found.append(_shared(name, "crane", own, crane.rated_capacity * gravity, crane))
     for name, group in (scenario.hook_groups or {}).items():
         found.append(_rating(name, group.type, group.hooks, group, gravity))
+    return found
+
+
+def rating_charts(scenario: Scenario) -> list[Json]:
+    """Rating charts of cranes [SI]; shares of hooks as said, or as their rated capacities have them."""
+    gravity = scenario.simulation.gravity
+    found = []
+    for name, crane in (scenario.cranes or {}).items():
+        chart = getattr(crane, "rating", None)
+        if chart is None or isinstance(crane, FixedHook | Goliath):
+            continue
+        hooks = [hook for hook in scenario.hooks.values() if hook.crane == name]
+        whole = crane.rated_capacity or max(chart.rated)
+        shares = {
+            hook.name: chart.hooks_share or min(1.0, (hook.rated_capacity or whole) / whole) for hook in hooks
+        }
+        found.append(
+            {
+                "crane": name,
+                "over": chart.over,
+                "at": [place for place, _ in chart.rows],
+                "rated": [mass * gravity for _, mass in chart.rows],
+                "includes_hook_block": crane.rating_includes_hook_block,
+                "hooks": [hook.name for hook in hooks],
+                "hook_shares": shares,
+                **{key: getattr(chart, key) for key in ("heel", "trim", "off_lead", "side_lead")},
+            }
+        )
     return found
 
 

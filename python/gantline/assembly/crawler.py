@@ -12,12 +12,21 @@ import math
 
 import numpy as np
 
-from gantline.assembly.operations import along_drive, slew_drive
+from gantline.assembly.operations import along_drive, slew_drive, turned_drive
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.spatial import about_axis, inertia_list, point_inertia, solid_box
+from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks, upper_sheaves
+from gantline.assembly.resting import TipsOver, rest_on_ground
+from gantline.assembly.spatial import (
+    about_axis,
+    inertia_list,
+    point_inertia,
+    rotation_matrix,
+    rotation_vector,
+    solid_box,
+)
 from gantline.scenario import Scenario
 from gantline.scenario.boom import boom_name
-from gantline.scenario.crawler import TRACK_CORNERS, Crawler, Tracks, tracks_body, upper_body
+from gantline.scenario.crawler import TRACK_CORNERS, Crawler, Tracks, tracks_body, turned_body, upper_body
 
 __all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_contact"]
 
@@ -45,6 +54,7 @@ def add_crawlers(parts: Parts, scenario: Scenario) -> None:
         _add_tracks(parts, scenario, name, crane)
         _add_corners(parts, scenario, name, crane.tracks)
         _add_upper(parts, name, crane)
+        _add_turned(parts, name, crane)
 
 
 def _add_tracks(parts: Parts, scenario: Scenario, name: str, crane: Crawler) -> None:
@@ -56,15 +66,15 @@ def _add_tracks(parts: Parts, scenario: Scenario, name: str, crane: Crawler) -> 
         parts.add_drive(along_drive(name))
         along = _axis("slider", (1.0, 0.0, 0.0), drive=along_drive(name))
     parts.add_body(f"{name}/along", along, position=place, orientation=heading)
-    sinks = _weight(scenario, name, crane) / (4 * crane.tracks.stiffness)
-    parts.add_body(f"{name}/up", _axis("slider", (0.0, 0.0, 1.0), -sinks), parent=f"{name}/along")
-    parts.add_body(f"{name}/over", _axis("hinge", (1.0, 0.0, 0.0)), parent=f"{name}/up")
+    up, over, along = _stands(scenario, name, crane)
+    parts.add_body(f"{name}/up", _axis("slider", (0.0, 0.0, 1.0), up), parent=f"{name}/along")
+    parts.add_body(f"{name}/over", _axis("hinge", (1.0, 0.0, 0.0), over), parent=f"{name}/up")
     mass = crane.base_mass - crane.upper_mass + crane.central_ballast
     tracks = crane.tracks
     sizes = (tracks.length, tracks.gauge + tracks.width, tracks.height)
     parts.add_body(
         tracks_body(name),
-        _axis("hinge", (0.0, 1.0, 0.0)),
+        _axis("hinge", (0.0, 1.0, 0.0), along),
         parent=f"{name}/over",
         mass=mass,
         centre_of_gravity=(0.0, 0.0, tracks.height / 2),
@@ -72,10 +82,48 @@ def _add_tracks(parts: Parts, scenario: Scenario, name: str, crane: Crawler) -> 
     )
 
 
-def _weight(scenario: Scenario, name: str, crane: Crawler) -> float:
-    """Weight of a crane without what hangs in its hooks [N]."""
-    mass = crane.base_mass + crane.central_ballast + crane.counterweight.mass
-    return (mass + crane.boom.mass + crane.boom.head_gear) * scenario.simulation.gravity
+def _stands(scenario: Scenario, name: str, crane: Crawler) -> tuple[float, float, float]:
+    """How the crane stands with empty hooks: height of its origin [m], turns about x and about y [rad].
+
+    What hangs in its hooks leans it further; a lift that starts at rest finds how far from here.
+    """
+    tracks, boom, weight = crane.tracks, crane.boom, crane.counterweight
+    level, rise = math.cos(boom.angle), math.sin(boom.angle)
+    pins = boom.heel_pins
+    along = boom.centre_of_gravity * boom.length
+    blocks = math.fsum(
+        hook.hook_block.mass for hook in scenario.hooks.values() if hook.crane == name and hook.hook_block
+    )
+    lumps = [  # mass, ahead of the slewing axis, height
+        (crane.base_mass + crane.central_ballast, 0.0, tracks.height / 2),
+        (weight.mass, -weight.behind, weight.height),
+        (boom.mass, pins.ahead + along * level, pins.height + along * rise),
+        (boom.head_gear + blocks, pins.ahead + boom.length * level, pins.height + boom.length * rise),
+    ]
+    mass = math.fsum(lump for lump, _, _ in lumps)
+    ahead = math.fsum(lump * at for lump, at, _ in lumps) / mass
+    high = math.fsum(lump * at for lump, _, at in lumps) / mass
+    centre = np.array((ahead * math.cos(crane.slew), ahead * math.sin(crane.slew), high))
+    feet = np.array(list(_corners(tracks).values()))
+    levels = np.array([(tracks.levels or {}).get(corner, 0.0) for corner in TRACK_CORNERS])
+    # From the plane that fits the ground best: over hard ground the way to it is steep.
+    fits = np.linalg.lstsq(np.column_stack((feet[:, :2], np.ones(4))), levels, rcond=None)[0]
+    leans = rotation_matrix(rotation_vector((math.atan(fits[1]), -math.atan(fits[0]), 0.0)))
+    corners = (feet - centre) @ leans.T
+    corners[:, 2] -= levels  # ground that is lower is a foot that is shorter
+    try:
+        resting = rest_on_ground(corners, mass * scenario.simulation.gravity, tracks.stiffness)
+    except TipsOver:
+        x, y = centre[:2]
+        sentence = f"'{name}' would tip over as it stands: its centre of gravity is {x:.2f} m ahead of and"
+        sentence += f" {y:.2f} m to the left of the middle of its tracks"
+        raise scenario.error(
+            ("cranes", name),
+            f"{sentence}; move it to within {tracks.length / 2:g} m and {tracks.gauge / 2:g} m",
+        ) from None
+    turned = rotation_matrix(rotation_vector(resting.turn)) @ leans
+    up = resting.height - float((turned @ centre)[2])
+    return up, math.atan2(turned[2, 1], turned[1, 1]), math.atan2(turned[0, 2], turned[0, 0])
 
 
 def _add_corners(parts: Parts, scenario: Scenario, name: str, tracks: Tracks) -> None:
@@ -130,8 +178,9 @@ def _add_upper(parts: Parts, name: str, crane: Crawler) -> None:
     if crane.slewing is None:
         turns = {"type": "fixed"}
     else:
-        parts.add_drive(slew_drive(name))
-        turns["drive"] = slew_drive(name)
+        drive = slew_drive(upper_body(name))
+        parts.add_drive(drive)
+        turns["drive"] = drive
     weight = crane.counterweight
     lumps = [
         (crane.upper_mass, np.array((0.0, 0.0, crane.tracks.height))),
@@ -149,6 +198,23 @@ def _add_upper(parts: Parts, name: str, crane: Crawler) -> None:
         centre_of_gravity=[float(part) for part in centre],
         inertia=inertia_list(inertia),
     )
+
+
+def _add_turned(parts: Parts, name: str, crane: Crawler) -> None:
+    """What hook blocks are points under: it turns about the slewing axis as the upper structure is told to.
+
+    Hook blocks turn with the boom in their falls. Points under this do, and are as free as under the world.
+    """
+    place = (*crane.position, 0.0)
+    heading = about_axis((0.0, 0.0, 1.0), crane.heading)
+    turns: Json = _axis("hinge", (0.0, 0.0, 1.0), crane.slew)
+    if crane.slewing is None:
+        turns, heading = {"type": "fixed"}, about_axis((0.0, 0.0, 1.0), crane.heading + crane.slew)
+    else:
+        drive = turned_drive(upper_body(name))
+        parts.add_drive(drive)
+        turns["drive"] = drive
+    parts.add_body(turned_body(name), turns, position=place, orientation=heading)
 
 
 def _axis(
@@ -191,7 +257,13 @@ def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
     found = []
     for name, crane in crawlers(scenario).items():
         tracks = crane.tracks
-        own = [tracks_body(name), upper_body(name), boom_name(name)]
+        own = {
+            body: parts.bodies[body]["mass"]
+            for body in (tracks_body(name), upper_body(name), boom_name(name))
+        }
+        for hook in (one for one in reeved_hooks(scenario) if one.hook.crane == name):
+            falls = falls_on_upper_sheaves(parts, scenario, hook)
+            own[upper_sheaves(hook.name)] = parts.bodies[upper_sheaves(hook.name)]["mass"] - falls
         found.append(
             {
                 "name": name,
@@ -206,7 +278,7 @@ def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
                 "allowed_pressure": tracks.allowed_pressure,
                 "centre": parts.bodies[tracks_body(name)]["centre_of_gravity"],
                 "corners": [track_contact(name, corner) for corner in TRACK_CORNERS],
-                "weights": {body: parts.bodies[body]["mass"] * gravity for body in own},
+                "weights": {body: mass * gravity for body, mass in own.items()},
                 "hooks": [hook.name for hook in scenario.hooks.values() if hook.crane == name],
             }
         )

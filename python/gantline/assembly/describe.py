@@ -10,7 +10,8 @@ import numpy as np
 
 from gantline.assembly.boom import boom_rig, boom_shape
 from gantline.assembly.catenary import end_mass
-from gantline.assembly.checked import bends, limits_and_rules, ratings
+from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ratings
+from gantline.assembly.crawler import crawler_rig, crawler_shape
 from gantline.assembly.goliath import crane_rig, crane_shape
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
@@ -59,6 +60,8 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),
+        **({"crawlers": crawlers} if (crawlers := crawler_rig(scenario, parts)) else {}),
+        **({"rating_charts": charts} if (charts := rating_charts(scenario)) else {}),
         "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
@@ -427,7 +430,7 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif name in map(upper_sheaves, scenario.hooks):
         kind = "body"
     elif name in crane_bodies(scenario.cranes or {}):
-        shape = crane_shape(scenario, name) or boom_shape(scenario, name)
+        shape = crane_shape(scenario, name) or crawler_shape(scenario, name) or boom_shape(scenario, name)
     elif name in (scenario.vessels or {}):
         kind, shape = "vessel", hull_shape((scenario.vessels or {})[name])
     elif plain is None:

@@ -12,7 +12,15 @@ from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, Step
 from gantline.scenario.reeving import hoist_ropes
 
-__all__ = ["along_drive", "emergency_stop", "luff_drive", "moved_drives", "operations"]
+__all__ = [
+    "along_drive",
+    "emergency_stop",
+    "luff_drive",
+    "moved_drives",
+    "operations",
+    "slew_drive",
+    "turned_drive",
+]
 
 #: Within this a motor is asked to stop in an emergency [s]; brakes slip far longer.
 _AT_ONCE = 1e-3
@@ -26,6 +34,16 @@ def along_drive(name: str) -> str:
 def luff_drive(boom: str) -> str:
     """Name of the drive that luffs a boom."""
     return f"{boom}.luff"
+
+
+def slew_drive(upper: str) -> str:
+    """Name of the drive that slews an upper structure."""
+    return f"{upper}.slew"
+
+
+def turned_drive(upper: str) -> str:
+    """Name of the drive that turns hook blocks along with an upper structure."""
+    return f"{upper}/turned.slew"
 
 
 def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json]:
@@ -44,7 +62,9 @@ def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json
 
 def moved_drives(scenario: Scenario, step: Step) -> list[str]:
     """Names of the drives that a step moves."""
-    return [] if isinstance(step, HoldStep) else [_drive(one) for one in _moved(scenario, step)]
+    if isinstance(step, HoldStep):
+        return []
+    return [drive for one in _moved(scenario, step) for drive in _drives(one)]
 
 
 def emergency_stop(scenario: Scenario) -> Json | None:
@@ -59,17 +79,19 @@ def emergency_stop(scenario: Scenario) -> Json | None:
     stopped = {}
     for step in scenario.plan:
         for one in [] if isinstance(step, HoldStep) else _moved(scenario, step):
-            drive = _drive(one)
-            stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed)}
+            for drive in _drives(one):
+                stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed)}
     return {"at": at, "drives": list(stopped.values())}
 
 
-def _drive(one: Mover) -> str:
+def _drives(one: Mover) -> list[str]:
+    if one.kind == "upper":
+        return [slew_drive(one.name), turned_drive(one.name)]
     if one.kind == "hook":
-        return hoist_drive(one.name)
+        return [hoist_drive(one.name)]
     if one.kind == "boom":
-        return luff_drive(one.name)
-    return drum_drive(one.name) if one.kind == "drum" else along_drive(one.name)
+        return [luff_drive(one.name)]
+    return [drum_drive(one.name) if one.kind == "drum" else along_drive(one.name)]
 
 
 def _moved(scenario: Scenario, step: MovingStep) -> list[Mover]:
@@ -91,16 +113,16 @@ def _hold(step: HoldStep) -> Json:
 
 
 def _moving(scenario: Scenario, step: MovingStep) -> Json:
-    moved = _moved(scenario, step)
+    moved = [(one, drive) for one in _moved(scenario, step) for drive in _drives(one)]
     moves = [
         {
-            "drive": _drive(one),
+            "drive": drive,
             "velocity": step.sign * step.speed,
             "acceleration": step.acceleration if step.acceleration is not None else one.acceleration,
             "shape": "linear",
             **({} if step.emergency_stop_at is None else {"emergency": _stop(one, step.speed)}),
         }
-        for one in moved
+        for one, drive in moved
     ]
     made: Json = {"name": step.step, "moves": moves, "start_at": step.start_at, "until": {}}
     if step.starts == "with_previous":
@@ -112,7 +134,7 @@ def _moving(scenario: Scenario, step: MovingStep) -> Json:
     elif step.by is not None:
         made["until"] = {"type": "distance", "distance": step.sign * step.by}
     elif to is not None:
-        made["until"] = {"type": "position", "positions": [to - one.zero for one in moved]}
+        made["until"] = {"type": "position", "positions": [to - one.zero for one, _ in moved]}
     return made
 
 

@@ -26,6 +26,7 @@ from gantline.assembly.route import route_length
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import about_axis, inertia_list, rotation_matrix, solid_box
 from gantline.scenario import Scenario
+from gantline.scenario.crawler import turned_body
 from gantline.scenario.hooks import Hook
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving, hoist_drum, hoist_ropes
 from gantline.scenario.rope_weight import rope_weight
@@ -137,17 +138,24 @@ def _bearing(hook: ReevedHook) -> tuple[float, float, float]:
 
 
 def _add_swinging(parts: Parts, hook: ReevedHook, at: Sequence[float], heading: float, mass: float) -> None:
-    """The hook as a point under the world: it swings, upright, with its sheaves across a heading [rad]."""
+    """The hook as a point: it swings, upright, with its sheaves across a heading [rad].
+
+    It is a point under the world, or under what turns as its crane slews.
+    """
+    turns = turned_body(hook.hook.crane)
+    parent = turns if turns in parts.bodies else None
+    origin, axes = parts.pose(parent)
     turned = about_axis((0.0, 0.0, 1.0), heading)
-    position = rotation_matrix(turned).T @ np.array(at)
+    position = rotation_matrix(turned).T @ (np.array(at) - origin)
     swings = {"type": "point", "position": [float(x) for x in position], "velocity": [0.0, 0.0, 0.0]}
-    parts.add_body(hook.name, swings, orientation=turned, mass=mass)
+    from_parent = about_axis((0.0, 0.0, 1.0), heading - math.atan2(axes[1, 0], axes[0, 0]))
+    parts.add_body(hook.name, swings, parent=parent, orientation=from_parent, mass=mass)
 
 
 def _add_at_boom(parts: Parts, scenario: Scenario, hook: ReevedHook, boom: str, mass: float) -> None:
     """The hook under a boom head, its upper sheaves in a sheave block pinned there, which hangs plumb.
 
-    The pin is parallel to the heel pins: in the boom's plane the sheave block turns into the line of its falls.
+    The pin is parallel to the heel pins: in the boom's plane the sheave block turns into the line of falls.
     """
     along, across = hook.hook.place
     pin = parts.place(boom, (along, across, 0.0))

@@ -86,7 +86,7 @@ def _by_rule(
     chart: RatingChart,
     rated: FloatArray,
 ) -> Iterator[Finding]:
-    """The design weight with the rule's dynamics against the least that is rated while the load hangs still."""
+    """The design weight with the rule's dynamics against the least that is rated while the load is still."""
     element, hooks, kept = of
     window = series.quiet_window(recording) & during
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"

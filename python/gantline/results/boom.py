@@ -64,12 +64,25 @@ def boom_state(
     if not booms:
         return {}, {}
     angles = [_angle(columns, names, boom) for boom in booms]
+    leans = [_leans(columns, names, boom) for boom in booms]
     of_hooks = [values for boom in booms for values in _hooks(columns, names, boom)]
     reach, off, side = (np.stack(values, axis=1) for values in zip(*of_hooks, strict=True))
     dims = ("time", "boom_hook")
     found = {
         "boom_angle": Variable(
             ("time", "boom"), np.stack(angles, axis=1), "rad", "angle of a boom over the plane of its base"
+        ),
+        "crane_heel": Variable(
+            ("time", "boom"),
+            np.stack([heel for heel, _ in leans], axis=1),
+            "rad",
+            "angle of the heel pins to level, of the base of a boom; starboard side down positive",
+        ),
+        "crane_trim": Variable(
+            ("time", "boom"),
+            np.stack([trim for _, trim in leans], axis=1),
+            "rad",
+            "angle of the base of a boom to level in the plane of the boom; away from the boom down positive",
         ),
         "crane_radius": Variable(
             dims,
@@ -101,6 +114,12 @@ def _angle(columns: Columns, names: Names, boom: Boom) -> FloatArray:
     ahead, up = (np.einsum("ti,ti->t", along, base[:, :, axis]) for axis in (0, 2))
     angle: FloatArray = np.arctan2(up, ahead)
     return angle
+
+
+def _leans(columns: Columns, names: Names, boom: Boom) -> tuple[FloatArray, FloatArray]:
+    """Heel and trim of what bears the boom, shapes (time,) [rad]."""
+    base = _turned(columns, names, boom.base)
+    return np.arcsin(np.clip(base[:, 2, 1], -1, 1)), np.arcsin(np.clip(base[:, 2, 0], -1, 1))
 
 
 def _hooks(columns: Columns, names: Names, boom: Boom) -> Iterator[tuple[FloatArray, FloatArray, FloatArray]]:

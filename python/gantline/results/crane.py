@@ -11,6 +11,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from gantline.results.passing import passed
 from gantline.results.rotation import axes
 from gantline.results.strength import FromJson, Rating
 from gantline.results.variable import FloatArray, Variable
@@ -245,18 +246,9 @@ def crane_events(
         if rating.rated_capacity and set(rating.hooks) <= own:
             of = loads["hoist_load" if rating.includes_hook_block else "hook_load"]
             total = np.sum([of[name] for name in rating.hooks], axis=0)
-            for at in _passed(time, total - rating.rated_capacity):
+            for at in passed(time, total - rating.rated_capacity):
                 yield at, "overload", rating.name
     for hook in hooks:
         if hook.highest is not None:
-            for at in _passed(time, heights[hook.name] - hook.highest):
+            for at in passed(time, heights[hook.name] - hook.highest):
                 yield at, "hook_too_high", hook.name
-
-
-def _passed(time: FloatArray, beyond: FloatArray) -> list[float]:
-    """Times at which a series rises above 0, between samples on a line; the first if it starts there."""
-    after = np.flatnonzero((beyond[:-1] <= 0) & (beyond[1:] > 0))
-    share = -beyond[after] / (beyond[after + 1] - beyond[after])
-    times = time[after] + share * (time[after + 1] - time[after])
-    first = [float(time[0])] if len(beyond) and beyond[0] > 0 else []
-    return first + [float(one) for one in times]

@@ -11,12 +11,15 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gantline.results.passing import passed
-from gantline.results.rotation import axes, heading
+from gantline.results.rotation import axes, heading, tilt
 from gantline.results.strength import FromJson
 from gantline.results.track_pressure import line_pressures, tipping_utilisation
 from gantline.results.variable import FloatArray, Variable
 
-__all__ = ["Crawler", "crawler_events", "crawler_state"]
+__all__ = ["Crawler", "crawler_events", "crawler_state", "tipping_warnings"]
+
+#: Lean of the tracks from which on a crane has gone over, wherever it comes to rest then [rad].
+_GONE_OVER = np.radians(10.0)
 
 Columns = Mapping[str, FloatArray]
 Names = Mapping[str, Sequence[str]]
@@ -135,7 +138,8 @@ def _tipping(columns: Columns, names: Names, crane: Crawler, forces: FloatArray)
     away = (middle - origin)[:, :2]
     centre = np.stack([(away * forward).sum(axis=1), (away * left).sum(axis=1)], axis=1)
     own = np.full(len(columns["time"]), total)
-    return tipping_utilisation(forces, own, centre, crane.length, crane.gauge)
+    used = tipping_utilisation(forces, own, centre, crane.length, crane.gauge)
+    return np.where(tilt(orientation) > _GONE_OVER, np.maximum(used, 1.0), used)
 
 
 def crawler_events(
@@ -152,3 +156,18 @@ def crawler_events(
         # At 1 both corners of one side are clear of the ground; rounding is far below this.
         for at in passed(time, tipping[crane.name] - (1.0 - 1e-9)):
             yield at, "tipping", crane.name
+
+
+def tipping_warnings(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -> list[str]:
+    """A sentence for each crawler crane that tips, as `crawler_state` sees it."""
+    if not crawlers:
+        return []
+    tipping = crawler_state(columns, names, crawlers)[0]["tipping_utilisation"].values
+    by_crane = {crane.name: used for crane, used in zip(crawlers, tipping.T, strict=True)}
+    first: dict[str, float] = {}
+    for time, _, name in crawler_events(columns["time"], crawlers, by_crane):
+        first.setdefault(name, time)
+    return [
+        f"crane '{name}' tips at {time:.2f} s: both corners of one side are clear of the ground"
+        for name, time in first.items()
+    ]

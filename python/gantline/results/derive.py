@@ -10,6 +10,7 @@ import numpy as np
 
 from gantline.results.boom import boom_state
 from gantline.results.crane import corner_loads, crane_events, hook_state
+from gantline.results.crawler import crawler_events, crawler_state
 from gantline.results.flows import rope_flows
 from gantline.results.nodes import joined
 from gantline.results.recording import Recording
@@ -236,12 +237,16 @@ def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]
         hook_state(columns, names, hooks, [load.name for load in rig.loads]),
         corner_loads(columns, names, rig.cranes, loads["hoist_load"]),
         boom_state(columns, names, rig.booms),
+        crawler_state(columns, names, rig.crawlers),
     ):
         found |= of
         labels |= named
     height = found["hook_height"].values
     heights = {name: height[:, place] for place, name in enumerate(labels["crane_hook"])}
     passed = list(crane_events(columns["time"], rig.ratings, loads, hooks, heights))
+    if rig.crawlers:
+        tipping = dict(zip(labels["crawler"], found["tipping_utilisation"].values.T, strict=True))
+        passed += crawler_events(columns["time"], rig.crawlers, tipping)
     if passed:
         events = [known[f"event_{key}"].values for key in ("time", "kind", "name")]
         together = [*zip(*(values.tolist() for values in events), strict=True), *passed]

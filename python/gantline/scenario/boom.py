@@ -34,6 +34,7 @@ from gantline.scenario.quantities import (
     Ratio,
     refuse,
 )
+from gantline.scenario.rating import Rating
 from gantline.scenario.vessel import Vessel
 
 __all__ = [
@@ -164,6 +165,7 @@ class FloatingCrane(Element):
     )
     boom: Boom = Field(description="The boom.")
     luffing: Luffing | None = Field(None, description="What luffs the boom; it keeps its angle if not given.")
+    rating: Rating | None = Field(None, description="Rating chart.")
     hooks: Named[BoomHook] = Field(
         description="Hooks in a row across the boom head, by name; each is called <crane>.<hook>."
     )

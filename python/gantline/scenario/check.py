@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gantline.scenario.check_booms import check_booms
+from gantline.scenario.check_crawlers import check_crawlers
 from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_goliath import check_goliaths
 from gantline.scenario.check_load import check_load
@@ -38,6 +39,7 @@ def check(scenario: Scenario) -> None:
     findings = Findings(scenario)
     check_goliaths(findings)
     check_booms(findings)
+    check_crawlers(findings)
     findings.raise_any()  # nothing can be said of what hangs from hooks that are not whole
     _check_names(findings)
     try:

@@ -20,6 +20,7 @@ _WORDS = {
     "trolley": ("trolley", "traverse", "traverse"),
     "crane": ("crane that travels", "travel", "travel"),
     "boom": ("crane with 'luffing'", "luff", "luffing"),
+    "upper": ("crane with 'slewing'", "slew", "slewing"),
 }
 
 

@@ -33,7 +33,7 @@ _DEGREES = {
 
 def said(kind: Kind, value: float, of: str) -> str:
     """A value of what moves in a message, such as '0.5 m/s'; `of` is position, speed or acceleration."""
-    unit, factor = (_DEGREES if kind == "boom" else _METRES)[of]
+    unit, factor = (_DEGREES if kind in ("boom", "upper") else _METRES)[of]
     return f"{value * factor:g} {unit}"
 
 

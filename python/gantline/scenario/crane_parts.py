@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from gantline.scenario.boom import FloatingCrane, boom_name
 from gantline.scenario.crane import FixedHook
 from gantline.scenario.crane_types import AnyCrane
+from gantline.scenario.crawler import Crawler, tracks_body, upper_body
 from gantline.scenario.errors import PathPart
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
@@ -24,7 +25,7 @@ def girder_body(crane: str) -> str:
 def crane_bodies(cranes: Mapping[str, AnyCrane]) -> list[str]:
     """Names of the bodies of cranes, without hooks."""
     return [str(name) for name, _, _ in crane_parts(cranes)] + [
-        name for name, crane in cranes.items() if not isinstance(crane, FixedHook)
+        name for name, crane in cranes.items() if not isinstance(crane, FixedHook | Crawler)
     ]
 
 
@@ -39,7 +40,10 @@ def crane_parts(cranes: Mapping[str, AnyCrane]) -> list[tuple[str, str, _Path]]:
                 at = (*path, "trolleys", trolley)
                 found.append((trolley_name(name, trolley), "a trolley", at))
                 found += [(f"{name}.{hook}", "a hook", (*at, "hooks", hook)) for hook in given.hooks]
-        elif isinstance(crane, FloatingCrane):
+        elif isinstance(crane, FloatingCrane | Crawler):
+            if isinstance(crane, Crawler):
+                found.append((tracks_body(name), "what a crane stands on", (*path, "tracks")))
+                found.append((upper_body(name), "what slews of a crane", path))
             found.append((boom_name(name), "the boom of a crane", (*path, "boom")))
             found += [(f"{name}.{hook}", "a hook", (*path, "hooks", hook)) for hook in crane.hooks]
     return found

@@ -12,7 +12,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element, Named
-from gantline.scenario.boom import BoomHook, BoomParts, Luffing
+from gantline.scenario.boom import BoomHook, BoomParts, Luffing, PlacedBoom, boom_name
 from gantline.scenario.goliath import Traverse
 from gantline.scenario.quantities import (
     Angle,
@@ -45,7 +45,9 @@ __all__ = [
     "Settling",
     "Slewing",
     "Tracks",
+    "crawler_boom",
     "tracks_body",
+    "turned_body",
     "upper_body",
 ]
 
@@ -64,6 +66,11 @@ def tracks_body(crane: str) -> str:
 def upper_body(crane: str) -> str:
     """Name of what slews of a crawler crane, and of the joint by which it does."""
     return f"{crane}.upper"
+
+
+def turned_body(crane: str) -> str:
+    """Name of the body that turns as a crawler crane slews, and that its hook blocks are points under."""
+    return f"{upper_body(crane)}/turned"
 
 
 def _refuse_other_corners(given: tuple[str, ...], key: str) -> None:
@@ -105,7 +112,8 @@ class Tracks(Element):
     gauge: PositiveLength = Field(description="Distance of the tracks, middle to middle.")
     height: PositiveLength = Field(1.6, description="Height of the turntable; 1.6 m if not given.")
     mats: PositiveLength | None = Field(
-        None, description="Width of the mats under each track, which are as long as the track; none if not given."
+        None,
+        description="Width of the mats under each track, as long as the track; none if not given.",
     )
     allowed_pressure: PositiveStress | None = Field(
         None, description="Pressure that the ground bears, under mats where there are any."
@@ -230,7 +238,8 @@ class Crawler(Element):
     luffing: Luffing | None = Field(None, description="What luffs the boom; it keeps its angle if not given.")
     slewing: Slewing | None = Field(None, description="What slews it; it keeps its angle if not given.")
     travel: Traverse | None = Field(
-        None, description="Its drive along the heading of its tracks, from 'position'; it stands if not given."
+        None,
+        description="Its drive along its heading, from 'position'; it stands if not given.",
     )
     rating: Rating | None = Field(None, description="Rating chart.")
     hooks: Named[BoomHook] = Field(description="Hooks at the boom head, by name; each is <crane>.<hook>.")
@@ -246,6 +255,26 @@ class Crawler(Element):
         if self.slewing is not None and self.slewing.range_ is not None:
             low, high = self.slewing.range_
             if not low <= self.slew <= high:
-                at, between = math.degrees(self.slew), f"{math.degrees(low):g} deg to {math.degrees(high):g} deg"
+                at, between = (
+                    math.degrees(self.slew),
+                    f"{math.degrees(low):g} deg to {math.degrees(high):g} deg",
+                )
                 raise refuse(f"{at:g} deg is outside of the range of slewing, {between}", "slew")
         return self
+
+
+def crawler_boom(name: str, crane: Crawler) -> PlacedBoom:
+    """The boom of a crawler crane, on its upper structure; its radius counts from the slewing axis."""
+    pins = crane.boom.heel_pins
+    return PlacedBoom(
+        crane=name,
+        name=boom_name(name),
+        base=upper_body(name),
+        boom=crane.boom,
+        heel=(pins.ahead, 0.0, pins.height),
+        apart=pins.apart,
+        luffing=crane.luffing,
+        hooks=crane.hooks,
+        reach_from=(0.0, 0.0, 0.0),
+        path=("cranes", name),
+    )

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from gantline.scenario.boom import FloatingCrane, PlacedBoom, boom_name, placed_boom
+from gantline.scenario.boom import FloatingCrane, PlacedBoom, boom_name
 from gantline.scenario.crane import FixedHook, Hoist
-from gantline.scenario.crane_types import AnyCrane
+from gantline.scenario.crane_types import AnyCrane, any_boom
+from gantline.scenario.crawler import Crawler
 from gantline.scenario.errors import PathPart
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hook_parts import CarriedHook, HookType
@@ -83,7 +84,7 @@ def full_name(text: str, known: Mapping[str, object]) -> str | None:
 
 def booms_of(cranes: Mapping[str, AnyCrane], vessels: Mapping[str, Vessel]) -> dict[str, PlacedBoom]:
     """Booms of all cranes that have one, by the name of the crane."""
-    found = {name: placed_boom(name, crane, vessels) for name, crane in cranes.items()}
+    found = {name: any_boom(name, crane, vessels) for name, crane in cranes.items()}
     return {name: boom for name, boom in found.items() if boom is not None}
 
 
@@ -102,7 +103,7 @@ def hooks_of(cranes: Mapping[str, AnyCrane], types: Mapping[str, HookType]) -> d
     return found
 
 
-def _carried(name: str, crane: Goliath | FloatingCrane) -> Iterator[tuple[CarriedHook, _Place]]:
+def _carried(name: str, crane: Goliath | FloatingCrane | Crawler) -> Iterator[tuple[CarriedHook, _Place]]:
     """Each hook of a crane that bears several, what takes it along, and where."""
     if isinstance(crane, Goliath):
         for trolley, bears in crane.trolleys.items():

@@ -121,7 +121,8 @@ class Limits(Element):
     )
     attitude_of_rating: Ratio | None = Field(
         None,
-        description="Heel, trim, off-lead and side-lead of those for which the chart holds; 100 % if not given.",
+        description="Heel, trim, off-lead and side-lead of the largest for which the chart holds; 100 % if "
+        "not given.",
     )
     moment_of_tipping_moment: Ratio | None = Field(
         None,

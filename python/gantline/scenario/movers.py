@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gantline.scenario.boom import Luffing
+from gantline.scenario.crawler import Crawler, Slewing, upper_body
 from gantline.scenario.goliath import Goliath, Traverse
 from gantline.scenario.hooks import full_name, trolley_name
 from gantline.scenario.model import Scenario
@@ -55,6 +56,11 @@ def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
                 found[placed.crane] = _along(placed.name, kind, placed.luffing, placed.boom.angle)
         return found
     for name, crane in (scenario.cranes or {}).items():
+        if isinstance(crane, Crawler):
+            if kind == "crane" and crane.travel is not None:
+                found[name] = _along(name, kind, crane.travel, 0.0)
+            if kind == "upper" and crane.slewing is not None:
+                found[name] = _along(upper_body(name), kind, crane.slewing, crane.slew)
         if not isinstance(crane, Goliath):
             continue
         if kind == "crane" and crane.travel is not None:
@@ -73,7 +79,7 @@ def mover(scenario: Scenario, kind: Kind, text: str) -> Mover | None:
     return None if name is None else known[name]
 
 
-def _along(name: str, kind: Kind, drive: Traverse | Luffing, start: float) -> Mover:
+def _along(name: str, kind: Kind, drive: Traverse | Luffing | Slewing, start: float) -> Mover:
     emergency = drive.emergency_acceleration or drive.acceleration
     return Mover(
         name, kind, drive.speed, drive.acceleration, False, None, emergency, start, 0.0, drive.range_

@@ -30,7 +30,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.units import example, units_of
 
-Kind = Literal["hook", "drum", "trolley", "crane", "boom"]
+Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper"]
 
 __all__ = [
     "MEASURES",
@@ -48,6 +48,7 @@ __all__ = [
     "MovingStep",
     "PayOutStep",
     "Require",
+    "SlewStep",
     "Step",
     "TravelStep",
     "TraverseStep",
@@ -303,6 +304,17 @@ class LuffStep(TurnStep):
     kind: ClassVar[Kind] = "boom"
 
 
+class SlewStep(TurnStep):
+    """A step in which the upper structures of cranes slew; larger angles are to the left."""
+
+    what: ClassVar[str] = "a slew step"
+
+    slew: Names = Field(description="Crane or cranes that slew.")
+
+    verb: ClassVar[str] = "slew"
+    kind: ClassVar[Kind] = "upper"
+
+
 class HoistStep(HookStep):
     """A step that hoists."""
 
@@ -406,7 +418,7 @@ class EmergencyStop(Element):
 
 
 #: Keys by which a step says what it does.
-VERBS = ("hoist", "lower", "traverse", "travel", "luff", "haul_in", "pay_out", "hold")
+VERBS = ("hoist", "lower", "traverse", "travel", "luff", "slew", "haul_in", "pay_out", "hold")
 
 
 def _verb(data: Any) -> str | None:
@@ -422,6 +434,7 @@ Step = Annotated[
     | Annotated[TraverseStep, Tag("traverse step")]
     | Annotated[TravelStep, Tag("travel step")]
     | Annotated[LuffStep, Tag("luff step")]
+    | Annotated[SlewStep, Tag("slew step")]
     | Annotated[HaulInStep, Tag("haul_in step")]
     | Annotated[PayOutStep, Tag("pay_out step")]
     | Annotated[HoldStep, Tag("hold step")],
@@ -429,6 +442,6 @@ Step = Annotated[
         _verb,
         custom_error_type="gantline",
         custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', "
-        "'travel', 'luff', 'haul_in', 'pay_out' and 'hold'",
+        "'travel', 'luff', 'slew', 'haul_in', 'pay_out' and 'hold'",
     ),
 ]
