@@ -1,14 +1,14 @@
-"""Damping of vessels by shares of what is critical for each motion, from hydrostatics and inertia.
+"""Damping of vessels by shares of what is critical for their natural motions.
 
-Upright at its draft a vessel displaces the mass Δ and has the waterplane A. About the centre of gravity of
-all that is on it, each motion by itself has a stiffness and an inertia with the added one,
+Upright at its draft a vessel has, about the centre of gravity of all that is on it, a stiffness K by the
+water and an inertia M with the added one. Its natural motions φ with K φ = ω² M φ and φᵀ M φ = 1 are damped
+by themselves, each with the share ζ of what is critical for it, if
 
-    heave   k = ρ g A           m + a₃₃
-    roll    k = Δ g GM_T        I_x + a₄₄
-    pitch   k = Δ g GM_L        I_y + a₅₅
+    C = Σ 2 ζ ω (M φ)(M φ)ᵀ
 
-GM less free surfaces, and its critical damping is 2 √(k m). Of surge, sway and yaw, that only moorings
-restore, it is 2 m 2π/T with the period T that the lift file says. See docs/concepts/vessels.md.
+A motion that is part heave and part pitch has of each share as much as of its energy is in each. Surge, sway
+and yaw, e, that only moorings restore, have the period T that the lift file says: φ = e/√(eᵀ M e), ω = 2π/T.
+They are orthogonal to the others over M, and so change nothing about them. See docs/concepts/vessels.md.
 """
 
 from __future__ import annotations
@@ -22,10 +22,13 @@ from gantline.assembly.spatial import Array, inertia_matrix, point_inertia
 from gantline.assembly.water import hull_mesh
 from gantline.hydro import Attitude, Hull, Hydrostatics, Tank, free_surface_correction, hydrostatics
 from gantline.scenario import Scenario
-from gantline.scenario.vessel import Vessel
+from gantline.scenario.vessel import CriticalDamping, Vessel
 from gantline.scenario.water import MOTIONS, Water
 
 __all__ = ["add_critical_damping"]
+
+#: Squares of frequencies below this share of the largest belong to motions that nothing restores.
+_NEUTRAL = 1e-9
 
 
 def add_critical_damping(parts: Parts, scenario: Scenario) -> None:
@@ -37,12 +40,20 @@ def add_critical_damping(parts: Parts, scenario: Scenario) -> None:
     for name, vessel in (scenario.vessels or {}).items():
         if vessel.water_damping is None or vessel.water_damping.critical is None:
             continue
-        mass, centre, inertia = _aboard(parts, name)
-        inertias = [mass] * 3 + np.diag(inertia).tolist() + np.zeros(6)
+        given = vessel.water_damping.critical
+        mass, centre, own = _aboard(parts, name)
+        inertia = np.zeros((6, 6))
+        inertia[:3, :3], inertia[3:, 3:] = mass * np.eye(3), own
         for force in parts.forces:
             if force["type"] == "added_mass" and force["body"] == name:
-                inertias = inertias + np.diag(_about(force, centre))
-        damping = np.diag(_critical(scenario, name, vessel, inertias, centre)).tolist()
+                inertia += _about(force, centre)
+        stiffness, heights = _stiffness(scenario, name, vessel, centre)
+        for motion, height in heights.items():
+            if getattr(given, motion) and height <= 0.0:
+                sentence = f"nothing restores {motion} upright at this draft: GM is {height:.3g} m"
+                path = ("vessels", name, "water_damping", "critical", motion)
+                raise scenario.error(path, f"{sentence}; give '{motion}' itself, such as '100 MN m s'")
+        damping = _damping(given, stiffness, inertia).tolist()
         named = {"type": "drag", "name": f"{name}.critical_damping", "body": name, "at": centre.tolist()}
         parts.forces.append({**named, "damping": damping, "quadratic": [0.0] * 6})
 
@@ -83,34 +94,36 @@ def _about(added: Json, centre: Array) -> Array:
     return about
 
 
-def _critical(scenario: Scenario, name: str, vessel: Vessel, inertias: Array, centre: Array) -> list[float]:
-    """Damping of each motion [N s/m, N m s]."""
-    assert vessel.water_damping is not None and vessel.water_damping.critical is not None
-    given, gravity = vessel.water_damping.critical, scenario.simulation.gravity
+def _stiffness(
+    scenario: Scenario, name: str, vessel: Vessel, centre: Array
+) -> tuple[Array, dict[str, float]]:
+    """Stiffness by the water about a point (6, 6) [N/m, N, N m]; GM of roll and pitch [m]."""
     found, heights = _hydrostatics(scenario, name, vessel, centre)
-    weight = found.mass * gravity
-    stiffness = {
-        "heave": found.per_metre * gravity,
-        "roll": weight * heights[0],
-        "pitch": weight * heights[1],
-    }
-    damping = []
-    for motion, inertia in zip(MOTIONS, inertias, strict=True):
-        share = getattr(given, motion) or 0.0
-        if share == 0.0:
-            damping.append(0.0)
+    per_metre = found.per_metre * scenario.simulation.gravity
+    weight = found.mass * scenario.simulation.gravity
+    ahead, aside = found.centre_of_flotation[:2] - centre[:2]
+    rises = np.array([0.0, 0.0, 1.0, aside, -ahead, 0.0])  # of the waterplane's middle, by each motion
+    stiffness: Array = per_metre * np.outer(rises, rises) + weight * np.diag([0, 0, 0, *heights, 0])
+    return stiffness, {"roll": heights[0], "pitch": heights[1]}
+
+
+def _damping(given: CriticalDamping, stiffness: Array, inertia: Array) -> Array:
+    """C (6, 6) for shares of critical damping, stiffness and inertia (6, 6)."""
+    shares = np.array([getattr(given, motion) or 0.0 for motion in MOTIONS])
+    half = np.linalg.inv(np.linalg.cholesky(inertia))
+    squares, scaled = np.linalg.eigh(half @ stiffness @ half.T)
+    damping = np.zeros((6, 6))
+    for square, shape in zip(squares, (half.T @ scaled).T, strict=True):
+        if square <= _NEUTRAL * squares.max():
             continue
-        if motion not in stiffness:
-            rate = 2 * math.pi / getattr(given.periods, motion)
-        elif stiffness[motion] > 0.0:
-            rate = math.sqrt(stiffness[motion] / inertia)
-        else:
-            sentence = (
-                f"nothing restores {motion} upright at this draft: GM is {stiffness[motion] / weight:.3g} m"
-            )
-            path = ("vessels", name, "water_damping", "critical", motion)
-            raise scenario.error(path, f"{sentence}; give '{motion}' itself, such as '100 MN m s'")
-        damping.append(2 * share * float(inertia) * rate)
+        energies = np.diag(stiffness) * shape**2
+        share = float(shares @ energies / energies.sum())
+        damping += 2 * share * math.sqrt(square) * np.outer(inertia @ shape, inertia @ shape)
+    for place, motion in enumerate(MOTIONS):
+        period = getattr(given.periods, motion, None)
+        if period is not None:
+            column = inertia[:, place]
+            damping += shares[place] * (4 * math.pi / period) * np.outer(column, column) / column[place]
     return damping
 
 
