@@ -9,15 +9,25 @@ import numpy as np
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import inertia_list, inertia_matrix
 from gantline.scenario import Scenario
-from gantline.scenario.water import Afloat, BallastTank, Water
+from gantline.scenario.water import Afloat, BallastTank, HullShape, Water
 
-__all__ = ["add_water", "bodies_afloat"]
+__all__ = ["add_water", "bodies_afloat", "hull_mesh", "hull_name"]
 
 
 def bodies_afloat(scenario: Scenario) -> dict[str, Afloat]:
     """Vessels and bodies of `mechanics` by name: all that water may act on."""
     plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
     return {**(scenario.vessels or {}), **plain}
+
+
+def hull_name(body: str) -> str:
+    """Name of the hull of a body among forces and in recordings."""
+    return f"{body}.hull"
+
+
+def hull_mesh(hull: HullShape) -> Json:
+    """A hull in the axes of its body: vertices and triangles, counter-clockwise from outside."""
+    return _box(hull.box, hull.bottom)
 
 
 def add_water(parts: Parts, scenario: Scenario) -> None:
@@ -32,9 +42,9 @@ def add_water(parts: Parts, scenario: Scenario) -> None:
 def _around(name: str, body: Afloat, water: Water) -> list[Json]:
     found: list[Json] = []
     if body.hull is not None:
-        mesh = _box(body.hull.box, body.hull.bottom)
         surface = {"density": water.density, "level": water.level}
-        found.append({"type": "buoyancy", "name": f"{name}.hull", "body": name, **mesh, **surface})
+        named = {"type": "buoyancy", "name": hull_name(name), "body": name}
+        found.append({**named, **hull_mesh(body.hull), **surface})
     if body.added_mass is not None:
         matrix = np.diag(body.added_mass.diagonal).tolist()
         point = {"at": list(body.added_mass.at), "matrix": matrix}

@@ -15,6 +15,7 @@ from gantline.results.crane import Crane, CraneHook
 from gantline.results.crawler import Crawler
 from gantline.results.rating_chart import RatingChart
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
+from gantline.results.vessels import Vessel
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
 EQUALISED_BELOW = 0.05
@@ -350,6 +351,7 @@ class Rig(FromJson):
         supports: What the loads stand on, where that is more than the ground.
         watches: Pairs whose distance is watched.
         hooks: Hooks of all cranes.
+        vessels: Vessels.
         cranes: Goliath cranes, with what is particular to their hooks.
         booms: Booms, with what is particular to their hooks.
         crawlers: Crawler cranes, with what they stand on.
@@ -380,6 +382,7 @@ class Rig(FromJson):
     supports: Sequence[Support] = ()
     watches: Sequence[Watch] = ()
     hooks: Sequence[Hook] = ()
+    vessels: Sequence[Vessel] = ()
     cranes: Sequence[Crane] = ()
     booms: Sequence[Boom] = ()
     crawlers: Sequence[Crawler] = ()
@@ -408,6 +411,7 @@ class Rig(FromJson):
             "supports": tuple(Support.from_json(d) for d in document.get("supports") or ()),
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
+            "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
             "booms": tuple(Boom.from_json(d) for d in document.get("booms") or ()),
             "crawlers": tuple(Crawler.from_json(d) for d in document.get("crawlers") or ()),
