@@ -289,7 +289,7 @@ impl Simulation {
             | EventKind::PinPutIn => self.system.constraints[event.subject].name().to_owned(),
             EventKind::LiftOff | EventKind::SetDown => self.system.groups[event.subject].name.clone(),
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => self.system.sheave_name(event.subject),
-            EventKind::StepBegin | EventKind::StepEnd | EventKind::EmergencyStop => {
+            EventKind::StepBegin | EventKind::StepEnd | EventKind::PumpStopped | EventKind::EmergencyStop => {
                 let step = self.system.plan.steps.get(event.subject);
                 step.map_or_else(String::new, |step| step.name.clone())
             }

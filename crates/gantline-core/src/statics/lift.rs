@@ -118,7 +118,7 @@ impl StaticLift {
         let mut support = vec![0.0; system.groups.len()];
         let mut ahead = state.plan.clone();
         ahead.advance(&system.plan, 0.0, time, None, &mut log);
-        if ahead.waits_for_condition() {
+        if ahead.has_waited(&system.plan) {
             let mut now = 0.0;
             while now < time {
                 state.time = now;
