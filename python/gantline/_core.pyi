@@ -96,6 +96,9 @@ class Statics:
     def modes(self, count: int | None = None) -> dict[str, npt.NDArray[np.float64]]:
         """Natural motions about the equilibrium found last, slowest first; NaN: no damping ratio."""
 
+    def times_of(self, step: str) -> tuple[float | None, float | None]:
+        """When a step of the plan began and ended on the way to the equilibrium found last [s]."""
+
     def swing(self, mode: int, amplitude: float, frames: int) -> None:
         """Let the equilibrium swing in a mode, so that `columns` has one period of it."""
 

@@ -24,6 +24,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
+from gantline.results.tanks import pump_warnings
 from gantline.results.vessels import vessel_warnings
 from gantline.scenario import Scenario, ScenarioError, load_scenario, resolve
 from gantline.scenario.errors import Problem
@@ -198,6 +199,7 @@ class Simulation:
         warnings += drum_warnings(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
+        warnings += pump_warnings(rig, columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):

@@ -372,6 +372,13 @@ class Statics:
             )
         ]
 
+    def times_of(self, step: str) -> tuple[float | None, float | None]:
+        """When a step of the plan began and ended on the way to the equilibrium found last [s].
+
+        None where it had not, or there is no such step.
+        """
+        return self._core.times_of(step)
+
     def _uncertain(self) -> list[tuple[str, str]]:
         rig = self.rig
         slings = [(kind, sling.rope) for kind in ("length", "stiffness") for sling in rig.slings]

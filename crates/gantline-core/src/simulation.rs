@@ -313,7 +313,7 @@ impl Simulation {
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => self.system.sheave_name(event.subject),
             EventKind::Flooding | EventKind::Surfacing => self.system.marks[event.subject].name.clone(),
             EventKind::Capsized => self.system.vessels[event.subject].name.clone(),
-            EventKind::StepBegin | EventKind::StepEnd | EventKind::EmergencyStop => {
+            EventKind::StepBegin | EventKind::StepEnd | EventKind::PumpStopped | EventKind::EmergencyStop => {
                 let step = self.system.plan.steps.get(event.subject);
                 step.map_or_else(String::new, |step| step.name.clone())
             }

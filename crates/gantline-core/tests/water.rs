@@ -5,7 +5,7 @@ mod rigs;
 use gantline_core::audit::gravity_energy;
 use gantline_core::build::build;
 use gantline_core::force::{self, AnyForce, At, Force, twist_of};
-use gantline_core::spec::ForceSpec;
+use gantline_core::spec::{BodySpec, DriveSpec, ForceSpec, PumpedSpec};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
@@ -65,13 +65,21 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             damping: square(&mut draw, 20.0),
             quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
         };
+        let has_tank = body(&mut draw);
+        // One of the two is pumped.
+        let pumped = (k == 1).then(|| PumpedSpec { content: "content".to_owned(), level: draw.number() });
+        if pumped.is_some() {
+            spec.bodies.push(content_of(&has_tank));
+            spec.drives.push(DriveSpec { name: "pump".to_owned(), ramps: Vec::new() });
+        }
         let tank = ForceSpec::Tank {
             name: named("tank", k),
-            body: body(&mut draw),
+            body: has_tank,
             vertices: dented(&mut draw),
             triangles: mesh.triangles.clone(),
             density: 40.0,
             volume: 8.0 + 7.0 * draw.number(),
+            pumped,
         };
         spec.forces.extend([buoyancy, added, drag, tank]);
     }
@@ -79,6 +87,15 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     (system, state, frame)
+}
+
+/// The content of a tank on a body, as a joint.
+fn content_of(body: &str) -> BodySpec {
+    let given = serde_json::json!({
+        "name": "content", "parent": body, "mass": 0.0, "centre_of_gravity": [0, 0, 0], "inertia": [0, 0, 0, 0, 0, 0],
+        "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+        "joint": {"type": "content", "drive": "pump"}});
+    serde_json::from_value(given).expect("it is a body")
 }
 
 fn rates(system: &System, seeds: &[f64]) -> Vec<f64> {
@@ -127,7 +144,7 @@ proptest! {
         let a = rates(&system, &seeds);
         let (dynamics, _) = inverse(&system, &frame, &state.v, &a);
         let mut energy = 0.0;
-        for force in &system.tree.forces {
+        for (index, force) in system.tree.forces.iter().enumerate() {
             let AnyForce::AddedMass(added) = force else { continue };
             let momenta = |time: f64| {
                 let path: Vec<f64> = (0..size).map(|k| state.v[k] * time + 0.5 * a[k] * time * time).collect();
@@ -142,19 +159,23 @@ proptest! {
             let rate = (after.force - before.force) / (2.0 * STEP);
             let moment = (after.moment - before.moment) / (2.0 * STEP) + motion.linear.cross(here.force);
             let arm = frame.kinematics.pose[added.body].rotation * added.at;
-            let found = added.wrench(&dynamics.at(&system.tree, &frame.kinematics, added.body));
+            let found = added.wrench(&dynamics.at(&system.tree, &frame.kinematics, index));
             let scale = 1.0 + rate.length() + moment.length() + here.force.length() + here.moment.length();
             prop_assert!((found.force + rate).length() < CLOSE * scale, "{} {rate}", found.force);
             prop_assert!((found.moment + moment + arm.cross(rate)).length() < CLOSE * scale * 2.0);
             energy += 0.5 * (here.force.dot(motion.linear) + here.moment.dot(motion.angular));
         }
         // And it is what the mass matrix has more than that of the bodies alone.
-        let mut dry = system.clone();
-        dry.tree.forces.clear();
-        let mut bodies = Frame::new(&dry);
-        bodies.update(&dry, &state);
-        let kinetic = 0.5 * (frame.mass.quadratic(&state.v) - bodies.mass.quadratic(&state.v));
-        prop_assert!((kinetic - energy).abs() < 1e-9 * (1.0 + frame.mass.quadratic(&state.v)));
+        let kinetic = |keep: fn(&AnyForce) -> bool| {
+            let mut kept = system.clone();
+            kept.tree.forces.retain(keep);
+            let mut frame = Frame::new(&kept);
+            frame.update(&kept, &state);
+            0.5 * frame.mass.quadratic(&state.v)
+        };
+        let dry = kinetic(|_| false);
+        let added = kinetic(|force| matches!(force, AnyForce::AddedMass(_))) - dry;
+        prop_assert!((added - energy).abs() < 1e-9 * (1.0 + dry));
     }
 
     /// At rest inverse dynamics is the slope of the energy of gravity and displaced water.
@@ -173,6 +194,26 @@ proptest! {
             let difference = (energy(&direction, STEP) - energy(&direction, -STEP)) / (2.0 * STEP);
             prop_assert!((difference - slope[dof]).abs() < 1e-5 * (10.0 + slope[dof].abs()), "{dof}: {difference} {}", slope[dof]);
         }
+    }
+
+    /// What a pump gives to a kilogram is how all energy, that of motion too, grows with the content.
+    #[test]
+    fn pumps_give_lift_and_motion(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        let a = rates(&system, &seeds);
+        let (_, found) = inverse(&system, &frame, &state.v, &a);
+        let content = system.drives[system.drives.len() - 1].dof;
+        let mut direction = vec![0.0; a.len()];
+        direction[content] = 1.0;
+        let energy = |step: f64| {
+            let (system, frame) = (&system, moved(&system, &state, &direction, step).1);
+            let still = force::energy(&system.tree, &frame.kinematics);
+            still + 0.5 * frame.mass.quadratic(&state.v)
+        };
+        // Energies are some 1e4 J, and quadratic in the content but for the tank's dents.
+        let step = 1e-3;
+        let difference = (energy(step) - energy(-step)) / (2.0 * step);
+        prop_assert!((difference - found[content]).abs() < 1e-6 * (10.0 + difference.abs()), "{difference} {}", found[content]);
     }
 
     /// ∂τ/∂q and ∂τ/∂v with all forces, in motion, against differences.
@@ -197,7 +238,8 @@ proptest! {
                 inverse(&system, &frame, &v, &a).1
             };
             let (up, down, faster, slower) = (at(STEP), at(-STEP), with(STEP), with(-STEP));
-            for row in 0..size {
+            // The row of what a drive prescribes is no equation.
+            for row in (0..size).filter(|&row| system.driven[row].is_none()) {
                 let place = (up[row] - down[row]) / (2.0 * STEP);
                 let found = entry(&tangent.position, &frame, row, column);
                 // |ν| ν has a kink of its slope at rest, and the section one where a corner meets the water.
@@ -240,10 +282,16 @@ fn a_cube_half_in_water() {
     assert!(out.iter().all(|force| force.abs() < 1e-9), "4 t float half way down: {out:?}");
     let force = &system.tree.forces[0];
     let pose = &frame.kinematics.pose[0];
-    let at = At { pose, twist: Twist::default(), rate: Twist::default(), gravity: system.tree.gravity };
+    let at = At {
+        pose,
+        twist: Twist::default(),
+        rate: Twist::default(),
+        gravity: system.tree.gravity,
+        pumped: 0.0,
+    };
     assert!((force.wrench(&at).force - DVec3::Z * 4e4).length() < 1e-9);
     // ρ g V times the depth of its centre, half a metre.
-    assert!((force.energy(pose, system.tree.gravity) - 2e4).abs() < 1e-9);
+    assert!((force.energy(pose, system.tree.gravity, 0.0) - 2e4).abs() < 1e-9);
     // ρ g A, and ρ g (I_T + V (z_B − z_o)) about the keel: 4/3 + 4 · 1/2.
     let AnyForce::Buoyancy(buoyancy) = force else { panic!("it is a hull") };
     let derivative = buoyancy.afloat(pose, system.tree.gravity).derivative();

@@ -166,6 +166,11 @@ impl Statics {
         Ok(out)
     }
 
+    /// When a step of the plan began and ended on the way to the equilibrium found last [s]; none where it had not.
+    fn times_of(&self, step: &str) -> (Option<f64>, Option<f64>) {
+        self.inner.times_of(step).into()
+    }
+
     /// Columns of the equilibrium or swing found last, by name.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let columns = py.detach(|| self.inner.columns());

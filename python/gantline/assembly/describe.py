@@ -36,11 +36,12 @@ from gantline.scenario.gear import RopeMaterial, Shackle
 from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.mechanics import RopeEnd
 from gantline.scenario.parting import partings
-from gantline.scenario.plan import Bound, HoldStep
+from gantline.scenario.plan import Bound, HoldStep, PumpStep
 from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import RopeWeight, rope_weight
 from gantline.scenario.structures import Dock, dock_of
+from gantline.scenario.tanks import ends_of_pump, tanks_of
 
 __all__ = ["rig", "rope_kinds", "scene"]
 
@@ -69,6 +70,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "ropes": _ropes(scenario, rigging, parts),
         "sheaves": _sheaves_with_flow(parts),
         "drums": _drums(scenario),
+        **_tanks(scenario),
         "wrapped_sheaves": (wrapped := _wrapped_sheaves(parts)),
         "ratings": ratings(scenario),
         "bends": bends(scenario, parts),
@@ -319,6 +321,15 @@ def _drum(name: str, drum: Drum | HoistDrum, paid_out: float, rope_diameter: flo
     }
 
 
+def _tanks(scenario: Scenario) -> Json:
+    """Tanks with what is in them at the start; nothing in a lift without."""
+    tanks = [
+        {"name": name, "content": tank.content, "capacity": tank.capacity}
+        for name, tank in tanks_of(scenario).items()
+    ]
+    return {"tanks": tanks} if tanks else {}
+
+
 def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:
     return {
         "name": name,
@@ -364,7 +375,14 @@ def _step(scenario: Scenario, step: Any) -> Json:
         "drives": moved_drives(scenario, step),
         "report": list(step.report),
         "require": require,
+        **_pumped(scenario, step),
     }
+
+
+def _pumped(scenario: Scenario, step: Any) -> Json:
+    if not isinstance(step, PumpStep):
+        return {}
+    return {"tanks": [name for name in ends_of_pump(scenario, step) if name is not None]}
 
 
 def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from gantline.assembly.parts import Json
 from gantline.assembly.plain import drum_drive
+from gantline.assembly.water import pump_drive
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.condition import Condition
 from gantline.scenario.hooks import full_name
 from gantline.scenario.movers import Mover, mover
-from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, Step
+from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep, Step
 from gantline.scenario.reeving import hoist_ropes
+from gantline.scenario.tanks import ends_of_pump, tanks_of
 
 __all__ = [
     "along_drive",
@@ -24,6 +26,8 @@ __all__ = [
 
 #: Within this a motor is asked to stop in an emergency [s]; brakes slip far longer.
 _AT_ONCE = 1e-3
+#: Within this pumps come to their rate, and to rest [s].
+_PUMPS_START = 10.0
 
 
 def along_drive(name: str) -> str:
@@ -50,7 +54,12 @@ def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json
     """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
     found = []
     for place, step in enumerate(scenario.plan):
-        made = _hold(step) if isinstance(step, HoldStep) else _moving(scenario, step)
+        if isinstance(step, HoldStep):
+            made = _hold(step)
+        elif isinstance(step, PumpStep):
+            made = _pumping(scenario, step)
+        else:
+            made = _moving(scenario, step)
         if step.until is not None:
             down = isinstance(step, (LowerStep, PayOutStep))
             made["until"] = _condition(scenario, rigging, step.until, weight, down=down)
@@ -62,6 +71,8 @@ def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json
 
 def moved_drives(scenario: Scenario, step: Step) -> list[str]:
     """Names of the drives that a step moves."""
+    if isinstance(step, PumpStep):
+        return [pump_drive(name) for name in ends_of_pump(scenario, step) if name is not None]
     if isinstance(step, HoldStep):
         return []
     return [drive for one in _moved(scenario, step) for drive in _drives(one)]
@@ -78,7 +89,11 @@ def emergency_stop(scenario: Scenario) -> Json | None:
         at = {"type": "in_step", "step": place, "after": stop.after or 0.0}
     stopped = {}
     for step in scenario.plan:
-        for one in [] if isinstance(step, HoldStep) else _moved(scenario, step):
+        if isinstance(step, PumpStep):
+            slowing = {"acceleration": step.rate / _PUMPS_START, "brake": None}
+            for drive in moved_drives(scenario, step):
+                stopped[drive] = {"drive": drive, "stop": slowing}
+        for one in _moved(scenario, step) if isinstance(step, MovingStep) else ():
             for drive in _drives(one):
                 stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed)}
     return {"at": at, "drives": list(stopped.values())}
@@ -110,6 +125,30 @@ def _hold(step: HoldStep) -> Json:
     if not isinstance(step.hold, str):
         until = {"type": "duration", "duration": step.hold}
     return {"name": step.step, "moves": [], "start_at": None, "until": until}
+
+
+def _pumping(scenario: Scenario, step: PumpStep) -> Json:
+    """What one tank loses the other gets, by drives that move alike and so keep the sum to the last bit."""
+    tanks, moves = tanks_of(scenario), []
+    for name, sign in zip(ends_of_pump(scenario, step), (-1.0, 1.0), strict=True):
+        if name is None:
+            continue
+        tank = tanks[name]
+        moves.append(
+            {
+                "drive": pump_drive(name),
+                "velocity": sign * step.rate,
+                "acceleration": step.rate / _PUMPS_START,
+                "shape": "linear",
+                "range": [-tank.content, tank.capacity - tank.content],
+            }
+        )
+    made: Json = {"name": step.step, "moves": moves, "start_at": step.start_at, "until": {}}
+    if step.starts == "with_previous":
+        made["with_previous"] = True
+    if step.by is not None:
+        made["until"] = {"type": "along", "distance": step.by}
+    return made
 
 
 def _moving(scenario: Scenario, step: MovingStep) -> Json:
@@ -158,6 +197,18 @@ def _condition(
         ]
         groups = [group for group in groups if group]
         return {"type": "spread", "groups": groups, "at_most": condition.tension_spread}
+    for angle in ("heel", "trim"):
+        reached = getattr(condition, angle)
+        if reached is not None:
+            above = reached.above is not None
+            bound = reached.above if above else reached.below
+            return {
+                "type": "attitude",
+                "body": reached.vessel,
+                "angle": angle,
+                "above": above,
+                "bound": bound,
+            }
     assert scenario.load is not None  # checked when the file was read
     group = scenario.load.name
     if condition.load_transferred is not None:

@@ -34,7 +34,8 @@ class Parts:
 
     Attributes:
         bodies: bodies by name, parents before their children.
-        flows: rope that passes sheaves and leaves drums by name; for the core, joints that move no body.
+        flows: rope that passes sheaves and leaves drums, and contents of tanks, by name; for the core, joints
+            that move no body.
         inertia_from: what the inertia of the flow over a sheave is, in words.
         ropes: ropes in order; a rope with nodes in pieces from node to node.
         rope_names: ropes as the lift file knows them, in the same order.
@@ -105,6 +106,10 @@ class Parts:
         """
         joint = {"type": "flow", "inertia": inertia, **rest}
         self.flows[name] = _body(name, joint)
+
+    def add_content(self, name: str, body: str, drive: str) -> None:
+        """Add the content of a tank of a body as a joint that a drive moves [kg]."""
+        self.flows[name] = _body(name, {"type": "content", "drive": drive}) | {"parent": body}
 
     def add_drive(self, name: str, ramps: Sequence[Json] = ()) -> None:
         """Add a drive, at rest unless `ramps` give its motion in advance."""

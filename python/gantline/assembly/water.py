@@ -9,15 +9,15 @@ import numpy as np
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import inertia_list, inertia_matrix
 from gantline.scenario import Scenario
+from gantline.scenario.tanks import bodies_afloat, pumped_tanks
 from gantline.scenario.water import Afloat, BallastTank, HullShape, Water
 
-__all__ = ["add_water", "bodies_afloat", "hull_mesh", "hull_name"]
+__all__ = ["add_water", "hull_mesh", "hull_name", "pump_drive"]
 
 
-def bodies_afloat(scenario: Scenario) -> dict[str, Afloat]:
-    """Vessels and bodies of `mechanics` by name: all that water may act on."""
-    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
-    return {**(scenario.vessels or {}), **plain}
+def pump_drive(tank: str) -> str:
+    """Name of the drive of the content of a tank."""
+    return f"{tank}/pump"
 
 
 def hull_name(body: str) -> str:
@@ -33,9 +33,14 @@ def hull_mesh(hull: HullShape) -> Json:
 def add_water(parts: Parts, scenario: Scenario) -> None:
     """Add what water does to bodies; these are there, with their masses."""
     water = scenario.water or Water()
+    pumped = pumped_tanks(scenario)
     for name, body in bodies_afloat(scenario).items():
         for tank_name, tank in (body.tanks or {}).items():
-            _fill(parts, name, f"{name}.{tank_name}", tank)
+            full = f"{name}.{tank_name}"
+            if full in pumped:
+                _let_pump(parts, name, full, tank, water.level)
+            else:
+                _fill(parts, name, full, tank)
         parts.forces += _around(name, body, water)
 
 
@@ -68,9 +73,22 @@ def _fill(parts: Parts, body: str, name: str, tank: BallastTank) -> None:
     given = parts.bodies[body]
     given["inertia"] = inertia_list(inertia_matrix(given["inertia"]) + own)
     if tank.is_slack:
-        mesh = _box(tank.box, tank.bottom)
-        liquid = {"density": tank.density, "volume": tank.content / tank.density}
-        parts.forces.append({"type": "tank", "name": name, "body": body, **mesh, **liquid})
+        parts.forces.append(_tank(body, name, tank))
+
+
+def _let_pump(parts: Parts, body: str, name: str, tank: BallastTank, level: float) -> None:
+    """A tank whose content a drive moves: all of the liquid is in the force."""
+    content = f"{name}/content"
+    parts.add_content(content, body, pump_drive(name))
+    parts.add_drive(pump_drive(name))
+    pumped = {"content": content, "level": level}
+    parts.forces.append({**_tank(body, name, tank), "pumped": pumped})
+
+
+def _tank(body: str, name: str, tank: BallastTank) -> Json:
+    mesh = _box(tank.box, tank.bottom)
+    liquid = {"density": tank.density, "volume": min(tank.content, tank.capacity) / tank.density}
+    return {"type": "tank", "name": name, "body": body, **mesh, **liquid}
 
 
 def _box(size: Sequence[float], bottom: Sequence[float]) -> Json:

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from gantline.cli.ballast import ballast
 from gantline.cli.cad_group import cad_app
 from gantline.cli.cases import cases
 from gantline.cli.check import check
@@ -34,6 +35,7 @@ app.command()(compare)
 app.command()(check)
 app.add_typer(cad_app, name="cad")
 app.command()(hydro)
+app.command()(ballast)
 app.command()(report)
 app.command()(view)
 app.command()(export)

@@ -16,6 +16,7 @@ from gantline.results.nodes import joined
 from gantline.results.recording import Recording
 from gantline.results.rig import Hook, Load, Rig
 from gantline.results.rotation import tilt
+from gantline.results.tanks import tank_contents
 from gantline.results.variable import FloatArray, Variable
 from gantline.results.vessels import vessel_state
 
@@ -151,6 +152,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     """
     lift = Rig.from_json(rig)
     columns, names, of_nodes = joined(columns, names, lift)
+    columns, names, contents, tanks = tank_contents(columns, names, lift)
     variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
     for column, (name, dims, unit, description) in _DIRECT.items():
         if columns[column].size or "event" in dims:
@@ -164,6 +166,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         variables |= of_nodes
         coordinates["rope_end"] = ("first", "last")
     for derived, labels in (
+        (contents, tanks),
         _sheave_travel(columns, names, lift),
         _hook_loads(columns, names, lift),
         _load_state(columns, names, lift),

@@ -321,6 +321,21 @@ class Drum(FromJson):
 
 
 @dataclass(frozen=True)
+class Tank(FromJson):
+    """A tank of something that floats.
+
+    Attributes:
+        name: Its full name, `<vessel>.<tank>`.
+        content: Mass of the liquid in it at the start [kg].
+        capacity: Mass that goes into it [kg].
+    """
+
+    name: str
+    content: float = 0.0
+    capacity: float = 0.0
+
+
+@dataclass(frozen=True)
 class Step(FromJson):
     """One step of the plan.
 
@@ -329,12 +344,14 @@ class Step(FromJson):
         kind: What it does: `hoist`, `hold`, ...
         report: Quantities to be read off at its end.
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
+        tanks: Tanks that it pumps.
     """
 
     step: str
     kind: str = ""
     report: Sequence[str] = ()
     require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    tanks: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
@@ -391,6 +408,7 @@ class Rig(FromJson):
     ropes: Sequence[Rope] = ()
     sheaves: Sequence[Sheave] = ()
     drums: Sequence[Drum] = ()
+    tanks: Sequence[Tank] = ()
     wrapped_sheaves: Sequence[WrappedSheave] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)
     assumed_limits: Sequence[str] = ()
@@ -420,6 +438,7 @@ class Rig(FromJson):
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
             "sheaves": tuple(Sheave.from_json(d) for d in document.get("sheaves") or ()),
             "drums": tuple(Drum.from_json(d) for d in document.get("drums") or ()),
+            "tanks": tuple(Tank.from_json(d) for d in document.get("tanks") or ()),
             "wrapped_sheaves": tuple(
                 WrappedSheave.from_json(d) for d in document.get("wrapped_sheaves") or ()
             ),

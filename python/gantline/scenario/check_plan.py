@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from gantline.scenario.check_pumps import check_contents, check_pump
 from gantline.scenario.check_travel import check_travel, said
 from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.hooks import full_name
 from gantline.scenario.movers import Mover, movers
-from gantline.scenario.plan import DrumStep, HoldStep, HookStep, LowerStep, MovingStep, PayOutStep
+from gantline.scenario.plan import (
+    DrumStep,
+    HoldStep,
+    HookStep,
+    LowerStep,
+    MovingStep,
+    PayOutStep,
+    PumpStep,
+)
+from gantline.scenario.tanks import bodies_afloat
 
 __all__ = ["check_plan"]
 
@@ -42,7 +52,10 @@ def check_plan(findings: Findings) -> None:
         if aside and place == 0:
             sentence = "there is no step before the first; leave 'starts' out"
             findings.add(("plan", place, "starts"), sentence)
-        moved = _check_moved(findings, place, step)
+        if isinstance(step, PumpStep):
+            moved = check_pump(findings, place, step)
+        else:
+            moved = _check_moved(findings, place, step)
         busy = busy if aside else set()
         for name in moved & busy:
             sentence = f"'{name}' is moved by two steps at once"
@@ -54,6 +67,8 @@ def check_plan(findings: Findings) -> None:
         if step.until is not None:
             _check_condition(findings, place, step)
     check_travel(findings)
+    if not findings.problems:
+        check_contents(findings)
     _check_emergency_stop(findings)
 
 
@@ -101,14 +116,16 @@ def _check_stop(findings: Findings, path: Path, one: Mover, drive: str) -> None:
     findings.add(path, f"{sentence}; {right}")
 
 
-def _check_times(findings: Findings, place: int, step: MovingStep, earliest: float) -> tuple[float, float]:
+def _check_times(
+    findings: Findings, place: int, step: MovingStep | PumpStep, earliest: float
+) -> tuple[float, float]:
     """Check when a step starts and brakes.
 
     Returns:
         The time before which it cannot start, and that before which no step after it can [s].
     """
     duration, began = findings.scenario.duration, earliest
-    ends = (("brake_from", step.brake_from), ("emergency_stop_at", step.emergency_stop_at))
+    ends = [(key, getattr(step, key, None)) for key in ("brake_from", "emergency_stop_at")]
     for key, time in (("start_at", step.start_at), *ends):
         if time is None:
             continue
@@ -123,7 +140,7 @@ def _check_times(findings: Findings, place: int, step: MovingStep, earliest: flo
     return began, earliest
 
 
-def _check_condition(findings: Findings, place: int, step: MovingStep | HoldStep) -> None:
+def _check_condition(findings: Findings, place: int, step: MovingStep | PumpStep | HoldStep) -> None:
     path: Path = ("plan", place, "until")
     condition = step.until
     assert condition is not None
@@ -133,6 +150,11 @@ def _check_condition(findings: Findings, place: int, step: MovingStep | HoldStep
     if condition.tension_spread is not None:
         _check_spread(findings, path, condition)
         return
+    for key in ("heel", "trim"):
+        reached = getattr(condition, key)
+        if reached is not None:
+            _check_floating(findings, (*path, key, "vessel"), reached.vessel)
+            return
     scenario = findings.scenario
     if scenario.load is None or (scenario.ground is None and not scenario.supports):
         sentence = "this waits for a load to leave the ground"
@@ -156,6 +178,17 @@ def _check_hoist_load(findings: Findings, path: Path, text: str) -> None:
     elif hooks[name].reeving is None:
         sentence = f"'{text}' has no 'reeving', and so no ropes in which its load could be read"
         findings.add(path, f"{sentence}; give it one or wait for 'load_transferred'")
+
+
+def _check_floating(findings: Findings, path: Path, name: str) -> None:
+    known = bodies_afloat(findings.scenario)
+    floating = {one: body for one, body in known.items() if body.floats_freely}
+    if name in floating:
+        return
+    if name in known:
+        findings.add(path, f"'{name}' does not float freely; only what has a hull and six motions does")
+    else:
+        findings.add(path, f"'{name}' is not a vessel; {nearest(name, floating)}")
 
 
 def _check_spread(findings: Findings, path: Path, condition: Condition) -> None:

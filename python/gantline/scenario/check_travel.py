@@ -13,7 +13,7 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
 from gantline.scenario.movers import Mover, mover
-from gantline.scenario.plan import HoldStep, HookStep, Kind, MovingStep
+from gantline.scenario.plan import HookStep, Kind, MovingStep
 
 __all__ = ["check_travel", "said"]
 
@@ -42,7 +42,7 @@ def check_travel(findings: Findings) -> None:
     where: dict[str, _Bounds] = {}
     plan = findings.scenario.plan
     for place, step in enumerate(plan):
-        if isinstance(step, HoldStep):
+        if not isinstance(step, MovingStep):
             continue
         for text in dict.fromkeys(step.moved):
             one = mover(findings.scenario, step.kind, text)

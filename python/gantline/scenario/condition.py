@@ -7,9 +7,9 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import Name, Names, PositiveForce, Quantity, refuse
+from gantline.scenario.quantities import Angle, Name, Names, PositiveForce, Quantity, refuse
 
-__all__ = ["Condition", "HoistLoadReached"]
+__all__ = ["AngleReached", "Condition", "HoistLoadReached"]
 
 
 class HoistLoadReached(Element):
@@ -25,6 +25,22 @@ class HoistLoadReached(Element):
     def _one_side(self) -> HoistLoadReached:
         if (self.above is None) == (self.below is None):
             raise refuse("it has one of 'above' and 'below', such as {hook: U1, above: 400 kN}")
+        return self
+
+
+class AngleReached(Element):
+    """Heel or trim of something that floats."""
+
+    what: ClassVar[str] = "heel or trim"
+
+    vessel: Name = Field(description="The vessel, or body of 'mechanics' that floats freely.")
+    above: Angle | None = Field(None, description="The step ends when the angle is above this.")
+    below: Angle | None = Field(None, description="The step ends when the angle is below this.")
+
+    @model_validator(mode="after")
+    def _one_side(self) -> AngleReached:
+        if (self.above is None) == (self.below is None):
+            raise refuse("it has one of 'above' and 'below', such as {vessel: barge, below: 0.1 deg}")
         return self
 
 
@@ -46,15 +62,18 @@ class Condition(Element):
     tension_spread: Annotated[float, Quantity("ratio", "positive")] | None = Field(
         None, description="(max - min)/mean of the slings of every equalizer is below this, and all carry."
     )
+    heel: AngleReached | None = Field(None, description="Heel of a vessel, to starboard positive.")
+    trim: AngleReached | None = Field(None, description="Trim of a vessel, by the stern positive.")
     of: Names = Field((), description="tension_spread: equalizers that count; all if not given.")
 
     @model_validator(mode="after")
     def _exactly_one(self) -> Condition:
-        ways = ("load_transferred", "supports", "hoist_load", "tension_spread")
+        ways = ("load_transferred", "supports", "hoist_load", "tension_spread", "heel", "trim")
         if sum(getattr(self, way) is not None for way in ways) != 1:
             raise refuse(
                 "a step waits for one thing: 'load_transferred: 50 %', 'supports: clear', "
-                "'hoist_load: {hook: U1, above: 400 kN}' or 'tension_spread: 5 %'"
+                "'hoist_load: {hook: U1, above: 400 kN}', 'tension_spread: 5 %' or "
+                "'trim: {vessel: barge, below: 0.1 deg}'"
             )
         if self.load_transferred is not None and self.load_transferred > 1:
             raise refuse(f"load_transferred is {self.load_transferred * 100:g} %; it can reach 100 % at most")

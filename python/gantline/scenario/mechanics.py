@@ -218,6 +218,11 @@ class Body(Afloat):
     shape: BodyShape | None = Field(None, description="A box to draw, and with which it touches others.")
     remark: Text | None = Field(None, description="A remark for people.")
 
+    @property
+    def floats_freely(self) -> bool:
+        """Whether it has a hull, and nothing but forces hold it."""
+        return self.hull is not None and self.parent is None and self.joint.type == "free"
+
 
 class RopeEnd(Element):
     """An end of a rope: a dead end, or where a drum pays it out."""

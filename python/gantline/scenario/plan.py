@@ -14,11 +14,14 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import (
     Angle,
     Length,
+    Name,
     Names,
     PositiveAcceleration,
     PositiveAngularAcceleration,
     PositiveAngularSpeed,
     PositiveLength,
+    PositiveMass,
+    PositiveMassFlow,
     PositiveSpeed,
     Quantity,
     Reader,
@@ -47,6 +50,8 @@ __all__ = [
     "LuffStep",
     "MovingStep",
     "PayOutStep",
+    "PumpStep",
+    "PumpWay",
     "Require",
     "SlewStep",
     "Step",
@@ -185,7 +190,19 @@ class _AnyStep(Element):
     )
 
 
-class MovingStep(_AnyStep):
+class _StartingStep(_AnyStep):
+    """A step whose start can be said."""
+
+    starts: Literal["after_previous", "with_previous"] = Field(
+        "after_previous",
+        description="'with_previous': it begins as the step before begins, and both go on side by side.",
+    )
+    start_at: Time | None = Field(
+        None, description="Time of the start; when the step before ends if not given."
+    )
+
+
+class MovingStep(_StartingStep):
     """A step that moves hooks, drums, trolleys, cranes or booms."""
 
     #: The key that says what is moved.
@@ -202,13 +219,6 @@ class MovingStep(_AnyStep):
     )
     acceleration: PositiveAcceleration | None = Field(
         None, description="That of the hoist or drive itself if not given."
-    )
-    starts: Literal["after_previous", "with_previous"] = Field(
-        "after_previous",
-        description="'with_previous': it begins as the step before begins, and both go on side by side.",
-    )
-    start_at: Time | None = Field(
-        None, description="Time of the start; when the step before ends if not given."
     )
     brake_from: Time | None = Field(None, description="Time from which they brake.")
     emergency_stop_at: Time | None = Field(
@@ -389,6 +399,37 @@ class PayOutStep(DrumStep):
     verb: ClassVar[str] = "pay_out"
 
 
+class PumpWay(Element):
+    """From where to where liquid is pumped."""
+
+    what: ClassVar[str] = "pump"
+
+    from_: Name = Field(alias="from", description="Tank like 'barge.row1', or 'sea'.")
+    to: Name = Field(description="Tank like 'barge.row2', or 'sea'.")
+
+
+class PumpStep(_StartingStep):
+    """A step that pumps ballast."""
+
+    what: ClassVar[str] = "a pump step"
+
+    pump: PumpWay = Field(description="From where to where.")
+    rate: PositiveMassFlow = Field(
+        description="How much is pumped in a time; pumps come to it, and stop, within 10 s."
+    )
+    by: PositiveMass | None = Field(None, description="How much is pumped.")
+    until: Condition | None = Field(None, description="Condition on which the pumps stop.")
+
+    verb: ClassVar[str] = "pump"
+
+    @model_validator(mode="after")
+    def _one_end(self) -> PumpStep:
+        if (self.by is None) == (self.until is None):
+            listed = "both" if self.by is not None else "none of them"
+            raise refuse(f"a pump step ends by one of 'by' and 'until'; found {listed}")
+        return self
+
+
 class HoldStep(_AnyStep):
     """A step that waits."""
 
@@ -428,7 +469,7 @@ class EmergencyStop(Element):
 
 
 #: Keys by which a step says what it does.
-VERBS = ("hoist", "lower", "traverse", "travel", "luff", "slew", "haul_in", "pay_out", "hold")
+VERBS = ("hoist", "lower", "traverse", "travel", "luff", "slew", "haul_in", "pay_out", "pump", "hold")
 
 
 def _verb(data: Any) -> str | None:
@@ -447,11 +488,12 @@ Step = Annotated[
     | Annotated[SlewStep, Tag("slew step")]
     | Annotated[HaulInStep, Tag("haul_in step")]
     | Annotated[PayOutStep, Tag("pay_out step")]
+    | Annotated[PumpStep, Tag("pump step")]
     | Annotated[HoldStep, Tag("hold step")],
     Discriminator(
         _verb,
         custom_error_type="gantline",
         custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', "
-        "'travel', 'luff', 'slew', 'haul_in', 'pay_out' and 'hold'",
+        "'travel', 'luff', 'slew', 'haul_in', 'pay_out', 'pump' and 'hold'",
     ),
 ]

@@ -31,6 +31,7 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
     "angular_speed": (1e4, "1e4 rad/s"),
     "acceleration": (1e4, "1e4 m/s^2"),
     "angular_acceleration": (1e3, "1e3 rad/s^2"),
+    "mass_flow": (1e6, "3.6e6 t/h"),
     "stiffness": (1e13, "1e7 MN/m"),
     "damping": (1e13, "1e7 MN s/m"),
     "torque": (1e12, "1e6 MN m"),
@@ -328,6 +329,7 @@ PositiveAngularSpeed = Annotated[float, Quantity("angular_speed", "positive")]
 PositiveAngularAcceleration = Annotated[float, Quantity("angular_acceleration", "positive")]
 PositiveAcceleration = Annotated[float, Quantity("acceleration", "positive")]
 Acceleration = Annotated[float, Quantity("acceleration", "not_negative")]
+PositiveMassFlow = Annotated[float, Quantity("mass_flow", "positive")]
 PositiveStress = Annotated[float, Quantity("stress", "positive")]
 PositiveStiffness = Annotated[float, Quantity("stiffness", "positive")]
 Damping = Annotated[float, Quantity("damping", "not_negative")]

@@ -120,11 +120,15 @@ class BallastTank(Element):
 
     @model_validator(mode="after")
     def _holds_it(self) -> BallastTank:
-        capacity = math.prod(self.box) * self.density
-        if self.content > capacity * (1 + 1e-9):
+        if self.content > self.capacity * (1 + 1e-9):
             found = f"{self.content / 1e3:g} t do not go into it"
-            raise refuse(f"{found}; it holds {capacity / 1e3:.6g} t", "content")
+            raise refuse(f"{found}; it holds {self.capacity / 1e3:.6g} t", "content")
         return self
+
+    @property
+    def capacity(self) -> float:
+        """Mass of the liquid that goes into it [kg]."""
+        return math.prod(self.box) * self.density
 
     @property
     def depth(self) -> float:
@@ -144,3 +148,8 @@ class Afloat(Element):
     added_mass: AddedMass | None = Field(None, description="Water that moves along with it.")
     water_damping: WaterDamping | None = Field(None, description="What water resists its motion with.")
     tanks: Named[BallastTank] | None = Field(None, description="Tanks with liquid in it, by name.")
+
+    @property
+    def floats_freely(self) -> bool:
+        """Whether it has a hull, and nothing but forces hold it."""
+        return self.hull is not None

@@ -1,5 +1,6 @@
 """Many answers about one lift: its cases, how it hangs over a quantity, what makes it hang as wanted."""
 
+from gantline.study.ballast import BallastAnswer, VesselAttitude, solve_ballast
 from gantline.study.cases import CasesResult, run_cases
 from gantline.study.inverse import CannotBeError, HookAnswer, LengthAnswer, adjust_lengths, plumb_hooks
 from gantline.study.state import State, Worst, values_of, worst_of
@@ -7,6 +8,7 @@ from gantline.study.sweep import SweepPoint, run_sweep
 from gantline.study.tilting import Margin, TiltAxis, Tilting, margins_of, tilting_of
 
 __all__ = [
+    "BallastAnswer",
     "CannotBeError",
     "CasesResult",
     "HookAnswer",
@@ -16,12 +18,14 @@ __all__ = [
     "SweepPoint",
     "TiltAxis",
     "Tilting",
+    "VesselAttitude",
     "Worst",
     "adjust_lengths",
     "margins_of",
     "plumb_hooks",
     "run_cases",
     "run_sweep",
+    "solve_ballast",
     "tilting_of",
     "values_of",
     "worst_of",

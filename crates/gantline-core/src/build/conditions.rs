@@ -1,15 +1,18 @@
 //! Conditions on which steps of the plan end.
 
-use super::{BuildError, at_least_zero, error, positive};
+use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::plan::Condition;
 use crate::spec::UntilSpec;
 use crate::system::{ContactGroup, Rows};
+use crate::tree::Tree;
+use crate::tree::joint::Joint;
 
 /// A condition of the step `name`; an end that is none is an error of the caller.
 pub(super) fn build_condition(
     name: &str,
     given: &UntilSpec,
+    tree: &Tree,
     groups: &[ContactGroup],
     ropes: (&[AnyConstraint], &Rows),
 ) -> Result<Condition, BuildError> {
@@ -46,6 +49,25 @@ pub(super) fn build_condition(
                 |group: &Vec<String>| group.iter().map(|rope| row_of(name, rope, 0, ropes)).collect();
             let groups = groups.iter().map(rows_of_group).collect::<Result<_, _>>()?;
             Ok(Condition::Spread { groups, at_most: *at_most })
+        }
+        UntilSpec::Attitude { body, angle, above, bound } => {
+            finite(name, "the bound of an angle", &[*bound])?;
+            let Some(body) = tree.bodies.iter().find(|other| &other.name == body) else {
+                return error(name, format!("there is no body `{body}`"));
+            };
+            if !(matches!(body.joint, Joint::Free(_)) && body.parent.is_none()) {
+                return error(
+                    name,
+                    format!("`{}` does not float freely, so it has no such angle", body.name),
+                );
+            }
+            Ok(Condition::Attitude {
+                orientation: body.first_position + 3,
+                placement: body.placement.rotation,
+                angle: *angle,
+                above: *above,
+                bound: *bound,
+            })
         }
         other => error(name, format!("{other:?} is no condition")),
     }

@@ -3,14 +3,14 @@
 use glam::DVec3;
 
 use super::{BuildError, error, finite, positive};
-use crate::force::AnyForce;
 use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
 use crate::force::drag::Drag;
 use crate::force::square::Square;
-use crate::force::tank::Tank;
+use crate::force::tank::{Pumped, Tank};
+use crate::force::{AnyForce, Content};
 use crate::hull::{Hull, Mesh};
-use crate::spec::{ForceSpec, SystemSpec};
+use crate::spec::{ForceSpec, JointSpec, PumpedSpec, SystemSpec};
 use crate::tree::Tree;
 
 /// Difference of a matrix from its transpose, relative to its largest entry.
@@ -19,10 +19,10 @@ const SYMMETRIC: f64 = 1e-9;
 const ROUNDING: f64 = 1e-9;
 
 pub(super) fn build_forces(spec: &SystemSpec, tree: &Tree) -> Result<Vec<AnyForce>, BuildError> {
-    spec.forces.iter().map(|given| build_force(given, tree)).collect()
+    spec.forces.iter().map(|given| build_force(given, spec, tree)).collect()
 }
 
-fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
+fn build_force(given: &ForceSpec, spec: &SystemSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
     let name = given.name();
     let find = |body: &str| match tree.bodies.iter().position(|other| other.name == body) {
         Some(index) if tree.bodies[index].joint.moves_body() => Ok(index),
@@ -46,7 +46,7 @@ fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
                 level,
             }))
         }
-        ForceSpec::Tank { body, vertices, triangles, density, volume, .. } => {
+        ForceSpec::Tank { body, vertices, triangles, density, volume, pumped, .. } => {
             positive(name, "the density of what is in it", *density)?;
             if tree.gravity.length() == 0.0 {
                 return error(name, "there is no gravity, so a liquid has no level; give it gravity");
@@ -61,7 +61,12 @@ fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
                 return error(name, format!("{volume} m³ are in it; it holds from 0 to {capacity} m³"));
             }
             let hull = Hull::new(&mesh);
-            let tank = Tank::new(name.to_owned(), find(body)?, hull, capacity, density, volume);
+            let mut tank = Tank::new(name.to_owned(), find(body)?, hull, capacity, density, volume);
+            if let Some(PumpedSpec { content, level }) = pumped {
+                finite(name, "the level of the liquid outside", &[*level])?;
+                let content = find_content(name, content, tank.body, spec, tree)?;
+                tank.pumped = Some(Pumped { content, level: *level });
+            }
             AnyForce::Tank(Box::new(tank))
         }
         ForceSpec::AddedMass { body, at, matrix, .. } => {
@@ -95,6 +100,24 @@ fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
             })
         }
     })
+}
+
+/// The coordinate of the content of a tank on a body.
+fn find_content(
+    name: &str,
+    wanted: &str,
+    body: usize,
+    spec: &SystemSpec,
+    tree: &Tree,
+) -> Result<Content, BuildError> {
+    let Some(index) = spec.bodies.iter().position(|other| other.name == wanted) else {
+        return error(name, format!("there is no body `{wanted}` whose joint could be its content"));
+    };
+    let own = &tree.bodies[index];
+    if !matches!(spec.bodies[index].joint, JointSpec::Content { .. }) || own.parent != Some(body) {
+        return error(name, format!("the joint of `{wanted}` is no content of a tank on that body"));
+    }
+    Ok(Content { position: own.first_position, dof: own.first_velocity })
 }
 
 fn build_mesh(name: &str, vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<Mesh, BuildError> {

@@ -100,7 +100,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let is_rope_row = |row: &usize| matches!(rows.laws[*row], Law::Unilateral { .. });
     let inextensible = rigid.iter().copied().filter(is_rope_row).collect();
     let adjusters = build_adjusters(spec, &constraints, &rows)?;
-    let plan = build_plan(spec, &drives, &groups, (&constraints, &rows))?;
+    let plan = build_plan(spec, &tree, &drives, &groups, (&constraints, &rows))?;
     let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
     let pins = build_pinnings(spec, &constraints)?;
     let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());

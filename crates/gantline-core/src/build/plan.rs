@@ -49,11 +49,12 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
 /// The steps, and what stops them.
 pub(super) fn build_plan(
     spec: &SystemSpec,
+    tree: &Tree,
     drives: &[DriveJoint],
     groups: &[ContactGroup],
     ropes: (&[AnyConstraint], &Rows),
 ) -> Result<Plan, BuildError> {
-    let steps = spec.plan.iter().map(|step| build_step(step, drives, groups, ropes));
+    let steps = spec.plan.iter().map(|step| build_step(step, tree, drives, groups, ropes));
     let steps: Vec<Step> = steps.collect::<Result<_, _>>()?;
     let stop = match &spec.emergency_stop {
         None => None,
@@ -102,6 +103,7 @@ fn build_emergency(
 
 fn build_step(
     given: &StepSpec,
+    tree: &Tree,
     drives: &[DriveJoint],
     groups: &[ContactGroup],
     ropes: (&[AnyConstraint], &Rows),
@@ -117,13 +119,21 @@ fn build_step(
             Some(stop) => Some(build_emergency(name, stop, &drives[drive])?),
             None => None,
         };
-        moves.push(Move { drive, velocity, acceleration, shape, emergency });
+        if let Some(range) = motion.range {
+            finite(name, "the range of a drive", &range)?;
+        }
+        let range = motion.range;
+        moves.push(Move { drive, velocity, acceleration, shape, range, emergency });
     }
     let until = match &given.until {
         UntilSpec::BrakeFrom { time } => Until::BrakeFrom(*time),
         UntilSpec::Distance { distance } => {
             positive(name, "the distance", distance.abs())?;
             Until::Distance(*distance)
+        }
+        UntilSpec::Along { distance } => {
+            positive(name, "how much", *distance)?;
+            Until::Along(*distance)
         }
         UntilSpec::Position { positions } if positions.len() == moves.len() => {
             finite(name, "a position", positions)?;
@@ -135,7 +145,7 @@ fn build_step(
             Until::Duration(*duration)
         }
         UntilSpec::EndOfRun {} => Until::EndOfRun,
-        condition => Until::Condition(build_condition(name, condition, groups, ropes)?),
+        condition => Until::Condition(build_condition(name, condition, tree, groups, ropes)?),
     };
     let (start_at, with_previous) = (given.start_at, given.with_previous);
     Ok(Step { name: name.clone(), moves, start_at, with_previous, until })

@@ -100,6 +100,7 @@ fn build_joint(name: &str, given: &JointSpec) -> Result<Joint, BuildError> {
             finite(name, "its start", &[*velocity])?;
             Joint::Flow(Flow)
         }
+        JointSpec::Content { .. } => Joint::Flow(Flow),
         JointSpec::Ball { orientation, angular_velocity } => {
             unit_quaternion(name, *orientation)?;
             finite(name, "its angular velocity", angular_velocity)?;
@@ -119,7 +120,7 @@ fn build_joint(name: &str, given: &JointSpec) -> Result<Joint, BuildError> {
 
 pub(super) fn start_of_joint(given: &JointSpec, q: &mut [f64], v: &mut [f64]) {
     match given {
-        JointSpec::Fixed {} => {}
+        JointSpec::Fixed {} | JointSpec::Content { .. } => {}
         JointSpec::Hinge(AxisJointSpec { position, velocity, .. })
         | JointSpec::Slider(AxisJointSpec { position, velocity, .. }) => {
             (q[0], v[0]) = (*position, *velocity)

@@ -49,6 +49,8 @@ pub enum EventKind {
     StepBegin,
     /// A step of the plan ends.
     StepEnd,
+    /// A tank is empty or full, so that the pumps of a step have stopped.
+    PumpStopped,
     /// All drives are stopped, and the plan with them; the subject is the step that began last.
     EmergencyStop,
 }
@@ -78,6 +80,7 @@ impl EventKind {
             Self::Capsized => "capsized",
             Self::StepBegin => "step_begin",
             Self::StepEnd => "step_end",
+            Self::PumpStopped => "pump_stopped",
             Self::EmergencyStop => "emergency_stop",
         }
     }

@@ -36,6 +36,17 @@ pub struct At<'a> {
     pub rate: Twist,
     /// Acceleration of gravity [m/s²].
     pub gravity: DVec3,
+    /// What has been pumped into the force's tank since the start [kg]; 0 of all other forces.
+    pub pumped: f64,
+}
+
+/// Where the content of a tank that is pumped stands among the coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Content {
+    /// In q: what has been pumped in since the start [kg].
+    pub position: usize,
+    /// In v.
+    pub dof: usize,
 }
 
 /// Derivatives of a wrench, seen from the body: force and moment over linear and angular motion, world axes.
@@ -68,8 +79,8 @@ pub trait Force {
     /// Its derivatives.
     fn tangent(&self, at: &At) -> Tangent;
 
-    /// Energy that it holds [J].
-    fn energy(&self, _pose: &Pose, _gravity: DVec3) -> f64 {
+    /// Energy that it holds [J]; `pumped` as in [`At`].
+    fn energy(&self, _pose: &Pose, _gravity: DVec3, _pumped: f64) -> f64 {
         0.0
     }
 
@@ -83,9 +94,24 @@ pub trait Force {
         0.0
     }
 
-    /// Inertia that moves along with the body, about its origin.
-    fn inertia(&self, _pose: &Pose) -> Option<Square> {
+    /// Inertia that moves along with the body, about its origin; `pumped` as in [`At`].
+    fn inertia(&self, _pose: &Pose, _pumped: f64) -> Option<Square> {
         None
+    }
+
+    /// The coordinate of its content, of a tank that is pumped.
+    fn content(&self) -> Option<Content> {
+        None
+    }
+
+    /// What a pump has to give to a kilogram that it adds to the content [J/kg].
+    fn head(&self, _at: &At) -> f64 {
+        0.0
+    }
+
+    /// What a kilogram that is added to the content does to the wrench.
+    fn wrench_per_content(&self, _at: &At) -> Wrench {
+        Wrench::default()
     }
 }
 
@@ -98,7 +124,7 @@ pub enum AnyForce {
     AddedMass(AddedMass),
     /// Resistance of still water.
     Drag(Drag),
-    /// A liquid in a slack tank.
+    /// A liquid in a tank.
     Tank(Box<Tank>),
 }
 
@@ -117,7 +143,8 @@ impl std::ops::Deref for AnyForce {
 
 /// Energy that all forces hold [J].
 pub fn energy(tree: &Tree, kinematics: &Kinematics) -> f64 {
-    tree.forces.iter().map(|force| force.energy(&kinematics.pose[force.body()], tree.gravity)).sum()
+    let forces = tree.forces.iter().zip(&kinematics.pumped);
+    forces.map(|(force, pumped)| force.energy(&kinematics.pose[force.body()], tree.gravity, *pumped)).sum()
 }
 
 /// Velocity of a body under the velocity coordinates `v`.
@@ -135,7 +162,7 @@ pub fn loss(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
     let at = |force: &AnyForce| {
         let (body, gravity) = (force.body(), tree.gravity);
         let twist = twist_of(tree, kinematics, body, v);
-        force.loss(&At { pose: &kinematics.pose[body], twist, rate: Twist::default(), gravity })
+        force.loss(&At { pose: &kinematics.pose[body], twist, rate: Twist::default(), gravity, pumped: 0.0 })
     };
     tree.forces.iter().map(at).sum()
 }
@@ -147,8 +174,9 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
         let AnyForce::Drag(drag) = force else { continue };
         let (body, gravity) = (drag.body(), tree.gravity);
         let twist = twist_of(tree, kinematics, body, v);
+        let still = Twist::default();
         let wrench =
-            drag.wrench(&At { pose: &kinematics.pose[body], twist, rate: Twist::default(), gravity });
+            drag.wrench(&At { pose: &kinematics.pose[body], twist, rate: still, gravity, pumped: 0.0 });
         for &dof in &tree.support[body] {
             let linear = kinematics.point_column(tree, dof, kinematics.pose[body].position);
             out[dof] -= linear.dot(wrench.force) + kinematics.columns[dof].angular.dot(wrench.moment);

@@ -1,7 +1,7 @@
-//! A liquid in a slack tank: its surface stays level while the tank turns.
+//! A liquid in a tank: its surface stays level while the tank turns.
 //!
-//! Mass and inertia of the liquid are the body's, as if it were frozen where it lies when the body is upright. What is
-//! added here is how its weight moves. With v its volume, b = ∫ r dV over it, r from the origin of the body, c where
+//! Mass and inertia of the liquid are the body's, as if it were frozen where it lies when the body is upright, unless it
+//! is pumped. What is added here is how its weight moves. With v its volume, b = ∫ r dV over it, r from the origin of the body, c where
 //! its centre is frozen,
 //!
 //! ```text
@@ -17,13 +17,29 @@
 //!
 //! To small angles that is the free-surface correction, ρ g i δθ with i the second moment of S about its own axis. The
 //! liquid follows at once: there is no sloshing.
+//!
+//! The content m = ρ v of a tank that is pumped is a coordinate that a drive moves. Then nothing of the liquid is the
+//! body's: all of its weight acts here, at b itself, and all of its inertia, that of the liquid frozen upright, A(m) over
+//! the velocity of the origin and the angular velocity ν, as [`super::added_mass`] moves it along. With z_o the height of
+//! the origin, z_w the level that liquid outside has,
+//!
+//! ```text
+//! U = g (m (z_o − z_w) + ρ ẑ·b)       E = U + ½ νᵀA(m)ν       f = −∂U/∂x − (A ν)˙ with m held
+//! ∂E/∂m = g (z_S − z_w) + ½ νᵀA′ν     A′: a kilogram at S upright
+//! ```
+//!
+//! Liquid that joins has the body's velocity, and liquid that leaves takes its own along: Ȧ stands in no equation of
+//! motion. What the pump gives is then ∂E/∂m for each kilogram, its lift to the surface and its motion, and the sum
+//! of all energies is kept. Between two tanks that is g Δz; the level z_w drops out.
 
 use glam::{DMat3, DVec3};
 
+use super::added_mass::AddedMass;
 use super::square::{Square, skew};
-use super::{At, Force, Tangent};
+use super::{At, Content, Force, Tangent};
 use crate::hull::{Hull, Immersion, Plane};
 use crate::tree::bias::Wrench;
+use crate::tree::kinematics::Twist;
 use crate::tree::pose::Pose;
 
 /// Volume that the level may be wrong by, relative to the tank.
@@ -44,12 +60,23 @@ pub struct Tank {
     pub hull: Hull,
     /// Density of the liquid [kg/m³].
     pub density: f64,
-    /// Its volume [m³].
+    /// Its volume at the start [m³].
     pub volume: f64,
     /// How much the tank holds [m³].
     pub capacity: f64,
     /// c: centre of the liquid with the body upright [m], body frame.
     pub frozen: DVec3,
+    /// Where its content is a coordinate.
+    pub pumped: Option<Pumped>,
+}
+
+/// What a pump moves.
+#[derive(Debug, Clone, Copy)]
+pub struct Pumped {
+    /// The coordinate.
+    pub content: Content,
+    /// z_w: level from which liquid outside is pumped, along the vertical [m].
+    pub level: f64,
 }
 
 /// The liquid in world axes about the body's origin.
@@ -57,7 +84,9 @@ struct Contents {
     up: DVec3,
     /// ρ g [N/m³].
     weight: f64,
-    /// b′ [m⁴].
+    /// v [m³].
+    volume: f64,
+    /// b′, or b of a tank that is pumped [m⁴].
     shift: DVec3,
     /// ∫ (r − r̄)(r − r̄)ᵀ dA of the surface [m⁴].
     spread: DMat3,
@@ -66,22 +95,23 @@ struct Contents {
 impl Tank {
     /// A tank of which `volume` [m³] is full.
     pub fn new(name: String, body: usize, hull: Hull, capacity: f64, density: f64, volume: f64) -> Self {
-        let mut tank = Self { name, body, hull, density, volume, capacity, frozen: DVec3::ZERO };
+        let mut tank =
+            Self { name, body, hull, density, volume, capacity, frozen: DVec3::ZERO, pumped: None };
         if volume > 0.0 {
-            tank.frozen = tank.contents(DVec3::Z).moment / volume;
+            tank.frozen = tank.contents(DVec3::Z, volume).0.moment / volume;
         }
         tank
     }
 
-    /// What lies below the level of the liquid where `up`, in the body's frame, points upwards.
-    fn contents(&self, up: DVec3) -> Immersion {
+    /// What lies below the level of so much liquid where `up`, in the body's frame, points upwards, and the level.
+    fn contents(&self, up: DVec3, volume: f64) -> (Immersion, Plane) {
         let (lowest, highest) = self.hull.span(up);
         // h = up·x + d is negative all over the tank for d = −highest.
         let (mut full, mut empty) = (-highest, -lowest);
-        let mut height = full + (1.0 - self.volume / self.capacity) * (empty - full);
+        let mut height = full + (1.0 - volume / self.capacity) * (empty - full);
         let mut below = self.hull.below(&Plane { normal: up, height });
         for _ in 0..STEPS {
-            let excess = below.volume - self.volume;
+            let excess = below.volume - volume;
             if excess.abs() <= LEVEL * self.capacity {
                 break;
             }
@@ -94,17 +124,30 @@ impl Tank {
             height = next;
             below = self.hull.below(&Plane { normal: up, height });
         }
-        below
+        (below, Plane { normal: up, height })
     }
 
-    fn at(&self, pose: &Pose, gravity: DVec3) -> Contents {
+    /// How much liquid there is once so much has been pumped in [m³].
+    fn filled(&self, pumped: f64) -> f64 {
+        (self.volume + pumped / self.density).clamp(0.0, self.capacity)
+    }
+
+    /// Where the next drop goes: what lies below a surface that there always is.
+    fn surface(&self, up: DVec3, pumped: f64) -> (Immersion, Plane) {
+        self.contents(up, self.filled(pumped).clamp(FREE * self.capacity, (1.0 - FREE) * self.capacity))
+    }
+
+    fn at(&self, pose: &Pose, gravity: DVec3, pumped: f64) -> Contents {
         let (turn, up) = (pose.rotation, -gravity / gravity.length());
-        let weight = self.density * gravity.length();
+        let (weight, volume) = (self.density * gravity.length(), self.filled(pumped));
         let free = FREE * self.capacity;
-        if self.volume <= free || self.capacity - self.volume <= free {
-            return Contents { up, weight, shift: DVec3::ZERO, spread: DMat3::ZERO };
+        // Of what is the body's only how it moves away from where it is frozen.
+        let known = if self.pumped.is_some() { DVec3::ZERO } else { self.frozen * volume };
+        if volume <= free || self.capacity - volume <= free {
+            let moment = if self.pumped.is_some() { self.contents(DVec3::Z, volume).0.moment } else { known };
+            return Contents { up, weight, volume, shift: turn * (moment - known), spread: DMat3::ZERO };
         }
-        let below = self.contents(turn.transpose() * up);
+        let below = self.contents(turn.transpose() * up, volume).0;
         let outer = |a: DVec3| DMat3::from_cols(a * a.x, a * a.y, a * a.z);
         let central = if below.area > 0.0 {
             below.area_second - outer(below.area_moment) * (1.0 / below.area)
@@ -114,9 +157,44 @@ impl Tank {
         Contents {
             up,
             weight,
-            shift: turn * (below.moment - self.frozen * self.volume),
+            volume,
+            shift: turn * (below.moment - known),
             spread: turn * central * turn.transpose(),
         }
+    }
+
+    /// Weight about the origin of the body.
+    fn weight(&self, Contents { up, weight, volume, shift, .. }: &Contents) -> Wrench {
+        let force = if self.pumped.is_some() { *up * -(weight * volume) } else { DVec3::ZERO };
+        Wrench { force, moment: up.cross(*shift) * *weight }
+    }
+
+    /// The liquid of a tank that is pumped as what its body moves along, frozen upright.
+    fn carried(&self, pumped: f64) -> AddedMass {
+        let volume = self.filled(pumped);
+        let (below, level) = self.contents(DVec3::Z, volume);
+        let second = self.hull.second_below(&level);
+        self.moved([volume, 1.0, 1.0].map(|part| part * self.density), below.moment, second)
+    }
+
+    /// What a kilogram more of it does to that.
+    fn carried_more(&self, pumped: f64) -> AddedMass {
+        let (below, _) = self.surface(DVec3::Z, pumped);
+        let share = if below.area > 0.0 { 1.0 / below.area } else { 0.0 };
+        self.moved([1.0, share, share], below.area_moment, below.area_second)
+    }
+
+    /// Inertia about the origin of a mass [kg] with a first and a second moment, each with its factor.
+    fn moved(&self, [mass, on_first, on_second]: [f64; 3], first: DVec3, second: DMat3) -> AddedMass {
+        let (arm, second) = (skew(first * on_first), second * on_second);
+        let trace = second.x_axis.x + second.y_axis.y + second.z_axis.z;
+        let matrix = Square {
+            linear: DMat3::IDENTITY * mass,
+            cross: -arm,
+            back: arm,
+            angular: DMat3::IDENTITY * trace - second,
+        };
+        AddedMass { name: String::new(), body: self.body, at: DVec3::ZERO, matrix }
     }
 }
 
@@ -130,25 +208,68 @@ impl Force for Tank {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        let Contents { up, weight, shift, .. } = self.at(at.pose, at.gravity);
-        Wrench { force: DVec3::ZERO, moment: up.cross(shift) * weight }
+        let Wrench { mut force, mut moment } = self.weight(&self.at(at.pose, at.gravity, at.pumped));
+        if self.pumped.is_some() {
+            let inertia = self.carried(at.pumped).wrench(at);
+            force += inertia.force;
+            moment += inertia.moment;
+        }
+        Wrench { force, moment }
     }
 
     fn tangent(&self, at: &At) -> Tangent {
-        let Contents { up, weight, shift, spread } = self.at(at.pose, at.gravity);
+        let contents = self.at(at.pose, at.gravity, at.pumped);
+        let Wrench { force, moment } = self.weight(&contents);
+        let Contents { up, weight, shift, spread, .. } = contents;
         let lift = skew(up);
         let turn = -skew(shift) - spread * lift;
-        let moment = up.cross(shift) * weight;
+        // Seen from the body, what a turn does to the directions of force and moment does not count.
         let angular = lift * turn * weight + skew(moment);
-        Tangent { place: Square { angular, ..Square::ZERO }, ..Tangent::NONE }
+        let carried = if self.pumped.is_some() { self.carried(at.pumped).tangent(at) } else { Tangent::NONE };
+        Tangent { place: Square { angular, cross: skew(force), ..Square::ZERO }, ..carried }
     }
 
-    fn energy(&self, pose: &Pose, gravity: DVec3) -> f64 {
-        let Contents { up, weight, shift, .. } = self.at(pose, gravity);
-        weight * up.dot(shift)
+    fn energy(&self, pose: &Pose, gravity: DVec3, pumped: f64) -> f64 {
+        let Contents { up, weight, volume, shift, .. } = self.at(pose, gravity, pumped);
+        let height = self.pumped.map_or(0.0, |pumped| up.dot(pose.position) - pumped.level);
+        weight * (up.dot(shift) + volume * height)
     }
 
     fn energy_rate(&self, at: &At) -> f64 {
-        -self.wrench(at).moment.dot(at.twist.angular)
+        let Wrench { force, moment } = self.weight(&self.at(at.pose, at.gravity, at.pumped));
+        -force.dot(at.twist.linear) - moment.dot(at.twist.angular)
+    }
+
+    fn inertia(&self, pose: &Pose, pumped: f64) -> Option<Square> {
+        self.pumped.and_then(|_| self.carried(pumped).inertia(pose, 0.0))
+    }
+
+    fn content(&self) -> Option<Content> {
+        self.pumped.map(|pumped| pumped.content)
+    }
+
+    fn head(&self, at: &At) -> f64 {
+        let Some(Pumped { level, .. }) = self.pumped else { return 0.0 };
+        let (turn, up) = (at.pose.rotation, -at.gravity / at.gravity.length());
+        // The origin is so far above the surface.
+        let (_, surface) = self.surface(turn.transpose() * up, at.pumped);
+        let lift = up.dot(at.pose.position) - surface.height - level;
+        let spin = turn.transpose() * at.twist.angular;
+        let motion = Twist { angular: spin, linear: turn.transpose() * at.twist.linear };
+        let momentum = self.carried_more(at.pumped).matrix.times(&motion);
+        let kinetic = 0.5 * (momentum.force.dot(motion.linear) + momentum.moment.dot(motion.angular));
+        at.gravity.length() * lift + kinetic
+    }
+
+    fn wrench_per_content(&self, at: &At) -> Wrench {
+        if self.pumped.is_none() {
+            return Wrench::default();
+        }
+        let turn = at.pose.rotation;
+        let (below, _) = self.surface(turn.transpose() * -at.gravity.normalize(), at.pumped);
+        let mut wrench = self.carried_more(at.pumped).wrench(at);
+        let centre = if below.area > 0.0 { below.area_moment / below.area } else { DVec3::ZERO };
+        wrench.add(at.gravity, turn * centre);
+        wrench
     }
 }

@@ -152,6 +152,31 @@ impl Hull {
         sums.about(&shifted, self.middle)
     }
 
+    /// ∫ x xᵀ dV of what lies below `plane`, of a closed mesh [m⁵]. Allocates nothing.
+    ///
+    /// Every panel spans a tetrahedron with one point of the plane, and those over the plane's own section have no
+    /// volume. Of one with the corner 0, V/20 (Σ r rᵀ + Σr Σrᵀ).
+    pub fn second_below(&self, plane: &Plane) -> DMat3 {
+        let shifted = Plane { height: plane.above(self.middle), ..*plane };
+        let foot = shifted.normal * -shifted.height;
+        let (mut volume, mut first, mut second) = (0.0, DVec3::ZERO, DMat3::ZERO);
+        for index in 0..self.panels() {
+            let corners = [0, 1, 2].map(|corner| self.corner(index, corner));
+            let heights = corners.map(|corner| shifted.above(corner));
+            let area = DVec3::new(self.areas[0][index], self.areas[1][index], self.areas[2][index]);
+            let below = Panel { corners, heights, area }.below();
+            for part in &below.parts[..below.count] {
+                let [a, b, c] = part.corners.map(|corner| corner - foot);
+                let (own, sum) = (a.dot(b.cross(c)) / 6.0, a + b + c);
+                volume += own;
+                first += sum * (own / 4.0);
+                second += (outer(a, a) + outer(b, b) + outer(c, c) + outer(sum, sum)) * (own / 20.0);
+            }
+        }
+        let foot = foot + self.middle;
+        second + outer(first, foot) + outer(foot, first) + outer(foot, foot) * volume
+    }
+
     #[inline]
     fn corner(&self, panel: usize, corner: usize) -> DVec3 {
         let [x, y, z] = &self.corners[corner];

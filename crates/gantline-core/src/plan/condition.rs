@@ -1,4 +1,8 @@
-//! Conditions on which a step of the plan ends, by forces in supports and ropes.
+//! Conditions on which a step of the plan ends, by forces in supports and ropes, and by how what floats lies.
+
+use glam::{DMat3, DQuat};
+
+use crate::spec::AttitudeSpec;
 
 /// What conditions look at.
 #[derive(Clone, Copy)]
@@ -7,6 +11,8 @@ pub struct Seen<'a> {
     pub support: &'a [f64],
     /// Tension that a row of a rope stands for [N].
     pub tension: &'a dyn Fn(usize) -> f64,
+    /// Joint coordinates.
+    pub q: &'a [f64],
 }
 
 /// A condition.
@@ -55,6 +61,19 @@ pub enum Condition {
         /// Share.
         at_most: f64,
     },
+    /// The heel or the trim of a body that floats freely has come to a bound.
+    Attitude {
+        /// Where q has its orientation.
+        orientation: usize,
+        /// Axes of its joint.
+        placement: DMat3,
+        /// Which angle.
+        angle: AttitudeSpec,
+        /// True where it has to be above.
+        above: bool,
+        /// Bound [rad].
+        bound: f64,
+    },
 }
 
 impl Condition {
@@ -77,17 +96,28 @@ impl Condition {
                 }
                 low > 0.0 && (high - low) * rows.len() as f64 <= at_most * sum
             }),
+            Self::Attitude { orientation, placement, angle, above, bound } => {
+                let [w, x, y, z] = [0, 1, 2, 3].map(|k| seen.q[orientation + k]);
+                let turned = *placement * DMat3::from_quat(DQuat::from_xyzw(x, y, z, w));
+                let found = match angle {
+                    AttitudeSpec::Heel => turned.y_axis.z.atan2(turned.z_axis.z),
+                    AttitudeSpec::Trim => turned.x_axis.z.asin(),
+                };
+                if *above { found >= *bound } else { found <= *bound }
+            }
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
 
     #[test]
     fn each_holds_on_its_side_of_its_bound() {
-        let seen = Seen { support: &[600.0, 0.0], tension: &|row| [10.0, 12.0, -1.0][row] };
+        let seen = Seen { support: &[600.0, 0.0], tension: &|row| [10.0, 12.0, -1.0][row], q: &[] };
         let transferred = |at_least| Condition::LoadTransferred { group: 0, weight: 1000.0, at_least };
         assert!(transferred(0.4).holds(&seen) && !transferred(0.41).holds(&seen));
         let returned = |at_most| Condition::LoadReturned { group: 0, weight: 1000.0, at_most };
@@ -104,5 +134,23 @@ mod tests {
         assert!(spread(vec![vec![0, 1]], 0.182).holds(&seen));
         assert!(!spread(vec![vec![0, 1]], 0.181).holds(&seen));
         assert!(!spread(vec![vec![0], vec![0, 2]], 10.0).holds(&seen), "a slack sling shares nothing");
+    }
+
+    #[test]
+    fn heel_and_trim_are_positive_to_starboard_and_by_the_stern() {
+        let turned = |axis, angle: f64| {
+            let turn = DQuat::from_axis_angle(axis, angle);
+            [turn.w, turn.x, turn.y, turn.z]
+        };
+        let holds = |q: [f64; 4], angle, above| {
+            let placement = DMat3::IDENTITY;
+            let condition = Condition::Attitude { orientation: 0, placement, angle, above, bound: 0.02 };
+            condition.holds(&Seen { support: &[], tension: &|_| 0.0, q: &q })
+        };
+        // About x forward the port side rises; about y to port the bow sinks.
+        let (heeled, trimmed) = (turned(DVec3::X, 0.03), turned(DVec3::Y, -0.03));
+        assert!(holds(heeled, AttitudeSpec::Heel, true) && !holds(heeled, AttitudeSpec::Heel, false));
+        assert!(holds(trimmed, AttitudeSpec::Trim, true) && !holds(trimmed, AttitudeSpec::Trim, false));
+        assert!(holds(heeled, AttitudeSpec::Trim, false) && holds(trimmed, AttitudeSpec::Heel, false));
     }
 }

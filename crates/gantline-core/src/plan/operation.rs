@@ -7,6 +7,9 @@ use super::drive::Timeline;
 use crate::event::{EventKind, EventLog};
 use crate::spec::RampShape;
 
+/// What a step may go beyond the end of a range by rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// One drive in a step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Move {
@@ -18,6 +21,8 @@ pub struct Move {
     pub acceleration: f64,
     /// Course of the ramps.
     pub shape: RampShape,
+    /// Positions beyond which it does not go [kg].
+    pub range: Option<[f64; 2]>,
     /// Acceleration with which it brakes at the end, where that is another, and what holds it from then on [N].
     pub emergency: Option<Emergency>,
 }
@@ -38,6 +43,8 @@ pub enum Until {
     BrakeFrom(f64),
     /// At rest after this signed distance [m or rad].
     Distance(f64),
+    /// At rest after so much, each drive in the direction of its velocity [kg].
+    Along(f64),
     /// At rest where each drive, in the order of the moves, has this position [m or rad].
     Positions(Vec<f64>),
     /// Brakes after this time [s] in the step.
@@ -94,10 +101,12 @@ pub struct Plan {
 enum Phase {
     /// It has not begun.
     Ahead,
-    /// Until a condition holds.
-    UntilCondition,
+    /// Until a condition holds, or until this time, at which a drive has come to the end of its range.
+    UntilCondition(f64),
     /// Until this time.
     UntilTime(f64),
+    /// Until this time, at which a drive has come to the end of its range.
+    UntilLimit(f64),
     /// It never ends.
     Open,
     /// It ended at this time.
@@ -128,6 +137,8 @@ pub struct PlanState {
 #[derive(Debug, Clone, Copy)]
 enum Due {
     End(usize),
+    /// The same at the end of a range.
+    Limit(usize),
     Begin,
     Stop,
 }
@@ -159,7 +170,7 @@ impl PlanState {
         while !self.stopped {
             for index in self.stage..self.begun {
                 let step = &plan.steps[index];
-                if self.phases[index] == Phase::UntilCondition && is_met(step, seen) {
+                if matches!(self.phases[index], Phase::UntilCondition(_)) && is_met(step, seen) {
                     self.phases[index] = Phase::UntilTime(self.brake(step, from));
                 }
             }
@@ -169,6 +180,11 @@ impl PlanState {
             }
             match due {
                 Due::End(index) => {
+                    log.push(at, EventKind::StepEnd, index);
+                    self.phases[index] = Phase::Ended(at);
+                }
+                Due::Limit(index) => {
+                    log.push(at, EventKind::PumpStopped, index);
                     log.push(at, EventKind::StepEnd, index);
                     self.phases[index] = Phase::Ended(at);
                 }
@@ -182,10 +198,14 @@ impl PlanState {
     fn next_due(&self, plan: &Plan) -> (f64, Due) {
         let mut next = (f64::INFINITY, Due::Begin);
         for index in self.stage..self.begun {
-            if let Phase::UntilTime(end) = self.phases[index]
-                && end < next.0
-            {
-                next = (end, Due::End(index));
+            let (end, due) = match self.phases[index] {
+                Phase::UntilTime(end) => (end, Due::End(index)),
+                Phase::UntilLimit(end) => (end, Due::Limit(index)),
+                Phase::UntilCondition(end) if end < f64::MAX => (end, Due::Limit(index)),
+                _ => continue,
+            };
+            if end < next.0 {
+                next = (end, due);
             }
         }
         let begin = self.next_begin(plan);
@@ -248,12 +268,18 @@ impl PlanState {
 
     /// True where a step under way ends on a condition.
     pub fn waits_for_condition(&self) -> bool {
-        !self.stopped && self.phases[self.stage..self.begun].contains(&Phase::UntilCondition)
+        let waits = |phase: &Phase| matches!(phase, Phase::UntilCondition(_));
+        !self.stopped && self.phases[self.stage..self.begun].iter().any(waits)
+    }
+
+    /// True where a step that has begun ends on a condition, or would have.
+    pub fn has_waited(&self, plan: &Plan) -> bool {
+        plan.steps[..self.begun].iter().any(|step| matches!(step.until, Until::Condition(_)))
     }
 
     /// True where a step under way waits for a condition that holds by what is `seen`.
     pub fn is_fulfilled(&self, plan: &Plan, seen: &Seen) -> bool {
-        let waits = |index: &usize| self.phases[*index] == Phase::UntilCondition;
+        let waits = |index: &usize| matches!(self.phases[*index], Phase::UntilCondition(_));
         !self.stopped
             && (self.stage..self.begun).filter(waits).any(|index| is_met(&plan.steps[index], Some(seen)))
     }
@@ -265,8 +291,12 @@ impl PlanState {
 
     /// Name of the step that began last of those that have not ended, if any.
     pub fn current<'a>(&self, plan: &'a Plan) -> Option<&'a str> {
-        let under_way =
-            |index: &usize| matches!(self.phases[*index], Phase::UntilCondition | Phase::UntilTime(_));
+        let under_way = |index: &usize| {
+            matches!(
+                self.phases[*index],
+                Phase::UntilCondition(_) | Phase::UntilTime(_) | Phase::UntilLimit(_)
+            )
+        };
         let last = (self.stage..self.begun).rev().find(under_way).filter(|_| !self.stopped);
         last.map(|index| plan.steps[index].name.as_str())
     }
@@ -288,6 +318,25 @@ impl PlanState {
             }
             return Phase::UntilTime(last);
         }
+        let room = self.room(step, begin);
+        let most = match step.until {
+            Until::Along(wanted) => wanted.min(room),
+            Until::Condition(_) => room,
+            _ => f64::INFINITY,
+        };
+        if most < f64::INFINITY {
+            let mut last = begin;
+            for motion in &step.moves {
+                let Move { drive, velocity, acceleration, shape, .. } = *motion;
+                let by = most.copysign(velocity);
+                last = self.timelines[drive].travel(begin, by, velocity, acceleration, shape).max(last);
+            }
+            return match step.until {
+                Until::Condition(_) => Phase::UntilCondition(last),
+                Until::Along(wanted) if wanted > room * (1.0 + ROUNDING) => Phase::UntilLimit(last),
+                _ => Phase::UntilTime(last),
+            };
+        }
         for motion in &step.moves {
             let Move { drive, velocity, acceleration, shape, .. } = *motion;
             self.timelines[drive].change(begin, velocity, acceleration, shape);
@@ -295,9 +344,19 @@ impl PlanState {
         match step.until {
             Until::BrakeFrom(time) => Phase::UntilTime(self.brake(step, time.max(begin))),
             Until::Duration(duration) => Phase::UntilTime(self.brake(step, begin + duration)),
-            Until::Condition(_) => Phase::UntilCondition,
-            Until::EndOfRun | Until::Distance(_) | Until::Positions(_) => Phase::Open,
+            Until::Condition(_) => Phase::UntilCondition(f64::MAX),
+            Until::EndOfRun | Until::Distance(_) | Until::Positions(_) | Until::Along(_) => Phase::Open,
         }
+    }
+
+    /// How far the drives of a step can go until the first is at the end of its range [kg].
+    fn room(&self, step: &Step, begin: f64) -> f64 {
+        let rooms = step.moves.iter().filter_map(|motion| {
+            let [least, most] = motion.range?;
+            let position = self.timelines[motion.drive].motion(begin).position;
+            Some(if motion.velocity > 0.0 { most - position } else { position - least })
+        });
+        rooms.fold(f64::INFINITY, f64::min).max(0.0)
     }
 
     fn brake(&mut self, step: &Step, at: f64) -> f64 {

@@ -45,7 +45,8 @@ pub enum ForceSpec {
         /// Force over velocity squared, each axis by itself [N s²/m², N m s²].
         quadratic: [f64; 6],
     },
-    /// A liquid in a slack tank. Its mass is the body's, at the centre that the liquid has with the body upright.
+    /// A liquid in a tank. Its mass is the body's, at the centre that the liquid has with the body upright, unless it
+    /// is pumped.
     Tank {
         /// Unique name.
         name: String,
@@ -57,9 +58,22 @@ pub enum ForceSpec {
         triangles: Vec<[usize; 3]>,
         /// Density of the liquid [kg/m³].
         density: f64,
-        /// Volume of the liquid [m³].
+        /// Volume of the liquid at the start [m³].
         volume: f64,
+        /// What pumps it; then all of its mass is the tank's, nothing the body's.
+        #[serde(default)]
+        pumped: Option<PumpedSpec>,
     },
+}
+
+/// How the liquid of a tank is pumped.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PumpedSpec {
+    /// Body below that of the tank whose joint is its content.
+    pub content: String,
+    /// Height of the surface from which liquid outside is pumped [m].
+    pub level: f64,
 }
 
 impl ForceSpec {

@@ -153,6 +153,11 @@ pub enum JointSpec {
         #[serde(default)]
         drive: Option<String>,
     },
+    /// What has been pumped into a tank of the parent since the start [kg]; no body has this motion.
+    Content {
+        /// Name of the drive that pumps.
+        drive: String,
+    },
 }
 
 impl JointSpec {
@@ -162,6 +167,7 @@ impl JointSpec {
             Self::Hinge(AxisJointSpec { drive, .. })
             | Self::Slider(AxisJointSpec { drive, .. })
             | Self::Flow { drive, .. } => drive.as_ref(),
+            Self::Content { drive } => Some(drive),
             _ => None,
         }
     }

@@ -83,6 +83,9 @@ pub struct MoveSpec {
     /// Course of the ramps.
     #[serde(default)]
     pub shape: RampShape,
+    /// Least and largest position [kg]: at the first that a drive of the step reaches all stop, whatever it waits for.
+    #[serde(default)]
+    pub range: Option<[f64; 2]>,
     /// A step that ends by an emergency stop.
     #[serde(default)]
     pub emergency: Option<EmergencySpec>,
@@ -111,6 +114,11 @@ pub enum UntilSpec {
     /// At rest after this signed distance [m or rad].
     Distance {
         /// Distance [m or rad].
+        distance: f64,
+    },
+    /// At rest after so much, each drive in the direction of its velocity.
+    Along {
+        /// How much [kg].
         distance: f64,
     },
     /// At rest where each drive, in the order of the moves, has this position [m or rad].
@@ -172,8 +180,29 @@ pub enum UntilSpec {
         /// Contact group.
         group: String,
     },
+    /// A body that floats freely is heeled or trimmed less, or more, than a bound.
+    Attitude {
+        /// The body.
+        body: String,
+        /// Which angle.
+        angle: AttitudeSpec,
+        /// True for more.
+        above: bool,
+        /// Bound [rad].
+        bound: f64,
+    },
     /// Lasts until the run ends.
     EndOfRun {},
+}
+
+/// An angle of a body that floats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AttitudeSpec {
+    /// How far its y axis points upwards: to starboard positive.
+    Heel,
+    /// How far its x axis points upwards: by the stern positive.
+    Trim,
 }
 
 /// An emergency stop of everything that the plan drives; no step begins or goes on after it.

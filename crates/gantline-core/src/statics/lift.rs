@@ -7,7 +7,7 @@ use super::sensitivity::{Parameter, Sensitivity};
 use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::{AnyConstraint, Law};
-use crate::event::EventLog;
+use crate::event::{Event, EventKind, EventLog};
 use crate::record::Samples;
 use crate::record::columns::Columns;
 use crate::record::names::Names;
@@ -35,6 +35,8 @@ pub struct StaticLift {
     state: State,
     statics: Statics,
     samples: Samples,
+    /// Steps of the plan that began and ended on the way to the equilibrium found last.
+    log: EventLog,
     fingerprint: u64,
 }
 
@@ -53,7 +55,8 @@ impl StaticLift {
         }
         let statics = Statics::new(&system);
         let fingerprint = fingerprint([document]);
-        Ok(Self { state: first.clone(), samples: Samples::default(), first, statics, system, fingerprint })
+        let (state, samples, log) = (first.clone(), Samples::default(), EventLog::new());
+        Ok(Self { state, samples, log, first, statics, system, fingerprint })
     }
 
     /// Finds the equilibrium at `time` [s] of the plan, downhill of the start of the lift after `increment` of its
@@ -113,12 +116,13 @@ impl StaticLift {
 
     /// At once, or in steps where the plan waits for conditions.
     fn jump(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
-        let Self { system, state, statics, .. } = self;
-        let mut log = EventLog::new();
+        let Self { system, state, statics, log, .. } = self;
+        log.events.clear();
         let mut support = vec![0.0; system.groups.len()];
         let mut ahead = state.plan.clone();
-        ahead.advance(&system.plan, 0.0, time, None, &mut log);
-        if ahead.waits_for_condition() {
+        ahead.advance(&system.plan, 0.0, time, None, log);
+        if ahead.has_waited(&system.plan) {
+            log.events.clear();
             let mut now = 0.0;
             while now < time {
                 state.time = now;
@@ -126,7 +130,7 @@ impl StaticLift {
                 statics.settle(system, state, losses)?;
                 flows::supports(system, &state.tension, &mut support);
                 let next = (now + LOOK).min(time);
-                flows::advance_plan(system, state, next, &support, &mut log);
+                flows::advance_plan(system, state, next, &support, log);
                 now = next;
             }
         } else {
@@ -139,8 +143,8 @@ impl StaticLift {
 
     /// From rest to rest.
     fn follow(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
-        let Self { system, state, statics, .. } = self;
-        let mut log = EventLog::new();
+        let Self { system, state, statics, log, .. } = self;
+        log.events.clear();
         let mut support = vec![0.0; system.groups.len()];
         part(system, state);
         let mut rest = statics.settle(system, state, losses)?;
@@ -150,12 +154,13 @@ impl StaticLift {
             let now = state.time;
             flows::supports(system, &state.tension, &mut support);
             // What is due now begins now, so that it is known what that waits for.
-            flows::advance_plan(system, state, now.next_up(), &support, &mut log);
+            let known = log.events.len();
+            flows::advance_plan(system, state, now.next_up(), &support, log);
             let waits = state.plan.waits_for_condition();
             stride = stride.min(if waits { LOOK } else { LONGEST });
             let due = if waits { f64::INFINITY } else { state.plan.next_time(&system.plan, now) };
             let next = (now + stride).min(due).min(time);
-            flows::advance_plan(system, state, next, &support, &mut log);
+            flows::advance_plan(system, state, next, &support, log);
             state.time = next;
             part(system, state);
             let found = statics.go_on(system, state, losses);
@@ -165,6 +170,7 @@ impl StaticLift {
                 stride *= 2.0;
             } else {
                 state.copy_from(&before);
+                log.events.truncate(known);
                 statics.resume(system, state);
                 stride = 0.5 * (next - now);
             }
@@ -293,6 +299,14 @@ impl StaticLift {
     /// Names that go with the columns.
     pub fn names(&self) -> Names {
         Names::new(&self.system)
+    }
+
+    /// When a step of the plan began and ended on the way to the equilibrium found last [s]; none where it had not.
+    pub fn times_of(&self, step: &str) -> [Option<f64>; 2] {
+        let named = |event: &&Event| self.system.plan.steps[event.subject].name == step;
+        [EventKind::StepBegin, EventKind::StepEnd].map(|kind| {
+            self.log.events.iter().filter(|event| event.kind == kind).find(named).map(|event| event.time)
+        })
     }
 
     /// Number of a rope.

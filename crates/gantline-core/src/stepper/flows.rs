@@ -297,7 +297,7 @@ pub fn supports(system: &System, tension: &[f64], out: &mut [f64]) {
 pub fn advance_plan(system: &System, state: &mut State, to: f64, support: &[f64], log: &mut EventLog) {
     let (force, q) = (&state.tension, &state.q);
     let tension = |row: usize| system.rope_tension(row, force[row], q);
-    let seen = Seen { support, tension: &tension };
+    let seen = Seen { support, tension: &tension, q };
     state.plan.advance(&system.plan, state.time, to, Some(&seen), log);
 }
 

@@ -3,7 +3,9 @@
 //! A force takes its wrench from what the joint of its body has to transmit. The derivative over a degree of freedom
 //! follows as in [`super::tangent`]: what turns along with the body is handed up with the rest of the wrench, and what
 //! is left is the change of the wrench as seen from the body, the force's own derivative times the changes of place,
-//! velocity and acceleration seen from there.
+//! velocity and acceleration seen from there. The content of a tank that is pumped is a coordinate too: its joint hangs
+//! on the body of the tank, so that the pattern has a place for what it does to that body. What it takes to pump stands
+//! in its own row. That is a drive's, no equation, and its derivatives are not needed.
 
 use super::Tree;
 use super::bias::{NewtonEuler, Wrench};
@@ -11,32 +13,43 @@ use super::joint::Motion;
 use super::kinematics::{Kinematics, Twist};
 use super::mass::MassMatrix;
 use super::tangent::{DynamicsTangent, Place};
-use crate::force::{AnyForce, At};
+use crate::force::At;
 
 impl NewtonEuler {
     /// Takes the wrenches of all forces from what each body needs.
     pub(super) fn apply(&mut self, tree: &Tree, kinematics: &Kinematics) {
-        for force in &tree.forces {
+        for (index, force) in tree.forces.iter().enumerate() {
             let body = force.body();
-            let Wrench { force, moment } = force.wrench(&self.at(tree, kinematics, body));
+            let Wrench { force, moment } = force.wrench(&self.at(tree, kinematics, index));
             self.wrenches[body].force -= force;
             self.wrenches[body].moment -= moment;
         }
     }
 
-    /// Place and motion of a body at the last update.
-    pub fn at<'a>(&self, tree: &Tree, kinematics: &'a Kinematics, body: usize) -> At<'a> {
+    /// What pumps have to give along the contents of their tanks.
+    pub(super) fn pump(&self, tree: &Tree, kinematics: &Kinematics, out: &mut [f64]) {
+        for (index, force) in tree.forces.iter().enumerate() {
+            if let Some(content) = force.content() {
+                out[content.dof] += force.head(&self.at(tree, kinematics, index));
+            }
+        }
+    }
+
+    /// Place and motion of the body of a force, by its index, at the last update.
+    pub fn at<'a>(&self, tree: &Tree, kinematics: &'a Kinematics, force: usize) -> At<'a> {
+        let body = tree.forces[force].body();
         let (twist, rate) = (self.twists[body], self.accelerations[body]);
-        At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity }
+        let pumped = kinematics.pumped[force];
+        At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity, pumped }
     }
 }
 
 impl MassMatrix {
     /// Adds what moves along with bodies: Σ Jᵀ A J.
     pub(super) fn add_inertia(&mut self, tree: &Tree, kinematics: &Kinematics) {
-        for force in &tree.forces {
+        for (force, pumped) in tree.forces.iter().zip(&kinematics.pumped) {
             let body = force.body();
-            let Some(inertia) = force.inertia(&kinematics.pose[body]) else { continue };
+            let Some(inertia) = force.inertia(&kinematics.pose[body], *pumped) else { continue };
             let support = &tree.support[body];
             for (index, &row) in support.iter().enumerate() {
                 let Wrench { force, moment } = inertia.times(&column(tree, kinematics, row, body));
@@ -58,10 +71,14 @@ fn column(tree: &Tree, kinematics: &Kinematics, dof: usize, body: usize) -> Twis
 
 impl DynamicsTangent {
     /// Adds what the wrench of one force does to the derivatives over all degrees of freedom that move its body.
-    pub(super) fn add_force(&mut self, place: &Place, force: &AnyForce) {
+    pub(super) fn add_force(&mut self, place: &Place, index: usize) {
         let Place { tree, kinematics, dynamics, .. } = *place;
-        let body = force.body();
-        let tangent = force.tangent(&dynamics.at(tree, kinematics, body));
+        let force = &tree.forces[index];
+        let (body, at) = (force.body(), dynamics.at(tree, kinematics, index));
+        let tangent = force.tangent(&at);
+        if let Some(content) = force.content() {
+            self.position.take(place, (content.dof, body), &[force.wrench_per_content(&at)]);
+        }
         for &dof in &tree.support[body] {
             let top = tree.owner[dof];
             let own = kinematics.columns[dof];

@@ -138,6 +138,9 @@ impl NewtonEuler {
                 above.moment += wrench.moment + kinematics.arm[index].cross(wrench.force);
             }
         }
+        if !tree.forces.is_empty() {
+            self.pump(tree, kinematics, out);
+        }
     }
 }
 

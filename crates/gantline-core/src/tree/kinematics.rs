@@ -38,6 +38,8 @@ pub struct Kinematics {
     pub lever: Vec<DVec3>,
     /// Column of every degree of freedom.
     pub columns: Vec<Column>,
+    /// What has been pumped into every tank since the start [kg], by [`Tree::forces`]; 0 of all other forces.
+    pub pumped: Vec<f64>,
 }
 
 impl Kinematics {
@@ -49,6 +51,7 @@ impl Kinematics {
             arm: vec![DVec3::ZERO; tree.bodies.len()],
             lever: vec![DVec3::ZERO; tree.bodies.len()],
             columns: vec![Column::default(); tree.velocities],
+            pumped: vec![0.0; tree.forces.len()],
         }
     }
 
@@ -59,6 +62,7 @@ impl Kinematics {
         self.arm.copy_from_slice(&other.arm);
         self.lever.copy_from_slice(&other.lever);
         self.columns.copy_from_slice(&other.columns);
+        self.pumped.copy_from_slice(&other.pumped);
     }
 
     /// Evaluates everything at the configuration `q`.
@@ -79,6 +83,9 @@ impl Kinematics {
                 self.lever[index] = pose.rotation * body.centre_of_gravity;
             }
             self.centre_of_gravity[index] = pose.position + self.lever[index];
+        }
+        for (pumped, force) in self.pumped.iter_mut().zip(&tree.forces) {
+            *pumped = force.content().map_or(0.0, |content| q[content.position]);
         }
     }
 

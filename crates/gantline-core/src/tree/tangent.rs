@@ -97,7 +97,7 @@ impl DynamicsTangent {
             self.sweep(&place, dof, &velocity);
             collect(&place, dof, &self.wrench, None, &mut self.velocity);
         }
-        for force in &tree.forces {
+        for force in 0..tree.forces.len() {
             self.add_force(&place, force);
         }
     }

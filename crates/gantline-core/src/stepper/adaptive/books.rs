@@ -72,8 +72,8 @@ impl Adaptive {
             }
             ledger.joint_damping += duration * system.tree.damping[dof] * velocity * velocity;
         }
-        for force in &system.tree.forces {
-            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, force.body());
+        for (index, force) in system.tree.forces.iter().enumerate() {
+            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, index);
             ledger.drag += duration * force.loss(&at);
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
@@ -140,10 +140,9 @@ impl Adaptive {
         {
             power -= body.mass * system.tree.gravity.dot(twist.at(*lever));
         }
-        for force in &system.tree.forces {
-            let body = force.body();
-            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, body);
-            power += force.energy_rate(&At { twist: self.defect[body], ..at });
+        for (index, force) in system.tree.forces.iter().enumerate() {
+            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, index);
+            power += force.energy_rate(&At { twist: self.defect[force.body()], ..at });
         }
         ledger.method -= duration * power;
         self.look_at_coils(system, duration);

@@ -143,7 +143,9 @@ impl Adaptive {
         }
         let probe = &self.probe;
         let tension = |row: usize| system.rope_tension(row, probe.tension[row], &probe.q);
-        state.plan.is_fulfilled(&system.plan, &Seen { support: &self.support, tension: &tension })
+        state
+            .plan
+            .is_fulfilled(&system.plan, &Seen { support: &self.support, tension: &tension, q: &probe.q })
     }
 
     /// The largest distance of a row from its law [N].

@@ -1,0 +1,95 @@
+"""`gantline ballast`: contents of tanks with which a vessel floats as it is wanted."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gantline.cli.lift import Lift, quantity_of
+from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
+
+
+def ballast(
+    lift: Lift,
+    at_time: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TIME",
+            help="Time of the plan at which it is wanted, such as '600 s'.  [default: the end of the lift]",
+        ),
+    ] = None,
+    step: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="In place of --at-time: a step of the plan, at its end."),
+    ] = None,
+    heel: Annotated[str, typer.Option(metavar="ANGLE", help="Wanted heel, to starboard positive.")] = "0 deg",
+    trim: Annotated[str, typer.Option(metavar="ANGLE", help="Wanted trim, by the stern positive.")] = "0 deg",
+    draft: Annotated[
+        str | None,
+        typer.Option(metavar="DRAFT", help="Wanted draft at half length, such as '4.4 m'.  [default: any]"),
+    ] = None,
+    tanks: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAMES", help="Tanks whose contents may change, such as 'row1.1,row1.2'.  [default: all]"
+        ),
+    ] = None,
+    vessel: Annotated[
+        str | None, typer.Option(metavar="NAME", help="The vessel, where several have tanks.")
+    ] = None,
+    write: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write the lift file with these contents to a new file."),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON, in SI units.")] = False,
+) -> None:
+    """Find contents of tanks with which a vessel floats as wanted at a moment of the plan.
+
+    Everything that hangs on the vessel then counts, exactly. Of all contents that do it those with the least
+    water moved are found, and how the vessel floats with them before the lift.
+
+    Even keel while the load hangs: gantline ballast mylift --step 'hold point 2'
+
+    With a draft, by two tanks: gantline ballast mylift --draft '4.4 m' --tanks row1,row2
+    """
+    moment = quantity_of("--at-time", at_time, "time")
+    angles = {"--heel": quantity_of("--heel", heel, "angle"), "--trim": quantity_of("--trim", trim, "angle")}
+    depth = quantity_of("--draft", draft, "length")
+    if depth is not None and depth <= 0.0:
+        stop(f"--draft: '{draft}' is no draft; more than 0 m is right")
+    chosen = None if tanks is None else [name.strip() for name in tanks.split(",") if name.strip()]
+    if write is not None and write.exists():
+        stop(f"--write: {write} is there already; a new file is needed")
+    with scenario_errors():
+        from gantline.statics import NoEquilibriumError
+        from gantline.study import CannotBeError, solve_ballast
+
+        try:
+            answer = solve_ballast(
+                lift,
+                vessel=vessel,
+                time=moment,
+                step=step,
+                heel=angles["--heel"] or 0.0,
+                trim=angles["--trim"] or 0.0,
+                draft=depth,
+                tanks=chosen,
+            )
+        except (NoEquilibriumError, CannotBeError) as problem:
+            stop(str(problem), COULD_NOT_GO_ON)
+        except ValueError as problem:
+            stop(str(problem))
+    if as_json:
+        typer.echo(json.dumps(answer.to_json(), indent=2, allow_nan=False))
+    else:
+        from gantline.cli.ballast_table import report
+
+        typer.echo("\n".join(report(answer)))
+    if write is not None:
+        with writing(write):
+            write.write_text(answer.text, encoding="utf-8")
+        typer.echo(f"\nLift file   {write}", err=as_json)
+    raise typer.Exit(DONE)

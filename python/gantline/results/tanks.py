@@ -1,0 +1,81 @@
+"""Contents of tanks over time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from gantline.results.rig import Rig
+from gantline.results.variable import FloatArray, Variable
+
+__all__ = ["pump_warnings", "tank_contents"]
+
+_Columns = Mapping[str, FloatArray]
+_Names = Mapping[str, Sequence[str]]
+
+#: Share of its capacity within which a tank is empty or full.
+_ROUNDING = 1e-9
+
+
+def tank_contents(
+    columns: _Columns, names: _Names, rig: Rig
+) -> tuple[_Columns, _Names, dict[str, Variable], dict[str, Sequence[str]]]:
+    """Contents of all tanks as a variable.
+
+    Args:
+        columns: columns of the core by name.
+        names: names along their dimensions.
+        rig: the lift.
+
+    Returns:
+        Columns and names without the joints that contents are for the core, `tank_content` where there are
+        tanks, and the names of these.
+    """
+    if not rig.tanks:
+        return columns, names, {}, {}
+    content = np.stack([_content(columns, names, tank.name, tank.content) for tank in rig.tanks], axis=1)
+    variable = Variable(("time", "tank"), content, "kg", "mass of the liquid in a tank")
+    pumped = {_joint(tank.name) for tank in rig.tanks}
+    kept = [place for place, joint in enumerate(names["joint"]) if joint not in pumped]
+    columns = {**columns, "joint_position": columns["joint_position"][:, kept]}
+    names = {**names, "joint": [names["joint"][place] for place in kept]}
+    return columns, names, {"tank_content": variable}, {"tank": [tank.name for tank in rig.tanks]}
+
+
+def pump_warnings(rig: Rig, columns: _Columns, names: _Names) -> list[str]:
+    """Steps whose pumps stopped since a tank was empty or full."""
+    warnings = []
+    events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+    for moment, kind, step in events:
+        if kind != "pump_stopped":
+            continue
+        after = min(int(np.searchsorted(columns["time"], moment)), len(columns["time"]) - 1)
+        states = []
+        for tank in rig.tanks:
+            content = _content(columns, names, tank.name, tank.content)[after] if after >= 0 else tank.content
+            if tank.name in _pumped_by(rig, step) and content <= _ROUNDING * tank.capacity:
+                states.append(f"{tank.name} is empty")
+            elif tank.name in _pumped_by(rig, step) and content >= (1 - _ROUNDING) * tank.capacity:
+                states.append(f"{tank.name} is full")
+        because = " and ".join(states) or "a tank is empty or full"
+        warnings.append(f"the pumps of '{step}' stop at {moment:.2f} s before it is done: {because}")
+    return warnings
+
+
+def _pumped_by(rig: Rig, step: str) -> set[str]:
+    return {tank for one in rig.plan if one.step == step for tank in one.tanks}
+
+
+def _content(columns: _Columns, names: _Names, tank: str, start: float) -> FloatArray:
+    """Mass in a tank (time,)."""
+    joints = list(names["joint"])
+    if _joint(tank) not in joints:
+        return np.full(len(columns["time"]), start)
+    pumped: FloatArray = columns["joint_position"][:, joints.index(_joint(tank))]
+    return start + pumped
+
+
+def _joint(tank: str) -> str:
+    """The joint that the content of a tank is for the core."""
+    return f"{tank}/content"

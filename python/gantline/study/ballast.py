@@ -1,0 +1,450 @@
+"""Contents of tanks with which a vessel floats as wanted at a moment of the plan, with least water moved.
+
+The equilibrium with everything that hangs on the vessel is found anew in each round. The sensitivities of its
+factorised tangent say how heel, trim and draft answer to a kilogram in each tank, and a linear programme
+finds the contents that do it with the least sum of changes (`docs/concepts/ballast.md`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.hydro import Hull
+from gantline.hydro.tank import Tank, free_surface_correction
+from gantline.results.rotation import axes
+from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.scenario.edit import text_with
+from gantline.scenario.errors import PathPart, nearest
+from gantline.scenario.hooks import full_name
+from gantline.scenario.tanks import bodies_afloat, sea_density
+from gantline.scenario.variants import with_values, without_cases
+from gantline.scenario.water import BallastTank, Water
+from gantline.statics import Equilibrium, NoEquilibriumError, Statics
+from gantline.study.moment import end_of_step
+from gantline.study.newton import CannotBeError
+from gantline.units import format_quantity, si_text
+
+__all__ = ["BallastAnswer", "VesselAttitude", "solve_ballast"]
+
+Floats = npt.NDArray[np.float64]
+
+#: What may be left of heel and trim [rad] and of draft [m].
+_LEFT = 1e-7
+_DRAFT_LEFT = 1e-6
+#: Rounds, at most.
+_ROUNDS = 30
+#: A step is halved this often before it is given up.
+_HALVINGS = 8
+#: A metre of draft counts like so many radians where not all of what is wanted can be had [1/m].
+_DRAFT_COUNTS = 0.1
+#: A tank may be over its ends by rounding, a share of its capacity.
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class VesselAttitude:
+    """How a vessel floats.
+
+    Attributes:
+        heel: To starboard positive [rad].
+        trim: By the stern positive [rad].
+        draft: At half its length in the centre plane, along its own z [m].
+    """
+
+    heel: float
+    trim: float
+    draft: float
+
+
+@dataclass(frozen=True)
+class BallastAnswer:
+    """Contents of tanks with which a vessel floats as wanted.
+
+    Attributes:
+        vessel: Its name.
+        time: The moment [s].
+        given: Content of each tank at the start in the lift file [kg].
+        contents: The same as found [kg].
+        contents_then: What is in the tanks at the moment, with what the plan has pumped until then [kg].
+        moved: Sum of the changes' sizes [kg].
+        attitude_given: At the moment with the contents that the lift file gives.
+        attitude: At the moment with those found.
+        attitude_before: At the start of the lift with those found.
+        displacement: Mass of the water displaced at the moment [kg].
+        gm: How the vessel with all that hangs on it resists heel and trim then, as metacentric heights [m].
+        free_surface: What the free surfaces of its tanks take from them [m].
+        after: The equilibrium at the moment.
+        rounds: Rounds of the search.
+        scenario: The lift file with the contents found.
+    """
+
+    vessel: str
+    time: float
+    given: Mapping[str, float]
+    contents: Mapping[str, float]
+    contents_then: Mapping[str, float]
+    moved: float
+    attitude_given: VesselAttitude
+    attitude: VesselAttitude
+    attitude_before: VesselAttitude
+    displacement: float
+    gm: tuple[float, float]
+    free_surface: tuple[float, float]
+    after: Equilibrium
+    rounds: int
+    scenario: Scenario
+
+    @property
+    def sea_water(self) -> float:
+        """What comes from the sea, all in all [kg]; negative where it goes there."""
+        return math.fsum(self.contents[tank] - self.given[tank] for tank in self.contents)
+
+    @property
+    def text(self) -> str:
+        """The lift file with the contents found; what did not change stays as it was written."""
+        where = _path(self.scenario, self.vessel)
+        changed: dict[tuple[PathPart, ...], str] = {
+            (*where, "tanks", tank, "content"): _written(content)
+            for tank, content in self.contents.items()
+            if content != self.given[tank]
+        }
+        return text_with(self.scenario.text, changed)
+
+    def to_json(self) -> dict[str, object]:
+        """All of it as a JSON object, SI units."""
+        return {
+            "vessel": self.vessel,
+            "time": self.time,
+            "given": dict(self.given),
+            "contents": dict(self.contents),
+            "contents_then": dict(self.contents_then),
+            "moved": self.moved,
+            "sea_water": self.sea_water,
+            "attitude_given": vars(self.attitude_given),
+            "attitude": vars(self.attitude),
+            "attitude_before": vars(self.attitude_before),
+            "displacement": self.displacement,
+            "gm": list(self.gm),
+            "free_surface": list(self.free_surface),
+        }
+
+
+def solve_ballast(
+    lift: str | Path | Scenario,
+    *,
+    vessel: str | None = None,
+    time: float | None = None,
+    step: str | None = None,
+    heel: float = 0.0,
+    trim: float = 0.0,
+    draft: float | None = None,
+    tanks: Sequence[str] | None = None,
+) -> BallastAnswer:
+    """Contents of tanks with which a vessel floats as wanted, with the least water moved.
+
+    Args:
+        lift: A lift file, its folder, or a loaded scenario.
+        vessel: The vessel; may be left out where only one has tanks.
+        time: Time of the plan [s]; None for the end of the lift.
+        step: In place of a time a step of the plan, at its end.
+        heel: Wanted heel, to starboard positive [rad].
+        trim: Wanted trim, by the stern positive [rad].
+        draft: Wanted draft at half length [m]; None for any.
+        tanks: Tanks whose contents may change; all of the vessel if not given.
+
+    Raises:
+        CannotBeError: If it cannot be had, or the vessel would not be stable so, with the reason.
+        NoEquilibriumError: If the lift as it is given has no equilibrium.
+        ScenarioError: If the lift file is not right.
+        ValueError: If a vessel, a step or a tank is asked for that there is not, or an angle is none.
+    """
+    scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
+    if max(abs(heel), abs(trim)) >= math.pi / 4:
+        raise ValueError("heel and trim are less than 45 deg")
+    name = _vessel(scenario, vessel)
+    search = _Search(scenario, name, _chosen(scenario, name, tanks), _moment(scenario, time, step))
+    wanted = {"heel": heel, "trim": trim} | ({} if draft is None else {"draft": draft})
+    first = search.now
+    rounds = search.run(wanted)
+    return search.answer(first, rounds)
+
+
+def _vessel(scenario: Scenario, name: str | None) -> str:
+    fitting = [one for one, body in bodies_afloat(scenario).items() if body.floats_freely and body.tanks]
+    if name is not None:
+        if name not in fitting:
+            raise ValueError(f"'{name}' is not a vessel with tanks; {nearest(name, fitting)}")
+        return name
+    if not fitting:
+        raise ValueError("no vessel with tanks floats in this lift; give one 'tanks'")
+    if len(fitting) > 1:
+        raise ValueError(f"{', '.join(fitting)} have tanks; say which of them is meant")
+    return fitting[0]
+
+
+def _chosen(scenario: Scenario, vessel: str, tanks: Sequence[str] | None) -> list[str]:
+    """Names of the tanks that may change, as the vessel has them."""
+    own = bodies_afloat(scenario)[vessel].tanks or {}
+    if tanks is None:
+        return list(own)
+    known = {f"{vessel}.{tank}": tank for tank in own}
+    found = []
+    for text in tanks:
+        full = full_name(text, known)
+        if full is None:
+            raise ValueError(f"'{text}' is not a tank of {vessel}; {nearest(text, own)}")
+        found.append(known[full])
+    if not found:
+        raise ValueError("no tank may change; name one at least")
+    return list(dict.fromkeys(found))
+
+
+def _moment(scenario: Scenario, time: float | None, step: str | None) -> float:
+    if step is None:
+        moment = scenario.duration if time is None else time
+        if not 0.0 <= moment <= scenario.duration:
+            raise ValueError(f"{moment:g} s is not in the lift, which lasts {scenario.duration:g} s")
+        return moment
+    if time is not None:
+        raise ValueError("a time and a step are given; one of them says when")
+    steps = [one.step for one in scenario.plan]
+    if steps.count(step) != 1:
+        if step in steps:
+            raise ValueError(f"'{step}' is the name of {steps.count(step)} steps; one is needed")
+        raise ValueError(f"'{step}' is not a step of the plan; {nearest(step, steps)}")
+    end = end_of_step(scenario, step)
+    if end is None:
+        raise ValueError(f"'{step}' does not begin within the {scenario.duration:g} s of the lift")
+    return end
+
+
+class _Afloat:
+    """The vessel at rest with some contents."""
+
+    def __init__(self, scenario: Scenario, vessel: str, time: float) -> None:
+        self.scenario, self.vessel = scenario, vessel
+        self.question = Statics(scenario)
+        self.rest = self.question.equilibrium(time)
+        body = next(one for one in self.question.assembly.document["bodies"] if one["name"] == vessel)
+        self.mass, self.centre = float(body["mass"]), np.array(body["centre_of_gravity"])
+        hull = bodies_afloat(scenario)[vessel].hull
+        assert hull is not None  # it floats
+        self._middle = hull.bottom[0]
+        self._level = (scenario.water or Water()).level
+        self.turn = axes(self.rest.recording.column("body_orientation", vessel)[-1])
+        self.attitude = self._attitude()
+
+    def content(self, tank: str) -> float:
+        """What is in a tank at the moment [kg]."""
+        return float(self.rest.recording.column("tank_content", f"{self.vessel}.{tank}")[-1])
+
+    def _attitude(self) -> VesselAttitude:
+        origin = self._origin()
+        trim = math.asin(self.turn[2, 0])
+        heel = math.atan2(self.turn[2, 1], self.turn[2, 2])
+        draft = (self._level - origin[2] - self.turn[2, 0] * self._middle) / self.turn[2, 2]
+        return VesselAttitude(heel, trim, float(draft))
+
+    def _origin(self) -> Floats:
+        centre = self.rest.recording.column("body_position", self.vessel)[-1]
+        origin: Floats = centre - self.turn @ self.centre
+        return origin
+
+    def displacement(self) -> float:
+        """Mass of the water displaced [kg]."""
+        name = f"{self.vessel}.hull"
+        force = next(one for one in self.question.assembly.document["forces"] if one["name"] == name)
+        hull = Hull(name, force["vertices"], force["triangles"])
+        below = hull.below(self.turn[2], float(self._origin()[2] - self._level))
+        return float(below["volume"]) * sea_density(self.scenario)
+
+    def slopes(self) -> dict[str, Floats]:
+        """How heel, trim [rad] and draft [m] answer to mass of the vessel, shape (4,) each.
+
+        To a kilogram more at its centre of gravity, and to moments about that of 1 kg m along its axes.
+        """
+        kinds = ("mass", "centre_x", "centre_y", "centre_z")
+        found = self.question.sensitivities([(kind, self.vessel) for kind in kinds])
+        motion = np.array([one.of_body(self.vessel) for one in found])
+        motion[1:] /= self.mass
+        x, y, z = self.turn.T
+        turned = [np.cross(motion[:, 3:], axis)[:, 2] for axis in (x, y, z)]
+        heel = (z[2] * turned[1] - y[2] * turned[2]) / (y[2] ** 2 + z[2] ** 2)
+        trim = turned[0] / math.cos(self.attitude.trim)
+        # The point of the vessel in which draft is read stays in the surface.
+        arm = self.turn @ (np.array([self._middle, 0.0, self.attitude.draft]) - self.centre)
+        draft = -(motion[:, 2] + np.cross(motion[:, 3:], arm)[:, 2]) / z[2]
+        return {"heel": heel, "trim": trim, "draft": draft}
+
+    def metacentric_heights(self) -> tuple[float, float]:
+        """Moment that resists a small heel and a small trim, over displaced weight [m]."""
+        slopes, displaced = self.slopes(), self.displacement()
+        heights = (-1.0 / (displaced * float(slopes[key][axis])) for key, axis in (("heel", 2), ("trim", 1)))
+        transverse, longitudinal = heights
+        return transverse, longitudinal
+
+
+class _Search:
+    """Rounds of equilibrium and linear programme."""
+
+    def __init__(self, scenario: Scenario, vessel: str, tanks: Sequence[str], time: float) -> None:
+        self._scenario, self._vessel, self._time = scenario, vessel, time
+        self._tanks = list(tanks)
+        bodies = bodies_afloat(scenario)
+        self._all: Mapping[str, BallastTank] = bodies[vessel].tanks or {}
+        given = [self._all[tank].content for tank in self._tanks]
+        self._given: Floats = np.array(given)
+        self._contents = self._given
+        self.now = _Afloat(scenario, vessel, time)
+
+    def run(self, wanted: Mapping[str, float]) -> int:
+        """Find contents with which the vessel floats as wanted; returns the rounds that it took."""
+        for found in range(_ROUNDS):
+            missing = self._missing(wanted)
+            if all(abs(missing[key]) <= (_DRAFT_LEFT if key == "draft" else _LEFT) for key in wanted):
+                self._refuse_unsound()
+                return found
+            target, reached = self._programme(missing)
+            if not reached and float(np.abs(target - self._contents).max()) <= 1.0:
+                raise CannotBeError(self._short_of(wanted))
+            self._step(target)
+        raise CannotBeError(f"no answer in {_ROUNDS} rounds; {self._short_of(wanted)}")
+
+    def _missing(self, wanted: Mapping[str, float]) -> dict[str, float]:
+        return {key: value - float(getattr(self.now.attitude, key)) for key, value in wanted.items()}
+
+    def _programme(self, missing: Mapping[str, float]) -> tuple[Floats, bool]:
+        """Contents that do it to first order with the least sum of changes.
+
+        Those that come nearest, and False, where none do.
+        """
+        from scipy.optimize import linprog  # takes half a second to load
+
+        slopes = self.now.slopes()
+        places = np.array([self._place(tank) - self.now.centre for tank in self._tanks])
+        slope = np.array([slopes[key][0] + places @ slopes[key][1:] for key in missing])
+        scale = np.array([_DRAFT_COUNTS if key == "draft" else 1.0 for key in missing])
+        slope = slope * scale[:, None]
+        right = scale * np.array(list(missing.values())) + slope @ (self._contents - self._given)
+        # A tank holds what it has at the start and what the plan pumps until the moment.
+        pumped = np.array([self.now.content(tank) for tank in self._tanks]) - self._contents
+        capacity = np.array([self._all[tank].capacity for tank in self._tanks])
+        least = np.maximum(0.0, -pumped) - self._given
+        most = np.minimum(capacity, capacity - pumped) - self._given
+        # Changes as more and less, in parts of the largest tank and of what a full one does.
+        unit, effect = float(capacity.max()), float(np.abs(slope).max() * capacity.max()) or 1.0
+        both = np.hstack([slope, -slope]) * (unit / effect)
+        ends = [(0.0, max(0.0, end) / unit) for end in (*most, *-least)]
+        changes = len(ends)
+        found = linprog(np.ones(changes), A_eq=both, b_eq=right / effect, bounds=ends)
+        reached = bool(found.success)
+        if not reached:
+            rest = np.eye(len(right))
+            cost = np.concatenate([np.zeros(changes), np.ones(2 * len(right))])
+            within = [*ends, *[(0.0, None)] * (2 * len(right))]
+            equations = np.hstack([both, rest, -rest])
+            found = linprog(cost, A_eq=equations, b_eq=right / effect, bounds=within)
+            if not found.success:
+                raise CannotBeError(f"the linear programme has no answer ({found.message})")
+        more, less = np.split(np.asarray(found.x)[:changes], 2)
+        target: Floats = np.clip(self._given + (more - less) * unit, 0.0, capacity)
+        return target, reached
+
+    def _place(self, tank: str) -> Floats:
+        """Where the next drop in a tank goes, in the vessel's axes [m]."""
+        one, (x, y, z) = self._all[tank], self._all[tank].bottom
+        return np.array([x, y, z + one.box[2] * self.now.content(tank) / one.capacity])
+
+    def _step(self, target: Floats) -> None:
+        """To these contents, or as far towards them as the vessel floats."""
+        cause = ""
+        for halving in range(_HALVINGS):
+            contents = self._contents + (target - self._contents) * 0.5**halving
+            try:
+                self.now = _Afloat(self._with(contents), self._vessel, self._time)
+            except NoEquilibriumError as problem:
+                cause = f"{problem.cause} ({problem.element})"
+                continue
+            except ScenarioError as problem:
+                cause = problem.problems[0].sentence
+                continue
+            self._contents = contents
+            return
+        raise CannotBeError(f"with such contents {cause}")
+
+    def _with(self, contents: Floats) -> Scenario:
+        where = ".".join(_path(self._scenario, self._vessel))
+        texts = {
+            f"{where}.tanks.{tank}.content": si_text(float(content), "mass")
+            for tank, content in zip(self._tanks, contents, strict=True)
+        }
+        return with_values(self._scenario, texts)
+
+    def _short_of(self, wanted: Mapping[str, float]) -> str:
+        """What the tanks come to, and by how much that misses what is wanted."""
+        units = {"heel": ("deg", 3), "trim": ("deg", 3), "draft": ("m", 3)}
+        parts = []
+        for key, more in self._missing(wanted).items():
+            unit, digits = units[key]
+            reached = format_quantity(float(getattr(self.now.attitude, key)), unit, digits)
+            parts.append(f"{key} {reached}, {format_quantity(abs(more), unit, digits)} off")
+        return f"the tanks cannot do it; the nearest that they come to is {'; '.join(parts)}"
+
+    def _refuse_unsound(self) -> None:
+        """Contents with which the vessel, or what hangs on it, would not stay so."""
+        heights = self.now.metacentric_heights()
+        taken = self._free_surface()
+        for height, effect, way in zip(heights, taken, ("heel", "trim"), strict=True):
+            if height <= 0.0:
+                sentence = f"with these contents GM for {way} is {height:.2f} m, so that it would capsize"
+                raise CannotBeError(f"{sentence}; free surfaces of its tanks take {effect:.2f} m of it")
+        if not self.now.rest.is_stable:
+            raise CannotBeError("with these contents it floats as wanted, but it is unstable")
+
+    def _free_surface(self) -> tuple[float, float]:
+        slack = [
+            Tank(tank.box[0], tank.box[1], tank.density)
+            for name, tank in self._all.items()
+            if _ROUNDING < self.now.content(name) / tank.capacity < 1.0 - _ROUNDING
+        ]
+        return free_surface_correction(slack, self.now.displacement())
+
+    def answer(self, first: _Afloat, rounds: int) -> BallastAnswer:
+        """What has been found."""
+        now = self.now
+        contents = {name: tank.content for name, tank in self._all.items()}
+        contents |= dict(zip(self._tanks, self._contents.tolist(), strict=True))
+        start = now if self._time == 0.0 else _Afloat(now.scenario, self._vessel, 0.0)
+        return BallastAnswer(
+            vessel=self._vessel,
+            time=self._time,
+            given={name: tank.content for name, tank in self._all.items()},
+            contents=contents,
+            contents_then={name: now.content(name) for name in self._all},
+            moved=float(np.abs(self._contents - self._given).sum()),
+            attitude_given=first.attitude,
+            attitude=now.attitude,
+            attitude_before=start.attitude,
+            displacement=now.displacement(),
+            gm=now.metacentric_heights(),
+            free_surface=self._free_surface(),
+            after=now.rest,
+            rounds=rounds,
+            scenario=now.scenario,
+        )
+
+
+def _path(scenario: Scenario, vessel: str) -> tuple[str, ...]:
+    """Where a vessel stands in the lift file."""
+    return ("vessels", vessel) if vessel in (scenario.vessels or {}) else ("mechanics", "bodies", vessel)
+
+
+def _written(content: float) -> str:
+    """A content as a yard writes it, to the kilogram."""
+    return f"{content / 1e3:.3f} t"
