@@ -1,4 +1,4 @@
-//! Forces of the water on bodies.
+//! Forces of water and wind on bodies.
 
 use glam::DVec3;
 
@@ -79,8 +79,9 @@ fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
                 matrix: built,
             })
         }
-        ForceSpec::Drag { body, at, damping, quadratic, .. } => {
+        ForceSpec::Drag { body, at, damping, quadratic, stream, .. } => {
             finite(name, "its point", at)?;
+            finite(name, "the velocity of its fluid", stream)?;
             check_matrix(name, "its damping", damping)?;
             if let Some(value) = quadratic.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
                 return error(name, format!("a quadratic resistance is {value}; it must be zero or more"));
@@ -92,6 +93,7 @@ fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
                 damping: Square::from_rows(damping),
                 linear: DVec3::from_slice(&quadratic[..3]),
                 angular: DVec3::from_slice(&quadratic[3..]),
+                stream: DVec3::from_array(*stream),
             })
         }
     })

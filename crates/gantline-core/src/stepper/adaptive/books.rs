@@ -75,6 +75,7 @@ impl Adaptive {
         for force in &system.tree.forces {
             let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, force.body());
             ledger.drag += duration * force.loss(&at);
+            ledger.fluid_work += duration * force.work(&at);
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
