@@ -17,6 +17,7 @@ from gantline.assembly.plain import add_mechanics
 from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
 from gantline.assembly.supports import add_supports, removals
+from gantline.assembly.vessels import add_vessels
 from gantline.assembly.water import add_water
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Scenario, resolve
@@ -67,6 +68,7 @@ def assemble(scenario: Scenario) -> Assembly:
     """
     rigging = resolve(scenario)
     parts = Parts()
+    add_vessels(parts, scenario)
     add_goliaths(parts, scenario)
     add_hooks(parts, scenario, rigging)
     pins = pins_of(scenario, rigging)

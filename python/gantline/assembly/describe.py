@@ -19,6 +19,7 @@ from gantline.assembly.shapes import members, watch_name
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
+from gantline.assembly.vessels import hull_shape
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.check_goliath import crane_bodies
@@ -420,6 +421,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         kind = "body"
     elif name in crane_bodies(scenario.cranes or {}):
         shape = crane_shape(scenario, name)
+    elif name in (scenario.vessels or {}):
+        kind, shape = "vessel", hull_shape((scenario.vessels or {})[name])
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:

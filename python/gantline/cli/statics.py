@@ -247,7 +247,7 @@ def _ropes(rest: Equilibrium) -> list[str]:
     from gantline.cli.table import table
 
     slings = {sling.rope for sling in rest.recording.rig.slings}
-    names = [name for name in rest.recording.coordinates["rope"] if name not in slings]
+    names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in slings]
     rows = [(name, show(rest.tension(name), "kN", 3)) for name in names]
     return table(("Rope", "tension"), rows, "lr") if rows else []
 
