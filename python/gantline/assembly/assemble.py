@@ -16,6 +16,7 @@ from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
 from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
+from gantline.assembly.streams import add_streams
 from gantline.assembly.supports import add_supports, removals
 from gantline.assembly.vessels import add_vessels
 from gantline.assembly.water import add_water
@@ -82,6 +83,7 @@ def assemble(scenario: Scenario) -> Assembly:
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
+    add_streams(parts, scenario, lifted)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
     rest_on_girders(parts, scenario)
@@ -102,7 +104,7 @@ def assemble(scenario: Scenario) -> Assembly:
         settings=_settings(scenario),
         rig=rig(scenario, rigging, lifted, parts),
         scene=scene(scenario, rigging, lifted, parts),
-        warnings=() if lifted is None else lifted.body.warnings,
+        warnings=(*(() if lifted is None else lifted.body.warnings), *parts.warnings),
     )
 
 

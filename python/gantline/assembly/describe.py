@@ -11,6 +11,7 @@ import numpy as np
 from gantline.assembly.catenary import end_mass
 from gantline.assembly.checked import bends, limits_and_rules, ratings
 from gantline.assembly.goliath import crane_rig, crane_shape
+from gantline.assembly.hulls import hull_mesh, hull_shape
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -19,7 +20,7 @@ from gantline.assembly.shapes import members, watch_name
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
-from gantline.assembly.vessels import hull_shape
+from gantline.assembly.vessels import vessel_shape
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.check_goliath import crane_bodies
@@ -422,11 +423,14 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif name in crane_bodies(scenario.cranes or {}):
         shape = crane_shape(scenario, name)
     elif name in (scenario.vessels or {}):
-        kind, shape = "vessel", hull_shape((scenario.vessels or {})[name])
+        kind, shape = "vessel", vessel_shape(scenario, name)
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:
         shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
+    elif plain.hull is not None and plain.hull.mesh is not None:
+        hull = hull_mesh(scenario, name, plain)
+        shape = None if hull is None else hull_shape(hull)
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.hulls import afloat_path, box_mesh, hull_mesh
+from gantline.assembly.parts import Parts
 from gantline.assembly.spatial import inertia_list, inertia_matrix
+from gantline.assembly.water_matrix import water_matrix
 from gantline.scenario import Scenario
-from gantline.scenario.water import Afloat, BallastTank, Water
+from gantline.scenario.water import Afloat, BallastTank, OfWater, Water
 
 __all__ = ["add_water", "bodies_afloat"]
 
@@ -21,29 +21,37 @@ def bodies_afloat(scenario: Scenario) -> dict[str, Afloat]:
 
 
 def add_water(parts: Parts, scenario: Scenario) -> None:
-    """Add what water does to bodies; these are there, with their masses."""
+    """Add what water does to bodies; these are there, with their masses.
+
+    Raises:
+        ScenarioError: if the file of a hull or a hydrodynamic database cannot be used.
+    """
     water = scenario.water or Water()
     for name, body in bodies_afloat(scenario).items():
         for tank_name, tank in (body.tanks or {}).items():
             _fill(parts, name, f"{name}.{tank_name}", tank)
-        parts.forces += _around(name, body, water)
+        _around(parts, scenario, name, body, water)
 
 
-def _around(name: str, body: Afloat, water: Water) -> list[Json]:
-    found: list[Json] = []
-    if body.hull is not None:
-        mesh = _box(body.hull.box, body.hull.bottom)
+def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Water) -> None:
+    hull = hull_mesh(scenario, name, body)
+    if hull is not None:
         surface = {"density": water.density, "level": water.level}
-        found.append({"type": "buoyancy", "name": f"{name}.hull", "body": name, **mesh, **surface})
-    if body.added_mass is not None:
-        matrix = np.diag(body.added_mass.diagonal).tolist()
-        point = {"at": list(body.added_mass.at), "matrix": matrix}
-        found.append({"type": "added_mass", "name": f"{name}.added_mass", "body": name, **point})
-    if body.water_damping is not None:
-        damping = np.diag(body.water_damping.diagonal).tolist()
-        point = {"at": list(body.water_damping.at), "damping": damping, "quadratic": [0.0] * 6}
-        found.append({"type": "drag", "name": f"{name}.water_damping", "body": name, **point})
-    return found
+        parts.warnings += hull.doubts
+        parts.forces.append(
+            {"type": "buoyancy", "name": f"{name}.hull", "body": name, **hull.document, **surface}
+        )
+    for key in ("added_mass", "water_damping"):
+        given: OfWater | None = getattr(body, key)
+        if given is None:
+            continue
+        matrix, doubts = water_matrix(scenario, (*afloat_path(scenario, name), key), given, water.density)
+        parts.warnings += [f"{key} of {name}: {doubt}" for doubt in doubts]
+        force = {"name": f"{name}.{key}", "body": name, "at": list(given.at)}
+        if key == "added_mass":
+            parts.forces.append({"type": "added_mass", **force, "matrix": matrix})
+        else:
+            parts.forces.append({"type": "drag", **force, "damping": matrix, "quadratic": [0.0] * 6})
 
 
 def _fill(parts: Parts, body: str, name: str, tank: BallastTank) -> None:
@@ -58,20 +66,6 @@ def _fill(parts: Parts, body: str, name: str, tank: BallastTank) -> None:
     given = parts.bodies[body]
     given["inertia"] = inertia_list(inertia_matrix(given["inertia"]) + own)
     if tank.is_slack:
-        mesh = _box(tank.box, tank.bottom)
+        mesh = box_mesh(tank.box, tank.bottom).document
         liquid = {"density": tank.density, "volume": tank.content / tank.density}
         parts.forces.append({"type": "tank", "name": name, "body": body, **mesh, **liquid})
-
-
-def _box(size: Sequence[float], bottom: Sequence[float]) -> Json:
-    """A box over the middle of its bottom: vertices and triangles, counter-clockwise from outside."""
-    (length, breadth, depth), (x, y, z) = size, bottom
-    vertices = [
-        [x + i * length, y + j * breadth, z + k * depth]
-        for i in (-0.5, 0.5)
-        for j in (-0.5, 0.5)
-        for k in (0, 1)
-    ]
-    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    triangles = [triangle for a, b, c, d in faces for triangle in ([a, b, c], [a, c, d])]
-    return {"vertices": vertices, "triangles": triangles}

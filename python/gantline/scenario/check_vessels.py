@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.mechanics import BodyInertia
-from gantline.scenario.vessel import Vessel
+from gantline.scenario.stream import StreamArea
 from gantline.scenario.water import Afloat
 
-__all__ = ["check_afloat", "check_inertia", "check_vessels"]
+__all__ = ["check_afloat", "check_areas", "check_inertia", "check_vessels"]
 
 _ROUNDING = 1 + 1e-9
 
@@ -18,14 +20,23 @@ def check_vessels(findings: Findings) -> None:
         path: Path = ("vessels", name)
         check_afloat(findings, path, vessel)
         check_inertia(findings, path, vessel.own_inertia, is_free=True)
-        _check_draft(findings, path, vessel)
 
 
 def check_afloat(findings: Findings, path: Path, body: Afloat) -> None:
-    """Note a hull or tanks where nothing weighs anything."""
+    """Note a hull or tanks where nothing weighs anything, and areas in wind that comes from nowhere."""
+    check_areas(findings, path, body.wind_areas)
     for key in ("hull", "tanks"):
         if getattr(body, key) is not None and findings.scenario.simulation.gravity == 0:
             findings.add((*path, key), "gravity is zero; water needs gravity above zero")
+
+
+def check_areas(findings: Findings, path: Path, areas: Mapping[str, StreamArea] | None) -> None:
+    """Note areas in wind that has no direction."""
+    wind = findings.scenario.wind
+    if areas and isinstance(wind, float) and wind > 0:
+        sentence = "the 'wind' of this lift is a speed alone and pushes nothing"
+        right = f"write 'wind: {{speed: {wind:g} m/s, direction: 0 deg}}', or leave the areas out"
+        findings.add((*path, "wind_areas"), f"{sentence}; {right}")
 
 
 def check_inertia(findings: Findings, path: Path, inertia: BodyInertia, *, is_free: bool) -> None:
@@ -41,10 +52,3 @@ def check_inertia(findings: Findings, path: Path, inertia: BodyInertia, *, is_fr
     ):
         sentence = "no body has such an inertia; each of xx, yy, zz is at most the sum of the other two"
         findings.add((*path, "inertia"), f"{sentence}, and products are small")
-
-
-def _check_draft(findings: Findings, path: Path, vessel: Vessel) -> None:
-    depth = vessel.hull.bottom[2] + vessel.hull.box[2]
-    if vessel.draft >= depth:
-        sentence = f"{vessel.draft:g} m is no less than the depth of the hull, {depth:g} m"
-        findings.add((*path, "draft"), f"{sentence}; a vessel floats with its deck dry")
