@@ -58,7 +58,7 @@ def test_drafts_are_chosen_where_none_are_given() -> None:
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     [
-        (["nowhere.stl"], "nowhere.stl: it cannot be read"),
+        (["nowhere.stl"], "nowhere.stl: cannot be read (no such file"),
         (["box:100m,30m,8m", "--drafts", "9 m"], "is under water with all of it; it reaches from 0 to 8 m"),
         (["box:100m,30m,8m", "--drafts", "-1 m"], "is out of the water"),
         (["box:100m,30m,8m", "--drafts", "4"], "--drafts: '4' has no unit"),

@@ -203,7 +203,13 @@ def test_glb_is_in_metres_with_y_up(tmp_path: Path) -> None:
         ("a.stl.gz", gzip.compress(b"solid x" * 99)[:-20], "cannot be read"),
         ("a.stl.gz", b"no gzip at all", "cannot be read"),
         ("a.obj", "v 1 2 3\nf 1 2 3\n", "it is no OBJ file, or a broken one"),
-        ("a.obj", "hello\n", "OBJ file"),
+        ("a.stl", text_stl(box((1, 1, 1))).replace("0.5", "one", 1), "a corner in it is no three numbers"),
+        ("a.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\nendsolid\n", "no three corners"),
+        ("a.obj", "hello\n", "there are no triangles in this OBJ file"),
+        ("a.obj", "v 0 0 0\nv 1 x 0\n", "line 2, 'v 1 x 0'"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3, 'f 1 2'"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "line 4, 'f 1 2 0'"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "line 4, 'f 1 2 -4'"),
         ("a.glb", glb(box((1, 1, 1)), (0, 0, 0))[:200], "it is no GLB file, or a broken one"),
         ("a.glb", b"glTF" + bytes(40), "it is no GLB file, or a broken one"),
         ("a.gltf", "{", "it is no glTF file, or a broken one"),
@@ -328,7 +334,9 @@ def test_without_the_extra_one_sentence_says_how_to_install(
 ) -> None:
     monkeypatch.setitem(sys.modules, "trimesh", None)
     with pytest.raises(CadError, match=r"needs trimesh; install it with: pip install 'gantline\[cad\]'"):
-        read(tmp_path / "a.stl", binary_stl(box((1, 1, 1))))
+        read(tmp_path / "a.glb", glb(box((1, 1, 1)), (0, 0, 0)))
+    for name, content in (("a.stl", text_stl(box((1, 1, 1)))), ("a.obj", obj(box((1, 1, 1))))):
+        assert read(tmp_path / name, content).properties.mass == pytest.approx(7850)  # the base install reads it
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     with pytest.raises(
         CadError, match=r"needs Open CASCADE .*; install it with: pip install 'gantline\[cad\]'"

@@ -60,6 +60,9 @@ def test_every_kind_of_file_gives_the_same_hull(name: str, data: bytes, tmp_path
     assert hull.closure.volume == pytest.approx(120.0, rel=1e-6)
     assert len(hull.mesh[0]) == 8, "vertices in one place are one"
     assert read_hull(path, "mm").closure.volume == pytest.approx(120e-9, rel=1e-6)
+    # y up in the file: x stays, −z of it points to port.
+    low, high = read_hull(path, up="y").box
+    assert (low.tolist(), high.tolist()) == ([0.0, -3.0, -2.0], [10.0, 0.0, 2.0])
 
 
 def test_a_polygon_becomes_triangles(tmp_path: Path) -> None:
@@ -81,16 +84,19 @@ def test_a_box_in_words() -> None:
         ("box:100m,30m", None, "is no box; it would be right as box:100m,30m,8m"),
         ("box:100,30m,8m", None, "'100' has no unit"),
         ("box:100m,30m,0m", None, "three above zero are needed"),
-        ("nowhere.stl", None, "it cannot be read: No such file"),
-        ("hull.step", b"", "comes from an STL or OBJ file, not from '.step'"),
-        ("hull.stl", b"ISO-10303-21", "this is no STL file"),
-        ("hull.stl", b"solid\nvertex 0 0 0\nvertex 1 0 0\n", "no three corners"),
-        ("hull.stl", b"solid nothing", "there are no triangles"),
-        ("hull.stl.gz", b"solid", "it cannot be read"),
-        ("hull.obj", b"v 0 0 0\nv 1 x 0\n", "hull.obj:2: 'v 1 x 0' is no line of an OBJ file"),
-        ("hull.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "names a vertex that does not exist"),
+        ("nowhere.stl", None, "cannot be read (no such file"),
+        ("hull.doc", b"x", "is no CAD file that can be read; these can"),
+        ("hull.step", b"x", "it is no STEP file"),
+        ("hull.xml", b"<ocxXML/>", "an OCX file has plates and no surface of the whole"),
+        ("hull.stl", b"ISO-10303-21", "it is no STL file"),
+        ("hull.stl", b"solid\nvertex 0 0 0\nvertex 1 0 0\nendsolid", "no three corners"),
+        ("hull.stl", b"solid nothing endsolid", "there are no triangles"),
+        ("hull.stl", b"solid nothing", "it does not end on 'endsolid'"),
+        ("hull.stl.gz", b"solid", "cannot be read"),
+        ("hull.obj", b"v 0 0 0\nv 1 x 0\n", "line 2, 'v 1 x 0'"),
+        ("hull.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "names vertex 3, but there are 3 vertices"),
         ("hull.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "enclose no volume"),
-        ("hull.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "enclose nothing"),
+        ("hull.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "not a finite number"),
     ],
 )
 def test_what_is_no_hull_is_refused(given: str, content: bytes | None, problem: str, tmp_path: Path) -> None:

@@ -1,7 +1,7 @@
 //! Energy by kind, and what is left over.
 //!
 //! ```text
-//! kinetic + gravity + elastic + fluid − (at the start) = drive work − losses + remainder
+//! kinetic + gravity + elastic + fluid − (at the start) = drive work + fluid work − losses + remainder
 //! ```
 //!
 //! Every loss is computed by its own formula, the method's dissipation too; only the remainder is a
@@ -10,17 +10,19 @@
 use serde::{Deserialize, Serialize};
 
 use crate::constraint::Law;
+use crate::force;
 use crate::solver::complementarity::Mode;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 
 /// Names of the energy kinds, in the order of [`Ledger::values`].
-pub const KINDS: [&str; 15] = [
+pub const KINDS: [&str; 16] = [
     "kinetic",
     "gravity",
     "elastic",
     "fluid",
     "drive_work",
+    "fluid_work",
     "rope_damping",
     "joint_damping",
     "contact_damping",
@@ -41,13 +43,16 @@ const ROUNDING: f64 = 1e-12;
 pub struct Flows {
     /// Work of the drives on the system.
     pub drive_work: f64,
+    /// Work of wind and current on the system.
+    #[serde(default)]
+    pub fluid_work: f64,
     /// Lost in rope dampers.
     pub rope_damping: f64,
     /// Lost in joint dampers.
     pub joint_damping: f64,
     /// Lost in contact dampers.
     pub contact_damping: f64,
-    /// Lost to the water.
+    /// Lost to water and air.
     #[serde(default)]
     pub drag: f64,
     /// Lost in sliding contacts.
@@ -65,6 +70,7 @@ pub struct Flows {
 impl std::ops::AddAssign for Flows {
     fn add_assign(&mut self, other: Self) {
         self.drive_work += other.drive_work;
+        self.fluid_work += other.fluid_work;
         self.rope_damping += other.rope_damping;
         self.joint_damping += other.joint_damping;
         self.contact_damping += other.contact_damping;
@@ -121,7 +127,7 @@ pub struct Ledger {
     /// What pressed the water away at the start.
     #[serde(default)]
     fluid_start: f64,
-    /// Largest of kinetic + elastic + |drive work| so far.
+    /// Largest of kinetic + elastic + |drive work| + |fluid work| so far.
     scale: f64,
     /// Largest |remainder| so far.
     worst: f64,
@@ -147,7 +153,8 @@ impl Ledger {
     /// Notes the stored energies after a step whose flows have been added.
     pub fn store(&mut self, Stored { kinetic, gravity, elastic, fluid }: Stored) {
         (self.kinetic, self.gravity, self.elastic, self.fluid) = (kinetic, gravity, elastic, fluid);
-        self.scale = self.scale.max(kinetic + elastic + self.wound + self.flows.drive_work.abs());
+        let work = self.flows.drive_work.abs() + self.flows.fluid_work.abs();
+        self.scale = self.scale.max(kinetic + elastic + self.wound + work);
         // Weight and water that bear each other are large beside what moves: their rounding is no gap of the books.
         let rounding = if fluid == 0.0 { 0.0 } else { ROUNDING * (gravity.abs() + fluid.abs()) };
         self.worst = self.worst.max(self.remainder().abs() - rounding);
@@ -165,10 +172,10 @@ impl Ledger {
             + self.flows.parting
             + self.flows.adjusting
             + self.flows.method;
-        stored - self.flows.drive_work + lost
+        stored - self.flows.drive_work - self.flows.fluid_work + lost
     }
 
-    /// Largest |remainder| relative to the largest of kinetic + elastic + |drive work|.
+    /// Largest |remainder| relative to the largest of kinetic + elastic + |drive work| + |fluid work|.
     pub fn relative_remainder(&self) -> f64 {
         if self.scale > 0.0 { self.worst / self.scale } else { 0.0 }
     }
@@ -181,6 +188,7 @@ impl Ledger {
             self.elastic + self.wound,
             self.fluid - self.fluid_start,
             self.flows.drive_work,
+            self.flows.fluid_work,
             self.flows.rope_damping,
             self.flows.joint_damping,
             self.flows.contact_damping,
@@ -195,10 +203,15 @@ impl Ledger {
     }
 }
 
-/// Numbers in [`KINDS`] of those that a system has: without water those of water are left out.
+/// Numbers in [`KINDS`] of those that a system has: without water or air, and where neither streams, theirs are left out.
 pub fn kinds_of(system: &System) -> Vec<usize> {
-    let has_water = !system.tree.forces.is_empty();
-    (0..KINDS.len()).filter(|&kind| has_water || !matches!(KINDS[kind], "fluid" | "drag")).collect()
+    let (has_fluid, streams) = (!system.tree.forces.is_empty(), force::has_stream(&system.tree));
+    let is_there = |kind: &usize| match KINDS[*kind] {
+        "fluid" | "drag" => has_fluid,
+        "fluid_work" => streams,
+        _ => true,
+    };
+    (0..KINDS.len()).filter(is_there).collect()
 }
 
 /// −Σ m g·c [J].

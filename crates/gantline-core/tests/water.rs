@@ -1,4 +1,4 @@
-//! Forces of the water on random trees: against energies, rates of momentum, and differences.
+//! Forces of water and wind on random trees: against energies, rates of momentum, and differences.
 
 mod rigs;
 
@@ -64,6 +64,8 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             at: at(&mut draw),
             damping: square(&mut draw, 20.0),
             quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
+            // One stands, the other streams.
+            stream: if k == 0 { [0.0; 3] } else { draw.scaled(2.0) },
         };
         let has_tank = body(&mut draw);
         // One of the two is pumped.
@@ -178,12 +180,14 @@ proptest! {
         prop_assert!((added - energy).abs() < 1e-9 * (1.0 + dry));
     }
 
-    /// At rest inverse dynamics is the slope of the energy of gravity and displaced water.
+    /// At rest inverse dynamics is the slope of the energy of gravity and displaced water, less what a stream pushes with.
     #[test]
     fn buoyancy_is_the_slope_of_its_energy(seeds in seeds()) {
         let (system, state, frame) = wet(&seeds);
         let still = vec![0.0; system.tree.velocities];
         let (_, slope) = inverse(&system, &frame, &still, &still);
+        let mut pushed = still.clone();
+        force::resistance(&system.tree, &frame.kinematics, &still, &mut pushed);
         let energy = |direction: &[f64], step: f64| {
             let (_, frame) = moved(&system, &state, direction, step);
             gravity_energy(&system, &frame.kinematics) + force::energy(&system.tree, &frame.kinematics)
@@ -192,7 +196,8 @@ proptest! {
             let mut direction = still.clone();
             direction[dof] = 1.0;
             let difference = (energy(&direction, STEP) - energy(&direction, -STEP)) / (2.0 * STEP);
-            prop_assert!((difference - slope[dof]).abs() < 1e-5 * (10.0 + slope[dof].abs()), "{dof}: {difference} {}", slope[dof]);
+            let held = slope[dof] - pushed[dof];
+            prop_assert!((difference - held).abs() < 1e-5 * (10.0 + held.abs()), "{dof}: {difference} {held}");
         }
     }
 
@@ -251,15 +256,38 @@ proptest! {
         }
     }
 
-    /// Drag takes power and never gives it; what it takes is its force times the velocity.
+    /// Drag takes power and never gives it but what a fluid that streams puts in; both are its force times the velocity.
     #[test]
     fn drag_takes_power(seeds in seeds()) {
         let (system, state, frame) = wet(&seeds);
         let mut along = vec![0.0; state.v.len()];
         force::resistance(&system.tree, &frame.kinematics, &state.v, &mut along);
         let power: f64 = along.iter().zip(&state.v).map(|(force, v)| force * v).sum();
-        let lost = force::loss(&system.tree, &frame.kinematics, &state.v);
-        prop_assert!(lost >= 0.0 && (lost - power).abs() < 1e-10 * (1.0 + power));
+        let (dynamics, _) = inverse(&system, &frame, &state.v, &rates(&system, &seeds));
+        let at = |force: &AnyForce| dynamics.at(&system.tree, &frame.kinematics, force.body());
+        let losses: Vec<f64> = system.tree.forces.iter().map(|force| force.loss(&at(force))).collect();
+        let work = force::work(&system.tree, &frame.kinematics, &state.v);
+        let lost: f64 = losses.iter().sum();
+        prop_assert!(losses.iter().all(|lost| *lost >= 0.0));
+        prop_assert!((lost - work - power).abs() < 1e-10 * (1.0 + power.abs() + work.abs()), "{lost} {work} {power}");
+    }
+
+    /// A fluid that streams is the same as one that stands and a world that goes the other way.
+    #[test]
+    fn only_the_motion_against_the_fluid_counts(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        let pose = |force: &AnyForce| &frame.kinematics.pose[force.body()];
+        for force in &system.tree.forces {
+            let AnyForce::Drag(drag) = force else { continue };
+            let twist = twist_of(&system.tree, &frame.kinematics, drag.body, &state.v);
+            let at = |twist| At { pose: pose(force), twist, rate: Twist::default(), gravity: DVec3::ZERO };
+            let mut still = drag.clone();
+            still.stream = DVec3::ZERO;
+            let (one, other) = (drag.wrench(&at(twist)), still.wrench(&at(Twist { linear: twist.linear - drag.stream, ..twist })));
+            let scale = 1.0 + one.force.length() + one.moment.length();
+            prop_assert!((one.force - other.force).length() < 1e-12 * scale);
+            prop_assert!((one.moment - other.moment).length() < 1e-12 * scale);
+        }
     }
 }
 

@@ -19,6 +19,7 @@ from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
 from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
+from gantline.assembly.streams import add_streams
 from gantline.assembly.supports import add_supports, removals
 from gantline.assembly.vessels import add_vessels, watch_vessels
 from gantline.assembly.water import add_water
@@ -87,6 +88,7 @@ def assemble(scenario: Scenario) -> Assembly:
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
+    add_streams(parts, scenario, lifted)
     add_critical_damping(parts, scenario)
     watch_vessels(parts, scenario)
     for hook in reeved_hooks(scenario):
@@ -109,7 +111,7 @@ def assemble(scenario: Scenario) -> Assembly:
         settings=_settings(scenario),
         rig=rig(scenario, rigging, lifted, parts),
         scene=scene(scenario, rigging, lifted, parts),
-        warnings=() if lifted is None else lifted.body.warnings,
+        warnings=(*(() if lifted is None else lifted.body.warnings), *parts.warnings),
     )
 
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array, inertia_matrix, point_inertia
-from gantline.assembly.water import hull_mesh
+from gantline.assembly.vessels import vessel_hull
 from gantline.hydro import Attitude, Hull, Hydrostatics, Tank, free_surface_correction, hydrostatics
 from gantline.scenario import Scenario
 from gantline.scenario.vessel import CriticalDamping, Vessel
@@ -131,8 +131,8 @@ def _hydrostatics(
     scenario: Scenario, name: str, vessel: Vessel, centre: Array
 ) -> tuple[Hydrostatics, tuple[float, float]]:
     """Hydrostatics upright at the draft of the start; GM for heel and trim less free surfaces [m]."""
-    mesh = hull_mesh(vessel.hull)
-    hull = Hull(name, np.array(mesh["vertices"]), np.array(mesh["triangles"]))
+    mesh = vessel_hull(scenario, name, vessel)
+    hull = Hull(name, mesh.vertices, mesh.triangles)
     density = (scenario.water or Water()).density
     found = hydrostatics(hull, Attitude(vessel.draft, middle=float(np.mean(hull.box[:, 0]))), density)
     slack = [

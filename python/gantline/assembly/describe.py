@@ -13,6 +13,7 @@ from gantline.assembly.catenary import end_mass
 from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ratings
 from gantline.assembly.crawler import crawler_rig, crawler_shape
 from gantline.assembly.goliath import crane_rig, crane_shape
+from gantline.assembly.hulls import hull_mesh, hull_shape
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -26,7 +27,7 @@ from gantline.assembly.shapes import members, watch_name
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
-from gantline.assembly.vessels import hull_shape, vessel_rig, water_surface
+from gantline.assembly.vessels import vessel_rig, vessel_shape, water_surface
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.crane_parts import crane_bodies
@@ -452,11 +453,14 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif name in crane_bodies(scenario.cranes or {}):
         shape = crane_shape(scenario, name) or crawler_shape(scenario, name) or boom_shape(scenario, name)
     elif name in (scenario.vessels or {}):
-        kind, shape = "vessel", hull_shape((scenario.vessels or {})[name])
+        kind, shape = "vessel", vessel_shape(scenario, name)
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:
         shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
+    elif plain.hull is not None and plain.hull.mesh is not None:
+        hull = hull_mesh(scenario, name, plain)
+        shape = None if hull is None else hull_shape(hull)
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
 
 

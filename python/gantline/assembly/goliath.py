@@ -115,7 +115,6 @@ def _box(size: tuple[float, float, float], above: float, along: float = 0.0) -> 
 def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:
     """What results need to know of Goliath cranes [SI]."""
     gravity = scenario.simulation.gravity
-    wind = 0.0 if scenario.wind == "none" else scenario.wind
     return [
         {
             "name": name,
@@ -131,7 +130,7 @@ def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             "hook_approach": crane.hook_approach,
             "hook_distance": crane.hook_distance,
             "wind_limit": crane.wind_limit,
-            "wind": wind,
+            "wind": scenario.wind_speed,
             "trolleys": [
                 {
                     "name": trolley_name(name, trolley),

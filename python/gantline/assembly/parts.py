@@ -47,11 +47,12 @@ class Parts:
         shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
         pairs: shapes that may touch.
         watches: distances that are recorded.
-        forces: of water on bodies, in order.
+        forces: of water and wind on bodies, in order.
         vessels: what should stay upright, and which of their points above the water.
         drives: drives by name.
         plan: steps in order.
         emergency_stop: what stops all drives of the plan, and when.
+        warnings: what is doubtful about files of hulls and water, a sentence each.
     """
 
     bodies: dict[str, Json] = field(default_factory=dict)
@@ -72,6 +73,7 @@ class Parts:
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
     emergency_stop: Json | None = None
+    warnings: list[str] = field(default_factory=list)
 
     def add_body(
         self,

@@ -16,7 +16,7 @@ from gantline.assembly.goliath import crane_shape, goliaths
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.supports import every_support, pad_shape, support_contact
-from gantline.assembly.vessels import hull_shape
+from gantline.assembly.vessels import vessel_shape
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.ground import Ground
@@ -61,8 +61,11 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
     for name in goliaths(scenario):
         for side, leg in enumerate((crane_shape(scenario, name) or {})["boxes"], start=1):
             parts.add_shape(f"{name}.legs.{side}", name, [leg])
-    for name, vessel in (scenario.vessels or {}).items():
-        parts.add_shape(name, name, [hull_shape(vessel)])
+    for name in scenario.vessels or {}:
+        shape = vessel_shape(scenario, name)
+        if shape["type"] == "mesh":
+            shape = {"type": "convex", "vertices": shape["hull"]}
+        parts.add_shape(name, name, [shape])
     plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
     for name, body in plain.items():
         if body.shape is not None:

@@ -6,14 +6,25 @@ from collections import defaultdict
 
 import numpy as np
 
+from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import about_axis, quaternion_product, rotation_matrix
-from gantline.assembly.water import hull_mesh, hull_name
+from gantline.assembly.water import hull_name
 from gantline.scenario import Scenario
+from gantline.scenario.check_vessels import check_inside
+from gantline.scenario.findings import Findings
 from gantline.scenario.vessel import CAPSIZED_BEYOND, DECK_EDGE, Vessel
 from gantline.scenario.water import Water
 
-__all__ = ["add_vessels", "deck_edge", "hull_shape", "vessel_rig", "watch_vessels", "water_surface"]
+__all__ = [
+    "add_vessels",
+    "deck_edge",
+    "vessel_hull",
+    "vessel_rig",
+    "vessel_shape",
+    "watch_vessels",
+    "water_surface",
+]
 
 #: A triangle of a hull is part of its deck where the cosine of its slope is more than this.
 _DECK = 0.5
@@ -22,27 +33,37 @@ _WATER_AROUND, _WATER_THICK = 0.6, 0.02
 
 
 def add_vessels(parts: Parts, scenario: Scenario) -> None:
-    """Add a free body for each vessel, with what it weighs by itself, where it is at the start."""
+    """Add a free body for each vessel, with what it weighs by itself, where it is at the start.
+
+    Raises:
+        ScenarioError: if the file of a hull cannot be used, or draft, tanks or openings do not fit it.
+    """
     level = (scenario.water or Water()).level
     for name, vessel in (scenario.vessels or {}).items():
         own = vessel.own_inertia
         parts.add_body(
             name,
-            _start(vessel, level),
+            _start(scenario, name, vessel, level),
             mass=vessel.mass,
             centre_of_gravity=vessel.centre_of_gravity,
             inertia=(own.xx, own.yy, own.zz, own.xy, own.xz, own.yz),
         )
 
 
-def _start(vessel: Vessel, level: float) -> Json:
+def _start(scenario: Scenario, name: str, vessel: Vessel, level: float) -> Json:
     """The free joint: turned by its heading, then trimmed, then heeled about its own long axis.
 
     The water is `draft` from the keel, along the vessel's z at half length in the centre plane.
     """
     turned = quaternion_product(about_axis((0, 0, 1), vessel.heading), about_axis((0, -1, 0), vessel.trim))
     orientation = quaternion_product(turned, about_axis((1, 0, 0), vessel.heel))
-    at_water = np.array([vessel.hull.bottom[0], 0.0, vessel.draft])
+    box = vessel_hull(scenario, name, vessel).box
+    if vessel.hull.extent is None:  # that of a box was checked with the lift file
+        findings = Findings(scenario)
+        low, high = box.tolist()
+        check_inside(findings, ("vessels", name), vessel, (tuple(low), tuple(high)))
+        findings.raise_any()
+    at_water = np.array([box[:, 0].mean(), 0.0, vessel.draft])
     height = level - float((rotation_matrix(orientation) @ at_water)[2])
     return {
         "type": "free",
@@ -53,17 +74,33 @@ def _start(vessel: Vessel, level: float) -> Json:
     }
 
 
-def hull_shape(vessel: Vessel) -> Json:
-    """The hull to draw and to touch, in the vessel's axes; see `gantline.assembly.shapes`."""
-    (x, y, z), size = vessel.hull.bottom, vessel.hull.box
-    return {"type": "box", "size": list(size), "centre": [x, y, z + size[2] / 2]}
+def vessel_hull(scenario: Scenario, name: str, vessel: Vessel) -> HullMesh:
+    """The hull of a vessel in its axes.
+
+    Raises:
+        ScenarioError: if its file cannot be read, or holds no hull.
+    """
+    hull = hull_mesh(scenario, name, vessel)
+    assert hull is not None  # a vessel has one
+    return hull
+
+
+def vessel_shape(scenario: Scenario, name: str) -> Json:
+    """The hull of a vessel to draw, in its axes: a box, or a light mesh with the corners to touch it with."""
+    vessel = (scenario.vessels or {})[name]
+    hull = vessel_hull(scenario, name, vessel)
+    if vessel.hull.mesh is not None:
+        return hull_shape(hull)
+    box = hull.box
+    return {"type": "box", "size": np.ptp(box, axis=0).tolist(), "centre": box.mean(axis=0).tolist()}
 
 
 def watch_vessels(parts: Parts, scenario: Scenario) -> None:
     """Let the core look out for deck edges and openings that go under water, and for vessels that capsize."""
     level = (scenario.water or Water()).level
-    for name, vessel in (scenario.vessels or {}).items():
-        marks = [{"name": f"{name}.{mark}", "points": points} for mark, points in _marks(vessel).items()]
+    for name in scenario.vessels or {}:
+        points = _marks(scenario, name)
+        marks = [{"name": f"{name}.{mark}", "points": places} for mark, places in points.items()]
         watched = {"name": name, "body": name, "level": level, "capsized_beyond": CAPSIZED_BEYOND}
         parts.vessels.append({**watched, "marks": marks})
 
@@ -73,17 +110,17 @@ def vessel_rig(scenario: Scenario, parts: Parts) -> list[Json]:
     water = scenario.water or Water()
     found = []
     for name, vessel in (scenario.vessels or {}).items():
-        along = [vertex[0] for vertex in hull_mesh(vessel.hull)["vertices"]]
+        along = vessel_hull(scenario, name, vessel).box[:, 0].tolist()
         found.append(
             {
                 "name": name,
                 "body": name,
                 "centre_of_gravity": list(parts.bodies[name]["centre_of_gravity"]),
-                "ends": [min(along), max(along)],
+                "ends": along,
                 "level": water.level,
                 "density": water.density,
                 "hull": hull_name(name),
-                "marks": _marks(vessel),
+                "marks": _marks(scenario, name),
             }
         )
     return found
@@ -94,7 +131,7 @@ def water_surface(scenario: Scenario, parts: Parts) -> Json | None:
     corners = [
         parts.place(name, corner)[:2]
         for name, vessel in (scenario.vessels or {}).items()
-        for corner in hull_mesh(vessel.hull)["vertices"]
+        for corner in vessel_hull(scenario, name, vessel).vertices.tolist()
     ]
     if not corners:
         return None
@@ -104,26 +141,22 @@ def water_surface(scenario: Scenario, parts: Parts) -> Json | None:
     return {"size": size, "centre": [*((low + high) / 2).tolist(), level - _WATER_THICK / 2]}
 
 
-def _marks(vessel: Vessel) -> dict[str, list[list[float]]]:
-    """Points that should stay above the water, by what they belong to."""
+def _marks(scenario: Scenario, name: str) -> dict[str, list[list[float]]]:
+    """Points of a vessel that should stay above the water, by what they belong to."""
+    vessel = (scenario.vessels or {})[name]
     openings = {opening: [list(at)] for opening, at in (vessel.openings or {}).items()}
-    return {DECK_EDGE: deck_edge(hull_mesh(vessel.hull)), **openings}
+    return {DECK_EDGE: deck_edge(vessel_hull(scenario, name, vessel)), **openings}
 
 
-def deck_edge(mesh: Json) -> list[list[float]]:
-    """Corners of a deck's edge: where its triangles meet others that are no deck, or end.
-
-    Args:
-        mesh: vertices and triangles, counter-clockwise from outside.
-    """
-    vertices = np.array(mesh["vertices"])
-    corners = vertices[np.array(mesh["triangles"])]
+def deck_edge(mesh: HullMesh) -> list[list[float]]:
+    """Corners of a deck's edge: where its triangles meet others that are no deck, or end."""
+    corners = mesh.vertices[mesh.triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     is_deck = across[:, 2] > _DECK * np.linalg.norm(across, axis=1)
     sides: dict[frozenset[int], list[bool]] = defaultdict(list)
-    for triangle, deck in zip(mesh["triangles"], is_deck, strict=True):
+    for triangle, deck in zip(mesh.triangles.tolist(), is_deck, strict=True):
         for place in range(3):
             sides[frozenset((triangle[place - 1], triangle[place]))].append(bool(deck))
     ends = [side for side, decks in sides.items() if set(decks) == {True, False} or len(decks) == 1]
     edge = {at for side in ends for at in side}
-    return [[float(part) for part in vertices[at]] for at in sorted(edge)]
+    return [[float(part) for part in mesh.vertices[at]] for at in sorted(edge)]

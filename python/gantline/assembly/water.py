@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
+from gantline.assembly.hulls import afloat_path, box_mesh, hull_mesh
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import inertia_list, inertia_matrix
+from gantline.assembly.water_matrix import water_matrix
 from gantline.scenario import Scenario
 from gantline.scenario.tanks import bodies_afloat, pumped_tanks
-from gantline.scenario.water import Afloat, BallastTank, HullShape, Water
+from gantline.scenario.water import Afloat, BallastTank, OfWater, Water
 
-__all__ = ["add_water", "hull_mesh", "hull_name", "pump_drive"]
+__all__ = ["add_water", "hull_name", "pump_drive"]
 
 
 def pump_drive(tank: str) -> str:
@@ -25,13 +25,12 @@ def hull_name(body: str) -> str:
     return f"{body}.hull"
 
 
-def hull_mesh(hull: HullShape) -> Json:
-    """A hull in the axes of its body: vertices and triangles, counter-clockwise from outside."""
-    return _box(hull.box, hull.bottom)
-
-
 def add_water(parts: Parts, scenario: Scenario) -> None:
-    """Add what water does to bodies; these are there, with their masses."""
+    """Add what water does to bodies; these are there, with their masses.
+
+    Raises:
+        ScenarioError: if the file of a hull or a hydrodynamic database cannot be used.
+    """
     water = scenario.water or Water()
     pumped = pumped_tanks(scenario)
     for name, body in bodies_afloat(scenario).items():
@@ -41,24 +40,27 @@ def add_water(parts: Parts, scenario: Scenario) -> None:
                 _let_pump(parts, name, full, tank, water.level)
             else:
                 _fill(parts, name, full, tank)
-        parts.forces += _around(name, body, water)
+        _around(parts, scenario, name, body, water)
 
 
-def _around(name: str, body: Afloat, water: Water) -> list[Json]:
-    found: list[Json] = []
-    if body.hull is not None:
+def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Water) -> None:
+    hull = hull_mesh(scenario, name, body)
+    if hull is not None:
         surface = {"density": water.density, "level": water.level}
+        parts.warnings += hull.doubts
         named = {"type": "buoyancy", "name": hull_name(name), "body": name}
-        found.append({**named, **hull_mesh(body.hull), **surface})
-    if body.added_mass is not None:
-        matrix = np.diag(body.added_mass.diagonal).tolist()
-        point = {"at": list(body.added_mass.at), "matrix": matrix}
-        found.append({"type": "added_mass", "name": f"{name}.added_mass", "body": name, **point})
-    if body.water_damping is not None:
-        damping = np.diag(body.water_damping.diagonal).tolist()
-        point = {"at": list(body.water_damping.at), "damping": damping, "quadratic": [0.0] * 6}
-        found.append({"type": "drag", "name": f"{name}.water_damping", "body": name, **point})
-    return found
+        parts.forces.append({**named, **hull.document, **surface})
+    for key in ("added_mass", "water_damping"):
+        given: OfWater | None = getattr(body, key)
+        if given is None:
+            continue
+        matrix, doubts = water_matrix(scenario, (*afloat_path(scenario, name), key), given, water.density)
+        parts.warnings += [f"{key} of {name}: {doubt}" for doubt in doubts]
+        force = {"name": f"{name}.{key}", "body": name, "at": list(given.at)}
+        if key == "added_mass":
+            parts.forces.append({"type": "added_mass", **force, "matrix": matrix})
+        else:
+            parts.forces.append({"type": "drag", **force, "damping": matrix, "quadratic": [0.0] * 6})
 
 
 def _fill(parts: Parts, body: str, name: str, tank: BallastTank) -> None:
@@ -86,20 +88,6 @@ def _let_pump(parts: Parts, body: str, name: str, tank: BallastTank, level: floa
 
 
 def _tank(body: str, name: str, tank: BallastTank) -> Json:
-    mesh = _box(tank.box, tank.bottom)
+    mesh = box_mesh(tank.box, tank.bottom).document
     liquid = {"density": tank.density, "volume": min(tank.content, tank.capacity) / tank.density}
     return {"type": "tank", "name": name, "body": body, **mesh, **liquid}
-
-
-def _box(size: Sequence[float], bottom: Sequence[float]) -> Json:
-    """A box over the middle of its bottom: vertices and triangles, counter-clockwise from outside."""
-    (length, breadth, depth), (x, y, z) = size, bottom
-    vertices = [
-        [x + i * length, y + j * breadth, z + k * depth]
-        for i in (-0.5, 0.5)
-        for j in (-0.5, 0.5)
-        for k in (0, 1)
-    ]
-    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    triangles = [triangle for a, b, c, d in faces for triangle in ([a, b, c], [a, c, d])]
-    return {"vertices": vertices, "triangles": triangles}

@@ -20,6 +20,7 @@ __all__ = [
     "PartKind",
     "read",
     "read_light_mesh",
+    "read_surface",
 ]
 
 _OCX = (".3docx", ".ocx", ".xml")
@@ -96,6 +97,33 @@ def read_light_mesh(
         part = Part(model.name, PartKind.SHELL, None, None, light)
         cache.store(key, CadModel(model.name, model.form, (part,), model.unit))
     return light
+
+
+def read_surface(
+    path: str | Path, given: Assumptions | None = None, *, keep: bool = True
+) -> tuple[TriangleMesh, tuple[str, ...]]:
+    """The outside of a thing as triangles, whatever it weighs: of a hull for instance.
+
+    Triangles of a file of triangles are those of the file, neither welded nor turned; of STEP and IGES they
+    approximate its faces. Arguments as for `read`.
+
+    Returns:
+        the triangles [m], z up, in the file's own axes; what is doubtful, a sentence each.
+
+    Raises:
+        CadError: if the file cannot be read, or has no geometry.
+    """
+    from gantline.cad.mesh_file import mesh_format, read_surface_file
+
+    place = Path(path)
+    if mesh_format(place) is not None:
+        return read_surface_file(place, given if given is not None else Assumptions())
+    if _is_ocx(place, content(place)):
+        raise CadError(f"{place}: an OCX file has plates and no surface of the whole")
+    model = read(place, given, keep=keep)
+    if not len(model.mesh.triangles):
+        raise CadError(f"{place}: no part has geometry")
+    return model.mesh, model.doubts
 
 
 def _read(place: Path, data: bytes, given: Assumptions) -> CadModel:

@@ -1,4 +1,4 @@
-"""STL, OBJ, glTF and GLB, read by trimesh, as parts."""
+"""STL and OBJ, and glTF and GLB, which trimesh reads: as parts, or as the surface that they are."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import io
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -17,8 +17,9 @@ from gantline.cad.errors import CadError
 from gantline.cad.files import content, missing
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.model import CadModel, Part
+from gantline.cad.plain import TooManyTrianglesError, read_obj, read_stl
 
-__all__ = ["MESH_FORMATS", "read_mesh_file"]
+__all__ = ["MESH_FORMATS", "mesh_format", "read_mesh_file", "read_surface_file"]
 
 #: Endings of names, and how the formats are called.
 MESH_FORMATS = {".stl": "STL", ".obj": "OBJ", ".gltf": "glTF", ".glb": "GLB"}
@@ -28,13 +29,50 @@ _MOST_TRIANGLES = 2_000_000
 _STAND_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
 
+def mesh_format(path: Path) -> str | None:
+    """Ending of a file of triangles, before a ``.gz``; None of another file."""
+    suffix = (path.with_suffix("") if path.suffix.lower() == ".gz" else path).suffix.lower()
+    return suffix if suffix in MESH_FORMATS else None
+
+
+class _Placed(NamedTuple):
+    """Meshes of a file in metres, z up, with their names; the unit; doubts; the diagonal of all [m]."""
+
+    meshes: list[tuple[str, TriangleMesh]]
+    unit: str
+    doubts: list[str]
+    size: float
+
+
 def read_mesh_file(path: Path, given: Assumptions) -> CadModel:
     """A file of triangles; a further ending ``.gz`` is unpacked.
 
     Raises:
         CadError: if it cannot be read, has no triangles or too many, or trimesh is not installed.
     """
-    suffix = (path.with_suffix("") if path.suffix.lower() == ".gz" else path).suffix.lower()
+    found = _read(path, given)
+    parts: list[Part] = []
+    for name, mesh in found.meshes:
+        try:
+            parts += parts_of_mesh(name, mesh, found.size, given)
+        except CadError as problem:
+            raise CadError(f"{path}: {problem}") from None
+    form = MESH_FORMATS[mesh_format(path) or ""]
+    return CadModel(path.name, form, tuple(parts), found.unit, tuple(found.doubts))
+
+
+def read_surface_file(path: Path, given: Assumptions) -> tuple[TriangleMesh, tuple[str, ...]]:
+    """All triangles of a file as they stand there, in metres and z up, and what is doubtful.
+
+    Raises:
+        CadError: as `read_mesh_file`.
+    """
+    found = _read(path, given)
+    return TriangleMesh.combined([mesh for _, mesh in found.meshes]), tuple(found.doubts)
+
+
+def _read(path: Path, given: Assumptions) -> _Placed:
+    suffix = mesh_format(path) or ""
     form = MESH_FORMATS[suffix]
     meshes = [*_meshes(path, suffix[1:])]
     used = [mesh for _, mesh in meshes]
@@ -56,27 +94,36 @@ def read_mesh_file(path: Path, given: Assumptions) -> CadModel:
     turned = (given.up or ("y" if standard else "z")) == "y"
     if turned and given.up is None:
         doubts.append("turned from y up, as the format has it, to z up: x stays, −z becomes y, y becomes z")
-    parts: list[Part] = []
-    for name, mesh in meshes:
-        placed = mesh.scaled(factor)
-        if turned:
-            placed = placed.moved(_STAND_UP, np.zeros(3))
-        try:
-            parts += parts_of_mesh(name, placed, factor * whole.size, given)
-        except CadError as problem:
-            raise CadError(f"{path}: {problem}") from None
-    return CadModel(path.name, form, tuple(parts), unit, tuple(doubts))
+    placed = [(name, mesh.scaled(factor)) for name, mesh in meshes]
+    if turned:
+        placed = [(name, mesh.moved(_STAND_UP, np.zeros(3))) for name, mesh in placed]
+    return _Placed(placed, unit, doubts, factor * whole.size)
 
 
 def _meshes(path: Path, kind: str) -> Iterator[tuple[str, TriangleMesh]]:
     """Meshes of a file, placed, with their names."""
     data = content(path)
+    own = path.name.split(".")[0]
+    try:
+        if kind == "stl":
+            yield own, read_stl(data, _MOST_TRIANGLES)
+        elif kind == "obj":
+            for name, mesh in read_obj(data, _MOST_TRIANGLES).items():
+                yield name or own, mesh
+    except TooManyTrianglesError:
+        raise _too_many(path) from None
+    except ValueError as problem:
+        raise CadError(f"{path}: {problem}") from None
+    if kind in ("gltf", "glb"):
+        yield from _scene(path, kind, data)
+
+
+def _scene(path: Path, kind: str, data: bytes) -> Iterator[tuple[str, TriangleMesh]]:
+    """Meshes of a glTF scene where its nodes put them."""
     try:
         import trimesh
     except ImportError:
         raise missing(path, "trimesh") from None
-    if kind == "stl":
-        _check_stl(path, data)
     if kind == "gltf":
         _check_gltf(path, data)
     try:
@@ -115,24 +162,7 @@ def _placed(path: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike, matrix: n
 def _name(path: Path, node: str, geometry: str) -> str:
     """What the file calls a mesh, or the file's name where trimesh made up a name."""
     name = geometry if node == "world" else node
-    made_up = path.suffix.lower() in (".stl", ".gz") or name.startswith("geometry") or not name
-    return path.name.split(".")[0] if made_up else name
-
-
-def _check_stl(path: Path, data: bytes) -> None:
-    """A binary file says how many triangles it has; one that has fewer was cut off."""
-    if data[:5].lower() == b"solid" and b"facet" in data[:2000]:
-        if b"endsolid" not in data[-2000:].lower():
-            raise CadError(f"{path}: the STL file is cut off: it does not end on 'endsolid'")
-        return
-    count = int.from_bytes(data[80:84], "little")
-    if len(data) >= 84 + 50 * count > 84 + 50 * _MOST_TRIANGLES:
-        raise _too_many(path)
-    if len(data) < 84 or len(data) < 84 + 50 * count:
-        held = max(len(data) - 84, 0) // 50
-        raise CadError(
-            f"{path}: it is no STL file, or cut off: {count} triangles are announced, {held} are there"
-        )
+    return path.name.split(".")[0] if name.startswith("geometry") or not name else name
 
 
 def _too_many(path: Path) -> CadError:

@@ -25,7 +25,11 @@ _CURVES = 5
 def hydro(
     hull: Annotated[
         str,
-        typer.Argument(metavar="HULL", help="STL or OBJ file of the hull, or a box as in box:100m,30m,8m."),
+        typer.Argument(
+            metavar="HULL",
+            help="File of the hull: STL, OBJ, GLB, STEP or IGES; or a box as in box:100m,30m,8m; or a "
+            "hydrodynamic database: .nc, .h5, .dhyd, .hyd.",
+        ),
     ],
     drafts: Annotated[
         str | None,
@@ -50,7 +54,17 @@ def hydro(
         typer.Option(metavar="ANGLE", help="Trim by the stern, such as '1 deg'.  [default: even keel]"),
     ] = None,
     density: Annotated[str, typer.Option(metavar="DENSITY", help="Density of the water.")] = "1.025 t/m^3",
-    unit: Annotated[str, typer.Option(metavar="UNIT", help="Unit of length in the file.")] = "m",
+    unit: Annotated[
+        str | None,
+        typer.Option(
+            metavar="UNIT",
+            help="Unit of length in the file.  [default: what it says, else m]",
+            show_default=False,
+        ),
+    ] = None,
+    body: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Body of a hydrodynamic database that has several.")
+    ] = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -61,8 +75,21 @@ def hydro(
 ) -> None:
     """Print hydrostatics of a hull over its drafts, with righting arms where angles and --kg are given.
 
-    Figures are exact for the mesh. Righting arms are free to trim, at the displacement of each draft.
+    Figures are exact for the mesh. Righting arms are free to trim, at the displacement of each draft. Of a
+    hydrodynamic database: added mass and damping over the period.
     """
+    from gantline.hydro.database import DATABASE_FORMATS
+
+    if Path(hull).suffix.lower() in DATABASE_FORMATS:
+        from gantline.cli.hydro_database import show_database
+
+        options = {"--drafts": drafts, "--heel": heel, "--kg": kg, "--trim": trim, "--unit": unit}
+        options["--output"] = output
+        show_database(
+            Path(hull), body, as_json, [name for name, given in options.items() if given is not None]
+        )
+    if body is not None:
+        stop("--body: is for a hydrodynamic database; this is a hull")
     water = quantity_of("--density", density, "density")
     height, tilt = quantity_of("--kg", kg, "length"), quantity_of("--trim", trim, "angle")
     angles = _values("--heel", heel, "angle")

@@ -1,4 +1,4 @@
-"""Hydrostatics of hulls: what they displace, where they float, how they right themselves.
+"""Hydrostatics of hulls: what they displace, where they float, how they right themselves; hydrodynamic databases.
 
 Vessel axes: x forward, y to port, z up from the keel. Heel is positive to starboard, trim by the stern.
 """
@@ -6,6 +6,7 @@ Vessel axes: x forward, y to port, z up from the keel. Heel is positive to starb
 from __future__ import annotations
 
 from gantline.hydro.attitude import Attitude
+from gantline.hydro.database import DATABASE_FORMATS, DatabaseError, HydrodynamicDatabase, read_database
 from gantline.hydro.floating import CannotFloatError, Floating, float_free
 from gantline.hydro.hull import Closure, Hull
 from gantline.hydro.hydrostatics import Hydrostatics, hydrostatics
@@ -15,12 +16,15 @@ from gantline.hydro.shapes import box_hull, raked_barge, wigley_hull
 from gantline.hydro.tank import Tank, free_surface_correction
 
 __all__ = [
+    "DATABASE_FORMATS",
     "Attitude",
     "CannotFloatError",
     "Closure",
+    "DatabaseError",
     "Floating",
     "Hull",
     "HullError",
+    "HydrodynamicDatabase",
     "Hydrostatics",
     "RightingArms",
     "Tank",
@@ -29,6 +33,7 @@ __all__ = [
     "free_surface_correction",
     "hydrostatics",
     "raked_barge",
+    "read_database",
     "read_hull",
     "righting_arms",
     "wigley_hull",

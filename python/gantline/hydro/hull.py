@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -67,12 +68,15 @@ class Hull:
         name: What it is called.
         vertices: positions (n, 3) [m].
         triangles: three vertices each (m, 3), counter-clockwise seen from outside.
+        doubts: What is doubtful about where they come from, a sentence each.
 
     Raises:
         ValueError: if a coordinate is not finite, a vertex does not exist, or nothing is enclosed.
     """
 
-    def __init__(self, name: str, vertices: npt.ArrayLike, triangles: npt.ArrayLike) -> None:
+    def __init__(
+        self, name: str, vertices: npt.ArrayLike, triangles: npt.ArrayLike, *, doubts: Sequence[str] = ()
+    ) -> None:
         points = np.asarray(vertices, dtype=float).reshape(-1, 3)
         faces = np.asarray(triangles, dtype=np.int64).reshape(-1, 3)
         if not len(faces):
@@ -81,6 +85,7 @@ class Hull:
         if not np.isfinite(size) or size == 0:
             raise ValueError(f"{name}: its coordinates enclose nothing")
         self.name = name
+        self._doubts = list(doubts)
         self._core = _core.Hull(points, faces, _WELD * size)
         self.is_turned = self.closure.volume < 0
         if self.is_turned:
@@ -96,7 +101,7 @@ class Hull:
     def doubts(self) -> list[str]:
         """What is doubtful about it, a sentence each."""
         turned = ["all its triangles face inwards; they have been turned round"] if self.is_turned else []
-        return turned + self.closure.doubts()
+        return self._doubts + turned + self.closure.doubts()
 
     @property
     def mesh(self) -> tuple[Array, npt.NDArray[np.int64]]:

@@ -221,7 +221,8 @@ def placed_boom(name: str, crane: object, vessels: Mapping[str, Vessel]) -> Plac
         return None
     pins = crane.boom.heel_pins
     vessel = vessels.get(crane.vessel or "")
-    reach_from = pins.at[0] if vessel is None else vessel.hull.bottom[0] + vessel.hull.box[0] / 2
+    extent = None if vessel is None else vessel.hull.extent
+    reach_from = pins.at[0] if extent is None else extent[1][0]
     return PlacedBoom(
         crane=name,
         name=boom_name(name),

@@ -19,6 +19,11 @@ def check_booms(findings: Findings) -> None:
         if isinstance(crane, FloatingCrane) and crane.vessel is not None and crane.vessel not in vessels:
             sentence = f"'{crane.vessel}' is not a name of 'vessels'; {nearest(crane.vessel, vessels)}"
             findings.add(("cranes", name, "vessel"), sentence)
+        if isinstance(crane, FloatingCrane) and crane.vessel in vessels and crane.outreach_from is None:
+            if vessels[crane.vessel].hull.extent is None:
+                sentence = f"the bow of '{crane.vessel}', whose hull is a mesh, is not known here"
+                right = "say from where outreach counts, such as 'outreach_from: 105.6 m'"
+                findings.add(("cranes", name, "outreach_from"), f"{sentence}; {right}")
     for placed in findings.scenario.booms.values():
         _check_angle(findings, placed)
         for hook, one in placed.hooks.items():

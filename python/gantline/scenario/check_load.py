@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gantline.scenario.check_supports import check_places, top_of
+from gantline.scenario.check_vessels import check_areas
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
@@ -35,6 +36,7 @@ def check_load(findings: Findings, load: Load) -> None:
         check_places(findings, *_box_of(box))
     if isinstance(load.inertia, LoadInertia):
         _check_inertia(findings, load.inertia)
+    check_areas(findings, ("load",), load.wind_areas)
     if load.stands_on is not None:
         _check_standing(findings, load, load.stands_on)
     if findings.scenario.simulation.gravity == 0:

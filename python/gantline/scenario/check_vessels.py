@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.mechanics import BodyInertia
+from gantline.scenario.stream import StreamArea
 from gantline.scenario.vessel import CAPSIZED_BEYOND, DECK_EDGE, Vessel
-from gantline.scenario.water import Afloat
+from gantline.scenario.water import Afloat, Extent
 
-__all__ = ["check_afloat", "check_inertia", "check_vessels"]
+__all__ = ["check_afloat", "check_areas", "check_inertia", "check_inside", "check_vessels"]
 
 _ROUNDING = 1 + 1e-9
 #: A tank may reach so far out of the hull by rounding [m].
@@ -22,16 +24,26 @@ def check_vessels(findings: Findings) -> None:
         path: Path = ("vessels", name)
         check_afloat(findings, path, vessel)
         check_inertia(findings, path, vessel.own_inertia, is_free=True)
-        _check_draft(findings, path, vessel)
-        _check_tanks(findings, path, vessel)
-        _check_openings(findings, path, vessel)
+        extent = vessel.hull.extent
+        if extent is not None:
+            check_inside(findings, path, vessel, extent)
 
 
 def check_afloat(findings: Findings, path: Path, body: Afloat) -> None:
-    """Note a hull or tanks where nothing weighs anything."""
+    """Note a hull or tanks where nothing weighs anything, and areas in wind that comes from nowhere."""
+    check_areas(findings, path, body.wind_areas)
     for key in ("hull", "tanks"):
         if getattr(body, key) is not None and findings.scenario.simulation.gravity == 0:
             findings.add((*path, key), "gravity is zero; water needs gravity above zero")
+
+
+def check_areas(findings: Findings, path: Path, areas: Mapping[str, StreamArea] | None) -> None:
+    """Note areas in wind that has no direction."""
+    wind = findings.scenario.wind
+    if areas and isinstance(wind, float) and wind > 0:
+        sentence = "the 'wind' of this lift is a speed alone and pushes nothing"
+        right = f"write 'wind: {{speed: {wind:g} m/s, direction: 0 deg}}', or leave the areas out"
+        findings.add((*path, "wind_areas"), f"{sentence}; {right}")
 
 
 def check_inertia(findings: Findings, path: Path, inertia: BodyInertia, *, is_free: bool) -> None:
@@ -49,8 +61,15 @@ def check_inertia(findings: Findings, path: Path, inertia: BodyInertia, *, is_fr
         findings.add((*path, "inertia"), f"{sentence}, and products are small")
 
 
-def _check_draft(findings: Findings, path: Path, vessel: Vessel) -> None:
-    keel, deck = vessel.hull.extent[0][2], vessel.hull.extent[1][2]
+def check_inside(findings: Findings, path: Path, vessel: Vessel, extent: Extent) -> None:
+    """Note a draft, tanks and openings that do not fit a hull of this extent."""
+    _check_draft(findings, path, vessel, extent)
+    _check_tanks(findings, path, vessel, extent)
+    _check_openings(findings, path, vessel, extent)
+
+
+def _check_draft(findings: Findings, path: Path, vessel: Vessel, extent: Extent) -> None:
+    keel, deck = extent[0][2], extent[1][2]
     if not keel < vessel.draft < deck:
         sentence = f"{vessel.draft:g} m is not between the keel at {keel:g} m and the deck at {deck:g} m"
         findings.add((*path, "draft"), f"{sentence}; a vessel floats with its deck dry")
@@ -62,8 +81,8 @@ def _check_draft(findings: Findings, path: Path, vessel: Vessel) -> None:
             )
 
 
-def _check_tanks(findings: Findings, path: Path, vessel: Vessel) -> None:
-    low, high = vessel.hull.extent
+def _check_tanks(findings: Findings, path: Path, vessel: Vessel, extent: Extent) -> None:
+    low, high = extent
     for name, tank in (vessel.tanks or {}).items():
         (length, breadth, depth), (x, y, z) = tank.box, tank.bottom
         least, most = (x - length / 2, y - breadth / 2, z), (x + length / 2, y + breadth / 2, z + depth)
@@ -76,10 +95,10 @@ def _check_tanks(findings: Findings, path: Path, vessel: Vessel) -> None:
                 break
 
 
-def _check_openings(findings: Findings, path: Path, vessel: Vessel) -> None:
+def _check_openings(findings: Findings, path: Path, vessel: Vessel, extent: Extent) -> None:
     for name, at in (vessel.openings or {}).items():
         if name == DECK_EDGE:
             findings.add((*path, "openings", name), f"'{name}' means that of the hull; use another name")
-        elif at[2] <= vessel.hull.extent[0][2]:
-            sentence = f"z = {at[2]:g} m is not above the keel at {vessel.hull.extent[0][2]:g} m"
+        elif at[2] <= extent[0][2]:
+            sentence = f"z = {at[2]:g} m is not above the keel at {extent[0][2]:g} m"
             findings.add((*path, "openings", name), f"{sentence}; z counts from the vessel's origin")

@@ -24,6 +24,7 @@ from gantline.scenario.quantities import (
     WordOr,
     refuse,
 )
+from gantline.scenario.stream import CURRENT_SHOWN, WIND_SHOWN, StreamArea
 from gantline.scenario.tree import MapNode
 
 __all__ = ["CentreOfGravity", "Load", "LoadInertia", "Lug", "LugType", "Outfitting", "Shape", "Weight"]
@@ -199,6 +200,8 @@ class Load(Element):
         None, description="What the load stands on at the start: 'ground', or a group of 'supports'."
     )
     lugs: Named[Lug] = Field(description="Lifting lugs by name.")
+    wind_areas: Named[StreamArea] | None = Field(None, description=WIND_SHOWN)
+    current_areas: Named[StreamArea] | None = Field(None, description=CURRENT_SHOWN)
 
     @property
     def is_at_origin(self) -> bool:

@@ -22,7 +22,8 @@ from gantline.scenario.limits import Limits, Rules
 from gantline.scenario.load import Load, LugType
 from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.plan import EmergencyStop, Step
-from gantline.scenario.quantities import PositiveTime, Quantity, Reader, WordOr, found, refuse
+from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
+from gantline.scenario.stream import Current, Wind, WindOfLift
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
 from gantline.scenario.tree import MapNode, line_of
@@ -62,12 +63,13 @@ class Scenario(Element):
         "given: 'rest' for a lift with a 'load' or 'vessels', else 'as_given'.",
     )
     axes: Axes | None = Field(None, description="Where the axes point, for people.")
-    wind: Annotated[float | Literal["none"], WordOr(("none",), Quantity("speed", "not_negative"))] | None = (
-        Field(
-            None,
-            description="Gusts at the height of the girder: held against the wind limit of cranes; they push "
-            "nothing.",
-        )
+    wind: WindOfLift | None = Field(
+        None,
+        description="Wind at the height of girder and areas, held against the wind limit of cranes: a speed, "
+        "which pushes nothing, or speed and direction, which push on 'wind_areas'.",
+    )
+    current: Current | None = Field(
+        None, description="Current; it pushes on 'current_areas'. None if not given."
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     water: Water | None = Field(None, description="Water around hulls; sea water up to 0 if not given.")
@@ -148,6 +150,13 @@ class Scenario(Element):
     def booms(self) -> dict[str, PlacedBoom]:
         """Booms of all cranes that have one, by the name of the crane."""
         return booms_of(self.cranes or {}, self.vessels or {})
+
+    @property
+    def wind_speed(self) -> float | None:
+        """Speed that is held against limits [m/s]; None if not said."""
+        if isinstance(self.wind, Wind):
+            return self.wind.speed
+        return 0.0 if self.wind == "none" else self.wind
 
     @property
     def starts_at_rest(self) -> bool:

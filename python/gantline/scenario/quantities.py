@@ -38,6 +38,9 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
     "rotational_stiffness": (1e15, "1e9 MN m/rad"),
     "rotational_damping": (1e12, "1e6 MN m s"),
     "inertia": (1e15, "1e12 t m^2"),
+    "area": (1e7, "1e7 m^2"),
+    "mass_moment": (1e12, "1e9 t m"),
+    "coupled_damping": (1e13, "1e7 MN s"),
     "mass_per_length": (1e5, "100 t/m"),
     "density": (1e5, "100 t/m^3"),
     "stress": (1e13, "1e4 GPa"),
@@ -286,6 +289,49 @@ class ListOf(Reader):
         if self.count is not None:
             array["maxItems"] = self.count
         return {"anyOf": [self.item.shown(), array]} if self.scalar else array
+
+
+@dataclass(frozen=True)
+class SymmetricMatrix(Reader):
+    """Six rows of six quantities over shifts and turns along x, y, z; symmetric."""
+
+    shifts: str  # dimension of the upper left block
+    mixed: str
+    turns: str
+
+    def read(self, value: object) -> tuple[tuple[float, ...], ...]:
+        """The rows [SI units of the dimensions]."""
+        if not isinstance(value, list) or len(value) != 6:
+            raise refuse(f"found {found(value)}; a matrix is a list of six rows of six quantities each")
+        rows = tuple(self._row(number, row) for number, row in enumerate(value))
+        for i in range(6):
+            for j in range(i):
+                if abs(rows[i][j] - rows[j][i]) > 1e-9 * max(abs(rows[i][j]), abs(rows[j][i])):
+                    places = f"row {i + 1}, item {j + 1} and row {j + 1}, item {i + 1}"
+                    raise refuse(f"{places} differ; this matrix has to be symmetric")
+        return rows
+
+    def _row(self, number: int, row: object) -> tuple[float, ...]:
+        if not isinstance(row, list) or len(row) != 6:
+            raise refuse(f"row {number + 1}: found {found(row)}; a row is a list of six quantities")
+        values = []
+        for place, item in enumerate(row):
+            try:
+                values.append(Quantity(self._dimension(number, place)).read(item))
+            except PydanticCustomError as error:
+                raise refuse(f"row {number + 1}, item {place + 1}: {error.message()}") from None
+        return tuple(values)
+
+    def _dimension(self, row: int, column: int) -> str:
+        return (self.shifts, self.mixed, self.turns)[(row > 2) + (column > 2)]
+
+    def shown(self) -> JsonSchemaValue:
+        """An array of arrays."""
+        items = {
+            "anyOf": [Quantity(dimension).shown() for dimension in (self.shifts, self.mixed, self.turns)]
+        }
+        row: JsonSchemaValue = {"type": "array", "items": items, "minItems": 6, "maxItems": 6}
+        return {"type": "array", "items": row, "minItems": 6, "maxItems": 6}
 
 
 @dataclass(frozen=True)

@@ -47,18 +47,20 @@ _Place = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 
 
 class VesselHull(HullShape):
-    """The hull of a vessel, a box along its axes."""
+    """The hull of a vessel: a box along its axes, or a mesh from a CAD file."""
 
     what: ClassVar[str] = "the hull of a vessel"
 
     keel: Position | None = Field(
-        None, description="Middle of its bottom; half its length ahead of the stern if not given."
+        None, description="Middle of the box's bottom; half its length ahead of the stern if not given."
     )
 
     @property
     def bottom(self) -> tuple[float, float, float]:
-        """Middle of its bottom in the vessel's axes [m]."""
-        return (self.box[0] / 2, 0.0, 0.0) if self.keel is None else self.keel
+        """Middle of the box's bottom in the vessel's axes [m]."""
+        if self.keel is None and self.box is not None:
+            return (self.box[0] / 2, 0.0, 0.0)
+        return super().bottom
 
 
 class VesselMass(Element):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -13,14 +13,31 @@ from gantline.scenario.quantities import (
     Inertia,
     Length,
     Mass,
+    Number,
     Position,
     Quantity,
     RotationalDamping,
     Sizes,
+    SymmetricMatrix,
+    Text,
+    WordOr,
     refuse,
 )
+from gantline.scenario.stream import CURRENT_SHOWN, WIND_SHOWN, StreamArea
+from gantline.scenario.tree import MapNode
 
-__all__ = ["MOTIONS", "SEA_WATER", "AddedMass", "Afloat", "BallastTank", "HullShape", "Water", "WaterDamping"]
+__all__ = [
+    "MOTIONS",
+    "SEA_WATER",
+    "AddedMass",
+    "Afloat",
+    "BallastTank",
+    "Extent",
+    "HullShape",
+    "OfWater",
+    "Water",
+    "WaterDamping",
+]
 
 #: Density of sea water [kg/m^3].
 SEA_WATER = 1025.0
@@ -29,11 +46,14 @@ MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 ORIGIN = (0.0, 0.0, 0.0)
 
 Density = Annotated[float, Quantity("density", "positive")]
-_POINT = "Point that they are about, in the body's axes."
+
+Matrix = tuple[tuple[float, ...], ...]
+#: Least and largest x, y, z.
+Extent = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
 class Water(Element):
-    """Still water."""
+    """Water with a level surface."""
 
     what: ClassVar[str] = "water"
 
@@ -42,39 +62,112 @@ class Water(Element):
 
 
 class HullShape(Element):
-    """A box-shaped hull, along the body's axes."""
+    """A hull: a box along the body's axes, or a mesh from a CAD file."""
 
     what: ClassVar[str] = "a hull"
 
-    box: Sizes = Field(description="Length, breadth and depth: sizes along x, y, z of the body.")
+    box: Sizes | None = Field(None, description="Length, breadth and depth: sizes along x, y, z of the body.")
     keel: Position | None = Field(
-        None, description="Middle of its bottom in the body's axes; their origin if not given."
+        None, description="Middle of the box's bottom in the body's axes; their origin if not given."
     )
+    mesh: Text | None = Field(
+        None, description="CAD file beside the lift file with the outside of the hull: STL, OBJ, GLB or STEP."
+    )
+    units: Literal["m", "mm", "cm"] | None = Field(
+        None, description="Unit of length of that file; what it says itself, else m, if not given."
+    )
+    scale: Annotated[float, Number(least=1e-3, most=1e3)] = Field(
+        1.0, description="Factor on all lengths of that file, of a model for instance."
+    )
+    up: Literal["y", "z"] | None = Field(
+        None, description="Axis of that file that points up; y in glTF and z elsewhere if not given."
+    )
+    at: Position = Field(ORIGIN, description="Where the origin of that file is in the body's axes.")
 
     @property
     def bottom(self) -> tuple[float, float, float]:
-        """Middle of its bottom in the body's axes [m]."""
+        """Middle of the box's bottom in the body's axes [m]."""
         return ORIGIN if self.keel is None else self.keel
 
     @property
-    def extent(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-        """Its least and largest x, y, z in the body's axes [m]."""
+    def extent(self) -> Extent | None:
+        """Least and largest x, y, z of a box in the body's axes [m]; None of a mesh, whose file knows."""
+        if self.box is None:
+            return None
         (length, breadth, depth), (x, y, z) = self.box, self.bottom
         return (x - length / 2, y - breadth / 2, z), (x + length / 2, y + breadth / 2, z + depth)
 
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """A hull is one thing."""
+        if "box" in data and "mesh" in data:
+            raise refuse("a hull is a 'box' or comes from a 'mesh', not both", "mesh")
+        if "box" not in data and "mesh" not in data:
+            raise refuse("a hull is 'box: [100 m, 30 m, 8 m]' or 'mesh: hull.obj'")
+        for key in ("units", "scale", "up", "at"):
+            if key in data and "mesh" not in data:
+                raise refuse(f"'{key}' is for a hull from a 'mesh'; a box has its 'keel'", key)
+        if "keel" in data and "box" not in data:
+            raise refuse("'keel' is for a hull that is a 'box'; a mesh has 'at'", "keel")
 
-class AddedMass(Element):
+
+class OfWater(Element):
+    """A matrix over the motions of a body: by axes, whole, or from a hydrodynamic database."""
+
+    at: Position = Field(
+        ORIGIN,
+        description="Point that it is about, in the body's axes: for a 'database' its reference point.",
+    )
+    database: Text | None = Field(
+        None, description="Hydrodynamic database beside the lift file: .nc, .h5, .dhyd or .hyd."
+    )
+    body: Text | None = Field(None, description="Body of the database, where it has several.")
+    period: (
+        Annotated[
+            float | Literal["infinite_frequency"],
+            WordOr(("infinite_frequency",), Quantity("time", "positive")),
+        ]
+        | None
+    ) = Field(
+        None, description="Period of the motion at which the database is read, or 'infinite_frequency'."
+    )
+
+    #: Keys of the six axes.
+    axes: ClassVar[tuple[str, ...]] = MOTIONS
+
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """It is given in one way."""
+        given = [key for key in ("database", "matrix") if key in data]
+        if len(given) == 2:
+            raise refuse("it is a 'matrix' or comes from a 'database', not both", "matrix")
+        for key in cls.axes if given else ():
+            if key in data:
+                raise refuse(f"'{key}' is part of the '{given[0]}'; leave one of them out", key)
+        if "database" in data:
+            if "at" not in data:
+                raise refuse("'at' is missing: where the database's reference point is in the body's axes")
+            if "period" not in data:
+                raise refuse("'period' is missing; it is written like '9 s', or 'infinite_frequency'")
+        for key in ("body", "period"):
+            if key in data and "database" not in data:
+                raise refuse(f"'{key}' is for a 'database'", key)
+
+
+class AddedMass(OfWater):
     """Water that moves along with a body, constant, along the body's axes."""
 
     what: ClassVar[str] = "added mass"
 
-    at: Position = Field(ORIGIN, description=_POINT)
     surge: Mass = Field(0.0, description="Along x.")
     sway: Mass = Field(0.0, description="Along y.")
     heave: Mass = Field(0.0, description="Along z.")
     roll: Inertia = Field(0.0, description="About x.")
     pitch: Inertia = Field(0.0, description="About y.")
     yaw: Inertia = Field(0.0, description="About z.")
+    matrix: Annotated[Matrix, SymmetricMatrix("mass", "mass_moment", "inertia")] | None = Field(
+        None, description="All of it: six rows over surge, sway, heave, roll, pitch, yaw."
+    )
 
     @model_validator(mode="after")
     def _not_negative(self) -> AddedMass:
@@ -89,18 +182,26 @@ class AddedMass(Element):
         return [getattr(self, motion) for motion in MOTIONS]
 
 
-class WaterDamping(Element):
+class WaterDamping(OfWater):
     """What still water resists a body's motion with, linear, along the body's axes."""
 
     what: ClassVar[str] = "damping by water"
 
-    at: Position = Field(ORIGIN, description=_POINT)
     surge: Damping = Field(0.0, description="Along x.")
     sway: Damping = Field(0.0, description="Along y.")
     heave: Damping = Field(0.0, description="Along z.")
     roll: RotationalDamping = Field(0.0, description="About x.")
     pitch: RotationalDamping = Field(0.0, description="About y.")
     yaw: RotationalDamping = Field(0.0, description="About z.")
+    matrix: Annotated[Matrix, SymmetricMatrix("damping", "coupled_damping", "rotational_damping")] | None = (
+        Field(None, description="All of it: six rows over surge, sway, heave, roll, pitch, yaw.")
+    )
+
+    @model_validator(mode="after")
+    def _radiates(self) -> WaterDamping:
+        if self.period == "infinite_frequency":
+            raise refuse("at infinite frequency no waves are made and nothing damps; give a period", "period")
+        return self
 
     @property
     def diagonal(self) -> list[float]:
@@ -148,6 +249,8 @@ class Afloat(Element):
     added_mass: AddedMass | None = Field(None, description="Water that moves along with it.")
     water_damping: WaterDamping | None = Field(None, description="What water resists its motion with.")
     tanks: Named[BallastTank] | None = Field(None, description="Tanks with liquid in it, by name.")
+    wind_areas: Named[StreamArea] | None = Field(None, description=WIND_SHOWN)
+    current_areas: Named[StreamArea] | None = Field(None, description=CURRENT_SHOWN)
 
     @property
     def floats_freely(self) -> bool:

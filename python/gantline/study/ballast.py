@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from gantline.assembly.hulls import hull_mesh
 from gantline.hydro import Hull
 from gantline.hydro.tank import Tank, free_surface_correction
 from gantline.results.rotation import axes
@@ -233,9 +234,9 @@ class _Afloat:
         self.rest = self.question.equilibrium(time)
         body = next(one for one in self.question.assembly.document["bodies"] if one["name"] == vessel)
         self.mass, self.centre = float(body["mass"]), np.array(body["centre_of_gravity"])
-        hull = bodies_afloat(scenario)[vessel].hull
+        hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
         assert hull is not None  # it floats
-        self._middle = hull.bottom[0]
+        self._middle = float(hull.box[:, 0].mean())
         self._level = (scenario.water or Water()).level
         self.turn = axes(self.rest.recording.column("body_orientation", vessel)[-1])
         self.attitude = self._attitude()

@@ -1,4 +1,4 @@
-//! Forces of the water on bodies.
+//! Forces of water and wind on bodies.
 
 use glam::DVec3;
 
@@ -84,8 +84,9 @@ fn build_force(given: &ForceSpec, spec: &SystemSpec, tree: &Tree) -> Result<AnyF
                 matrix: built,
             })
         }
-        ForceSpec::Drag { body, at, damping, quadratic, .. } => {
+        ForceSpec::Drag { body, at, damping, quadratic, stream, .. } => {
             finite(name, "its point", at)?;
+            finite(name, "the velocity of its fluid", stream)?;
             check_matrix(name, "its damping", damping)?;
             if let Some(value) = quadratic.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
                 return error(name, format!("a quadratic resistance is {value}; it must be zero or more"));
@@ -97,6 +98,7 @@ fn build_force(given: &ForceSpec, spec: &SystemSpec, tree: &Tree) -> Result<AnyF
                 damping: Square::from_rows(damping),
                 linear: DVec3::from_slice(&quadratic[..3]),
                 angular: DVec3::from_slice(&quadratic[3..]),
+                stream: DVec3::from_array(*stream),
             })
         }
     })

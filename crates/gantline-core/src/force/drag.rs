@@ -1,14 +1,19 @@
-//! Resistance of still water: linear by a constant matrix, quadratic along each of the body's axes.
+//! Resistance of a fluid, water or air, that stands or streams: linear by a constant matrix, quadratic along each of the
+//! body's axes.
 //!
 //! ```text
-//! F = −B ν − (c_i |ν_i| ν_i)
+//! F = −B ν − (c_i |ν_i| ν_i)        ν = (Rᵀ (v_P − u), Rᵀ ω)
 //! ```
 //!
-//! ν holds the velocity of a point P of the body and the angular velocity, in the body's axes; forces act at P.
+//! ν holds the velocity of a point P of the body against the fluid and the angular velocity, in the body's axes; forces
+//! act at P. u is the velocity of the fluid, the same everywhere and always. It does not turn along with the body: a turn
+//! δθ changes ν by Rᵀ (δθ × u), and that is all that the force knows of the body's place.
+//!
+//! The power F·v splits into what is lost, F·(v − u) + M·ω, never positive, and the work F·u of what drives the fluid.
 
 use glam::{DMat3, DVec3};
 
-use super::square::Square;
+use super::square::{Square, skew};
 use super::{At, Force, Tangent};
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::Twist;
@@ -28,13 +33,16 @@ pub struct Drag {
     pub linear: DVec3,
     /// c of the three rotations [N m s²].
     pub angular: DVec3,
+    /// u [m/s], world axes.
+    pub stream: DVec3,
 }
 
 impl Drag {
     /// ν.
     fn motion(&self, at: &At) -> Twist {
         let turn = at.pose.rotation.transpose();
-        Twist { angular: turn * at.twist.angular, linear: turn * at.twist.at(at.pose.rotation * self.at) }
+        let linear = at.twist.at(at.pose.rotation * self.at) - self.stream;
+        Twist { angular: turn * at.twist.angular, linear: turn * linear }
     }
 }
 
@@ -62,11 +70,19 @@ impl Force for Drag {
         slope.linear += DMat3::from_diagonal(self.linear * motion.linear.abs() * 2.0);
         slope.angular += DMat3::from_diagonal(self.angular * motion.angular.abs() * 2.0);
         let velocity = slope.about(self.at).turned(&at.pose.rotation).negated();
-        Tangent { velocity, ..Tangent::NONE }
+        // δν = δθ × u, and the same at every point of the body.
+        let turned = skew(self.stream) * -1.0;
+        let cross = velocity.linear * turned;
+        let place = Square { cross, angular: velocity.back * turned, ..Square::ZERO };
+        Tangent { place, velocity, ..Tangent::NONE }
     }
 
     fn loss(&self, at: &At) -> f64 {
         let Wrench { force, moment } = self.wrench(at);
-        -force.dot(at.twist.linear) - moment.dot(at.twist.angular)
+        force.dot(self.stream - at.twist.linear) - moment.dot(at.twist.angular)
+    }
+
+    fn work(&self, at: &At) -> f64 {
+        if self.stream == DVec3::ZERO { 0.0 } else { self.wrench(at).force.dot(self.stream) }
     }
 }

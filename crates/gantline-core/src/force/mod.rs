@@ -1,4 +1,5 @@
-//! Forces on single bodies that depend on where the body is and how it moves: what water does to it, around it and in it.
+//! Forces on single bodies that depend on where the body is and how it moves: what water does to it, around it and in it,
+//! and what wind does.
 //!
 //! A force is a wrench about the origin of its body. It says how the wrench changes with place, velocity and
 //! acceleration *as seen from the body*: what turns along with the body does not change then. So matrices that are
@@ -94,6 +95,11 @@ pub trait Force {
         0.0
     }
 
+    /// Power that a fluid which streams puts in [W].
+    fn work(&self, _at: &At) -> f64 {
+        0.0
+    }
+
     /// Inertia that moves along with the body, about its origin; `pumped` as in [`At`].
     fn inertia(&self, _pose: &Pose, _pumped: f64) -> Option<Square> {
         None
@@ -122,7 +128,7 @@ pub enum AnyForce {
     Buoyancy(Box<Buoyancy>),
     /// Water that is accelerated along.
     AddedMass(AddedMass),
-    /// Resistance of still water.
+    /// Resistance of water or air.
     Drag(Drag),
     /// A liquid in a tank.
     Tank(Box<Tank>),
@@ -157,17 +163,23 @@ pub fn twist_of(tree: &Tree, kinematics: &Kinematics, body: usize, v: &[f64]) ->
     twist
 }
 
-/// Power that is lost in all forces under the velocity coordinates `v` [W].
-pub fn loss(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
+/// True where wind or current blows on a body.
+pub fn has_stream(tree: &Tree) -> bool {
+    tree.forces.iter().any(|force| matches!(force, AnyForce::Drag(drag) if drag.stream != DVec3::ZERO))
+}
+
+/// Power that fluids which stream put into all bodies under the velocity coordinates `v` [W].
+pub fn work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
     let at = |force: &AnyForce| {
         let (body, gravity) = (force.body(), tree.gravity);
         let twist = twist_of(tree, kinematics, body, v);
-        force.loss(&At { pose: &kinematics.pose[body], twist, rate: Twist::default(), gravity, pumped: 0.0 })
+        force.work(&At { pose: &kinematics.pose[body], twist, rate: Twist::default(), gravity, pumped: 0.0 })
     };
     tree.forces.iter().map(at).sum()
 }
 
-/// Sets `out` to what resists the velocity coordinates `v`, along every degree of freedom.
+/// Sets `out` to what fluids resist the velocity coordinates `v` with, along every degree of freedom; at rest that is the
+/// opposite of what wind and current push with.
 pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f64]) {
     out.fill(0.0);
     for force in &tree.forces {

@@ -1,4 +1,4 @@
-//! Forces of water on bodies.
+//! Forces of water and wind on bodies.
 
 use serde::Deserialize;
 
@@ -32,7 +32,7 @@ pub enum ForceSpec {
         /// Added mass [kg, kg m, kg m²], symmetric.
         matrix: [[f64; 6]; 6],
     },
-    /// Resistance of still water.
+    /// Resistance of water or air.
     Drag {
         /// Unique name.
         name: String,
@@ -44,6 +44,9 @@ pub enum ForceSpec {
         damping: [[f64; 6]; 6],
         /// Force over velocity squared, each axis by itself [N s²/m², N m s²].
         quadratic: [f64; 6],
+        /// Velocity of the fluid [m/s], world axes.
+        #[serde(default)]
+        stream: [f64; 3],
     },
     /// A liquid in a tank. Its mass is the body's, at the centre that the liquid has with the body upright, unless it
     /// is pumped.

@@ -225,8 +225,10 @@ pub struct Potential {
     pub frame: Frame,
     /// Inverse dynamics without any motion.
     pub dynamics: NewtonEuler,
-    /// ∂V/∂q of gravity and buoyancy.
+    /// ∂V/∂q of gravity and buoyancy, less what wind and current push with.
     pub gravity: Vec<f64>,
+    /// The opposite of what wind and current push with, which has no V; empty where there are none.
+    pub pushed: Vec<f64>,
     /// ∂V/∂q.
     pub slope: Vec<f64>,
     /// Sum of the sizes of the terms of every slope.
@@ -257,6 +259,7 @@ impl Potential {
             frame: Frame::new(system),
             dynamics: NewtonEuler::new(&system.tree),
             gravity: vec![0.0; size],
+            pushed: if force::has_stream(&system.tree) { vec![0.0; size] } else { Vec::new() },
             slope: vec![0.0; size],
             terms: vec![0.0; size],
             noise: vec![0.0; size],
@@ -276,6 +279,9 @@ impl Potential {
         frame.kinematics.update(&system.tree, q);
         frame.rows(system, q, by);
         dynamics.update(&system.tree, &frame.kinematics, &self.still, None, None, gravity);
+        if !self.pushed.is_empty() {
+            force::resistance(&system.tree, &self.frame.kinematics, &self.still, &mut self.pushed);
+        }
         self.slope.copy_from_slice(&self.gravity);
         for (terms, gravity) in self.terms.iter_mut().zip(&self.gravity) {
             *terms = gravity.abs();

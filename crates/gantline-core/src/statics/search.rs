@@ -13,6 +13,8 @@
 //! With a large λ the step is that of an implicit step in time from rest, 1/√λ long, so what nothing holds falls, and
 //! what nothing moves stays where it was: of neutral motions the nearest in the metric of M.
 //!
+//! Wind and current push without a potential. What they do in a step is their work along it.
+//!
 //! λ never falls below [`LEAST`], so that neutral motions do not make the matrix singular; the last steps converge
 //! by λ/ω² each, ω the slowest motion that is not neutral.
 
@@ -178,7 +180,7 @@ impl Search {
             let Some(promised) = self.model(system, bearings, lambda) else { break };
             self.there.update(system, bearings, &Remembered::of(state));
             let noise = self.here.rounding + self.there.rounding;
-            let mut gained = self.here.energy - self.there.energy;
+            let mut gained = self.gained();
             if promised.abs() <= NOISE * noise {
                 // Energies say no more: it goes on while slopes do.
                 let before = self.here.residual(system);
@@ -206,6 +208,14 @@ impl Search {
             *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
         }
         self.end(system)
+    }
+
+    /// Energy that falls on the step, with the work of wind and current along it, which have none, by the trapezoidal rule:
+    /// what leads down that is an equilibrium where all slopes are zero [J].
+    fn gained(&self) -> f64 {
+        let pushed = self.here.pushed.iter().zip(&self.there.pushed).zip(&self.step);
+        let work: f64 = pushed.map(|((here, there), step)| -0.5 * (here + there) * step).sum();
+        self.here.energy - self.there.energy + work
     }
 
     /// Nothing leads on from here.
@@ -299,7 +309,7 @@ impl Search {
         }
         let passable = self.is_passable(system, 0.0);
         self.there.update(system, bearings, &Remembered::of(state));
-        let corrected = self.here.energy - self.there.energy;
+        let corrected = self.gained();
         if passable && corrected > gained {
             return corrected;
         }

@@ -212,14 +212,17 @@ impl Del {
         report.complementarity_residual = self.rows.residual(system);
 
         // q₊ = q ⊕ h v₊, and the books.
+        let mut stream_power = 0.0;
         if !self.resistance.is_empty() {
             force::resistance(&system.tree, &frame.kinematics, &self.middle, &mut self.resistance);
+            stream_power = force::work(&system.tree, &frame.kinematics, &self.middle);
         }
         let flow = StepFlows {
             h,
             v: &self.v,
             c: &self.c,
             resistance: &self.resistance,
+            stream_power,
             rows: &self.rows,
             stiffness: &self.kkt.stiffness,
         };

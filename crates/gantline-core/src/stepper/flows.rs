@@ -21,8 +21,10 @@ pub struct StepFlows<'a> {
     pub v: &'a [f64],
     /// Velocity-dependent forces minus gravity.
     pub c: &'a [f64],
-    /// What of c is resistance of water; empty where there is none.
+    /// What of c is resistance of water and air; empty where there is none.
     pub resistance: &'a [f64],
+    /// Power that wind and current put in [W].
+    pub stream_power: f64,
     /// Forces and modes.
     pub rows: &'a Complementarity,
     /// Geometric stiffness of the step.
@@ -74,7 +76,8 @@ impl StepFlows<'_> {
         state.bias.copy_from_slice(self.c);
         // Resistance takes what it takes in the step.
         let taken: f64 = self.resistance.iter().zip(self.v).map(|(force, v)| force * v).sum();
-        state.ledger.flows.drag += self.h * taken;
+        state.ledger.flows.drag += self.h * (taken + self.stream_power);
+        state.ledger.flows.fluid_work += self.h * self.stream_power;
         for (bias, force) in state.bias.iter_mut().zip(self.resistance) {
             *bias -= force;
         }

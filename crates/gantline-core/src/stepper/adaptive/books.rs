@@ -75,6 +75,7 @@ impl Adaptive {
         for (index, force) in system.tree.forces.iter().enumerate() {
             let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, index);
             ledger.drag += duration * force.loss(&at);
+            ledger.fluid_work += duration * force.work(&at);
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();

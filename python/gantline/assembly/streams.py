@@ -1,0 +1,61 @@
+"""Air and water that push on areas of bodies, standing or streaming, into forces."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.parts import Json, Parts
+from gantline.scenario import Scenario
+from gantline.scenario.stream import AIR, StreamArea, Wind
+from gantline.scenario.tanks import bodies_afloat
+from gantline.scenario.water import Water
+
+__all__ = ["add_streams"]
+
+_AXES = ("x", "y", "z")
+
+
+def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> None:
+    """Add a force for each area of vessels, plain bodies and the load."""
+    origins = {name: (body, np.zeros(3)) for name, body in bodies_afloat(scenario).items()}
+    wind, current = scenario.wind, scenario.current
+    air = (wind.density, wind.velocity) if isinstance(wind, Wind) else (AIR, (0.0, 0.0, 0.0))
+    standing = (scenario.water or Water()).density, (0.0, 0.0, 0.0)
+    water = standing if current is None else (standing[0], current.velocity)
+    for name, (body, origin) in origins.items():
+        parts.forces += _pushed(name, "wind", body.wind_areas, origin, air)
+        parts.forces += _pushed(name, "current", body.current_areas, origin, water)
+    if scenario.load is not None and lifted is not None:
+        load, origin = scenario.load, lifted.centre
+        parts.forces += _pushed(load.name, "wind", load.wind_areas, origin, air)
+        parts.forces += _pushed(load.name, "current", load.current_areas, origin, water)
+
+
+def _pushed(
+    body: str,
+    kind: str,
+    areas: Mapping[str, StreamArea] | None,
+    origin: np.typing.NDArray[np.float64],
+    fluid: tuple[float, tuple[float, float, float]],
+) -> list[Json]:
+    """Forces ½ ρ C A u² on areas of a body, whose places count from `origin` in its axes [m]."""
+    density, velocity = fluid
+    found = []
+    for name, area in (areas or {}).items():
+        quadratic = [0.0] * 6
+        quadratic[_AXES.index(area.along)] = 0.5 * density * area.coefficient * area.area
+        found.append(
+            {
+                "type": "drag",
+                "name": f"{body}.{kind}_areas.{name}",
+                "body": body,
+                "at": (np.array(area.at) - origin).tolist(),
+                "damping": [[0.0] * 6] * 6,
+                "quadratic": quadratic,
+                "stream": list(velocity),
+            }
+        )
+    return found

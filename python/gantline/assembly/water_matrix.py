@@ -1,0 +1,71 @@
+"""Added mass and damping of bodies as matrices: by axes, whole, or from hydrodynamic databases."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from gantline.assembly.hulls import stamp
+from gantline.hydro.database import DatabaseError, HydrodynamicDatabase, read_database
+from gantline.scenario import Scenario
+from gantline.scenario.errors import PathPart
+from gantline.scenario.water import AddedMass, OfWater, WaterDamping
+
+__all__ = ["water_matrix"]
+
+#: How far below zero an eigenvalue may be by rounding, relative to the diagonal.
+_ROUNDING = 1e-9
+
+
+def water_matrix(
+    scenario: Scenario, path: tuple[PathPart, ...], given: OfWater, density: float
+) -> tuple[list[list[float]], list[str]]:
+    """The six rows of an added mass or a damping, SI units, and what is doubtful about them.
+
+    Args:
+        scenario: the lift.
+        path: of the added mass or damping in the lift file.
+        given: what the lift file says.
+        density: of the water around the body [kg/m^3].
+
+    Raises:
+        ScenarioError: if a database cannot be used, or a matrix gains energy from the water.
+    """
+    assert isinstance(given, AddedMass | WaterDamping)
+    if given.database is not None:
+        return _from_database(scenario, path, given, density)
+    if given.matrix is None:
+        return np.diag(given.diagonal).tolist(), []
+    rows = np.array(given.matrix)
+    scale = np.sqrt(np.maximum(np.diag(rows), 0.0))
+    scale = np.where(scale > 0, scale, 1.0)
+    if np.diag(rows).min() < 0 or np.linalg.eigvalsh(rows / np.outer(scale, scale))[0] < -_ROUNDING:
+        sentence = "some motion would gain energy from this water: an eigenvalue of the matrix is below zero"
+        raise scenario.error((*path, "matrix"), f"{sentence}; check signs and units of its terms")
+    return rows.tolist(), []
+
+
+def _from_database(
+    scenario: Scenario, path: tuple[PathPart, ...], given: AddedMass | WaterDamping, density: float
+) -> tuple[list[list[float]], list[str]]:
+    assert given.database is not None and given.period is not None  # validated
+    place = Path(scenario.source).parent / given.database
+    try:
+        database = _read(place, stamp(place), given.body)
+        period = None if given.period == "infinite_frequency" else float(given.period)
+        if isinstance(given, AddedMass):
+            matrix, doubts = database.added_mass_at(period, density)
+        else:
+            assert period is not None  # validated
+            matrix, doubts = database.damping_at(period, density)
+    except DatabaseError as problem:
+        raise scenario.error((*path, "database"), str(problem).replace(str(place), given.database)) from None
+    return matrix.tolist(), doubts
+
+
+@lru_cache(maxsize=8)
+def _read(path: Path, _stamp: tuple[int, int], body: str | None) -> HydrodynamicDatabase:
+    """A database, read once for added mass, damping and all cases of a lift."""
+    return read_database(path, body)

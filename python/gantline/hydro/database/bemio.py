@@ -1,0 +1,108 @@
+"""BEMIO's HDF5 files, which WEC-Sim and HydroChrono read.
+
+Where `scaled` is 0, as it is as a rule, they hold A/ρ, B/(ρω) and F/(ρg). Time goes as exp(iωt), as in WAMIT.
+Matrices are about the centre of gravity that the file names.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import numpy.typing as npt
+
+from gantline.hydro.database.model import DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.opening import checked_hdf5, numbers, text_of
+
+__all__ = ["read_bemio"]
+
+Array = npt.NDArray[np.float64]
+
+
+def read_bemio(path: Path) -> list[HydrodynamicDatabase]:
+    """All bodies of a file."""
+    checked_hdf5(path)
+    with h5py.File(path, "r") as file:
+        bodies = [key for key in file if key.startswith("body") and f"{key}/hydro_coeffs" in file]
+        if not bodies or "simulation_parameters" not in file:
+            raise DatabaseError(f"{path}: has no 'body1/hydro_coeffs' as BEMIO's files have")
+        return [_body(path, file, key) for key in sorted(bodies, key=lambda key: (len(key), key))]
+
+
+def _single(file: h5py.File, name: str) -> float:
+    values = numbers(file, name).reshape(-1)
+    if values.size != 1:
+        raise ValueError(f"'{name}' has {values.size} values; one is needed")
+    return float(values[0])
+
+
+def _body(path: Path, file: h5py.File, key: str) -> HydrodynamicDatabase:
+    parameters, place = "simulation_parameters", f"{key}/hydro_coeffs"
+    density, gravity = _single(file, f"{parameters}/rho"), _single(file, f"{parameters}/g")
+    is_scaled = f"{parameters}/scaled" in file and bool(_single(file, f"{parameters}/scaled"))
+    omega = numbers(file, f"{parameters}/w").reshape(-1)
+    factor = 1.0 if is_scaled else density
+    first = 0
+    if f"{key}/properties/dof_start" in file:
+        first = int(_single(file, f"{key}/properties/dof_start")) - 1
+    mass = _own(path, numbers(file, f"{place}/added_mass/all"), first, len(omega)) * factor
+    damping = _own(path, numbers(file, f"{place}/radiation_damping/all"), first, len(omega)) * factor
+    if not is_scaled:
+        damping = damping * omega[:, None, None]
+    infinite = None
+    if f"{place}/added_mass/inf_freq" in file:
+        table = numbers(file, f"{place}/added_mass/inf_freq")
+        infinite = _own(path, table[:, :, None], first, 1)[0] * factor
+    order = np.argsort(omega)
+    directions, excitation = _waves(file, place, 1.0 if is_scaled else density * gravity, len(omega))
+    name = f"{key}/properties/name"
+    depth = f"{parameters}/water_depth"
+    volume = f"{key}/properties/disp_vol"
+    return HydrodynamicDatabase(
+        name=text_of(file[name][()]) if name in file else key,
+        source=f"{path.name} (BEMIO)",
+        frequencies=omega[order],
+        added_mass=mass[order],
+        damping=damping[order],
+        density=density,
+        infinite_added_mass=infinite,
+        reference=numbers(file, f"{key}/properties/cg").reshape(3)
+        if f"{key}/properties/cg" in file
+        else None,
+        displacement=_single(file, volume) if volume in file else None,
+        water_depth=_depth(file, depth) if depth in file else None,
+        directions=directions,
+        excitation=None if excitation is None else excitation[order],
+    )
+
+
+def _depth(file: h5py.File, name: str) -> float | None:
+    """A number, or the word 'infinite'."""
+    value = file[name][()]
+    if np.asarray(value).dtype.kind in "SOU":
+        return np.inf if "inf" in text_of(value).lower() else None
+    return _single(file, name)
+
+
+def _own(path: Path, table: Array, first: int, count: int) -> Array:
+    """Of (6, 6 bodies, n) what the body's own motions do, as (n, 6, 6)."""
+    if table.ndim != 3 or table.shape[0] != 6 or table.shape[1] < first + 6 or table.shape[2] != count:
+        shape = " × ".join(map(str, table.shape))
+        raise DatabaseError(f"{path}: a table is {shape}; 6 × {first + 6} × {count} are needed")
+    return table[:, first : first + 6].transpose(2, 0, 1)
+
+
+def _waves(
+    file: h5py.File, place: str, factor: float, count: int
+) -> tuple[Array, npt.NDArray[np.complex128] | None]:
+    tables = [f"{place}/excitation/{part}" for part in ("re", "im")]
+    if not all(name in file for name in tables) or "simulation_parameters/wave_dir" not in file:
+        return np.zeros(0), None
+    directions = np.radians(numbers(file, "simulation_parameters/wave_dir").reshape(-1))
+    real, imaginary = (numbers(file, name) for name in tables)
+    if real.shape != (6, len(directions), count) or imaginary.shape != real.shape:
+        return np.zeros(0), None
+    # The other sign of time: the conjugate.
+    forces = np.asarray((real - 1j * imaginary) * factor, dtype=np.complex128)
+    return directions, forces.transpose(2, 1, 0)

@@ -1,0 +1,177 @@
+"""What a wave program says about one body, whatever the format of its file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+__all__ = ["AXES", "DatabaseError", "HydrodynamicDatabase"]
+
+Array = npt.NDArray[np.float64]
+
+#: The six motions, in the order of rows and columns.
+AXES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+
+#: Difference of a matrix from its transpose that panel methods leave, of the diagonal.
+_UNSYMMETRIC = 0.02
+#: The same beyond which a file contradicts itself.
+_CONTRADICTS = 0.25
+#: Negative damping that panel methods leave near irregular frequencies, of the diagonal.
+_NEGATIVE = 0.02
+
+
+class DatabaseError(ValueError):
+    """A hydrodynamic database cannot be used; the message is one plain sentence."""
+
+
+@dataclass(frozen=True)
+class HydrodynamicDatabase:
+    """Radiation, and what waves do, of one body. SI units, x forward, y to port, z up.
+
+    Attributes:
+        name: of the body.
+        source: name of the file and its format, in words.
+        frequencies: circular frequencies, rising, all above zero and finite (n,) [rad/s].
+        added_mass: (n, 6, 6) [kg, kg m, kg m^2].
+        damping: (n, 6, 6) [N s/m, N s, N m s].
+        density: of the water that they are for [kg/m^3]; None where the file does not say.
+        infinite_added_mass: at infinite frequency (6, 6); None where the file has none.
+        reference: point that matrices are about, in the file's axes, z = 0 in the water (3,) [m]; None where
+            the file does not say.
+        displacement: volume (float) [m^3]; None where the file does not say.
+        water_depth: [m], infinite for deep water; None where the file does not say.
+        directions: that waves run in, from x towards y (k,) [rad]; empty where there are none.
+        excitation: complex force per metre of wave amplitude (n, k, 6) [N/m, N]: force Re(F exp(−iωt)) in the
+            wave Re(exp(i(κx − ωt))) at the file's origin; None where there is none.
+        doubts: what is doubtful, a sentence each.
+    """
+
+    name: str
+    source: str
+    frequencies: Array
+    added_mass: Array
+    damping: Array
+    density: float | None = None
+    infinite_added_mass: Array | None = None
+    reference: Array | None = None
+    displacement: float | None = None
+    water_depth: float | None = None
+    directions: Array = field(default_factory=lambda: np.zeros(0))
+    excitation: npt.NDArray[np.complex128] | None = None
+    doubts: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        count = len(self.frequencies)
+        if count == 0:
+            raise DatabaseError(f"{self.source}: there are no frequencies in it")
+        for what, values in (("added mass", self.added_mass), ("damping", self.damping)):
+            if values.shape != (count, 6, 6):
+                shape = " × ".join(map(str, values.shape))
+                raise DatabaseError(
+                    f"{self.source}: its {what} is {shape}; {count} frequencies need {count} × 6 × 6"
+                )
+            if not np.isfinite(values).all():
+                raise DatabaseError(f"{self.source}: its {what} has numbers that are not finite")
+        if not (np.isfinite(self.frequencies).all() and np.all(np.diff(self.frequencies, prepend=0.0) > 0)):
+            raise DatabaseError(f"{self.source}: its frequencies do not rise from above zero")
+        if self.density is not None and not 0 < self.density < 1e5:
+            raise DatabaseError(f"{self.source}: {self.density:g} kg/m^3 is not the density of water")
+        if self.infinite_added_mass is not None and not (
+            self.infinite_added_mass.shape == (6, 6) and np.isfinite(self.infinite_added_mass).all()
+        ):
+            raise DatabaseError(f"{self.source}: its added mass at infinite frequency is no 6 × 6 matrix")
+
+    @property
+    def periods(self) -> Array:
+        """Periods of the frequencies (n,) [s]."""
+        return 2 * np.pi / self.frequencies
+
+    def added_mass_at(self, period: float | None, density: float) -> tuple[Array, list[str]]:
+        """Added mass at a period, linear between frequencies, made symmetric.
+
+        Args:
+            period: [s]; None is infinite frequency.
+            density: of the water that it is wanted for [kg/m^3].
+
+        Returns:
+            the matrix (6, 6) [kg, kg m, kg m^2] about the reference point; what is doubtful.
+
+        Raises:
+            DatabaseError: if the period is not within the file, or the matrix is no added mass.
+        """
+        if period is None:
+            if self.infinite_added_mass is None:
+                raise DatabaseError(f"{self.source}: has no infinite frequency; {self._range()}")
+            matrix = self.infinite_added_mass
+        else:
+            matrix = self._between(self.added_mass, period)
+        return self._ready(matrix, density, "added mass")
+
+    def damping_at(self, period: float, density: float) -> tuple[Array, list[str]]:
+        """Damping at a period; otherwise as `added_mass_at`, units [N s/m, N s, N m s]."""
+        return self._ready(self._between(self.damping, period), density, "damping")
+
+    def _range(self) -> str:
+        longest, shortest = self.periods[0], self.periods[-1]
+        return f"its periods go from {shortest:.4g} to {longest:.4g} s"
+
+    def _between(self, values: Array, period: float) -> Array:
+        wanted = 2 * np.pi / period
+        low, high = self.frequencies[0], self.frequencies[-1]
+        if not low * (1 - 1e-9) <= wanted <= high * (1 + 1e-9):
+            raise DatabaseError(f"{self.source}: a period of {period:.4g} s is not in it; {self._range()}")
+        if len(self.frequencies) == 1:
+            only: Array = values[0]
+            return only
+        place = int(np.clip(np.searchsorted(self.frequencies, wanted), 1, len(self.frequencies) - 1))
+        before, after = self.frequencies[place - 1], self.frequencies[place]
+        share = float(np.clip((wanted - before) / (after - before), 0.0, 1.0))
+        between: Array = (1 - share) * values[place - 1] + share * values[place]
+        return between
+
+    def _ready(self, matrix: Array, density: float, what: str) -> tuple[Array, list[str]]:
+        """Symmetric, without negative eigenvalues, for another water."""
+        doubts = list(self.doubts)
+        if self.density is None:
+            doubts.append(f"{self.source} does not say for which water; that of the lift is taken")
+        else:
+            matrix = matrix * (density / self.density)
+        difference = np.abs(matrix - matrix.T) / np.outer(_scale(matrix), _scale(matrix))
+        i, j = (int(place) for place in np.unravel_index(np.argmax(difference), (6, 6)))
+        if difference[i, j] > _UNSYMMETRIC:
+            one, other = f"{AXES[i]} by {AXES[j]}", f"{AXES[j]} by {AXES[i]}"
+            share = f"{100 * difference[i, j]:.3g} % of the diagonal"
+            sentence = (
+                f"{self.source}: its {what} of {one} and of {other}, the same by nature, differ by {share}"
+            )
+            if difference[i, j] > _CONTRADICTS:
+                raise DatabaseError(f"{sentence}; another period may be better")
+            doubts.append(f"{sentence}; their mean is taken")
+        return self._not_negative((matrix + matrix.T) / 2, what, doubts)
+
+    def _not_negative(self, matrix: Array, what: str, doubts: list[str]) -> tuple[Array, list[str]]:
+        """Small negative eigenvalues, which a body would be driven by, set to zero and said."""
+        scale = _scale(matrix)
+        values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
+        least = float(values[0])
+        if least >= -1e-12:
+            return matrix, doubts
+        if least < -_NEGATIVE * float(values[-1]):
+            raise DatabaseError(
+                f"{self.source}: its {what} has a motion that gains energy from the water, "
+                f"{100 * -least / float(values[-1]):.3g} % of the largest; another period may be better"
+            )
+        if least < -1e-6 * float(values[-1]):
+            share = f"{-100 * least / float(values[-1]):.2g} % of the largest"
+            doubts.append(f"{self.source}: a motion whose {what} is below zero, by {share}, is set to zero")
+        mended = (vectors * np.maximum(values, 0.0)) @ vectors.T * np.outer(scale, scale)
+        return (mended + mended.T) / 2, doubts
+
+
+def _scale(matrix: Array) -> Array:
+    """Roots of the largest diagonal terms of shifts and of turns, by motion (6,): they make all terms alike."""
+    shift, turn = (float(np.abs(np.diag(matrix)[part]).max()) for part in (slice(0, 3), slice(3, 6)))
+    scale: Array = np.sqrt(np.repeat([shift or turn or 1.0, turn or shift or 1.0], 3))
+    return scale

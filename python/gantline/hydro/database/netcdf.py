@@ -1,0 +1,222 @@
+"""Capytaine's NetCDF files, and DAVE's `.dhyd`, which are made of the same tables in tonnes and kilonewtons.
+
+Both name their dimensions, and the order of the motions is whatever the file has. Time goes as exp(−iωt).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.opening import checked_hdf5, text_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["read_capytaine", "read_dhyd"]
+
+Array = npt.NDArray[np.float64]
+Complex = npt.NDArray[np.complex128]
+
+#: Tonnes and kilonewtons.
+_DAVE = 1000.0
+_RADIATION = ("omega", "radiating_dof", "influenced_dof")
+
+
+def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
+    """All bodies of a file that Capytaine wrote; SI units throughout."""
+    source = f"{path.name} (Capytaine)"
+    with _dataset(path) as found:
+        if "added_mass" not in found or "radiation_damping" not in found:
+            raise DatabaseError(
+                f"{path}: has no 'added_mass' and 'radiation_damping' as Capytaine's files have"
+            )
+        for name in ("omega", *_RADIATION[1:]):
+            if name not in found.coords:
+                raise DatabaseError(f"{path}: has no '{name}', which its tables run over")
+        if "forward_speed" in found.sizes and found.sizes["forward_speed"] > 1:
+            raise DatabaseError(f"{path}: has several forward speeds; one without speed can be read")
+        bodies = _bodies(path, [text_of(dof) for dof in found["influenced_dof"].values])
+        density = _scalar(path, found, "rho")
+        depth = _scalar(path, found, "water_depth")
+        omega = np.asarray(found["omega"].values, dtype=float)
+        order = np.argsort(omega)
+        kept = order[np.isfinite(omega[order]) & (omega[order] > 0)]
+        at_infinity = order[np.isposinf(omega[order])]
+        single = text_of(found["body_name"].values) if "body_name" in found else ""
+        result = []
+        for body, dofs in bodies.items():
+            mass, damping = (_matrix(path, found[name], dofs) for name in ("added_mass", "radiation_damping"))
+            directions, excitation = _capytaine_waves(path, found, dofs)
+            result.append(
+                HydrodynamicDatabase(
+                    name=body or single or path.stem,
+                    source=source,
+                    frequencies=omega[kept],
+                    added_mass=mass[kept],
+                    damping=damping[kept],
+                    density=density,
+                    infinite_added_mass=mass[at_infinity[0]] if len(at_infinity) else None,
+                    reference=_point(found, body, "rotation_center", "rotation_centers"),
+                    displacement=_volume(found, body),
+                    water_depth=depth,
+                    directions=directions,
+                    excitation=None if excitation is None else excitation[kept],
+                )
+            )
+        return result
+
+
+def read_dhyd(path: Path) -> list[HydrodynamicDatabase]:
+    """The body of a `.dhyd` file; it says neither reference point nor draft."""
+    names = checked_hdf5(path)
+    for name in ("mass/added_mass", "damping/radiation_damping"):
+        if name not in names:
+            raise DatabaseError(f"{path}: has no '{name}', as .dhyd files have")
+    with _dataset(path, "mass") as mass, _dataset(path, "damping") as damping:
+        dofs = list(AXES)
+        omega = np.asarray(mass["omega"].values, dtype=float)
+        order = np.argsort(omega)
+        if not np.array_equal(omega, np.asarray(damping["omega"].values, dtype=float)):
+            raise DatabaseError(f"{path}: added mass and damping are for different frequencies")
+        matrices = (
+            _matrix(path, mass["added_mass"], dofs),
+            _matrix(path, damping["radiation_damping"], dofs),
+        )
+        directions, excitation = _dhyd_waves(path, names, len(omega))
+        return [
+            HydrodynamicDatabase(
+                name=text_of(mass["body_name"].values) if "body_name" in mass else path.stem,
+                source=f"{path.name} (DAVE)",
+                frequencies=omega[order],
+                added_mass=matrices[0][order] * _DAVE,
+                damping=matrices[1][order] * _DAVE,
+                density=_scalar(path, mass, "rho"),
+                water_depth=_scalar(path, mass, "water_depth"),
+                directions=directions,
+                excitation=None if excitation is None else excitation[order] * _DAVE,
+            )
+        ]
+
+
+def _dataset(path: Path, group: str | None = None) -> xr.Dataset:
+    """A NetCDF file, or one of its groups, of the fourth version or of an older one."""
+    import xarray
+
+    with path.open("rb") as file:
+        start = file.read(4)
+    if start[:3] == b"CDF":
+        return xarray.open_dataset(path, engine="scipy", decode_times=False)
+    checked_hdf5(path)
+    return xarray.open_dataset(path, engine="h5netcdf", group=group, decode_times=False)
+
+
+def _bodies(path: Path, dofs: Sequence[str]) -> dict[str, list[str]]:
+    """The six motions of each body by its name; of a single one the name may be empty."""
+    found: dict[str, dict[str, str]] = {}
+    for dof in dofs:
+        body, _, axis = dof.rpartition("__")
+        if axis.lower() in AXES:
+            found.setdefault(body, {})[axis.lower()] = dof
+    whole = {body: [motions[axis] for axis in AXES] for body, motions in found.items() if len(motions) == 6}
+    if not whole:
+        listed = ", ".join(dofs[:12])
+        raise DatabaseError(f"{path}: no body has the six motions surge to yaw; it has {listed}")
+    return whole
+
+
+def _matrix(path: Path, table: Any, dofs: Sequence[str]) -> Array:
+    """(n, 6, 6): rows are forces, columns motions."""
+    for name in _RADIATION:
+        if name not in table.dims and table.sizes.get(name) is None:
+            raise DatabaseError(f"{path}: its '{table.name}' does not run over '{name}'")
+    extra = [name for name in table.dims if name not in _RADIATION]
+    if any(table.sizes[name] != 1 for name in extra):
+        raise DatabaseError(f"{path}: its '{table.name}' runs over {', '.join(map(str, extra))} as well")
+    values = np.asarray(
+        table.squeeze(extra).transpose("omega", "influenced_dof", "radiating_dof").values, dtype=float
+    )
+    return values[:, _places(path, table, "influenced_dof", dofs)][
+        :, :, _places(path, table, "radiating_dof", dofs)
+    ]
+
+
+def _places(path: Path, table: Any, dimension: str, dofs: Sequence[str]) -> list[int]:
+    known = {text_of(dof).lower(): place for place, dof in enumerate(table[dimension].values)}
+    missing = [dof for dof in dofs if dof.lower() not in known]
+    if missing:
+        raise DatabaseError(f"{path}: its '{dimension}' has no {missing[0]}")
+    return [known[dof.lower()] for dof in dofs]
+
+
+def _scalar(path: Path, found: xr.Dataset, name: str) -> float | None:
+    if name not in found:
+        return None
+    values = np.unique(np.asarray(found[name].values, dtype=float))
+    if len(values) != 1:
+        raise DatabaseError(f"{path}: its '{name}' has {len(values)} values; one can be read")
+    return float(values[0])
+
+
+def _point(found: xr.Dataset, body: str, *names: str) -> Array | None:
+    """A point (3,) of a body where the file has it under one of these names."""
+    for name in names:
+        if name not in found:
+            continue
+        table = found[name]
+        if "body_name" in table.dims and body:
+            table = table.sel(body_name=body)
+        values = np.asarray(table.values, dtype=float).reshape(-1)
+        if values.shape == (3,) and np.isfinite(values).all():
+            return values
+    return None
+
+
+def _volume(found: xr.Dataset, body: str) -> float | None:
+    if "disp_volume" not in found:
+        return None
+    table = found["disp_volume"]
+    if "body_name" in table.dims and body:
+        table = table.sel(body_name=body)
+    values = np.asarray(table.values, dtype=float).reshape(-1)
+    return float(values[0]) if values.size == 1 else None
+
+
+def _capytaine_waves(path: Path, found: xr.Dataset, dofs: Sequence[str]) -> tuple[Array, Complex | None]:
+    """Froude–Krylov and diffraction forces together; angles in radians."""
+    parts = [found[name] for name in ("Froude_Krylov_force", "diffraction_force") if name in found]
+    if len(parts) != 2 or "wave_direction" not in found.coords:
+        return np.zeros(0), None
+    table = parts[0] + parts[1]
+    wanted = ("omega", "wave_direction", "influenced_dof")
+    if "complex" in table.dims:
+        pair = {text_of(label): place for place, label in enumerate(table["complex"].values)}
+        table = table.isel(complex=pair["re"]) + 1j * table.isel(complex=pair["im"])
+    extra = [name for name in table.dims if name not in wanted]
+    if any(table.sizes[name] != 1 for name in extra) or any(name not in table.dims for name in wanted):
+        return np.zeros(0), None
+    values = np.asarray(table.squeeze(extra).transpose(*wanted).values, dtype=complex)
+    places = _places(path, table, "influenced_dof", dofs)
+    return np.asarray(found["wave_direction"].values, dtype=float), values[:, :, places]
+
+
+def _dhyd_waves(path: Path, names: Sequence[str], count: int) -> tuple[Array, Complex | None]:
+    """Groups Surge to Yaw with `real` and `imag` over frequency and direction [rad]."""
+    groups = [axis.capitalize() for axis in AXES]
+    if not all(f"{group}/{part}" in names for group in groups for part in ("real", "imag")):
+        return np.zeros(0), None
+    forces, directions = [], np.zeros(0)
+    for group in groups:
+        with _dataset(path, group) as found:
+            table = found["real"] + 1j * found["imag"]
+            values = np.asarray(table.transpose("omega", "wave_direction").values, dtype=complex)
+            directions = np.asarray(found["wave_direction"].values, dtype=float)
+        if values.shape != (count, len(directions)):
+            raise DatabaseError(f"{path}: the wave forces of {group} have another shape than its damping")
+        forces.append(values)
+    return directions, np.stack(forces, axis=-1)

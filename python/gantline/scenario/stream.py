@@ -1,0 +1,87 @@
+"""Wind and current, and the areas that they push on."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from gantline.scenario.base import Element
+from gantline.scenario.quantities import Angle, Number, Position, Quantity, WordOr
+
+__all__ = [
+    "AIR",
+    "CURRENT_SHOWN",
+    "WIND_SHOWN",
+    "Current",
+    "Stream",
+    "StreamArea",
+    "Wind",
+    "WindOfLift",
+]
+
+#: Density of air at 15 °C and 101.325 kPa [kg/m^3], ISO 2533.
+AIR = 1.225
+
+WIND_SHOWN = "Areas that air resists and wind pushes, by name."
+CURRENT_SHOWN = "Areas under water that water resists and current pushes, by name."
+ORIGIN = (0.0, 0.0, 0.0)
+
+
+class StreamArea(Element):
+    """An area across one axis of a body: force along that axis, half density times speed squared."""
+
+    what: ClassVar[str] = "an area"
+
+    area: Annotated[float, Quantity("area", "positive")] = Field(description="Area, seen along its axis.")
+    coefficient: Annotated[float, Number(least=0.0, most=10.0)] = Field(
+        description="Shape coefficient, about 1.2 for a box in wind."
+    )
+    along: Literal["x", "y", "z"] = Field(
+        description="Axis of the body across which it stands, and along which the force acts."
+    )
+    at: Position = Field(
+        ORIGIN, description="Where the force acts: in the body's axes, of a load from its datum."
+    )
+
+
+class Stream(Element):
+    """A fluid that moves steadily, the same everywhere, level."""
+
+    speed: Annotated[float, Quantity("speed", "not_negative")] = Field(description="Speed.")
+    direction: Angle = Field(description="Direction in which it moves, from world x towards y.")
+
+    @property
+    def velocity(self) -> tuple[float, float, float]:
+        """Velocity (3,), world axes [m/s]."""
+        x, y = math.cos(self.direction), math.sin(self.direction)
+        return self.speed * x, self.speed * y, 0.0
+
+
+class Wind(Stream):
+    """Steady wind."""
+
+    what: ClassVar[str] = "wind"
+
+    density: Annotated[float, Quantity("density", "positive")] = Field(
+        AIR, description="Density of the air; 1.225 kg/m^3 if not given."
+    )
+
+
+class Current(Stream):
+    """Steady current."""
+
+    what: ClassVar[str] = "current"
+
+
+def _wind_kind(value: Any) -> str:
+    return "a stream" if isinstance(value, (dict, Wind)) else "a speed"
+
+
+_Gust = Annotated[float | Literal["none"], WordOr(("none",), Quantity("speed", "not_negative"))]
+
+#: A speed that is held against limits, or wind that pushes as well.
+WindOfLift = Annotated[
+    Annotated[_Gust, Tag("a speed")] | Annotated[Wind, Tag("a stream")], Discriminator(_wind_kind)
+]
