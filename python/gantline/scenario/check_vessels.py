@@ -21,7 +21,9 @@ def check_vessels(findings: Findings) -> None:
     for name, vessel in (findings.scenario.vessels or {}).items():
         path: Path = ("vessels", name)
         check_afloat(findings, path, vessel)
-        check_inertia(findings, path, vessel.own_inertia, is_free=True)
+        if vessel.inertia is not None:
+            check_inertia(findings, path, vessel.inertia, is_free=True)
+        _check_radii(findings, path, vessel)
         _check_draft(findings, path, vessel)
         _check_tanks(findings, path, vessel)
         _check_openings(findings, path, vessel)
@@ -47,6 +49,13 @@ def check_inertia(findings: Findings, path: Path, inertia: BodyInertia, *, is_fr
     ):
         sentence = "no body has such an inertia; each of xx, yy, zz is at most the sum of the other two"
         findings.add((*path, "inertia"), f"{sentence}, and products are small")
+
+
+def _check_radii(findings: Findings, path: Path, vessel: Vessel) -> None:
+    squares = [radius**2 for radius in vessel.radii_of_gyration or ()]
+    if squares and 2 * max(squares) > sum(squares) * _ROUNDING:
+        sentence = "no body has such radii; the square of each is at most the sum of those of the other two"
+        findings.add((*path, "radii_of_gyration"), sentence)
 
 
 def _check_draft(findings: Findings, path: Path, vessel: Vessel) -> None:
