@@ -83,6 +83,8 @@ impl Simulation {
                     status.set_item("message", error.to_string())?;
                     status.set_item("element", error.element)?;
                     status.set_item("cause", error.cause)?;
+                    status.set_item("time", error.time)?;
+                    return Ok(status);
                 }
             }
             status.set_item("time", time)?;

@@ -23,7 +23,9 @@ def check_vessels(findings: Findings) -> None:
     for name, vessel in (findings.scenario.vessels or {}).items():
         path: Path = ("vessels", name)
         check_afloat(findings, path, vessel)
-        check_inertia(findings, path, vessel.own_inertia, is_free=True)
+        if vessel.inertia is not None:
+            check_inertia(findings, path, vessel.inertia, is_free=True)
+        _check_radii(findings, path, vessel)
         extent = vessel.hull.extent
         if extent is not None:
             check_inside(findings, path, vessel, extent)
@@ -66,6 +68,13 @@ def check_inside(findings: Findings, path: Path, vessel: Vessel, extent: Extent)
     _check_draft(findings, path, vessel, extent)
     _check_tanks(findings, path, vessel, extent)
     _check_openings(findings, path, vessel, extent)
+
+
+def _check_radii(findings: Findings, path: Path, vessel: Vessel) -> None:
+    squares = [radius**2 for radius in vessel.radii_of_gyration or ()]
+    if squares and 2 * max(squares) > sum(squares) * _ROUNDING:
+        sentence = "no body has such radii; the square of each is at most the sum of those of the other two"
+        findings.add((*path, "radii_of_gyration"), sentence)
 
 
 def _check_draft(findings: Findings, path: Path, vessel: Vessel, extent: Extent) -> None:
