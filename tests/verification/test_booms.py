@@ -420,7 +420,7 @@ def test_pull_on_a_vessel_is_that_of_its_trim() -> None:
     horizon = math.asin(along[2])
     angle = float(recording["boom_angle"].values[0, 0])
     assert abs(horizon - angle) > math.radians(0.1)  # it does trim
-    # The stretch was taken up for the trim of the lift file, and changes a little with that of the equilibrium.
+    # The stretch was taken up for the trim of the lift file; that of the equilibrium changes it a little.
     assert angle == pytest.approx(math.radians(60), abs=2e-5)
     moment = weight_moment(horizon, SHEAVE_BLOCK + HOOK_BLOCK + 300e3)
     assert recording["luffing_pull"].values[0, 0] == pytest.approx(moment / tackle(angle)[1], rel=1e-9)
