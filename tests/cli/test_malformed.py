@@ -8,7 +8,7 @@ import pytest
 from ruamel.yaml import YAML
 from typer.testing import CliRunner
 
-from boom_lift import boom_lift
+from boom_lift import TACKLES, boom_lift
 from gantline.cli.app import app
 from gantline.scenario import ScenarioError, load_scenario
 from gantline.scenario.tree import LARGEST_FILE
@@ -20,6 +20,7 @@ BASES = {
     "mechanics": MECHANICS,
     "afloat": AFLOAT,
     "boom": boom_lift(LUFF, duration=60.0),
+    "tackles": boom_lift(LUFF, duration=60.0, luffing=TACKLES),
 }
 CASES = YAML(typ="safe").load(Path(__file__).with_name("malformed.yaml"))
 NEEDED = "a lift file or its folder is needed"

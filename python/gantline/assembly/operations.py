@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from gantline.assembly.conditions import condition_of
 from gantline.assembly.parts import Json
 from gantline.assembly.plain import drum_drive
 from gantline.assembly.water import pump_drive
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.condition import Condition
-from gantline.scenario.hooks import full_name
-from gantline.scenario.movers import Mover, mover
+from gantline.scenario.movers import Mover, boom_angles, mover
 from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep, Step
-from gantline.scenario.reeving import hoist_ropes
 from gantline.scenario.tanks import ends_of_pump, tanks_of
 
 __all__ = [
@@ -53,16 +53,16 @@ def turned_drive(upper: str) -> str:
 def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json]:
     """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
     found = []
-    for place, step in enumerate(scenario.plan):
+    for place, (step, before) in enumerate(zip(scenario.plan, boom_angles(scenario), strict=True)):
         if isinstance(step, HoldStep):
             made = _hold(step)
         elif isinstance(step, PumpStep):
             made = _pumping(scenario, step)
         else:
-            made = _moving(scenario, step)
+            made = _moving(scenario, step, before)
         if step.until is not None:
             down = isinstance(step, (LowerStep, PayOutStep))
-            made["until"] = _condition(scenario, rigging, step.until, weight, down=down)
+            made["until"] = condition_of(scenario, rigging, step.until, weight, down=down)
         if place == 0 and made["start_at"] is None:
             made["start_at"] = 0.0
         found.append(made)
@@ -94,8 +94,9 @@ def emergency_stop(scenario: Scenario) -> Json | None:
             for drive in moved_drives(scenario, step):
                 stopped[drive] = {"drive": drive, "stop": slowing}
         for one in _moved(scenario, step) if isinstance(step, MovingStep) else ():
+            rate = _rate(one, {one.name: (one.start or 0.0, True)}, None)
             for drive in _drives(one):
-                stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed)}
+                stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed, rate)}
     return {"at": at, "drives": list(stopped.values())}
 
 
@@ -114,10 +115,10 @@ def _moved(scenario: Scenario, step: MovingStep) -> list[Mover]:
     return [one for one in found if one is not None]
 
 
-def _stop(one: Mover, speed: float) -> Json:
-    """How a drive at a speed [m/s] is stopped in an emergency."""
+def _stop(one: Mover, speed: float, rate: float = 1.0) -> Json:
+    """How a drive at a speed is stopped in an emergency; `rate` is from words of the plan to the drive."""
     acceleration = speed / _AT_ONCE if one.capacity or one.emergency is None else one.emergency
-    return {"acceleration": acceleration, "brake": one.brake}
+    return {"acceleration": acceleration * rate, "brake": one.brake}
 
 
 def _hold(step: HoldStep) -> Json:
@@ -151,69 +152,57 @@ def _pumping(scenario: Scenario, step: PumpStep) -> Json:
     return made
 
 
-def _moving(scenario: Scenario, step: MovingStep) -> Json:
+def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[float, bool]]) -> Json:
+    """A step; `before`: where booms are at its start, see `boom_angles`."""
     moved = [(one, drive) for one in _moved(scenario, step) for drive in _drives(one)]
-    moves = [
-        {
-            "drive": drive,
-            "velocity": step.sign * step.speed,
-            "acceleration": step.acceleration if step.acceleration is not None else one.acceleration,
-            "shape": "linear",
-            **({} if step.emergency_stop_at is None else {"emergency": _stop(one, step.speed)}),
-        }
-        for one, drive in moved
-    ]
+    targets = [_target(step, one, before) for one, _ in moved]
+    moves = []
+    for (one, drive), target in zip(moved, targets, strict=True):
+        rate = _rate(one, before, target)
+        acceleration = step.acceleration if step.acceleration is not None else one.acceleration
+        moves.append(
+            {
+                "drive": drive,
+                "velocity": step.sign * step.speed * rate,
+                "acceleration": acceleration * rate,
+                "shape": "linear",
+                **({} if step.emergency_stop_at is None else {"emergency": _stop(one, step.speed, rate)}),
+            }
+        )
     made: Json = {"name": step.step, "moves": moves, "start_at": step.start_at, "until": {}}
     if step.starts == "with_previous":
         made["with_previous"] = True
     at = step.brake_from if step.brake_from is not None else step.emergency_stop_at
-    to = getattr(step, "to", None)
     if at is not None:
         made["until"] = {"type": "brake_from", "time": at}
-    elif step.by is not None:
+    elif step.by is not None and not any(one.gear for one, _ in moved):
         made["until"] = {"type": "distance", "distance": step.sign * step.by}
-    elif to is not None:
-        made["until"] = {"type": "position", "positions": [to - one.zero for one, _ in moved]}
+    elif any(target is not None for target in targets):
+        positions = [
+            (one.gear.taken_up(target) if one.gear is not None else target - one.zero)
+            for (one, _), target in zip(moved, targets, strict=True)
+            if target is not None
+        ]
+        made["until"] = {"type": "position", "positions": positions}
     return made
 
 
-def _condition(
-    scenario: Scenario, rigging: Rigging, condition: Condition, weight: float, *, down: bool
-) -> Json:
-    if condition.hoist_load is not None:
-        reached = condition.hoist_load
-        name = full_name(reached.hook, scenario.hooks) or ""
-        reeving = scenario.hooks[name].reeving
-        assert reeving is not None  # checked when the file was read
-        segments = [[rope, part] for rope in hoist_ropes(name, reeving) for part in range(reeving.parts_each)]
-        if reached.above is not None:
-            return {"type": "tension_above", "segments": segments, "bound": reached.above}
-        return {"type": "tension_below", "segments": segments, "bound": reached.below}
-    if condition.tension_spread is not None:
-        names = condition.of or tuple(rigging.equalizers)
-        groups = [
-            [f"sling.{one.name}" for one in rigging.slings.values() if one.equalizer == name]
-            for name in names
-        ]
-        groups = [group for group in groups if group]
-        return {"type": "spread", "groups": groups, "at_most": condition.tension_spread}
-    for angle in ("heel", "trim"):
-        reached = getattr(condition, angle)
-        if reached is not None:
-            above = reached.above is not None
-            bound = reached.above if above else reached.below
-            return {
-                "type": "attitude",
-                "body": reached.vessel,
-                "angle": angle,
-                "above": above,
-                "bound": bound,
-            }
-    assert scenario.load is not None  # checked when the file was read
-    group = scenario.load.name
-    if condition.load_transferred is not None:
-        share = condition.load_transferred
-        if down:
-            return {"type": "load_returned", "group": group, "weight": weight, "at_most": share}
-        return {"type": "load_transferred", "group": group, "weight": weight, "at_least": share}
-    return {"type": "clear" if condition.supports == "clear" else "touched", "group": group}
+def _target(step: MovingStep, one: Mover, before: Mapping[str, tuple[float, bool]]) -> float | None:
+    """Where a step brings what it moves, as `to` counts it; None where that is not known."""
+    to: float | None = getattr(step, "to", None)
+    if to is None and step.by is not None and one.name in before:
+        return before[one.name][0] + step.by
+    return to
+
+
+def _rate(one: Mover, before: Mapping[str, tuple[float, bool]], target: float | None) -> float:
+    """What the drive does for one unit of the plan: 1, or of a boom in tackles rope for each angle [m/rad].
+
+    Over the way of the step in the mean, so that it takes as long as it says; where it does not know its end
+    at the last angle that the plan has said, where it does not know its start at the end.
+    """
+    if one.gear is None:
+        return 1.0
+    angle, known = before[one.name]
+    first = angle if known or target is None else target
+    return one.gear.rate(first, first if target is None else target)

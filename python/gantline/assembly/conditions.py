@@ -1,0 +1,62 @@
+"""Conditions on which steps of the plan end, from words of the lift file to those of the core."""
+
+from __future__ import annotations
+
+from gantline.assembly.parts import Json
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.condition import Condition
+from gantline.scenario.hooks import full_name
+from gantline.scenario.reeving import hoist_ropes
+
+__all__ = ["condition_of"]
+
+
+def condition_of(
+    scenario: Scenario, rigging: Rigging, condition: Condition, weight: float, *, down: bool
+) -> Json:
+    """What a step waits for, as the core reads it.
+
+    Args:
+        scenario: the lift.
+        rigging: who carries whom.
+        condition: as the lift file says it.
+        weight: what the load weighs as it is simulated [N].
+        down: whether the step lowers; shares of the weight then count what is left.
+    """
+    if condition.hoist_load is not None:
+        reached = condition.hoist_load
+        name = full_name(reached.hook, scenario.hooks) or ""
+        reeving = scenario.hooks[name].reeving
+        assert reeving is not None  # checked when the file was read
+        segments = [[rope, part] for rope in hoist_ropes(name, reeving) for part in range(reeving.parts_each)]
+        if reached.above is not None:
+            return {"type": "tension_above", "segments": segments, "bound": reached.above}
+        return {"type": "tension_below", "segments": segments, "bound": reached.below}
+    if condition.tension_spread is not None:
+        names = condition.of or tuple(rigging.equalizers)
+        groups = [
+            [f"sling.{one.name}" for one in rigging.slings.values() if one.equalizer == name]
+            for name in names
+        ]
+        groups = [group for group in groups if group]
+        return {"type": "spread", "groups": groups, "at_most": condition.tension_spread}
+    for angle in ("heel", "trim"):
+        reached = getattr(condition, angle)
+        if reached is not None:
+            above = reached.above is not None
+            bound = reached.above if above else reached.below
+            return {
+                "type": "attitude",
+                "body": reached.vessel,
+                "angle": angle,
+                "above": above,
+                "bound": bound,
+            }
+    assert scenario.load is not None  # checked when the file was read
+    group = scenario.load.name
+    if condition.load_transferred is not None:
+        share = condition.load_transferred
+        if down:
+            return {"type": "load_returned", "group": group, "weight": weight, "at_most": share}
+        return {"type": "load_transferred", "group": group, "weight": weight, "at_least": share}
+    return {"type": "clear" if condition.supports == "clear" else "touched", "group": group}
