@@ -429,6 +429,18 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
             0,
             {name: name for crane in rig.cranes for name in crane.corners},
         ),
+        "ground_pressure": (
+            "ground_pressure",
+            "kPa",
+            1,
+            {name: name for crane in rig.crawlers for name in crane.corners},
+        ),
+        "tipping_utilisation": (
+            "tipping_utilisation",
+            "%",
+            1,
+            {crane.name: crane.name for crane in rig.crawlers},
+        ),
     }
     if measure not in sources:
         yield "not known here"

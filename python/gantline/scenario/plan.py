@@ -109,6 +109,8 @@ MEASURES = (
     "hook_height",
     "falls_out_of_plumb",
     "corner_load",
+    "ground_pressure",
+    "tipping_utilisation",
 )
 
 
