@@ -81,7 +81,7 @@ def recording(
         for crane in dict.fromkeys(cranes)
     ]
     rig = {
-        "hooks": [{"name": hook, "crane": crane_of[hook]} for hook in hooks],
+        "hooks": [{"name": hook, "crane": crane_of[hook], "direct_slings": [hook]} for hook in hooks],
         "slings": [{"name": hook, "rope": f"sling.{hook}", "from": hook, "to_lug": "L"} for hook in hooks],
         "rating_charts": charts,
         "factors": factors or {},

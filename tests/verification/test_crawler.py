@@ -14,7 +14,6 @@ from crawler_lift import (
     CENTRE,
     GAUGE,
     GROUND,
-    HOOK_BLOCK,
     LENGTH,
     MATS,
     TRACK,

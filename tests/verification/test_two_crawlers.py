@@ -86,12 +86,12 @@ def check(recording: Recording, name: str) -> Check:
 
 
 def test_shares_by_moments_and_what_is_kept_back() -> None:
-    """Centre of gravity 2 m off the middle of 20 m: 80 and 120 t; the chart at 16 m less 20 % for two cranes."""
+    """Centre of gravity 2 m off the middle of 20 m: 80 and 120 t; 20 % over them by the chart at 16 m."""
     recording = lifted(rules="rules: {several_cranes: queensland}\n")
     assert recording.metrics()["final_load_transferred"] == 1.0
     last = recording.time > recording.time[-1] - 20.0
     shares = [recording.column("hook_load", f"{crane}.H")[last].mean() / G for crane in ("c1", "c2")]
-    # The heavier hook hangs lower: by the tilt the centre of gravity, 16.5 m below the hooks, moves away from it.
+    # The heavier hook hangs lower: by the tilt the centre of gravity, 16.5 m below, moves away from it.
     tilt = recording.column("load_tilt", "beam")[last].mean()
     assert 0 < tilt < math.radians(0.5)
     aside = LOAD * (HOOK - 1.5) * math.tan(tilt) / APART

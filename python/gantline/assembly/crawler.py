@@ -30,9 +30,10 @@ from gantline.scenario.crawler import TRACK_CORNERS, Crawler, Tracks, tracks_bod
 
 __all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_contact"]
 
-#: Parts of pictures that no mechanics depends on: height of tracks, machinery and counterweight, sizes of the
-#: last two along and across [m].
+#: Parts of pictures that no mechanics depends on: height of tracks, thickness of mats, sizes of machinery and
+#: counterweight [m].
 _TRACK = 1.4
+_MAT = 0.3
 _MACHINE = (6.0, 4.0, 3.0)
 _WEIGHT = (2.0, 6.0, 3.0)
 
@@ -233,7 +234,10 @@ def crawler_shape(scenario: Scenario, body: str) -> Json | None:
             boxes = [_box((tracks.length, tracks.width, _TRACK), (0.0, y, _TRACK / 2)) for y in sides]
             across = tracks.gauge - tracks.width
             middle = _box((tracks.length / 3, across, _TRACK / 2), (0.0, 0.0, tracks.height - _TRACK / 4))
-            return {"type": "boxes", "boxes": [*boxes, middle]}
+            mats = [
+                _box((tracks.length, tracks.mats, _MAT), (0.0, y, -_MAT / 2)) for y in sides if tracks.mats
+            ]
+            return {"type": "boxes", "boxes": [*boxes, middle, *mats]}
         if body == upper_body(name):
             behind = crane.counterweight.behind
             machine = (0.0, 0.0, tracks.height + _MACHINE[2] / 2)

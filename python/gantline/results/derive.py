@@ -247,13 +247,17 @@ def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]
     if rig.crawlers:
         tipping = dict(zip(labels["crawler"], found["tipping_utilisation"].values.T, strict=True))
         passed += crawler_events(columns["time"], rig.crawlers, tipping)
-    if passed:
-        events = [known[f"event_{key}"].values for key in ("time", "kind", "name")]
-        together = [*zip(*(values.tolist() for values in events), strict=True), *passed]
-        together.sort(key=lambda event: event[0])
-        for key, values in zip(("time", "kind", "name"), zip(*together, strict=True), strict=True):
+    events = [known[f"event_{key}"].values.tolist() for key in ("time", "kind", "name")]
+    before = list(zip(*events, strict=True))
+    # Corners of tracks have no friction, what it would hold joints do: that they slip is no event.
+    corners = {corner for crane in rig.crawlers for corner in crane.corners}
+    kept = [one for one in before if not (one[1] in ("slip", "stick") and one[2] in corners)]
+    together = sorted([*kept, *passed], key=lambda event: event[0])
+    if together != before:
+        for place, key in enumerate(("time", "kind", "name")):
             kind = np.float64 if key == "time" else np.str_
-            found[f"event_{key}"] = replace(known[f"event_{key}"], values=np.array(values, dtype=kind))
+            values = np.array([event[place] for event in together], dtype=kind)
+            found[f"event_{key}"] = replace(known[f"event_{key}"], values=values)
     return found, labels
 
 
