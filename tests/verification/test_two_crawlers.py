@@ -116,6 +116,7 @@ def test_shares_by_moments_and_what_is_kept_back() -> None:
 
 
 def test_without_a_rule_the_check_says_so() -> None:
+    """No rule for several cranes: the load as it is, and a warning."""
     found = check(lifted(duration=40.0), "hoist_load_of_rating")
     assert found.verdict is Verdict.WARNING
     assert "2 cranes lift together, and no rule keeps capacity back" in found.remark

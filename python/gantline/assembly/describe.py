@@ -20,6 +20,7 @@ from gantline.assembly.reeving import (
     ReevedHook,
     falls_on_upper_sheaves,
     reeved_hooks,
+    upper_sheaves,
 )
 from gantline.assembly.shapes import members, watch_name
 from gantline.assembly.sheave import spin_of
@@ -367,11 +368,13 @@ def _step(scenario: Scenario, step: Any) -> Json:
 
 def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:
     """What is needed to draw the system: bodies with shapes, sheaves, kinds of ropes, the ground."""
+    # Of the parts that no lift file names nodes have no shape, nor has what only bears others.
+    tops = {upper_sheaves(hook) for hook in scenario.hooks}
     return {
         "bodies": [
             _body(scenario, rigging, lifted, body)
-            for body in parts.bodies.values()
-            if body["name"] not in parts.nodes
+            for name, body in parts.bodies.items()
+            if "/" not in name or name in tops
         ],
         "sheaves": [*_sheaves(parts), *_extension_sheaves(scenario, rigging, lifted, parts)],
         "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.rope_names],
@@ -426,7 +429,7 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif name in scenario.hooks:
         kind = "hook"
         shape = next((_cheek(scenario, hook) for hook in reeved_hooks(scenario) if hook.name == name), None)
-    elif "/" in name:  # a part that no lift file names, such as upper sheaves
+    elif name in map(upper_sheaves, scenario.hooks):
         kind = "body"
     elif name in crane_bodies(scenario.cranes or {}):
         shape = crane_shape(scenario, name) or crawler_shape(scenario, name) or boom_shape(scenario, name)
