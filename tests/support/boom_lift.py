@@ -43,12 +43,13 @@ cranes:
 {more}mechanics:
   bodies:
 {bodies}
-plan:
+{ropes}plan:
 {plan}
 simulation: {{tension_tolerance: {tolerance} N, position_tolerance: 0.001 mm, sample_interval: 0.1 s}}
 """
 
 PRESCRIBED = "speed: 30 deg/min, acceleration: 0.05 deg/s^2, range: [40 deg, 80 deg]"
+TACKLES = f"{PRESCRIBED}, tackles: {{count: 4, parts: 16, rope: luff, from: [70 m, 8 m, 62 m]}}"
 STANDS = "    position: [0 m, 0 m, 0 m]\n"
 ONE_HOOK = "H1: {type: H, height: 40 m}"
 HUNG = "hung: {parent: fc.H1, joint: {type: fixed}, mass: 300 t}"
@@ -65,6 +66,7 @@ def boom_lift(
     luffing: str = PRESCRIBED,
     hooks: str = ONE_HOOK,
     bodies: str = HUNG,
+    ropes: str = "",
     stiffness: float = 1e4,
     luff_stiffness: float = 238.0,
     damping: str = "10 ms",
@@ -82,6 +84,7 @@ def boom_lift(
         luffing: Keys of the luffing; it has none where this is empty.
         hooks: Hooks at the boom head.
         bodies: What hangs, bodies of `mechanics`.
+        ropes: Further parts of `mechanics`.
         stiffness: EA of the hoist ropes [MN].
         luff_stiffness: EA of the luffing ropes [MN].
         damping: Damping time of the luffing ropes.
@@ -96,6 +99,7 @@ def boom_lift(
         luffing=f"    luffing: {{{luffing}}}\n" if luffing else "",
         hooks="\n".join(f"      {line}" for line in hooks.splitlines()),
         bodies="\n".join(f"    {line}" for line in bodies.splitlines()),
+        ropes=ropes,
         plan="\n".join(f"  - {line}" for line in plan.splitlines()),
         stiffness=stiffness,
         luff_stiffness=luff_stiffness,

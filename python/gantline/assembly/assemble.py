@@ -6,7 +6,7 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-from gantline.assembly.boom import add_booms
+from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.describe import rig, rope_kinds, scene
 from gantline.assembly.extension import add_extension_sheaves
@@ -88,6 +88,7 @@ def assemble(scenario: Scenario) -> Assembly:
     add_water(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
+    hang_in_tackles(parts, scenario)
     rest_on_girders(parts, scenario)
     add_shapes(parts, scenario, rigging, lifted)
     add_touching(parts, scenario)

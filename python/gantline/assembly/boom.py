@@ -2,20 +2,32 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
+
 from gantline.assembly.operations import luff_drive
-from gantline.assembly.parts import Json, Parts
-from gantline.assembly.reeving import hook_rig
-from gantline.assembly.spatial import about_axis
+from gantline.assembly.parts import Json, Parts, end, eye, material
+from gantline.assembly.reeving import hook_rig, mass_on
+from gantline.assembly.rope_weight import lump_rope
+from gantline.assembly.route import route_length
+from gantline.assembly.spatial import Array, about_axis
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane, PlacedBoom
+from gantline.scenario.luffing import Tackles, luffing_drum
+from gantline.scenario.rope_weight import rope_weight
 
-__all__ = ["add_booms", "boom_rig", "boom_shape"]
+__all__ = ["add_booms", "boom_rig", "boom_shape", "hang_in_tackles"]
 
 #: The axis about which a boom rises, axes of its base: to starboard.
 _UP = [0.0, -1.0, 0.0]
 #: Sizes that pictures have where the lift file names none: a boom over its length, a heel pin [m].
 _THICK = 0.03
 _PIN = 2.0
+#: How far a stop gives way under the level boom where the lift file names no stiffness [rad].
+_STOP_GIVES = 1e-3
+#: Mass that moves with the rope of a drum whose motion is prescribed [kg].
+_DRIVEN = 1.0
 
 
 def add_booms(parts: Parts, scenario: Scenario) -> None:
@@ -27,21 +39,25 @@ def add_booms(parts: Parts, scenario: Scenario) -> None:
             fixed = {"type": "fixed"}
             parts.add_body(name, fixed, parent=crane.vessel, position=place, orientation=turned)
     for placed in scenario.booms.values():
-        _add_boom(parts, placed)
+        _add_boom(parts, placed, scenario.simulation.gravity)
+        if placed.tackles is not None:
+            _add_tackles(parts, scenario, placed, placed.tackles)
 
 
-def _add_boom(parts: Parts, placed: PlacedBoom) -> None:
+def _add_boom(parts: Parts, placed: PlacedBoom, gravity: float) -> None:
     boom, drive = placed.boom, None
     if placed.luffing is not None:
         drive = luff_drive(placed.name)
         parts.add_drive(drive)
     hinge: Json = {"type": "fixed"}
     turned = [1.0, 0.0, 0.0, 0.0]
-    if drive is None:
+    if placed.luffing is None:
         turned = about_axis(_UP, boom.angle)
     else:
         hinge = {"type": "hinge", "axis": _UP, "position": boom.angle, "velocity": 0.0, "damping": 0.0}
-        hinge |= {"friction": 0.0, "drive": drive, "stops": None}
+        in_tackles = placed.tackles is not None
+        hinge |= {"friction": 0.0, "drive": None if in_tackles else drive}
+        hinge |= {"stops": _stops(placed, gravity) if in_tackles else None}
     # Two legs from the heel pins to the head, each of half the mass: along and square to it.
     aside = boom.mass * placed.apart**2 / 12
     across = boom.own_inertia
@@ -58,6 +74,89 @@ def _add_boom(parts: Parts, placed: PlacedBoom) -> None:
     parts.lump(placed.name, (boom.length, 0.0, 0.0), boom.head_gear)
 
 
+def _stops(placed: PlacedBoom, gravity: float) -> Json:
+    """Stops at both ends of the range, of a boom that hangs in ropes and may fall onto either."""
+    assert placed.luffing is not None and placed.tackles is not None
+    boom, (low, high) = placed.boom, placed.luffing.range_
+    level = max(boom.mass * gravity, 1.0) * boom.centre_of_gravity * boom.length
+    return {
+        "lower": low,
+        "upper": high,
+        "stiffness": placed.tackles.stop_stiffness or max(level, 1.0) / _STOP_GIVES,
+        "damping_time": placed.tackles.stop_damping_time,
+    }
+
+
+def _add_tackles(parts: Parts, scenario: Scenario, placed: PlacedBoom, tackles: Tackles) -> None:
+    """Every part of line of the tackles, as eyes at their tops and at the boom head, and the drum of all."""
+    drum = luffing_drum(placed.name)
+    parts.add_flow(drum, _DRIVEN, drive=luff_drive(placed.name))
+    kind = (scenario.ropes or {})[tackles.rope]
+    weight = rope_weight(kind, tackles.rope_weight, None)
+    for name, across in zip(placed.ropes, tackles.places, strict=True):
+        top = (placed.base, (tackles.from_[0], across, tackles.from_[2]))
+        head = (placed.name, (placed.boom.length, across, 0.0))
+        along = [head if part % 2 else top for part in range(tackles.parts, -1, -1)]
+        (ends_on, at), (x, y, z) = along[0], top[1]
+        route = [end(ends_on, at), *(eye(*place) for place in along[1:])]
+        # Each part gets shorter by what the drive counts.
+        route.append(end(placed.base, (x, y, z - tackles.lead_line), (drum, -float(tackles.parts))))
+        length = route_length(parts, route)
+        parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
+        lump_rope(parts, name, weight, length, route)
+
+
+def hang_in_tackles(parts: Parts, scenario: Scenario) -> None:
+    """Give luffing ropes the lengths with which they hold each boom, and what hangs at it, at its angle.
+
+    By moments about the heel pins, world axes; what hangs in a hook pulls at the pin of its upper sheaves.
+    """
+    for placed in scenario.booms.values():
+        if placed.tackles is None:
+            continue
+        kind = (scenario.ropes or {})[placed.tackles.rope]
+        assert kind.stiffness is not None  # checked: a luffing rope stretches
+        tension = _weight_moment(parts, scenario, placed) / _levers(parts, placed, placed.tackles)
+        for rope in parts.ropes:
+            if rope["name"] in placed.ropes:
+                rope["length"] /= 1 + max(tension, 0.0) / kind.stiffness
+
+
+def _about_heel(parts: Parts, placed: PlacedBoom, at: Array, force: Array) -> float:
+    """Moment of a force at a point about the axis of the heel pins, lifting positive."""
+    heel, axes = parts.pose(placed.name)
+    return float(axes @ np.array(_UP) @ np.cross(at - heel, force))
+
+
+def _weight_moment(parts: Parts, scenario: Scenario, placed: PlacedBoom) -> float:
+    """What boom, head gear and all that hangs there take to be held [N m]."""
+    plumb = np.array((0.0, 0.0, scenario.simulation.gravity))
+    carried = [placed.name]
+    for name, given in parts.bodies.items():  # parents stand before their children
+        if given["parent"] in carried:
+            carried.append(name)
+    moments = []
+    for name in carried:
+        body = parts.bodies[name]
+        centre = parts.place(name, body["centre_of_gravity"])
+        moments.append(_about_heel(parts, placed, centre, body["mass"] * plumb))
+    for hook in placed.hooks:
+        name = f"{placed.crane}.{hook}"
+        pin = parts.place(placed.name, (*scenario.hooks[name].place, 0.0))
+        moments.append(_about_heel(parts, placed, pin, mass_on(parts, name) * plumb))
+    return math.fsum(moments)
+
+
+def _levers(parts: Parts, placed: PlacedBoom, tackles: Tackles) -> float:
+    """Moment of all parts of line for a tension of 1 N [m]."""
+    total = 0.0
+    for across in tackles.places:
+        head = parts.place(placed.name, (placed.boom.length, across, 0.0))
+        way = parts.place(placed.base, (tackles.from_[0], across, tackles.from_[2])) - head
+        total += tackles.parts * _about_heel(parts, placed, head, way / float(np.linalg.norm(way)))
+    return total
+
+
 def boom_shape(scenario: Scenario, body: str) -> Json | None:
     """Boxes for pictures: a boom with its head, or the heel pins."""
     for placed in scenario.booms.values():
@@ -66,7 +165,8 @@ def boom_shape(scenario: Scenario, body: str) -> Json | None:
         if body == placed.base:
             x, y, z = placed.heel
             pins = [(x, y + side * placed.apart / 2, z) for side in (-1.0, 1.0)]
-            return {"type": "boxes", "boxes": [_box((_PIN, _PIN, _PIN), pin) for pin in pins]}
+            boxes = [_box((_PIN, _PIN, _PIN), pin) for pin in pins]
+            return {"type": "boxes", "boxes": boxes + _a_frame(placed)}
     return None
 
 
@@ -81,6 +181,16 @@ def _boom(placed: PlacedBoom) -> Json:
     return {"type": "boxes", "boxes": boxes}
 
 
+def _a_frame(placed: PlacedBoom) -> list[Json]:
+    """Two posts from the level of the heel pins to the top from which tackles pull, and what joins them."""
+    if placed.tackles is None:
+        return []
+    x, y, z = placed.tackles.from_
+    low = placed.heel[2]
+    posts = [_box((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sorted({-y, y})]
+    return [*posts, _box((_PIN, 2 * abs(y) + _PIN, _PIN), (x, 0.0, z))]
+
+
 def _box(size: tuple[float, float, float], centre: tuple[float, float, float]) -> Json:
     return {"type": "box", "size": list(size), "centre": list(centre)}
 
@@ -92,6 +202,8 @@ def boom_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             "name": placed.crane,
             "boom": placed.name,
             "base": placed.base,
+            "ropes": placed.ropes,
+            "parts": 0 if placed.tackles is None else placed.tackles.parts,
             "range": None if placed.luffing is None else list(placed.luffing.range_),
             "reach_from": list(placed.reach_from),
             "base_from": [-value for value in parts.bodies[placed.base]["centre_of_gravity"]],

@@ -233,6 +233,11 @@ def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMate
         kind = (scenario.ropes or {})[hook.reeving.rope]
         weight = rope_weight(kind, hook.reeving.rope_weight, None)
         kinds |= dict.fromkeys(hook.ropes, (kind, weight))
+    for placed in scenario.booms.values():
+        if placed.tackles is not None:
+            kind = (scenario.ropes or {})[placed.tackles.rope]
+            weight = rope_weight(kind, placed.tackles.rope_weight, None)
+            kinds |= dict.fromkeys(placed.ropes, (kind, weight))
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, rope in (plain or {}).items():
         kind = (scenario.ropes or {})[rope.rope]

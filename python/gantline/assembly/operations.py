@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from gantline.assembly.parts import Json
 from gantline.assembly.plain import drum_drive
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.condition import Condition
 from gantline.scenario.hooks import full_name
-from gantline.scenario.movers import Mover, mover
+from gantline.scenario.movers import Mover, boom_angles, mover
 from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, Step
 from gantline.scenario.reeving import hoist_ropes
 
@@ -49,8 +51,8 @@ def turned_drive(upper: str) -> str:
 def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json]:
     """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
     found = []
-    for place, step in enumerate(scenario.plan):
-        made = _hold(step) if isinstance(step, HoldStep) else _moving(scenario, step)
+    for place, (step, before) in enumerate(zip(scenario.plan, boom_angles(scenario), strict=True)):
+        made = _hold(step) if isinstance(step, HoldStep) else _moving(scenario, step, before)
         if step.until is not None:
             down = isinstance(step, (LowerStep, PayOutStep))
             made["until"] = _condition(scenario, rigging, step.until, weight, down=down)
@@ -79,8 +81,9 @@ def emergency_stop(scenario: Scenario) -> Json | None:
     stopped = {}
     for step in scenario.plan:
         for one in [] if isinstance(step, HoldStep) else _moved(scenario, step):
+            rate = _rate(one, {one.name: (one.start or 0.0, True)}, None)
             for drive in _drives(one):
-                stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed)}
+                stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed, rate)}
     return {"at": at, "drives": list(stopped.values())}
 
 
@@ -99,10 +102,10 @@ def _moved(scenario: Scenario, step: MovingStep) -> list[Mover]:
     return [one for one in found if one is not None]
 
 
-def _stop(one: Mover, speed: float) -> Json:
-    """How a drive at a speed [m/s] is stopped in an emergency."""
+def _stop(one: Mover, speed: float, rate: float = 1.0) -> Json:
+    """How a drive at a speed is stopped in an emergency; `rate` is from words of the plan to the drive."""
     acceleration = speed / _AT_ONCE if one.capacity or one.emergency is None else one.emergency
-    return {"acceleration": acceleration, "brake": one.brake}
+    return {"acceleration": acceleration * rate, "brake": one.brake}
 
 
 def _hold(step: HoldStep) -> Json:
@@ -112,30 +115,61 @@ def _hold(step: HoldStep) -> Json:
     return {"name": step.step, "moves": [], "start_at": None, "until": until}
 
 
-def _moving(scenario: Scenario, step: MovingStep) -> Json:
-    moved = [(one, drive) for one in _moved(scenario, step) for drive in _drives(one)]
-    moves = [
-        {
-            "drive": drive,
-            "velocity": step.sign * step.speed,
-            "acceleration": step.acceleration if step.acceleration is not None else one.acceleration,
-            "shape": "linear",
-            **({} if step.emergency_stop_at is None else {"emergency": _stop(one, step.speed)}),
-        }
-        for one, drive in moved
-    ]
+def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[float, bool]]) -> Json:
+    """A step; `before`: where booms are at its start, see `boom_angles`."""
+    turning = [(one, drive) for one in _moved(scenario, step) for drive in _drives(one)]
+    moved = [one for one, _ in turning]
+    targets = [_target(step, one, before) for one in moved]
+    moves = []
+    for (one, drive), target in zip(turning, targets, strict=True):
+        rate = _rate(one, before, target)
+        acceleration = step.acceleration if step.acceleration is not None else one.acceleration
+        moves.append(
+            {
+                "drive": drive,
+                "velocity": step.sign * step.speed * rate,
+                "acceleration": acceleration * rate,
+                "shape": "linear",
+                **({} if step.emergency_stop_at is None else {"emergency": _stop(one, step.speed, rate)}),
+            }
+        )
     made: Json = {"name": step.step, "moves": moves, "start_at": step.start_at, "until": {}}
     if step.starts == "with_previous":
         made["with_previous"] = True
     at = step.brake_from if step.brake_from is not None else step.emergency_stop_at
-    to = getattr(step, "to", None)
     if at is not None:
         made["until"] = {"type": "brake_from", "time": at}
-    elif step.by is not None:
+    elif step.by is not None and not any(one.gear for one in moved):
         made["until"] = {"type": "distance", "distance": step.sign * step.by}
-    elif to is not None:
-        made["until"] = {"type": "position", "positions": [to - one.zero for one, _ in moved]}
+    elif any(target is not None for target in targets):
+        positions = [
+            (one.gear.taken_up(target) if one.gear is not None else target - one.zero)
+            for one, target in zip(moved, targets, strict=True)
+            if target is not None
+        ]
+        made["until"] = {"type": "position", "positions": positions}
     return made
+
+
+def _target(step: MovingStep, one: Mover, before: Mapping[str, tuple[float, bool]]) -> float | None:
+    """Where a step brings what it moves, as `to` counts it; None where that is not known."""
+    to: float | None = getattr(step, "to", None)
+    if to is None and step.by is not None and one.name in before:
+        return before[one.name][0] + step.by
+    return to
+
+
+def _rate(one: Mover, before: Mapping[str, tuple[float, bool]], target: float | None) -> float:
+    """What the drive does for one unit of the plan: 1, or of a boom in tackles rope for each angle [m/rad].
+
+    Over the way of the step in the mean, so that it takes as long as it says; where it does not know its end
+    at the last angle that the plan has said, where it does not know its start at the end.
+    """
+    if one.gear is None:
+        return 1.0
+    angle, known = before[one.name]
+    first = angle if known or target is None else target
+    return one.gear.rate(first, first if target is None else target)
 
 
 def _condition(

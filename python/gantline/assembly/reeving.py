@@ -155,7 +155,8 @@ def _add_swinging(parts: Parts, hook: ReevedHook, at: Sequence[float], heading: 
 def _add_at_boom(parts: Parts, scenario: Scenario, hook: ReevedHook, boom: str, mass: float) -> None:
     """The hook under a boom head, its upper sheaves in a sheave block pinned there, which hangs plumb.
 
-    The pin is parallel to the heel pins: in the boom's plane the sheave block turns into the line of falls.
+    The pin is parallel to the heel pins: in the boom's plane the sheave block turns into the line of its
+    falls.
     """
     along, across = hook.hook.place
     pin = parts.place(boom, (along, across, 0.0))

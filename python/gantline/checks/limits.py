@@ -7,6 +7,7 @@ held against. Those that everybody has to hand in are listed without a limit too
 from __future__ import annotations
 
 from gantline.checks import (
+    booms,
     contacts,
     cranes,
     crawlers,
@@ -53,6 +54,30 @@ LIMITS: dict[str, Measure] = {
     ),
     "falls_out_of_plumb": Measure(
         "largest angle of the falls of a hook from plumb", "deg", 2, cranes.falls_out_of_plumb, is_listed=True
+    ),
+    "off_lead": Measure(
+        "largest angle of the falls of a hook from plumb in the plane of its boom",
+        "deg",
+        2,
+        booms.off_lead,
+        is_listed=True,
+    ),
+    "side_lead": Measure(
+        "largest angle of the falls of a hook from plumb across its boom",
+        "deg",
+        2,
+        booms.side_lead,
+        is_listed=True,
+    ),
+    "boom_angle_margin": Measure(
+        "distance of the angle of a boom from the nearer end of its range",
+        "deg",
+        1,
+        booms.angle_margin,
+        at_least=True,
+        by_definition=0.0,
+        definition=_ALL,
+        is_listed=True,
     ),
     "hook_height_margin": Measure(
         "highest position of a hook - its height",

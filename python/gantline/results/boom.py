@@ -30,6 +30,8 @@ class Boom(FromJson):
         name: Name of its crane.
         boom: Its body, whose axes begin midway between the heel pins, x along the boom.
         base: The body that bears the heel pins.
+        ropes: Its luffing ropes; none where its angle is as told.
+        parts: Parts of line of each.
         range: Least and largest angle [rad]; None of a boom that does not luff.
         reach_from: From where outreach or radius counts, axes of the base from its origin [m].
         base_from: Origin of the base from its centre of gravity, its axes [m].
@@ -39,6 +41,8 @@ class Boom(FromJson):
     name: str
     boom: str = ""
     base: str = ""
+    ropes: Sequence[str] = ()
+    parts: int = 0
     range: Sequence[float] | None = None
     reach_from: Sequence[float] = (0.0, 0.0, 0.0)
     base_from: Sequence[float] = (0.0, 0.0, 0.0)
@@ -97,10 +101,22 @@ def boom_state(
             dims, side, "rad", "angle of the falls from plumb across the boom, to its port side positive"
         ),
     }
+    if any(boom.ropes for boom in booms):
+        pulls = [_pull(columns, names, boom) for boom in booms]
+        found["luffing_pull"] = Variable(
+            ("time", "boom"), np.stack(pulls, axis=1), "N", "pull of all parts of line of the luffing tackles"
+        )
     return found, {
         "boom": [boom.name for boom in booms],
         "boom_hook": [hook.name for boom in booms for hook in boom.hooks],
     }
+
+
+def _pull(columns: Columns, names: Names, boom: Boom) -> FloatArray:
+    """Pull of all parts of line of its tackles, shape (time,) [N]."""
+    at = [list(names["rope"]).index(rope) for rope in boom.ropes]
+    pull: FloatArray = boom.parts * columns["rope_tension"][:, at].sum(axis=1)
+    return pull
 
 
 def _turned(columns: Columns, names: Names, body: str) -> FloatArray:

@@ -9,28 +9,25 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated, ClassVar, Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element, Named
 from gantline.scenario.errors import PathPart
 from gantline.scenario.hook_parts import CarriedHook
+from gantline.scenario.luffing import Luffing, LuffingGear, Tackles, luffing_ropes
 from gantline.scenario.quantities import (
     Angle,
     Flag,
     Length,
-    ListOf,
     Mass,
     Name,
     Position,
     PositiveAngle,
-    PositiveAngularAcceleration,
-    PositiveAngularSpeed,
     PositiveInertia,
     PositiveLength,
     PositiveMass,
-    Quantity,
     Ratio,
     refuse,
 )
@@ -43,13 +40,10 @@ __all__ = [
     "BoomParts",
     "FloatingCrane",
     "HeelPins",
-    "Luffing",
     "PlacedBoom",
     "boom_name",
     "placed_boom",
 ]
-
-_Angles = Annotated[tuple[float, float], ListOf(Quantity("angle"), 2)]
 
 
 class HeelPins(Element):
@@ -103,33 +97,6 @@ class Boom(BoomParts):
     """A boom with heel pins in the axes of its base."""
 
     heel_pins: HeelPins = Field(description="The pins about which it turns.")
-
-
-class Luffing(Element):
-    """What luffs a boom."""
-
-    what: ClassVar[str] = "luffing"
-
-    speed: PositiveAngularSpeed = Field(description="Highest speed of the boom.")
-    acceleration: PositiveAngularAcceleration = Field(
-        description="Highest acceleration; also used where a step names none."
-    )
-    emergency_acceleration: PositiveAngularAcceleration | None = Field(
-        None, description="Deceleration of an emergency stop; the acceleration if not given."
-    )
-    range_: _Angles = Field(alias="range", description="Least and largest angle of the boom.")
-
-    @model_validator(mode="after")
-    def _range_is_one(self) -> Luffing:
-        low, high = self.range_
-        if not 0 <= low < high:
-            sentence = "a range goes from the least to the largest angle, from 0 deg on"
-            raise refuse(f"{sentence}; found {_degrees(low)} to {_degrees(high)}", "range")
-        return self
-
-
-def _degrees(angle: float) -> str:
-    return f"{math.degrees(angle):g} deg"
 
 
 class BoomHook(CarriedHook):
@@ -208,6 +175,25 @@ class PlacedBoom:
     hooks: Mapping[str, BoomHook]
     reach_from: tuple[float, float, float]
     path: tuple[PathPart, ...]
+
+    @property
+    def tackles(self) -> Tackles | None:
+        """Its luffing tackles, if it hangs in any."""
+        return None if self.luffing is None else self.luffing.tackles
+
+    @property
+    def ropes(self) -> list[str]:
+        """Names of their ropes."""
+        return [] if self.tackles is None else luffing_ropes(self.crane, self.tackles)
+
+    @property
+    def gear(self) -> LuffingGear | None:
+        """Geometry of its luffing tackles; None without any."""
+        if self.tackles is None:
+            return None
+        top = self.tackles.from_
+        back, up = top[0] - self.heel[0], top[2] - self.heel[2]
+        return LuffingGear(math.hypot(back, up), math.atan2(up, back), self.boom.length, self.boom.angle)
 
 
 def boom_name(crane: str) -> str:

@@ -16,6 +16,7 @@ from gantline.scenario.crane_parts import crane_parts
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
+from gantline.scenario.luffing import luffing_drum
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
 from gantline.scenario.model import Scenario
 from gantline.scenario.parting import check_partings
@@ -84,6 +85,11 @@ def _check_names(findings: Findings) -> None:
         (hoist_drum(name), "the drum of a hook", hook.paths["drum"])
         for name, hook in scenario.hooks.items()
         if hook.reeving is not None
+    ]
+    named += [
+        (luffing_drum(placed.name), "the drum of luffing tackles", (*placed.path, "luffing", "tackles"))
+        for placed in scenario.booms.values()
+        if placed.tackles is not None
     ]
     named += [(name, "an equalizer", ("equalizers", name)) for name in scenario.equalizers or {}]
     named += [

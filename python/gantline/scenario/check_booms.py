@@ -7,9 +7,13 @@ import math
 from gantline.scenario.boom import FloatingCrane, PlacedBoom
 from gantline.scenario.check_hooks import check_carried_hook
 from gantline.scenario.errors import nearest
-from gantline.scenario.findings import Findings
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.luffing import Tackles
+from gantline.scenario.movers import boom_angles, mover
+from gantline.scenario.plan import LuffStep
+from gantline.scenario.rope_weight import check_rope_weight
 
-__all__ = ["check_booms"]
+__all__ = ["check_booms", "check_luffing"]
 
 
 def check_booms(findings: Findings) -> None:
@@ -21,8 +25,26 @@ def check_booms(findings: Findings) -> None:
             findings.add(("cranes", name, "vessel"), sentence)
     for placed in findings.scenario.booms.values():
         _check_angle(findings, placed)
+        if placed.tackles is not None:
+            _check_tackles(findings, placed, placed.tackles)
         for hook, one in placed.hooks.items():
             check_carried_hook(findings, (*placed.path, "hooks", hook), one, "boom")
+
+
+def check_luffing(findings: Findings) -> None:
+    """Note steps that turn a boom in tackles by an angle from one that nobody knows before the run."""
+    scenario = findings.scenario
+    for place, (step, before) in enumerate(zip(scenario.plan, boom_angles(scenario), strict=True)):
+        if not isinstance(step, LuffStep) or step.by is None:
+            continue
+        for text in step.moved:
+            one = mover(scenario, step.kind, text)
+            if one is not None and one.gear is not None and not before[one.name][1]:
+                sentence = (
+                    f"where '{one.name}' is by then only the run can tell, and with it how much rope to take"
+                )
+                right = f"write 'to: {math.degrees(before[one.name][0] + step.by):g} deg' or another angle"
+                findings.add(("plan", place, "by"), f"{sentence}; {right}")
 
 
 def _check_angle(findings: Findings, placed: PlacedBoom) -> None:
@@ -35,3 +57,32 @@ def _check_angle(findings: Findings, placed: PlacedBoom) -> None:
         findings.add(
             (*placed.path, "boom", "angle"), f"{found} is outside of the range of luffing, {least} to {most}"
         )
+
+
+def _check_tackles(findings: Findings, placed: PlacedBoom, tackles: Tackles) -> None:
+    path: Path = (*placed.path, "luffing", "tackles")
+    ropes = findings.scenario.ropes or {}
+    kind = ropes.get(tackles.rope)
+    if kind is None:
+        sentence = f"'{tackles.rope}' is not a name of 'ropes'; {nearest(tackles.rope, ropes)}"
+        findings.add((*path, "rope"), sentence)
+    elif kind.inextensible:
+        sentence = f"rope '{tackles.rope}' is inextensible, and a rope on a drum has to stretch"
+        findings.add((*path, "rope"), f"{sentence}; give it an axial stiffness")
+    else:
+        check_rope_weight(
+            lambda key, sentence: findings.add((*path, key), sentence),
+            tackles.rope,
+            kind,
+            tackles.rope_weight,
+            over_sheaves="a luffing rope",
+            gravity=findings.scenario.simulation.gravity,
+        )
+    gear, luffing = placed.gear, placed.luffing
+    assert gear is not None and luffing is not None  # there are tackles
+    steepest = luffing.range_[1]
+    if not steepest < gear.direction < steepest + math.pi:
+        found, most = (f"{math.degrees(one):g} deg" for one in (gear.direction, steepest))
+        sentence = f"from the heel pins this is at {found}, and the boom goes up to {most}"
+        right = "tackles pull it up from a top that is higher and behind"
+        findings.add((*path, "from"), f"{sentence}; {right}")

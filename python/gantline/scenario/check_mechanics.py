@@ -52,6 +52,7 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
     taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
     for name, hook in scenario.hooks.items():
         taken += hoist_ropes(name, hook.reeving) if hook.reeving is not None else []
+    taken += [rope for placed in scenario.booms.values() for rope in placed.ropes]
     for name, rope in (mechanics.ropes or {}).items():
         path = ("mechanics", "ropes", name)
         if rope.rope not in (scenario.ropes or {}):

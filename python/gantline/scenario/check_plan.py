@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.scenario.check_booms import check_luffing
 from gantline.scenario.check_travel import check_travel, said
 from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
@@ -54,6 +55,7 @@ def check_plan(findings: Findings) -> None:
         if step.until is not None:
             _check_condition(findings, place, step)
     check_travel(findings)
+    check_luffing(findings)
     _check_emergency_stop(findings)
 
 

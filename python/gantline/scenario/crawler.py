@@ -12,8 +12,9 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element, Named
-from gantline.scenario.boom import BoomHook, BoomParts, Luffing, PlacedBoom, boom_name
+from gantline.scenario.boom import BoomHook, BoomParts, PlacedBoom, boom_name
 from gantline.scenario.goliath import Traverse
+from gantline.scenario.luffing import Luffing
 from gantline.scenario.quantities import (
     Angle,
     Damping,

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from gantline.rule_data import PRESETS, SEVERAL_CRANES
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
+    NotNegativeAngle,
     NotNegativeLength,
     Number,
     PositiveAngle,
@@ -104,7 +105,16 @@ class Limits(Element):
         description="Hoist load of rated capacity, of hooks and of 'hook_groups'; 100 % if not given.",
     )
     falls_out_of_plumb: PositiveAngle | None = Field(
-        None, description="Angle of the falls from plumb, of hooks of Goliath cranes."
+        None, description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms."
+    )
+    off_lead: PositiveAngle | None = Field(
+        None, description="Angle of the falls from plumb in the plane of the boom, of hooks at booms."
+    )
+    side_lead: PositiveAngle | None = Field(
+        None, description="Angle of the falls from plumb across the boom, of hooks at booms."
+    )
+    boom_angle_margin: NotNegativeAngle | None = Field(
+        None, description="Least distance of a boom's angle from the ends of its range; 0 if not given."
     )
     hook_height_margin: NotNegativeLength | None = Field(
         None, description="Least distance of a hook below its highest position; 0 if not given."

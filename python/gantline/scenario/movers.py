@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from gantline.scenario.boom import Luffing
 from gantline.scenario.crawler import Crawler, Slewing, upper_body
 from gantline.scenario.goliath import Goliath, Traverse
 from gantline.scenario.hooks import full_name, trolley_name
+from gantline.scenario.luffing import Luffing, LuffingGear
 from gantline.scenario.model import Scenario
-from gantline.scenario.plan import Kind
+from gantline.scenario.plan import Kind, LuffStep
 
-__all__ = ["Mover", "mover", "movers"]
+__all__ = ["Mover", "boom_angles", "mover", "movers"]
 
 
 @dataclass(frozen=True)
@@ -29,6 +29,7 @@ class Mover:
         start: position at the start, as `to` counts it [m, rad]; None for a drum, which has none.
         zero: what `to` counts where the drive is at 0 [m, rad].
         range: least and largest position as `to` counts it [m, rad]; None where there is no limit.
+        gear: of a boom in tackles what its drive takes up of them [m] at an angle.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Mover:
     start: float | None
     zero: float
     range: tuple[float, float] | None
+    gear: LuffingGear | None = None
 
 
 def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
@@ -53,7 +55,8 @@ def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
     if kind == "boom":
         for placed in scenario.booms.values():
             if placed.luffing is not None:
-                found[placed.crane] = _along(placed.name, kind, placed.luffing, placed.boom.angle)
+                along = _along(placed.name, kind, placed.luffing, placed.boom.angle)
+                found[placed.crane] = replace(along, gear=placed.gear)
         return found
     for name, crane in (scenario.cranes or {}).items():
         if isinstance(crane, Crawler):
@@ -70,6 +73,31 @@ def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
                 of = trolley_name(name, trolley)
                 found[of] = _along(of, kind, given.traverse, given.position)
     return found
+
+
+def boom_angles(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
+    """Where booms are before each step of the plan, as their drives count it.
+
+    Returns:
+        For each step by the name of the boom the last angle that the plan says [rad], and whether it is there
+        still: a step that ends on a condition or at a time leaves it somewhere else.
+    """
+    where = {placed.name: (placed.boom.angle, True) for placed in scenario.booms.values()}
+    before = []
+    for step in scenario.plan:
+        before.append(dict(where))
+        if not isinstance(step, LuffStep):
+            continue
+        for text in step.moved:
+            one = mover(scenario, step.kind, text)
+            if one is None:
+                continue
+            angle, known = where[one.name]
+            if step.to is not None:
+                where[one.name] = step.to, True
+            else:
+                where[one.name] = angle + (step.by or 0.0), known and step.by is not None
+    return before
 
 
 def mover(scenario: Scenario, kind: Kind, text: str) -> Mover | None:

@@ -63,6 +63,10 @@ def partings(scenario: Scenario) -> dict[str, Parting]:
         if hook.reeving is not None:
             of_kind = Parting(breaking_force(kinds[hook.reeving.rope], None), None)
             found |= dict.fromkeys(hoist_ropes(name, hook.reeving), of_kind)
+    for placed in scenario.booms.values():
+        if placed.tackles is not None:
+            of_kind = Parting(breaking_force(kinds[placed.tackles.rope], None), None)
+            found |= dict.fromkeys(placed.ropes, of_kind)
     mechanics = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, plain in (mechanics or {}).items():
         found[name] = Parting(breaking_force(kinds[plain.rope], plain.breaks_at), plain.cut_at)
@@ -90,7 +94,14 @@ def check_partings(findings: Findings) -> None:
         if hook.reeving is not None
         for rope in hoist_ropes(name, hook.reeving)
     ]
-    known = [*equalizing, *hoisting, *(f"sling.{name}" for name in scenario.slings or {}), *mechanics]
+    luffing = [rope for placed in scenario.booms.values() for rope in placed.ropes]
+    known = [
+        *equalizing,
+        *hoisting,
+        *luffing,
+        *(f"sling.{name}" for name in scenario.slings or {}),
+        *mechanics,
+    ]
     for place, step in enumerate(scenario.plan):
         for rope in step.cut:
             if rope not in known:
