@@ -8,7 +8,7 @@ import pytest
 from ruamel.yaml import YAML
 from typer.testing import CliRunner
 
-from boom_lift import boom_lift
+from boom_lift import TACKLES, boom_lift
 from crawler_lift import crawler_lift
 from gantline.cli.app import app
 from gantline.scenario import ScenarioError, load_scenario
@@ -21,6 +21,7 @@ BASES = {
     "yard": BASE,
     "mechanics": MECHANICS,
     "boom": boom_lift(LUFF, duration=60.0),
+    "tackles": boom_lift(LUFF, duration=60.0, luffing=TACKLES),
     "crawler": crawler_lift(150e3, SLEW, duration=60.0),
 }
 CASES = YAML(typ="safe").load(Path(__file__).with_name("malformed.yaml"))

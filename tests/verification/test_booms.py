@@ -29,6 +29,7 @@ from boom_lift import (
 from gantline import Simulation
 from gantline.checks import check_recording
 from gantline.results import Recording
+from gantline.results.rotation import axes
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 
@@ -184,6 +185,7 @@ def test_pull_of_the_tackles_is_that_of_moments_about_the_heel_pins() -> None:
 
 @pytest.mark.parametrize("parts", [1, 7, 16])
 def test_parts_of_line_share_the_pull_whether_even_or_odd(parts: int) -> None:
+    """All parts of one tackle together have the moment of the weights, wherever its dead end is."""
     luffing = TACKLES.replace("parts: 16", f"parts: {parts}").replace("count: 4", "count: 1")
     recording = simulated(boom_lift(duration=0.1, start="rest", luffing=luffing))
     on_head = SHEAVE_BLOCK + HOOK_BLOCK + 300e3
@@ -271,7 +273,7 @@ def test_the_boom_on_its_tackles_is_a_spring_and_a_mass() -> None:
     assert nearest == pytest.approx(expected, rel=1e-5)
 
 
-def afloat(draft: float, trim: float) -> str:
+def afloat(draft: float, trim: float, **rest: str) -> str:
     """The crane on its vessel, with the middle of its waterline at x = 0."""
     turn = math.radians(trim)
     stern = -(105.6 / 2 * math.cos(turn) - draft * math.sin(turn))
@@ -285,7 +287,7 @@ vessels:
     masses: {{all: {{mass: 18852 t, at: [39 m, 0 m, 5 m]}}}}
     radii_of_gyration: [15 m, 28.5 m, 30 m]
 """
-    return boom_lift(duration=0.1, base="    vessel: barge\n", more=vessel)
+    return boom_lift(duration=0.1, base="    vessel: barge\n", more=vessel, **rest)  # type: ignore[arg-type]
 
 
 def test_the_head_comes_down_and_ahead_as_the_vessel_comes_to_even_keel() -> None:
@@ -368,3 +370,57 @@ def test_limits_of_booms_are_checked() -> None:
     # The hoist ropes have no breaking force here: the luffing ropes are those that are known.
     pull = weight_moment(math.radians(60), SHEAVE_BLOCK + HOOK_BLOCK + 300e3) / tackle(math.radians(60))[1]
     assert ropes.value == pytest.approx(3617e3 / (pull / 64), rel=1e-6)
+
+
+@pytest.mark.parametrize("luffing", [PRESCRIBED, TACKLES])
+def test_an_emergency_stop_brings_the_boom_to_rest(luffing: str) -> None:
+    """From 10 deg/min at 10 s with 0.2 deg/s2: 60 deg less (10 s - ramp/2) of that speed and its way."""
+    stop = "emergency_stop: {at: 10 s}\n"
+    quick = luffing.replace("0.05 deg/s^2", "0.05 deg/s^2, emergency_acceleration: 0.2 deg/s^2")
+    text = boom_lift(LUFF_OUT, duration=60.0, start="rest", luffing=quick, luff_stiffness=1e6, more=stop)
+    angle = simulated(text)["boom_angle"].values[:, 0]
+    speed = 10 / 60
+    way = speed * (10 - speed / 0.05 / 2) + speed**2 / 2 / 0.2
+    # In tackles the winch goes at the mean speed of the whole step, 1 % more than the first degree asks for.
+    within = 1e-9 if luffing == PRESCRIBED else 0.02 * way
+    assert math.degrees(angle[-1]) == pytest.approx(60 - way, abs=within)
+    # It stands: the boom springs on the stretch of its ropes, and no further.
+    assert np.ptp(angle[200:]) < (1e-12 if luffing == PRESCRIBED else 1e-6)
+
+
+def test_a_boom_without_luffing_keeps_its_angle() -> None:
+    """It is fixed at 60 deg; there is no pull and no range to record."""
+    recording = simulated(boom_lift(duration=1.0, luffing=""))
+    assert recording["boom_angle"].values[:, 0] == pytest.approx(math.radians(60), abs=1e-12)
+    assert "luffing_pull" not in recording
+    checks = {one.name: one for one in check_recording(recording)}
+    assert "boom_angle_margin" not in checks
+
+
+def test_rope_weight_of_tackles_hangs_half_at_the_head() -> None:
+    """21.2 kg/m in 64 parts of 93 m: half of it at the head, with its moment in the pull."""
+    text = boom_lift(duration=0.1, start="rest", luffing=TACKLES)
+    text = text.replace("mass: none, diameter: 72 mm", "mass: 21.2 kg/m, diameter: 72 mm")
+    recording = simulated(text)
+    angle = math.radians(60)
+    length, lever, _ = tackle(angle)
+    # Halves of each part at either end; 16 parts end 16 times at the head, and the lengths are unstretched.
+    pull = recording["luffing_pull"].values[0, 0]
+    strain = pull / 64 / 238e6
+    at_head = 4 * 16 * (length / 2) * 21.2 / (1 + strain)
+    on_head = SHEAVE_BLOCK + HOOK_BLOCK + 300e3 + at_head
+    # Masses were put with the routed length, a strain of 7e-4 longer than the rope, of 63 t in 2000 t.
+    assert pull == pytest.approx(weight_moment(angle, on_head) / lever, rel=5e-5)
+
+
+def test_pull_on_a_vessel_is_that_of_its_trim() -> None:
+    """At rest afloat the boom stands at its angle and the trim over the horizon, where moments are taken."""
+    recording = simulated(afloat(4.18, 1.46, luffing=TACKLES, start="rest"))
+    along = axes(recording.column("body_orientation", "fc.boom")[0])[:, 0]
+    horizon = math.asin(along[2])
+    angle = float(recording["boom_angle"].values[0, 0])
+    assert abs(horizon - angle) > math.radians(0.1)  # it does trim
+    # The stretch was taken up for the trim of the lift file; that of the equilibrium changes it a little.
+    assert angle == pytest.approx(math.radians(60), abs=2e-5)
+    moment = weight_moment(horizon, SHEAVE_BLOCK + HOOK_BLOCK + 300e3)
+    assert recording["luffing_pull"].values[0, 0] == pytest.approx(moment / tackle(angle)[1], rel=1e-9)

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from gantline.assembly.boom import boom_shape
 from gantline.assembly.goliath import crane_shape, goliaths
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
@@ -34,7 +35,7 @@ _PLACES = 8
 
 
 def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> None:
-    """Give a shape to load, ground, structures, supports, equalizer frames, vessels and plain bodies."""
+    """Give a shape to load, ground, structures, supports, frames, legs, booms, vessels and plain bodies."""
     load = scenario.load
     if load is not None and lifted is not None:
         parts.add_shape(load.name, load.name, load_parts(lifted))
@@ -61,6 +62,8 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
     for name in goliaths(scenario):
         for side, leg in enumerate((crane_shape(scenario, name) or {})["boxes"], start=1):
             parts.add_shape(f"{name}.legs.{side}", name, [leg])
+    for placed in scenario.booms.values():
+        parts.add_shape(placed.name, placed.name, (boom_shape(scenario, placed.name) or {})["boxes"])
     for name, vessel in (scenario.vessels or {}).items():
         parts.add_shape(name, name, [hull_shape(vessel)])
     plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}

@@ -401,7 +401,8 @@ def _hold_points(recording: Recording) -> list[str]:
 def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
     """Values of a measure that a step reports, at one sample."""
     rig = recording.rig
-    hooks = {hook.name: hook.name for crane in rig.cranes for _, hook in crane.hooks}
+    hooks = {hook.name: hook.name for hook in rig.carried_hooks}
+    at_booms = {hook.name: hook.name for boom in rig.booms for hook in boom.hooks}
     sources: dict[str, tuple[str, str, int, dict[str, str]]] = {
         "sling_tension": ("rope_tension", "kN", 1, {sling.name: sling.rope for sling in rig.slings}),
         "equalizing_rope_tension": (
@@ -420,9 +421,14 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
         "hoist_load": ("hoist_load", "kN", 1, {hook.name: hook.name for hook in rig.hooks}),
         "load_tilt": ("load_tilt", "deg", 2, {load.name: load.name for load in rig.loads}),
         "load_transferred": ("load_transferred", "%", 1, {load.name: load.name for load in rig.loads}),
-        "load_swing": ("load_swing", "m", 3, {load.name: load.name for load in rig.loads if rig.cranes}),
+        "load_swing": ("load_swing", "m", 3, {load.name: load.name for load in rig.loads if hooks}),
         "hook_height": ("hook_height", "m", 3, hooks),
         "falls_out_of_plumb": ("falls_out_of_plumb", "deg", 3, hooks),
+        "off_lead": ("off_lead", "deg", 3, at_booms),
+        "side_lead": ("side_lead", "deg", 3, at_booms),
+        "crane_radius": ("crane_radius", "m", 2, at_booms),
+        "boom_angle": ("boom_angle", "deg", 2, {boom.name: boom.name for boom in rig.booms}),
+        "luffing_pull": ("luffing_pull", "kN", 0, {boom.name: boom.name for boom in rig.booms if boom.ropes}),
         "corner_load": (
             "corner_load",
             "kN",

@@ -35,7 +35,7 @@ _Angles = Annotated[tuple[float, float], ListOf(Quantity("angle"), 2)]
 class Tackles(Element):
     """Luffing tackles side by side, all on one winch."""
 
-    what: ClassVar[str] = "luffing tackles"
+    what: ClassVar[str] = "a set of luffing tackles"
 
     count: Annotated[int, Number(least=1, most=16, whole=True)] = Field(
         1, description="Tackles side by side, evenly from one side of 'from' to the other."

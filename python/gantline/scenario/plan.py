@@ -109,6 +109,11 @@ MEASURES = (
     "hook_height",
     "falls_out_of_plumb",
     "corner_load",
+    "boom_angle",
+    "crane_radius",
+    "off_lead",
+    "side_lead",
+    "luffing_pull",
     "ground_pressure",
     "tipping_utilisation",
 )
@@ -149,7 +154,13 @@ class Require(Element):
     hook_load: ForceBound | None = Field(None, description="Hook load of every hook.")
     load_transferred: RatioBound | None = Field(None, description="1 - support forces/weight.")
     falls_out_of_plumb: AngleBound | None = Field(
-        None, description="Angle of the falls from plumb, of hooks of Goliath and boom cranes."
+        None, description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms."
+    )
+    off_lead: AngleBound | None = Field(
+        None, description="Angle of the falls from plumb in the plane of the boom, of hooks at booms."
+    )
+    side_lead: AngleBound | None = Field(
+        None, description="Angle of the falls from plumb across the boom, of hooks at booms."
     )
 
 
