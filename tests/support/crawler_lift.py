@@ -45,7 +45,7 @@ cranes:
     counterweight: {{mass: 250 t, behind: 6.5 m}}
     boom: {{heel_pins: {{ahead: 1.6 m, height: 2.5 m}}, length: 63 m, {boom}, mass: 60 t,
       centre_of_gravity: 45 %}}
-    luffing: {{speed: 3 deg/min, acceleration: 0.02 deg/s^2, range: [30 deg, 82 deg]}}
+    luffing: {{speed: 3 deg/min, acceleration: 0.02 deg/s^2, range: [30 deg, 82 deg]{luffing}}}
     slewing: {{speed: 0.3 rev/min, acceleration: 0.1 deg/s^2}}
 {crane}    rating: {{radius: [12 m, 14 m, 16 m, 18 m, 20 m, 24 m, 28 m],
       rated: [360 t, 283 t, 231 t, 195 t, 168 t, 130 t, 104 t], off_lead: 1 deg, side_lead: 1 deg}}
@@ -74,6 +74,7 @@ def crawler_lift(
     start: str = "rest",
     tracks: str = "",
     crane: str = "",
+    luffing: str = "",
     more: str = "",
     ground: float = GROUND,
     rope: float = 36.0,
@@ -92,6 +93,7 @@ def crawler_lift(
         start: How it starts.
         tracks: More keys of the tracks, after a comma.
         crane: More keys of the crane, a line each, indented.
+        luffing: More keys of the luffing, after a comma.
         more: Further sections.
         ground: Stiffness under each end of a track [N/m].
         rope: EA of the hoist rope [MN].
@@ -106,6 +108,7 @@ def crawler_lift(
         ground=ground / 1e6,
         boom=boom or f"radius: {radius!r} m",
         crane=crane,
+        luffing=luffing,
         more=more,
         hung=hoist_load - HOOK_BLOCK,
         plan="\n".join(f"  - {line}" for line in plan.splitlines()),

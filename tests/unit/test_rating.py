@@ -81,7 +81,7 @@ def recording(
         for crane in dict.fromkeys(cranes)
     ]
     rig = {
-        "hooks": [{"name": hook, "crane": crane_of[hook]} for hook in hooks],
+        "hooks": [{"name": hook, "crane": crane_of[hook], "direct_slings": [hook]} for hook in hooks],
         "slings": [{"name": hook, "rope": f"sling.{hook}", "from": hook, "to_lug": "L"} for hook in hooks],
         "rating_charts": charts,
         "factors": factors or {},
@@ -183,6 +183,20 @@ def test_a_chart_over_angles_is_read_by_the_angle() -> None:
     chart = RatingChart("fc", "angle", (math.radians(45), math.radians(75)), (1500 * T, 3600 * T))
     between = chart.rated_at(np.radians([45.0, 60.0, 75.0, 44.9, 75.1]))
     assert between == pytest.approx([1500 * T, 2550 * T, 3600 * T, 0.0, 0.0])
+
+
+def test_moments_at_which_a_chart_is_passed() -> None:
+    """250 t carried out from 13 to 17 m in 4 s: 250 t are rated between 14 and 16 m, at 15.269 m."""
+    chart = RatingChart("c1", "radius", RADII, RATED)
+    time = np.arange(5.0)
+    out = (13.0 + time)[:, None]
+    # Between samples on a line of the load less what is rated: -7 t at 15 m, 19 t at 16 m.
+    assert chart.overloads(time, np.full(5, 250 * T), out) == pytest.approx([2.0 + 7 / 26])
+    assert chart.overloads(time, np.full(5, 190 * T), out) == []
+    assert chart.overloads(time, np.full(5, 10 * T), out + 2.0) == pytest.approx(
+        [3 + 185 / 195]
+    )  # 19 m: outside
+    assert chart.overloads(time, np.zeros(5), out + 20.0) == []
 
 
 def test_a_table_may_rise_or_fall() -> None:

@@ -30,9 +30,10 @@ from gantline.scenario.crawler import TRACK_CORNERS, Crawler, Tracks, tracks_bod
 
 __all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_contact"]
 
-#: Parts of pictures that no mechanics depends on: height of tracks, machinery and counterweight, sizes of the
-#: last two along and across [m].
+#: Parts of pictures that no mechanics depends on: height of tracks, thickness of mats, sizes of machinery and
+#: counterweight [m].
 _TRACK = 1.4
+_MAT = 0.3
 _MACHINE = (6.0, 4.0, 3.0)
 _WEIGHT = (2.0, 6.0, 3.0)
 
@@ -66,7 +67,7 @@ def _add_tracks(parts: Parts, scenario: Scenario, name: str, crane: Crawler) -> 
         parts.add_drive(along_drive(name))
         along = _axis("slider", (1.0, 0.0, 0.0), drive=along_drive(name))
     parts.add_body(f"{name}/along", along, position=place, orientation=heading)
-    up, over, along = _stands(scenario, name, crane)
+    up, over, across = _stands(scenario, name, crane)
     parts.add_body(f"{name}/up", _axis("slider", (0.0, 0.0, 1.0), up), parent=f"{name}/along")
     parts.add_body(f"{name}/over", _axis("hinge", (1.0, 0.0, 0.0), over), parent=f"{name}/up")
     mass = crane.base_mass - crane.upper_mass + crane.central_ballast
@@ -74,7 +75,7 @@ def _add_tracks(parts: Parts, scenario: Scenario, name: str, crane: Crawler) -> 
     sizes = (tracks.length, tracks.gauge + tracks.width, tracks.height)
     parts.add_body(
         tracks_body(name),
-        _axis("hinge", (0.0, 1.0, 0.0), along),
+        _axis("hinge", (0.0, 1.0, 0.0), across),
         parent=f"{name}/over",
         mass=mass,
         centre_of_gravity=(0.0, 0.0, tracks.height / 2),
@@ -91,14 +92,14 @@ def _stands(scenario: Scenario, name: str, crane: Crawler) -> tuple[float, float
     level, rise = math.cos(boom.angle), math.sin(boom.angle)
     pins = boom.heel_pins
     along = boom.centre_of_gravity * boom.length
-    blocks = math.fsum(
+    hook_blocks = math.fsum(
         hook.hook_block.mass for hook in scenario.hooks.values() if hook.crane == name and hook.hook_block
     )
     lumps = [  # mass, ahead of the slewing axis, height
         (crane.base_mass + crane.central_ballast, 0.0, tracks.height / 2),
         (weight.mass, -weight.behind, weight.height),
         (boom.mass, pins.ahead + along * level, pins.height + along * rise),
-        (boom.head_gear + blocks, pins.ahead + boom.length * level, pins.height + boom.length * rise),
+        (boom.head_gear + hook_blocks, pins.ahead + boom.length * level, pins.height + boom.length * rise),
     ]
     mass = math.fsum(lump for lump, _, _ in lumps)
     ahead = math.fsum(lump * at for lump, at, _ in lumps) / mass
@@ -115,8 +116,8 @@ def _stands(scenario: Scenario, name: str, crane: Crawler) -> tuple[float, float
         resting = rest_on_ground(corners, mass * scenario.simulation.gravity, tracks.stiffness)
     except TipsOver:
         x, y = centre[:2]
-        sentence = f"'{name}' would tip over as it stands: its centre of gravity is {x:.2f} m ahead of and"
-        sentence += f" {y:.2f} m to the left of the middle of its tracks"
+        sentence = f"'{name}' would tip over as it stands: its centre of gravity is {x:z.2f} m ahead of and"
+        sentence += f" {y:z.2f} m to the left of the middle of its tracks"
         raise scenario.error(
             ("cranes", name),
             f"{sentence}; move it to within {tracks.length / 2:g} m and {tracks.gauge / 2:g} m",
@@ -233,7 +234,10 @@ def crawler_shape(scenario: Scenario, body: str) -> Json | None:
             boxes = [_box((tracks.length, tracks.width, _TRACK), (0.0, y, _TRACK / 2)) for y in sides]
             across = tracks.gauge - tracks.width
             middle = _box((tracks.length / 3, across, _TRACK / 2), (0.0, 0.0, tracks.height - _TRACK / 4))
-            return {"type": "boxes", "boxes": [*boxes, middle]}
+            mats = [
+                _box((tracks.length, tracks.mats, _MAT), (0.0, y, -_MAT / 2)) for y in sides if tracks.mats
+            ]
+            return {"type": "boxes", "boxes": [*boxes, middle, *mats]}
         if body == upper_body(name):
             behind = crane.counterweight.behind
             machine = (0.0, 0.0, tracks.height + _MACHINE[2] / 2)

@@ -393,11 +393,13 @@ def _pumped(scenario: Scenario, step: Any) -> Json:
 
 def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:
     """What is needed to draw the system: bodies with shapes, sheaves, kinds of ropes, the ground."""
+    # Of the parts that no lift file names nodes have no shape, nor has what only bears others.
+    tops = {upper_sheaves(hook) for hook in scenario.hooks}
     return {
         "bodies": [
             _body(scenario, rigging, lifted, body)
-            for body in parts.bodies.values()
-            if body["name"] not in parts.nodes
+            for name, body in parts.bodies.items()
+            if "/" not in name or name in tops
         ],
         "sheaves": [*_sheaves(parts), *_extension_sheaves(scenario, rigging, lifted, parts)],
         "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.rope_names],

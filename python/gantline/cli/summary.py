@@ -437,6 +437,18 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
             0,
             {name: name for crane in rig.cranes for name in crane.corners},
         ),
+        "ground_pressure": (
+            "ground_pressure",
+            "kPa",
+            1,
+            {name: name for crane in rig.crawlers for name in crane.corners},
+        ),
+        "tipping_utilisation": (
+            "tipping_utilisation",
+            "%",
+            1,
+            {crane.name: crane.name for crane in rig.crawlers},
+        ),
     }
     afloat = {vessel.name: vessel.name for vessel in rig.vessels}
     of_vessels = (("draft", "m", 3), ("heel", "deg", 2), ("trim", "deg", 2), ("freeboard", "m", 2))

@@ -266,17 +266,44 @@ def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]
     height = found["hook_height"].values
     heights = {name: height[:, place] for place, name in enumerate(labels["crane_hook"])}
     passed = list(crane_events(columns["time"], rig.ratings, loads, hooks, heights))
+    passed += _overloads(columns["time"], rig, loads, found, labels)
     if rig.crawlers:
         tipping = dict(zip(labels["crawler"], found["tipping_utilisation"].values.T, strict=True))
         passed += crawler_events(columns["time"], rig.crawlers, tipping)
-    if passed:
-        events = [known[f"event_{key}"].values for key in ("time", "kind", "name")]
-        together = [*zip(*(values.tolist() for values in events), strict=True), *passed]
-        together.sort(key=lambda event: event[0])
-        for key, values in zip(("time", "kind", "name"), zip(*together, strict=True), strict=True):
+    events = [known[f"event_{key}"].values.tolist() for key in ("time", "kind", "name")]
+    before = list(zip(*events, strict=True))
+    # Corners of tracks have no friction, what it would hold joints do: that they slip is no event.
+    corners = {corner for crane in rig.crawlers for corner in crane.corners}
+    kept = [one for one in before if not (one[1] in ("slip", "stick") and one[2] in corners)]
+    together = sorted([*kept, *passed], key=lambda event: event[0])
+    if together != before:
+        for place, key in enumerate(("time", "kind", "name")):
             kind = np.float64 if key == "time" else np.str_
-            found[f"event_{key}"] = replace(known[f"event_{key}"], values=np.array(values, dtype=kind))
+            values = np.array([event[place] for event in together], dtype=kind)
+            found[f"event_{key}"] = replace(known[f"event_{key}"], values=values)
     return found, labels
+
+
+def _overloads(
+    time: FloatArray,
+    rig: Rig,
+    loads: Mapping[str, Mapping[str, FloatArray]],
+    found: Mapping[str, Variable],
+    labels: Mapping[str, Sequence[str]],
+) -> list[tuple[float, str, str]]:
+    """Moments at which more hangs from a crane than its rating chart allows where it is."""
+    events = []
+    for chart in rig.rating_charts:
+        of = loads["hoist_load" if chart.includes_hook_block else "hook_load"]
+        borne = np.sum([loads["hook_load"][hook] for hook in chart.hooks], axis=0)
+        load = np.where(borne > 0, np.sum([of[hook] for hook in chart.hooks], axis=0), 0.0)
+        if chart.over == "angle":
+            places = found["boom_angle"].values[:, [labels["boom"].index(chart.crane)]]
+        else:
+            at = [labels["boom_hook"].index(hook) for hook in chart.hooks]
+            places = found["crane_radius"].values[:, at]
+        events += [(at, "overload", chart.crane) for at in chart.overloads(time, load, places)]
+    return events
 
 
 def _load_state(columns: Columns, names: Names, rig: Rig) -> _Derived:

@@ -16,10 +16,15 @@ __all__ = ["chart_load", "chart_places", "chart_used"]
 def chart_load(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -> FloatArray:
     """What hangs in hooks of a crane together, as its chart counts it, shape (time,) [N].
 
-    What the hooks bear counts from when it does: a hoist load of hook block and falls alone is no lift.
+    What the hooks bear counts from when it does: a hoist load of hook block and falls alone is no lift. Where
+    nothing is known to hang in them but what `mechanics` hangs there, it always does.
     """
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
-    borne = np.sum([recording.column("hook_load", hook) for hook in chart.hooks], axis=0)
+    bears = any(
+        hook.bearing_joints or hook.direct_slings for hook in recording.rig.hooks if hook.name in chart.hooks
+    )
+    seen = "hook_load" if bears else "hoist_load"
+    borne = np.sum([recording.column(seen, hook) for hook in chart.hooks], axis=0)
     total = np.sum([recording.column(variable, hook) for hook in hooks], axis=0)
     load: FloatArray = np.where(borne > 0, total, 0.0)
     return load

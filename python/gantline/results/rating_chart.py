@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.results.passing import passed
 from gantline.results.strength import FromJson
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -59,6 +60,17 @@ class RatingChart(FromJson):
         """Rated load [N] at a radius [m] or boom angle [rad], on lines between rows; 0 outside of them."""
         rated: FloatArray = np.where(self.holds(place), np.interp(place, self.at, self.rated), 0.0)
         return rated
+
+    def overloads(self, time: FloatArray, load: FloatArray, places: FloatArray) -> list[float]:
+        """Moments at which more hangs from the crane than its chart allows there [s].
+
+        Args:
+            time: Shape (time,) [s].
+            load: What hangs from it, shape (time,) [N].
+            places: Of its hooks, shape (time, hooks) [m], or of its boom, shape (time, 1) [rad].
+        """
+        rated = self.rated_at(places).min(axis=1)
+        return passed(time, np.where(load > 0, load - rated, -1.0))
 
     def share_of(self, hook: str) -> float:
         """Largest share of a row that a hook may carry alone [1]."""

@@ -62,7 +62,8 @@ def _slope(carried: FloatArray, moment: FloatArray, length: float) -> FloatArray
         middle = (low + high) / 2
         below = _moment(carried, middle, length) < moment
         low, high = np.where(below, middle, low), np.where(below, high, middle)
-    return (low + high) / 2
+    slope: FloatArray = (low + high) / 2
+    return slope
 
 
 def _moment(carried: FloatArray, slope: FloatArray, length: float) -> FloatArray:

@@ -234,7 +234,7 @@ class Crawler(Element):
     )
     upper_mass: Mass = Field(0.0, description="What of the base machine slews with the boom.")
     central_ballast: Mass = Field(0.0, description="Mass of the ballast between the tracks.")
-    counterweight: Counterweight = Field(description="The counterweight on the upper structure.")
+    counterweight: Counterweight = Field(description="Its counterweight.")
     boom: CrawlerBoom = Field(description="The boom.")
     luffing: Luffing | None = Field(None, description="What luffs the boom; it keeps its angle if not given.")
     slewing: Slewing | None = Field(None, description="What slews it; it keeps its angle if not given.")

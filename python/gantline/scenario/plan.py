@@ -124,6 +124,8 @@ MEASURES = (
     "off_lead",
     "side_lead",
     "luffing_pull",
+    "ground_pressure",
+    "tipping_utilisation",
 )
 
 

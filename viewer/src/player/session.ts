@@ -17,6 +17,7 @@ const NOTABLE = [
   "stop_hit",
   "pin_pulled",
   "pin_put_in",
+  "tipping",
 ];
 
 export class Session {
