@@ -181,7 +181,7 @@ def test_least_water_by_hand() -> None:
     """
     tanks = {"fore": tank((85, 0, 0.5), 900.0), "aft": tank((20, 0, 0.5), 200.0)}
     answer = solve_ballast(lift(barge(tanks)))
-    # Even keel is a matter of moments alone, and is found to 1e-7 rad: over 35 m, with a GM_L of 200 m, to 7 kg.
+    # Even keel is a matter of moments alone, and found to 1e-7 rad: over 35 m, with a GM_L of 200 m, to 7 kg.
     assert answer.contents["fore"] == pytest.approx(900e3 - 25500e3 / 35, abs=10.0)
     assert answer.contents["aft"] == pytest.approx(200e3, abs=10.0)
     assert answer.moved == pytest.approx(25500e3 / 35, abs=10.0)
@@ -273,9 +273,9 @@ def test_tanks_too_small_and_a_vessel_that_would_capsize() -> None:
 
 
 # Floating crane of 3600 t: what it weighs, its boom of 110 m at 60° from heel pins at (98, 9) m with 1500 t at
-# 48 % of its length, 460 t of gear at its head and 1096 t that hang there, and 16 tanks in rows from the stern
-# (plausible figures for a sheerleg of 105.6 × 46 × 7.5 m; hand figures by moments about mid-length, small angles,
-# tanks of a row alike).
+# 48 % of its length, 460 t of gear at its head and 1096 t that hang there, and 16 tanks in rows from the stern.
+# Plausible figures for a sheerleg of 105.6 × 46 × 7.5 m; what is expected are hand figures by moments about its
+# middle, for small angles, with tanks of a row alike.
 
 ROW, WIDTH = 26.4, 11.5
 HEAD = (98 + 110 * math.cos(math.radians(60)), 9 + 110 * math.sin(math.radians(60)))
@@ -346,8 +346,8 @@ def test_ballast_of_a_floating_crane_by_rows() -> None:
 @pytest.mark.parametrize(
     ("plan", "sentence"),
     [
-        ([pump("a", "b", "500 t/h", by="400 t")], "'barge.a' would run empty: 400 t are pumped from it, and 300 t"),
-        ([pump("sea", "b", "500 t/h", by="900 t")], "'barge.b' would run over: 900 t are pumped into it, and"),
+        ([pump("a", "b", "5 t/h", by="400 t")], "'barge.a' would run empty: 400 t are pumped from it, and 3"),
+        ([pump("sea", "b", "5 t/h", by="900 t")], "'barge.b' would run over: 900 t are pumped into it, and"),
         ([pump("aa", "b", "500 t/h", by="1 t")], "'aa' is not a tank, nor 'sea'"),
         ([pump("a", "barge.a", "500 t/h", by="1 t")], "'a' is pumped into itself"),
         ([pump("a", "b", "500 t/h")], "a pump step ends by one of 'by' and 'until'; found none of them"),
@@ -362,7 +362,7 @@ def test_ballast_of_a_floating_crane_by_rows() -> None:
             "'boat' is not a vessel",
         ),
         (
-            [pump("a", "b", "5 t/h", until={"heel": {"vessel": "barge", "above": "1 deg", "below": "0 deg"}})],
+            [pump("a", "b", "5 t/h", until={"heel": {"vessel": "barge", "above": "1 deg", "below": "0"}})],
             "it has one of 'above' and 'below'",
         ),
     ],
