@@ -9,7 +9,15 @@ from gantline.scenario.model import Scenario
 from gantline.scenario.plan import PumpStep
 from gantline.scenario.water import SEA_WATER, Afloat, BallastTank
 
-__all__ = ["SEA", "bodies_afloat", "ends_of_pump", "pumped_tanks", "sea_density", "tanks_of"]
+__all__ = [
+    "SEA",
+    "bodies_afloat",
+    "ends_of_pump",
+    "pumped_at_most",
+    "pumped_tanks",
+    "sea_density",
+    "tanks_of",
+]
 
 #: What a pump may draw from and discharge to beside tanks.
 SEA: Final = "sea"
@@ -43,6 +51,21 @@ def pumped_tanks(scenario: Scenario) -> set[str]:
     """Full names of the tanks that a step of the plan pumps."""
     steps = [step for step in scenario.plan if isinstance(step, PumpStep)]
     return {name for step in steps for name in ends_of_pump(scenario, step) if name is not None}
+
+
+def pumped_at_most(scenario: Scenario) -> dict[str, tuple[float, float]]:
+    """What the plan has pumped into each tank, at its least and at its most, by steps with an amount [kg]."""
+    now: dict[str, float] = {}
+    found: dict[str, tuple[float, float]] = {}
+    for step in scenario.plan:
+        if not isinstance(step, PumpStep) or step.by is None:
+            continue
+        for name, amount in zip(ends_of_pump(scenario, step), (-step.by, step.by), strict=True):
+            if name is not None:
+                now[name] = now.get(name, 0.0) + amount
+                least, most = found.get(name, (0.0, 0.0))
+                found[name] = (min(least, now[name]), max(most, now[name]))
+    return found
 
 
 def sea_density(scenario: Scenario) -> float:

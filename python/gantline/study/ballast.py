@@ -23,7 +23,8 @@ from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.edit import text_with
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.hooks import full_name
-from gantline.scenario.tanks import bodies_afloat, sea_density
+from gantline.scenario.plan import PumpStep
+from gantline.scenario.tanks import bodies_afloat, pumped_at_most, sea_density
 from gantline.scenario.variants import with_values, without_cases
 from gantline.scenario.water import BallastTank, Water
 from gantline.statics import Equilibrium, NoEquilibriumError, Statics
@@ -302,6 +303,16 @@ class _Search:
         given = [self._all[tank].content for tank in self._tanks]
         self._given: Floats = np.array(given)
         self._contents = self._given
+        # A tank holds what it has at the start, and what the plan pumps into it and out of it.
+        pumped = pumped_at_most(scenario)
+        ends = [pumped.get(f"{vessel}.{tank}", (0.0, 0.0)) for tank in self._tanks]
+        self._room: Floats = np.array(
+            [
+                (-end[0], self._all[tank].capacity - end[1])
+                for tank, end in zip(self._tanks, ends, strict=True)
+            ]
+        ).T
+        self._acts_against = any(isinstance(step, PumpStep) and step.until for step in scenario.plan)
         self.now = _Afloat(scenario, vessel, time)
 
     def run(self, wanted: Mapping[str, float]) -> int:
@@ -333,11 +344,8 @@ class _Search:
         scale = np.array([_DRAFT_COUNTS if key == "draft" else 1.0 for key in missing])
         slope = slope * scale[:, None]
         right = scale * np.array(list(missing.values())) + slope @ (self._contents - self._given)
-        # A tank holds what it has at the start and what the plan pumps until the moment.
-        pumped = np.array([self.now.content(tank) for tank in self._tanks]) - self._contents
         capacity = np.array([self._all[tank].capacity for tank in self._tanks])
-        least = np.maximum(0.0, -pumped) - self._given
-        most = np.minimum(capacity, capacity - pumped) - self._given
+        least, most = self._room - self._given
         # Changes as more and less, in parts of the largest tank and of what a full one does.
         unit, effect = float(capacity.max()), float(np.abs(slope).max() * capacity.max()) or 1.0
         both = np.hstack([slope, -slope]) * (unit / effect)
@@ -354,7 +362,7 @@ class _Search:
             if not found.success:
                 raise CannotBeError(f"the linear programme has no answer ({found.message})")
         more, less = np.split(np.asarray(found.x)[:changes], 2)
-        target: Floats = np.clip(self._given + (more - less) * unit, 0.0, capacity)
+        target: Floats = np.clip(self._given + (more - less) * unit, *self._room)
         return target, reached
 
     def _place(self, tank: str) -> Floats:
@@ -395,7 +403,8 @@ class _Search:
             unit, digits = units[key]
             reached = format_quantity(float(getattr(self.now.attitude, key)), unit, digits)
             parts.append(f"{key} {reached}, {format_quantity(abs(more), unit, digits)} off")
-        return f"the tanks cannot do it; the nearest that they come to is {'; '.join(parts)}"
+        because = "; the plan itself pumps until a condition holds" if self._acts_against else ""
+        return f"the tanks cannot do it; the nearest that they come to is {'; '.join(parts)}{because}"
 
     def _refuse_unsound(self) -> None:
         """Contents with which the vessel, or what hangs on it, would not stay so."""
