@@ -336,7 +336,9 @@ def test_without_the_extra_one_sentence_says_how_to_install(
     with pytest.raises(CadError, match=r"needs trimesh; install it with: pip install 'gantline\[cad\]'"):
         read(tmp_path / "a.glb", glb(box((1, 1, 1)), (0, 0, 0)))
     for name, content in (("a.stl", text_stl(box((1, 1, 1)))), ("a.obj", obj(box((1, 1, 1))))):
-        assert read(tmp_path / name, content).properties.mass == pytest.approx(7850)  # the base install reads it
+        assert read(tmp_path / name, content).properties.mass == pytest.approx(
+            7850
+        )  # the base install reads it
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     with pytest.raises(
         CadError, match=r"needs Open CASCADE .*; install it with: pip install 'gantline\[cad\]'"
