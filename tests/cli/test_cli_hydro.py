@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+import databases
+
 
 def hydro(*arguments: object) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "gantline", "hydro", *map(str, arguments)]
@@ -87,3 +89,41 @@ def test_gaps_are_warned_of(tmp_path: Path) -> None:
     assert result.returncode == 0, result.stderr
     assert "not closed mesh" in result.stdout
     assert "4 edges are open" in result.stderr
+
+
+def test_a_database_is_shown_as_a_table_and_as_json(tmp_path: Path) -> None:
+    path = databases.bemio(tmp_path / "box.h5")
+    result = hydro(path)
+    assert result.returncode == 0, result.stderr
+    assert "box1, from box.h5 (BEMIO); for water of 1 t/m³; about (1, 0, -2) m of the file" in result.stdout
+    assert "displaces 77 m³; water 50 m deep; wave forces in 2 directions" in result.stdout
+    # At infinity, then from short periods to long ones: heave 90 (2 − ω) t and 27 ω kN s/m.
+    assert re.search(r"\n +0 +infinite +45 +200 +4500 *\n", result.stdout)
+    assert re.search(r"\n +12\.566 +0\.5000 +135 +13\.5 +600 +60 +13500 +1350\n", result.stdout)
+    as_json = hydro(path, "--json")
+    found = json.loads(as_json.stdout)
+    assert found["added_mass"][1][2][2] == pytest.approx(135e3)
+    assert found["damping"][1][2][4] == 0.0
+    assert found["excitation_real"][0][1][2] == pytest.approx(1.2e6)
+    assert found["density"] == 1000.0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        (["nowhere.dhyd"], "nowhere.dhyd: cannot be read (no such file"),
+        (["two.h5"], "has several bodies, box1, box2; name one of them"),
+        (["two.h5", "--body", "box3"], "has no body 'box3'; it has box1, box2"),
+        (["two.h5", "--drafts", "4 m"], "--drafts: is for a hull; two.h5 is a hydrodynamic database"),
+        (["box:100m,30m,8m", "--body", "box1"], "--body: is for a hydrodynamic database; this is a hull"),
+    ],
+)
+def test_wrong_questions_about_databases(
+    arguments: list[str], problem: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    databases.bemio(tmp_path / "two.h5", bodies=2)
+    result = hydro(*arguments)
+    assert result.returncode == 2, result.stdout + result.stderr
+    assert problem in result.stderr
+    assert result.stderr.count("\n") == 1

@@ -247,7 +247,7 @@ proptest! {
             for row in (0..size).filter(|&row| system.driven[row].is_none()) {
                 let place = (up[row] - down[row]) / (2.0 * STEP);
                 let found = entry(&tangent.position, &frame, row, column);
-                // |ν| ν has a kink of its slope at rest, and the section one where a corner meets the water.
+                // |ν| ν of a rotation has a kink of its slope at rest, and the section one where a corner meets the water.
                 prop_assert!((place - found).abs() < 1e-6 * scale, "q {row} {column}: {place} {found}");
                 let speed = (faster[row] - slower[row]) / (2.0 * STEP);
                 let found = entry(&tangent.velocity, &frame, row, column);

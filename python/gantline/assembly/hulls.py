@@ -74,7 +74,8 @@ def hull_mesh(scenario: Scenario, name: str, body: Afloat) -> HullMesh | None:
     try:
         hull = _read(path, stamp(path), given)
     except HullError as problem:
-        sentence = str(problem).replace(str(path), given.mesh)
+        sentence = str(problem).replace(str(path), given.mesh).removeprefix(f"{given.mesh}: ")
+        sentence = f"{given.mesh}: {sentence.removeprefix(f'{path.name}: ')}"
         raise scenario.error((*afloat_path(scenario, name), "hull", "mesh"), sentence) from None
     vertices, triangles = hull.mesh
     doubts = tuple(f"the hull of {name}, {given.mesh}: {doubt}" for doubt in hull.doubts())

@@ -41,7 +41,7 @@ def _pushed(
     origin: np.typing.NDArray[np.float64],
     fluid: tuple[float, tuple[float, float, float]],
 ) -> list[Json]:
-    """Forces ½ ρ C A u² on areas of a body, whose places count from `origin` in its axes [m]."""
+    """Forces ½ ρ C A |u| u on areas of a body, whose places count from `origin` in its axes [m]."""
     density, velocity = fluid
     found = []
     for name, area in (areas or {}).items():

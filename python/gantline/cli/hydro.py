@@ -83,11 +83,15 @@ def hydro(
     if Path(hull).suffix.lower() in DATABASE_FORMATS:
         from gantline.cli.hydro_database import show_database
 
-        options = {"--drafts": drafts, "--heel": heel, "--kg": kg, "--trim": trim, "--unit": unit}
-        options["--output"] = output
-        show_database(
-            Path(hull), body, as_json, [name for name, given in options.items() if given is not None]
-        )
+        given = {
+            "--drafts": drafts,
+            "--heel": heel,
+            "--kg": kg,
+            "--trim": trim,
+            "--unit": unit,
+            "--output": output,
+        }
+        show_database(Path(hull), body, as_json, [name for name, value in given.items() if value is not None])
     if body is not None:
         stop("--body: is for a hydrodynamic database; this is a hull")
     water = quantity_of("--density", density, "density")

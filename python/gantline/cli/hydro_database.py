@@ -74,7 +74,17 @@ def _report(found: HydrodynamicDatabase) -> list[str]:
     rows = zip(found.periods, found.frequencies, found.added_mass, found.damping, strict=True)
     for period, frequency, mass, damping in reversed([*rows]):
         cells.append((f"{period:.3f}", f"{frequency:.4f}", *_cells(mass, damping)))
-    return ["; ".join(parts), "", "Added mass a and damping b", *table(tuple(head), cells, "r" * len(head))]
+    shares = [f"{100 * share:.2g} %" for share in found.asymmetry]
+    symmetry = (
+        f"largest difference from the transpose: added mass {shares[0]}, damping {shares[1]} of the diagonal"
+    )
+    return [
+        "; ".join(parts),
+        symmetry,
+        "",
+        "Added mass a and damping b",
+        *table(tuple(head), cells, "r" * len(head)),
+    ]
 
 
 def _cells(mass: npt.NDArray[np.float64], damping: npt.NDArray[np.float64] | None) -> list[str]:

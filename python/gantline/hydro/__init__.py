@@ -1,4 +1,4 @@
-"""Hydrostatics of hulls: what they displace, where they float, how they right themselves; hydrodynamic databases.
+"""Hydrostatics of hulls: what they displace, where they float, how they right themselves; databases.
 
 Vessel axes: x forward, y to port, z up from the keel. Heel is positive to starboard, trim by the stern.
 """

@@ -30,7 +30,11 @@ ORIGIN = (0.0, 0.0, 0.0)
 
 
 class StreamArea(Element):
-    """An area across one axis of a body: force along that axis, half density times speed squared."""
+    """An area across one axis of a body, with a force along that axis.
+
+    It is ½ density × coefficient × area × speed × the part of the speed that is along the axis, of the fluid
+    against the body.
+    """
 
     what: ClassVar[str] = "an area"
 

@@ -1,9 +1,11 @@
-//! Resistance of a fluid, water or air, that stands or streams: linear by a constant matrix, quadratic along each of the
-//! body's axes.
+//! Resistance of a fluid, water or air, that stands or streams: linear by a constant matrix, quadratic along the body's
+//! axes.
 //!
 //! ```text
-//! F = −B ν − (c_i |ν_i| ν_i)        ν = (Rᵀ (v_P − u), Rᵀ ω)
+//! F = −B ν − (c_i |w| ν_i, c_j |ν_j| ν_j)        ν = (w, Rᵀ ω)        w = Rᵀ (v_P − u)
 //! ```
+//!
+//! i runs over the translations, whose pressure is that of the whole speed |w|, j over the rotations.
 //!
 //! ν holds the velocity of a point P of the body against the fluid and the angular velocity, in the body's axes; forces
 //! act at P. u is the velocity of the fluid, the same everywhere and always. It does not turn along with the body: a turn
@@ -58,7 +60,7 @@ impl Force for Drag {
     fn wrench(&self, at: &At) -> Wrench {
         let motion = self.motion(at);
         let Wrench { force, moment } = self.damping.times(&motion);
-        let force = force + self.linear * motion.linear.abs() * motion.linear;
+        let force = force + self.linear * motion.linear.length() * motion.linear;
         let moment = moment + self.angular * motion.angular.abs() * motion.angular;
         let turn = at.pose.rotation;
         Wrench { force: turn * -force, moment: turn * -(moment + self.at.cross(force)) }
@@ -67,7 +69,11 @@ impl Force for Drag {
     fn tangent(&self, at: &At) -> Tangent {
         let motion = self.motion(at);
         let mut slope = self.damping;
-        slope.linear += DMat3::from_diagonal(self.linear * motion.linear.abs() * 2.0);
+        // ∂(|w| w_i)/∂w_j = |w| δ_ij + w_i w_j/|w|.
+        let (speed, along) = (motion.linear.length(), motion.linear.normalize_or_zero());
+        let of_axis = |w: f64| self.linear * motion.linear * w;
+        slope.linear += DMat3::from_diagonal(self.linear * speed)
+            + DMat3::from_cols(of_axis(along.x), of_axis(along.y), of_axis(along.z));
         slope.angular += DMat3::from_diagonal(self.angular * motion.angular.abs() * 2.0);
         let velocity = slope.about(self.at).turned(&at.pose.rotation).negated();
         // δν = δθ × u, and the same at every point of the body.

@@ -42,7 +42,8 @@ pub enum ForceSpec {
         at: [f64; 3],
         /// Linear damping [N s/m, N s, N m s].
         damping: [[f64; 6]; 6],
-        /// Force over velocity squared, each axis by itself [N s²/m², N m s²].
+        /// Force over speed squared [N s²/m², N m s²]: along an axis over its share of the speed times the whole; each
+        /// rotation by itself.
         quadratic: [f64; 6],
         /// Velocity of the fluid [m/s], world axes.
         #[serde(default)]

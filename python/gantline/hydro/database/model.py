@@ -83,6 +83,14 @@ class HydrodynamicDatabase:
         ):
             raise DatabaseError(f"{self.source}: its added mass at infinite frequency is no 6 × 6 matrix")
 
+        if self.excitation is not None and not np.isfinite(self.excitation).all():
+            raise DatabaseError(f"{self.source}: its wave forces have numbers that are not finite")
+
+    @property
+    def asymmetry(self) -> tuple[float, float]:
+        """Largest difference of added mass and of damping from their transposes, of the diagonal."""
+        return max(map(_asymmetry, self.added_mass)), max(map(_asymmetry, self.damping))
+
     @property
     def periods(self) -> Array:
         """Periods of the frequencies (n,) [s]."""
@@ -171,7 +179,11 @@ class HydrodynamicDatabase:
 
 
 def _scale(matrix: Array) -> Array:
-    """Roots of the largest diagonal terms of shifts and of turns, by motion (6,): they make all terms alike."""
+    """Roots of the largest diagonal terms of shifts and turns, by motion (6,): they make all terms alike."""
     shift, turn = (float(np.abs(np.diag(matrix)[part]).max()) for part in (slice(0, 3), slice(3, 6)))
     scale: Array = np.sqrt(np.repeat([shift or turn or 1.0, turn or shift or 1.0], 3))
     return scale
+
+
+def _asymmetry(matrix: Array) -> float:
+    return float(np.max(np.abs(matrix - matrix.T) / np.outer(_scale(matrix), _scale(matrix))))

@@ -206,7 +206,7 @@ def _capytaine_waves(path: Path, found: xr.Dataset, dofs: Sequence[str]) -> tupl
 
 
 def _dhyd_waves(path: Path, names: Sequence[str], count: int) -> tuple[Array, Complex | None]:
-    """Groups Surge to Yaw with `real` and `imag` over frequency and direction [rad]."""
+    """Groups Surge to Yaw with `real` and `imag` over frequency and direction [deg]."""
     groups = [axis.capitalize() for axis in AXES]
     if not all(f"{group}/{part}" in names for group in groups for part in ("real", "imag")):
         return np.zeros(0), None
@@ -215,7 +215,7 @@ def _dhyd_waves(path: Path, names: Sequence[str], count: int) -> tuple[Array, Co
         with _dataset(path, group) as found:
             table = found["real"] + 1j * found["imag"]
             values = np.asarray(table.transpose("omega", "wave_direction").values, dtype=complex)
-            directions = np.asarray(found["wave_direction"].values, dtype=float)
+            directions = np.radians(np.asarray(found["wave_direction"].values, dtype=float))
         if values.shape != (count, len(directions)):
             raise DatabaseError(f"{path}: the wave forces of {group} have another shape than its damping")
         forces.append(values)
