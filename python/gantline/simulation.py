@@ -24,6 +24,7 @@ from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.tanks import pump_warnings
+from gantline.results.vessels import vessel_warnings
 from gantline.scenario import Scenario, ScenarioError, load_scenario, resolve
 from gantline.scenario.errors import Problem
 from gantline.version import version
@@ -196,6 +197,7 @@ class Simulation:
         warnings += contact_warnings(rig, columns, names)
         warnings += drum_warnings(rig, columns, names)
         warnings += pump_warnings(rig, columns, names)
+        warnings += vessel_warnings(columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):

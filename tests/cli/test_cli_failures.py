@@ -132,6 +132,48 @@ def test_time_element_and_cause_are_said_and_what_there_is_is_saved(
     assert failure.value.time == pytest.approx(time, abs=1e-3)
 
 
+TOP_HEAVY = """
+format: 1
+lift: {title: A barge that is heavy above}
+duration: 60 s
+start: as_given
+vessels:
+  barge:
+    draft: 4 m
+    heel: 2 deg
+    hull: {box: [100 m, 30 m, 8 m]}
+    masses: {hull: {mass: 12300 t, at: [50 m, 0 m, 22 m]}}
+    radii_of_gyration: [11 m, 27 m, 27 m]
+"""
+
+
+def test_a_vessel_that_capsizes_ends_the_run_with_what_there_is(tmp_path: Path) -> None:
+    code, said = run(tmp_path, TOP_HEAVY)
+    assert code == 3, said
+    assert "Traceback" not in said
+    assert " s at barge: it has capsized over its starboard side, more than 60° from upright" in said
+    assert "before that barge.deck_edge went under at " in said
+    recording = gantline.open_recording(tmp_path / "out" / "recording.nc")
+    ((time, _, name),) = recording.events("capsized")
+    assert name == "barge" and f"t = {time:.3f} s" in said
+    assert recording.time[-1] > time - 0.02
+    assert math.degrees(recording.column("vessel_heel", "barge")[-1]) > 55
+
+
+def test_the_table_of_a_run_and_of_a_lift_at_rest_has_its_vessels(tmp_path: Path) -> None:
+    floating = TOP_HEAVY.replace("22 m]", "5 m]").replace("start: as_given", "start: rest")
+    code, said = run(tmp_path, floating)
+    assert code == 0, said
+    assert "barge 12300.0 t 4.000 m 4.000 m 0.000 deg 0.000 deg 4.000 m" in said
+    result = CliRunner().invoke(app, ["statics", str(tmp_path / "lift.yaml")])
+    assert result.exit_code == 0
+    words = " ".join(result.output.split())
+    assert "barge 12300.0 t 4.000 m 4.000 m 0.000 deg 0.000 deg 4.000 m" in words
+    # T/2 + B²/12T − KG and the same with L²; three motions that nothing holds.
+    assert "barge 15.75 m 205.33 m" in words
+    assert words.count("nothing holds: barge") == 3
+
+
 def test_a_body_without_inertia_is_refused_before_anything_runs(tmp_path: Path) -> None:
     """Infinite accelerations cannot arise: what would have them is bad input."""
     code, said = run(tmp_path, NO_INERTIA)

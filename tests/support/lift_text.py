@@ -85,6 +85,32 @@ mechanics:
 """
 
 
+AFLOAT = """\
+format: 1
+lift: {title: A barge}
+duration: 10 s
+water: {density: 1025 kg/m^3, level: 0 m}
+vessels:
+  barge:
+    position: [10 m, 0 m]
+    heading: 30 deg
+    draft: 4 m
+    heel: 1 deg
+    hull: {box: [100 m, 30 m, 8 m]}
+    masses:
+      hull: {mass: 12000 t, at: [50 m, 0 m, 5 m]}
+    radii_of_gyration: [11 m, 27 m, 27 m]
+    tanks:
+      port: {box: [20 m, 10 m, 7 m], bottom: [40 m, 9 m, 0 m], content: 300 t}
+    added_mass: {heave: 15000 t, at: [50 m, 0 m, 0 m]}
+    water_damping: {critical: {heave: 20 %, surge: 5 %, periods: {surge: 60 s}}}
+    openings: {hatch: [70 m, 0 m, 9 m]}
+limits: {heel: 3 deg, trim: 2 deg, freeboard: 1 m}
+plan:
+  - {step: look, hold: 5 s, require: {heel: below 2 deg}}
+"""
+
+
 def spoiled(old: str, new: str, base: str = BASE) -> str:
     """The base with one piece replaced; the piece stands there exactly once."""
     assert base.count(old) == 1, f"{old!r} stands {base.count(old)} times in the lift"

@@ -7,17 +7,27 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.spatial import inertia_list, inertia_matrix
+from gantline.assembly.spatial import Array, inertia_list, inertia_matrix
 from gantline.scenario import Scenario
 from gantline.scenario.tanks import bodies_afloat, pumped_tanks
-from gantline.scenario.water import Afloat, BallastTank, Water
+from gantline.scenario.water import Afloat, BallastTank, HullShape, Water
 
-__all__ = ["add_water", "pump_drive"]
+__all__ = ["add_water", "frozen", "hull_mesh", "hull_name", "pump_drive"]
 
 
 def pump_drive(tank: str) -> str:
     """Name of the drive of the content of a tank."""
     return f"{tank}/pump"
+
+
+def hull_name(body: str) -> str:
+    """Name of the hull of a body among forces and in recordings."""
+    return f"{body}.hull"
+
+
+def hull_mesh(hull: HullShape) -> Json:
+    """A hull in the axes of its body: vertices and triangles, counter-clockwise from outside."""
+    return _box(hull.box, hull.bottom)
 
 
 def add_water(parts: Parts, scenario: Scenario) -> None:
@@ -37,9 +47,9 @@ def add_water(parts: Parts, scenario: Scenario) -> None:
 def _around(name: str, body: Afloat, water: Water) -> list[Json]:
     found: list[Json] = []
     if body.hull is not None:
-        mesh = _box(body.hull.box, body.hull.bottom)
         surface = {"density": water.density, "level": water.level}
-        found.append({"type": "buoyancy", "name": f"{name}.hull", "body": name, **mesh, **surface})
+        named = {"type": "buoyancy", "name": hull_name(name), "body": name}
+        found.append({**named, **hull_mesh(body.hull), **surface})
     if body.added_mass is not None:
         matrix = np.diag(body.added_mass.diagonal).tolist()
         point = {"at": list(body.added_mass.at), "matrix": matrix}
@@ -55,15 +65,19 @@ def _fill(parts: Parts, body: str, name: str, tank: BallastTank) -> None:
     """The liquid as mass of the body, where it lies upright; where it has a free surface that is a force."""
     if tank.content == 0:
         return
-    length, breadth, _ = tank.box
-    x, y, z = tank.bottom
-    parts.lump(body, [x, y, z + tank.depth / 2], tank.content)
-    squares = np.array([length, breadth, tank.depth]) ** 2
-    own = tank.content / 12 * np.diag(squares.sum() - squares)
+    centre, own = frozen(tank)
+    parts.lump(body, centre, tank.content)
     given = parts.bodies[body]
     given["inertia"] = inertia_list(inertia_matrix(given["inertia"]) + own)
     if tank.is_slack:
         parts.forces.append(_tank(body, name, tank))
+
+
+def frozen(tank: BallastTank) -> tuple[list[float], Array]:
+    """Centre (3,) [m] of what is in a tank, where it lies upright, and inertia about it (3, 3) [kg m^2]."""
+    (length, breadth, _), (x, y, z) = tank.box, tank.bottom
+    squares = np.array([length, breadth, tank.depth]) ** 2
+    return [x, y, z + tank.depth / 2], tank.content / 12 * np.diag(squares.sum() - squares)
 
 
 def _let_pump(parts: Parts, body: str, name: str, tank: BallastTank, level: float) -> None:

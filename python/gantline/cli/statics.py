@@ -124,6 +124,7 @@ def statics(
     except NoEquilibriumError as problem:
         stop(str(problem), COULD_NOT_GO_ON)
     from gantline.cli.tilting import tilting_lines
+    from gantline.cli.vessels import vessels_at_rest
     from gantline.study.tilting import margins_of, tilting_of
 
     found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
@@ -139,6 +140,7 @@ def statics(
         _slings(rest, bounds),
         _ropes(rest),
         _hooks(rest),
+        vessels_at_rest(question, rest),
         _loads(rest),
         tilting_lines(tilting_of(question, rest, found), far),
         contact_forces(rest) if rest.losses == "held" else [],

@@ -18,15 +18,31 @@ from gantline.scenario.quantities import (
     Position,
     PositiveLength,
     PositiveMass,
+    PositiveTime,
     Quantity,
+    Ratio,
     Sizes,
     Text,
     refuse,
 )
-from gantline.scenario.water import Afloat, HullShape
+from gantline.scenario.water import MOTIONS, Afloat, HullShape, WaterDamping
 
-__all__ = ["Vessel", "VesselHull", "VesselMass"]
+__all__ = [
+    "CAPSIZED_BEYOND",
+    "DECK_EDGE",
+    "CriticalDamping",
+    "Periods",
+    "Vessel",
+    "VesselDamping",
+    "VesselHull",
+    "VesselMass",
+]
 
+#: Angle of a vessel's own z axis from plumb beyond which it has capsized [rad]. By the 2008 IS Code, part A
+#: 2.3, no righting arm beyond 50 deg counts; a little more is left for a swing that comes back.
+CAPSIZED_BEYOND = math.radians(60.0)
+#: What the edge of a vessel's deck is called beside its openings.
+DECK_EDGE = "deck_edge"
 _Place = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 
 
@@ -54,6 +70,61 @@ class VesselMass(Element):
     at: Position = Field(description="Its centre of gravity in the vessel's axes.")
 
 
+class Periods(Element):
+    """Natural periods of motions that the water does not restore."""
+
+    what: ClassVar[str] = "periods"
+
+    surge: PositiveTime | None = Field(None, description="Along x.")
+    sway: PositiveTime | None = Field(None, description="Along y.")
+    yaw: PositiveTime | None = Field(None, description="About z.")
+
+
+class CriticalDamping(Element):
+    """Damping by what is critical for each motion by itself."""
+
+    what: ClassVar[str] = "shares of critical damping"
+
+    surge: Ratio | None = Field(None, description="Along x; needs its period.")
+    sway: Ratio | None = Field(None, description="Along y; needs its period.")
+    heave: Ratio | None = Field(None, description="Along z.")
+    roll: Ratio | None = Field(None, description="About x.")
+    pitch: Ratio | None = Field(None, description="About y.")
+    yaw: Ratio | None = Field(None, description="About z; needs its period.")
+    periods: Periods = Field(Periods(), description="Periods on the moorings of surge, sway and yaw.")
+
+    @model_validator(mode="after")
+    def _periods_where_needed(self) -> CriticalDamping:
+        for key in Periods.model_fields:
+            share, period = getattr(self, key), getattr(self.periods, key)
+            if share and period is None:
+                sentence = f"the water restores no {key}, so that no damping is critical by itself"
+                raise refuse(f"{sentence}; give its period on the moorings: 'periods: {{{key}: 60 s}}'", key)
+            if share is None and period is not None:
+                raise refuse(f"a period of {key} without a share of its critical damping", "periods")
+        return self
+
+
+class VesselDamping(WaterDamping):
+    """What still water resists a vessel's motion with."""
+
+    critical: CriticalDamping | None = Field(
+        None,
+        description="Shares of critical damping, about the centre of gravity of all that is on the vessel.",
+    )
+
+    @model_validator(mode="after")
+    def _once(self) -> VesselDamping:
+        for key in MOTIONS:
+            if (
+                key in self.model_fields_set
+                and self.critical is not None
+                and getattr(self.critical, key) is not None
+            ):
+                raise refuse(f"'{key}' stands here and under 'critical'; leave one of them out", key)
+        return self
+
+
 class Vessel(Afloat):
     """A vessel: one body that floats."""
 
@@ -69,6 +140,7 @@ class Vessel(Afloat):
     heel: Angle = Field(0.0, description="Heel at the start, to starboard positive.")
     trim: Angle = Field(0.0, description="Trim at the start, by the stern positive.")
     hull: VesselHull = Field(description="What of it displaces water.")
+    water_damping: VesselDamping | None = Field(None, description="What water resists its motion with.")
     masses: Named[VesselMass] = Field(
         description="What it weighs by itself, by name: without cranes, hooks and contents of tanks."
     )
@@ -77,6 +149,9 @@ class Vessel(Afloat):
     )
     inertia: BodyInertia | None = Field(
         None, description="Inertia of these masses together, in place of 'radii_of_gyration'."
+    )
+    openings: Named[Position] | None = Field(
+        None, description="Points that must stay above water beside the deck's edge, by name: vents, hatches."
     )
     remark: Text | None = Field(None, description="A remark for people.")
 

@@ -20,10 +20,12 @@ from gantline.scenario.quantities import (
     refuse,
 )
 
-__all__ = ["SEA_WATER", "AddedMass", "Afloat", "BallastTank", "HullShape", "Water", "WaterDamping"]
+__all__ = ["MOTIONS", "SEA_WATER", "AddedMass", "Afloat", "BallastTank", "HullShape", "Water", "WaterDamping"]
 
 #: Density of sea water [kg/m^3].
 SEA_WATER = 1025.0
+#: Motions of a body along and about its x, y, z.
+MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 ORIGIN = (0.0, 0.0, 0.0)
 
 Density = Annotated[float, Quantity("density", "positive")]
@@ -54,6 +56,12 @@ class HullShape(Element):
         """Middle of its bottom in the body's axes [m]."""
         return ORIGIN if self.keel is None else self.keel
 
+    @property
+    def extent(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+        """Its least and largest x, y, z in the body's axes [m]."""
+        (length, breadth, depth), (x, y, z) = self.box, self.bottom
+        return (x - length / 2, y - breadth / 2, z), (x + length / 2, y + breadth / 2, z + depth)
+
 
 class AddedMass(Element):
     """Water that moves along with a body, constant, along the body's axes."""
@@ -78,7 +86,7 @@ class AddedMass(Element):
     @property
     def diagonal(self) -> list[float]:
         """Surge, sway, heave [kg], roll, pitch, yaw [kg m^2]."""
-        return [self.surge, self.sway, self.heave, self.roll, self.pitch, self.yaw]
+        return [getattr(self, motion) for motion in MOTIONS]
 
 
 class WaterDamping(Element):
@@ -97,7 +105,7 @@ class WaterDamping(Element):
     @property
     def diagonal(self) -> list[float]:
         """Surge, sway, heave [N s/m], roll, pitch, yaw [N m s]."""
-        return [self.surge, self.sway, self.heave, self.roll, self.pitch, self.yaw]
+        return [getattr(self, motion) for motion in MOTIONS]
 
 
 class BallastTank(Element):

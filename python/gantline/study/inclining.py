@@ -1,0 +1,66 @@
+"""Metacentric heights by inclining: how far a vessel turns where a little of its weight is shifted.
+
+Shifting the mass m of a vessel's body by dy across it heels it with the moment m g dy, and it comes to rest
+where Δ g GM dφ rights it as much: GM = m dy/(Δ dφ), with Δ all that it displaces. That is what a yard does
+to find GM, done with derivatives of the equilibrium. So everything counts that follows the turn: liquids in
+slack tanks, loads that hang from its hooks, ropes that hold it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.results.rotation import heading
+from gantline.statics import Equilibrium, Statics
+
+__all__ = ["MetacentricHeights", "heights_of", "metacentric_heights"]
+
+
+@dataclass(frozen=True)
+class MetacentricHeights:
+    """What rights a vessel, free surfaces and hanging loads included; negative where nothing does.
+
+    Attributes:
+        transverse: for heel [m].
+        longitudinal: for trim [m].
+    """
+
+    transverse: float
+    longitudinal: float
+
+
+def metacentric_heights(question: Statics, rest: Equilibrium) -> dict[str, MetacentricHeights]:
+    """Metacentric heights of every vessel of a lift.
+
+    Args:
+        question: The lift.
+        rest: Its equilibrium that was found last.
+    """
+    found = {}
+    for vessel in rest.recording.rig.vessels:
+        displaced = float(rest.recording.column("vessel_displacement", vessel.name)[-1])
+        found[vessel.name] = heights_of(question, rest, vessel.body, displaced)
+    return found
+
+
+def heights_of(question: Statics, rest: Equilibrium, body: str, displaced: float) -> MetacentricHeights:
+    """Metacentric heights of a body that floats.
+
+    Args:
+        question: The lift.
+        rest: Its equilibrium that was found last.
+        body: Name of the body.
+        displaced: Mass of the water that it displaces [kg].
+    """
+    masses = {one["name"]: float(one["mass"]) for one in question.assembly.document["bodies"]}
+    across, along = question.sensitivities([("centre_y", body), ("centre_x", body)])
+    ahead = float(heading(rest.recording.column("body_orientation", body)[-1]))
+    forward = np.array([math.cos(ahead), math.sin(ahead)])
+    port = np.array([-math.sin(ahead), math.cos(ahead)])
+    share = masses[body] / displaced if displaced > 0.0 else math.inf
+    heel = -float(across.of_body(body)[3:5] @ forward)
+    dip = float(along.of_body(body)[3:5] @ port)
+    return MetacentricHeights(share / heel, share / dip)
