@@ -9,6 +9,7 @@ import pytest
 
 from afloat import KG, MASS, barge, lift_of, sheerleg, written
 from gantline.assembly import assemble
+from gantline.assembly.hulls import HullMesh
 from gantline.assembly.vessels import deck_edge
 from gantline.hydro import box_hull, raked_barge
 from gantline.results.vessels import Vessel, vessel_state
@@ -16,8 +17,7 @@ from gantline.scenario import ScenarioError, load_scenario
 
 
 def edge_of(vertices: np.ndarray, triangles: np.ndarray) -> set[tuple[float, float, float]]:
-    mesh = {"vertices": np.round(vertices, 9).tolist(), "triangles": triangles.tolist()}
-    return {(x, y, z) for x, y, z in deck_edge(mesh)}
+    return {(x, y, z) for x, y, z in deck_edge(HullMesh(np.round(vertices, 9), triangles))}
 
 
 def test_the_deck_of_a_box_ends_at_its_four_upper_corners() -> None:

@@ -11,6 +11,7 @@ import pytest
 
 from ballasted import ADDED, BREADTH, DAMPED, KG, LENGTH, OWN, barge, lift, pump, tank
 from floating import SEA
+from gantline.assembly import assemble
 from gantline.results import Recording
 from gantline.scenario import Scenario, ScenarioError, parse_scenario
 from gantline.simulation import Simulation
@@ -72,6 +73,19 @@ def test_what_is_pumped_has_the_weight_the_inertia_and_the_surface_of_what_is_th
     # Equilibria are found to 1e-9 of the forces; squares of frequencies follow them.
     assert found[0][0] == pytest.approx(found[1][0], abs=1e-9)
     assert found[0][1] == pytest.approx(found[1][1], rel=1e-7)
+
+
+def test_shares_of_critical_damping_know_what_is_pumped() -> None:
+    tanks = {"a": tank((85, 3, 0.5), 900.0), "b": tank((15, -4, 0.5), 200.0)}
+    damping = {"critical": {"heave": "20 %", "roll": "6 %", "pitch": "20 %"}}
+    vessel, plan = barge(tanks, water_damping=damping), [pump("a", "b", "500 t/h", by="100 t")]
+    found = []
+    for scenario in (lift(vessel), lift(vessel, plan)):
+        forces = assemble(scenario).document["forces"]
+        found.append(next(one["damping"] for one in forces if one["name"] == "barge.critical_damping"))
+    standing, pumped = (np.array(one) for one in found)
+    # Sums in another order: rounding of the largest entry.
+    assert np.abs(pumped - standing).max() < 1e-12 * np.abs(standing).max()
 
 
 ROLLING = {"added_mass": ADDED, "heel": "4 deg", "trim": "-1 deg"}
@@ -272,10 +286,10 @@ def test_tanks_too_small_and_a_vessel_that_would_capsize() -> None:
         solve_ballast(lift(barge(tanks, masses=top_heavy)))
 
 
-# Floating crane of 3600 t: what it weighs, its boom of 110 m at 60° from heel pins at (98, 9) m with 1500 t at
-# 48 % of its length, 460 t of gear at its head and 1096 t that hang there, and 16 tanks in rows from the stern.
-# Plausible figures for a sheerleg of 105.6 × 46 × 7.5 m; what is expected are hand figures by moments about its
-# middle, for small angles, with tanks of a row alike.
+# Floating crane of 3600 t: what it weighs, its boom of 110 m at 60° from heel pins at (98, 9) m with 1500 t
+# at 48 % of its length, 460 t of gear at its head and 1096 t that hang there, and 16 tanks in rows from the
+# stern. Plausible figures for a sheerleg of 105.6 × 46 × 7.5 m; what is expected are hand figures by moments
+# about its middle, for small angles, with tanks of a row alike.
 
 ROW, WIDTH = 26.4, 11.5
 HEAD = (98 + 110 * math.cos(math.radians(60)), 9 + 110 * math.sin(math.radians(60)))

@@ -14,16 +14,19 @@ They are orthogonal to the others over M, and so change nothing about them. See 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array, inertia_matrix, point_inertia
 from gantline.assembly.vessels import vessel_hull
+from gantline.assembly.water import frozen
 from gantline.hydro import Attitude, Hull, Hydrostatics, Tank, free_surface_correction, hydrostatics
 from gantline.scenario import Scenario
+from gantline.scenario.tanks import pumped_tanks
 from gantline.scenario.vessel import CriticalDamping, Vessel
-from gantline.scenario.water import MOTIONS, Water
+from gantline.scenario.water import MOTIONS, BallastTank, Water
 
 __all__ = ["add_critical_damping"]
 
@@ -41,7 +44,7 @@ def add_critical_damping(parts: Parts, scenario: Scenario) -> None:
         if vessel.water_damping is None or vessel.water_damping.critical is None:
             continue
         given = vessel.water_damping.critical
-        mass, centre, own = _aboard(parts, name)
+        mass, centre, own = _aboard(parts, name, _pumped(scenario, name, vessel))
         inertia = np.zeros((6, 6))
         inertia[:3, :3], inertia[3:, 3:] = mass * np.eye(3), own
         for force in parts.forces:
@@ -58,7 +61,7 @@ def add_critical_damping(parts: Parts, scenario: Scenario) -> None:
         parts.forces.append({**named, "damping": damping, "quadratic": [0.0] * 6})
 
 
-def _aboard(parts: Parts, vessel: str) -> tuple[float, Array, Array]:
+def _aboard(parts: Parts, vessel: str, pumped: Sequence[BallastTank]) -> tuple[float, Array, Array]:
     """Mass [kg], centre of gravity (3,) [m], inertia about it (3, 3) [kg m^2] of a vessel and all on it."""
     position, turn = parts.pose(vessel)
     masses, centres, inertias = [], [], []
@@ -73,6 +76,11 @@ def _aboard(parts: Parts, vessel: str) -> tuple[float, Array, Array]:
         masses.append(float(body["mass"]))
         centres.append(turn.T @ (place - position) + own @ np.array(body["centre_of_gravity"]))
         inertias.append(own @ inertia_matrix(body["inertia"]) @ own.T)
+    for tank in pumped:
+        at, own = frozen(tank)
+        masses.append(tank.content)
+        centres.append(np.array(at))
+        inertias.append(own)
     total = math.fsum(masses)
     centre = np.average(centres, axis=0, weights=masses)
     inertia = sum(
@@ -83,6 +91,13 @@ def _aboard(parts: Parts, vessel: str) -> tuple[float, Array, Array]:
         start=np.zeros((3, 3)),
     )
     return total, centre, inertia
+
+
+def _pumped(scenario: Scenario, name: str, vessel: Vessel) -> list[BallastTank]:
+    """Tanks whose liquid is no body's mass, with some in them."""
+    pumped = pumped_tanks(scenario)
+    tanks = (vessel.tanks or {}).items()
+    return [tank for one, tank in tanks if f"{name}.{one}" in pumped and tank.content > 0.0]
 
 
 def _about(added: Json, centre: Array) -> Array:

@@ -6,13 +6,13 @@ import numpy as np
 
 from gantline.assembly.hulls import afloat_path, box_mesh, hull_mesh
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.spatial import inertia_list, inertia_matrix
+from gantline.assembly.spatial import Array, inertia_list, inertia_matrix
 from gantline.assembly.water_matrix import water_matrix
 from gantline.scenario import Scenario
 from gantline.scenario.tanks import bodies_afloat, pumped_tanks
 from gantline.scenario.water import Afloat, BallastTank, OfWater, Water
 
-__all__ = ["add_water", "hull_name", "pump_drive"]
+__all__ = ["add_water", "frozen", "hull_name", "pump_drive"]
 
 
 def pump_drive(tank: str) -> str:
@@ -67,15 +67,19 @@ def _fill(parts: Parts, body: str, name: str, tank: BallastTank) -> None:
     """The liquid as mass of the body, where it lies upright; where it has a free surface that is a force."""
     if tank.content == 0:
         return
-    length, breadth, _ = tank.box
-    x, y, z = tank.bottom
-    parts.lump(body, [x, y, z + tank.depth / 2], tank.content)
-    squares = np.array([length, breadth, tank.depth]) ** 2
-    own = tank.content / 12 * np.diag(squares.sum() - squares)
+    centre, own = frozen(tank)
+    parts.lump(body, centre, tank.content)
     given = parts.bodies[body]
     given["inertia"] = inertia_list(inertia_matrix(given["inertia"]) + own)
     if tank.is_slack:
         parts.forces.append(_tank(body, name, tank))
+
+
+def frozen(tank: BallastTank) -> tuple[list[float], Array]:
+    """Centre (3,) [m] of what is in a tank, where it lies upright, and inertia about it (3, 3) [kg m^2]."""
+    (length, breadth, _), (x, y, z) = tank.box, tank.bottom
+    squares = np.array([length, breadth, tank.depth]) ** 2
+    return [x, y, z + tank.depth / 2], tank.content / 12 * np.diag(squares.sum() - squares)
 
 
 def _let_pump(parts: Parts, body: str, name: str, tank: BallastTank, level: float) -> None:

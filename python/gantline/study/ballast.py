@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.assembly.hulls import hull_mesh
+from gantline.assembly.water import hull_name
 from gantline.hydro import Hull
 from gantline.hydro.tank import Tank, free_surface_correction
 from gantline.results.rotation import axes
@@ -28,6 +29,7 @@ from gantline.scenario.tanks import bodies_afloat, pumped_at_most, sea_density
 from gantline.scenario.variants import with_values, without_cases
 from gantline.scenario.water import BallastTank, Water
 from gantline.statics import Equilibrium, NoEquilibriumError, Statics
+from gantline.study.inclining import heights_of
 from gantline.study.moment import end_of_step
 from gantline.study.newton import CannotBeError
 from gantline.units import format_quantity, si_text
@@ -260,7 +262,7 @@ class _Afloat:
 
     def displacement(self) -> float:
         """Mass of the water displaced [kg]."""
-        name = f"{self.vessel}.hull"
+        name = hull_name(self.vessel)
         force = next(one for one in self.question.assembly.document["forces"] if one["name"] == name)
         hull = Hull(name, force["vertices"], force["triangles"])
         below = hull.below(self.turn[2], float(self._origin()[2] - self._level))
@@ -285,11 +287,9 @@ class _Afloat:
         return {"heel": heel, "trim": trim, "draft": draft}
 
     def metacentric_heights(self) -> tuple[float, float]:
-        """Moment that resists a small heel and a small trim, over displaced weight [m]."""
-        slopes, displaced = self.slopes(), self.displacement()
-        heights = (-1.0 / (displaced * float(slopes[key][axis])) for key, axis in (("heel", 2), ("trim", 1)))
-        transverse, longitudinal = heights
-        return transverse, longitudinal
+        """For heel and trim [m], see `gantline.study.inclining`."""
+        found = heights_of(self.question, self.rest, self.vessel, self.displacement())
+        return found.transverse, found.longitudinal
 
 
 class _Search:

@@ -16,7 +16,7 @@ import numpy as np
 from gantline.results.rotation import heading
 from gantline.statics import Equilibrium, Statics
 
-__all__ = ["MetacentricHeights", "metacentric_heights"]
+__all__ = ["MetacentricHeights", "heights_of", "metacentric_heights"]
 
 
 @dataclass(frozen=True)
@@ -39,16 +39,28 @@ def metacentric_heights(question: Statics, rest: Equilibrium) -> dict[str, Metac
         question: The lift.
         rest: Its equilibrium that was found last.
     """
-    masses = {body["name"]: float(body["mass"]) for body in question.assembly.document["bodies"]}
     found = {}
     for vessel in rest.recording.rig.vessels:
-        across, along = question.sensitivities([("centre_y", vessel.body), ("centre_x", vessel.body)])
-        ahead = float(heading(rest.recording.column("body_orientation", vessel.body)[-1]))
-        forward = np.array([math.cos(ahead), math.sin(ahead)])
-        port = np.array([-math.sin(ahead), math.cos(ahead)])
         displaced = float(rest.recording.column("vessel_displacement", vessel.name)[-1])
-        share = masses[vessel.body] / displaced if displaced > 0.0 else math.inf
-        heel = -float(across.of_body(vessel.body)[3:5] @ forward)
-        dip = float(along.of_body(vessel.body)[3:5] @ port)
-        found[vessel.name] = MetacentricHeights(share / heel, share / dip)
+        found[vessel.name] = heights_of(question, rest, vessel.body, displaced)
     return found
+
+
+def heights_of(question: Statics, rest: Equilibrium, body: str, displaced: float) -> MetacentricHeights:
+    """Metacentric heights of a body that floats.
+
+    Args:
+        question: The lift.
+        rest: Its equilibrium that was found last.
+        body: Name of the body.
+        displaced: Mass of the water that it displaces [kg].
+    """
+    masses = {one["name"]: float(one["mass"]) for one in question.assembly.document["bodies"]}
+    across, along = question.sensitivities([("centre_y", body), ("centre_x", body)])
+    ahead = float(heading(rest.recording.column("body_orientation", body)[-1]))
+    forward = np.array([math.cos(ahead), math.sin(ahead)])
+    port = np.array([-math.sin(ahead), math.cos(ahead)])
+    share = masses[body] / displaced if displaced > 0.0 else math.inf
+    heel = -float(across.of_body(body)[3:5] @ forward)
+    dip = float(along.of_body(body)[3:5] @ port)
+    return MetacentricHeights(share / heel, share / dip)
