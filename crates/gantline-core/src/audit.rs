@@ -10,6 +10,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::constraint::Law;
+use crate::force::AnyForce;
 use crate::solver::complementarity::Mode;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
@@ -84,7 +85,7 @@ pub struct Stored {
     pub kinetic: f64,
     /// −Σ m g·c.
     pub gravity: f64,
-    /// Σ ½ k max(e, 0)² of ropes and contacts.
+    /// Σ ½ k max(e, 0)² of ropes and contacts, and what mooring lines hold.
     pub elastic: f64,
     /// What pressed the water away.
     pub fluid: f64,
@@ -104,7 +105,7 @@ pub struct Ledger {
     pub kinetic: f64,
     /// −Σ m g·c.
     pub gravity: f64,
-    /// Σ ½ k max(e, 0)² of ropes and contacts.
+    /// Σ ½ k max(e, 0)² of ropes and contacts, and what mooring lines hold.
     pub elastic: f64,
     /// What pressed the water away.
     #[serde(default)]
@@ -197,7 +198,7 @@ impl Ledger {
 
 /// Numbers in [`KINDS`] of those that a system has: without water those of water are left out.
 pub fn kinds_of(system: &System) -> Vec<usize> {
-    let has_water = !system.tree.forces.is_empty();
+    let has_water = system.tree.forces.iter().any(|force| !matches!(force, AnyForce::Mooring(_)));
     (0..KINDS.len()).filter(|&kind| has_water || !matches!(KINDS[kind], "fluid" | "drag")).collect()
 }
 

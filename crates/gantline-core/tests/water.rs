@@ -1,11 +1,11 @@
-//! Forces of the water on random trees: against energies, rates of momentum, and differences.
+//! Forces of the water and of mooring lines on random trees: against energies, rates of momentum, and differences.
 
 mod rigs;
 
 use gantline_core::audit::gravity_energy;
 use gantline_core::build::build;
-use gantline_core::force::{self, AnyForce, At, Force, twist_of};
-use gantline_core::spec::ForceSpec;
+use gantline_core::force::{self, AnyForce, At, Energies, Force, twist_of};
+use gantline_core::spec::{ForceSpec, JointSpec, MooringSpec, SystemSpec};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
@@ -27,6 +27,42 @@ fn square(draw: &mut Draw, size: f64) -> [[f64; 6]; 6] {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| size * (0..6).map(|k| root[i][k] * root[j][k]).sum::<f64>())
     })
+}
+
+/// A mooring line from a body far down, with a winch: taut, slack, or with a part of it on a bed.
+fn mooring(spec: &mut SystemSpec, draw: &mut Draw, k: usize) -> ForceSpec {
+    let up = -DVec3::from_array(spec.gravity).normalize();
+    let down = DVec3::from_array(draw.scaled(10.0)) - up * 40.0;
+    let body = format!("b{}", draw.choice(7));
+    let winch = format!("winch{k}");
+    let joint = JointSpec::Flow {
+        inertia: 3.0,
+        velocity: draw.number(),
+        damping: 0.0,
+        brake: 0.0,
+        capacity: None,
+        power: None,
+        drive: None,
+    };
+    let mut flow = spec.bodies[0].clone();
+    (flow.name, flow.parent, flow.joint) = (winch.clone(), Some(body.clone()), joint);
+    (flow.mass, flow.centre_of_gravity, flow.inertia) = (0.0, [0.0; 3], [0.0; 6]);
+    spec.bodies.push(flow);
+    ForceSpec::Mooring(Box::new(MooringSpec {
+        name: format!("line{k}"),
+        body,
+        at: draw.vector(),
+        to: down.to_array(),
+        weight: 1.0,
+        axial_stiffness: 4000.0,
+        damping_time: 0.05,
+        length: (k == 1).then_some(90.0),
+        pretension: (k != 1).then_some(100.0 + 20.0 * draw.number()),
+        sea_bed: (k == 2).then_some(down.dot(up)),
+        winch: Some(winch),
+        breaking_force: None,
+        cut_at: None,
+    }))
 }
 
 /// The random rig with dented hulls and tanks, added mass and drag on bodies somewhere in its tree.
@@ -74,6 +110,10 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             volume: 8.0 + 7.0 * draw.number(),
         };
         spec.forces.extend([buoyancy, added, drag, tank]);
+    }
+    for k in 0..3 {
+        let line = mooring(&mut spec, &mut draw, k);
+        spec.forces.push(line);
     }
     let (system, state) = build(&spec).expect("the generator makes valid rigs");
     let mut frame = Frame::new(&system);
@@ -157,7 +197,7 @@ proptest! {
         prop_assert!((kinetic - energy).abs() < 1e-9 * (1.0 + frame.mass.quadratic(&state.v)));
     }
 
-    /// At rest inverse dynamics is the slope of the energy of gravity and displaced water.
+    /// At rest inverse dynamics is the slope of the energy of gravity, displaced water and mooring lines.
     #[test]
     fn buoyancy_is_the_slope_of_its_energy(seeds in seeds()) {
         let (system, state, frame) = wet(&seeds);
@@ -165,7 +205,8 @@ proptest! {
         let (_, slope) = inverse(&system, &frame, &still, &still);
         let energy = |direction: &[f64], step: f64| {
             let (_, frame) = moved(&system, &state, direction, step);
-            gravity_energy(&system, &frame.kinematics) + force::energy(&system.tree, &frame.kinematics)
+            let Energies { fluid, lines } = force::energy(&system.tree, &frame.kinematics);
+            gravity_energy(&system, &frame.kinematics) + fluid + lines
         };
         for dof in 0..still.len() {
             let mut direction = still.clone();
@@ -209,13 +250,14 @@ proptest! {
         }
     }
 
-    /// Drag takes power and never gives it; what it takes is its force times the velocity.
+    /// Drag and dampers of lines take power and never give it; what they take is its force times the velocity.
     #[test]
     fn drag_takes_power(seeds in seeds()) {
         let (system, state, frame) = wet(&seeds);
-        let mut along = vec![0.0; state.v.len()];
-        force::resistance(&system.tree, &frame.kinematics, &state.v, &mut along);
-        let power: f64 = along.iter().zip(&state.v).map(|(force, v)| force * v).sum();
+        let [mut water, mut lines] = [(), ()].map(|()| vec![0.0; state.v.len()]);
+        force::resistance(&system.tree, &frame.kinematics, &state.v, [&mut water, &mut lines]);
+        let all = water.iter().zip(&lines).zip(&state.v);
+        let power: f64 = all.map(|((water, line), v)| (water + line) * v).sum();
         let lost = force::loss(&system.tree, &frame.kinematics, &state.v);
         prop_assert!(lost >= 0.0 && (lost - power).abs() < 1e-10 * (1.0 + power));
     }
@@ -240,7 +282,14 @@ fn a_cube_half_in_water() {
     assert!(out.iter().all(|force| force.abs() < 1e-9), "4 t float half way down: {out:?}");
     let force = &system.tree.forces[0];
     let pose = &frame.kinematics.pose[0];
-    let at = At { pose, twist: Twist::default(), rate: Twist::default(), gravity: system.tree.gravity };
+    let at = At {
+        pose,
+        twist: Twist::default(),
+        rate: Twist::default(),
+        gravity: system.tree.gravity,
+        q: &state.q,
+        v: &still,
+    };
     assert!((force.wrench(&at).force - DVec3::Z * 4e4).length() < 1e-9);
     // ρ g V times the depth of its centre, half a metre.
     assert!((force.energy(pose, system.tree.gravity) - 2e4).abs() < 1e-9);

@@ -1,17 +1,21 @@
 //! Conditions on which steps of the plan end.
 
-use super::{BuildError, at_least_zero, error, positive};
+use glam::DVec3;
+
+use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
-use crate::plan::Condition;
+use crate::force::moorings;
+use crate::plan::{Condition, Falls};
 use crate::spec::UntilSpec;
 use crate::system::{ContactGroup, Rows};
+use crate::tree::Tree;
 
 /// A condition of the step `name`; an end that is none is an error of the caller.
 pub(super) fn build_condition(
     name: &str,
     given: &UntilSpec,
     groups: &[ContactGroup],
-    ropes: (&[AnyConstraint], &Rows),
+    ropes: (&[AnyConstraint], &Rows, &Tree),
 ) -> Result<Condition, BuildError> {
     let group_index = |wanted: &str| match groups.iter().position(|group| group.name == wanted) {
         Some(index) => Ok(index),
@@ -47,6 +51,24 @@ pub(super) fn build_condition(
             let groups = groups.iter().map(rows_of_group).collect::<Result<_, _>>()?;
             Ok(Condition::Spread { groups, at_most: *at_most })
         }
+        UntilSpec::Plumb { falls, at_most } => {
+            at_least_zero(name, "the angle", *at_most)?;
+            let gravity = ropes.2.gravity;
+            let Some(down) = gravity.try_normalize() else {
+                return error(name, "there is no gravity, so nothing is plumb; give it gravity");
+            };
+            let place = |(body, at): &(String, [f64; 3])| {
+                let Some(index) = ropes.2.bodies.iter().position(|other| &other.name == body) else {
+                    return error(name, format!("there is no body `{body}`"));
+                };
+                finite(name, "a place", at)?;
+                Ok((index, DVec3::from_array(*at)))
+            };
+            let falls = falls
+                .iter()
+                .map(|[upper, lower]| Ok(Falls { upper: place(upper)?, lower: place(lower)?, down }));
+            Ok(Condition::Plumb { falls: falls.collect::<Result<_, _>>()?, cosine: at_most.cos() })
+        }
         other => error(name, format!("{other:?} is no condition")),
     }
 }
@@ -56,7 +78,7 @@ fn row_of(
     name: &str,
     wanted: &str,
     segment: usize,
-    (constraints, rows): (&[AnyConstraint], &Rows),
+    (constraints, rows, tree): (&[AnyConstraint], &Rows, &Tree),
 ) -> Result<usize, BuildError> {
     for (index, constraint) in constraints.iter().enumerate() {
         let AnyConstraint::Rope(rope) = constraint else { break };
@@ -68,5 +90,9 @@ fn row_of(
             None => error(name, format!("rope `{wanted}` has no segment {segment}")),
         };
     }
-    error(name, format!("there is no rope `{wanted}`"))
+    match moorings(tree).position(|line| line.name == wanted) {
+        Some(line) if segment == 0 => Ok(rows.count() + line),
+        Some(_) => error(name, format!("mooring line `{wanted}` has one segment, 0")),
+        None => error(name, format!("there is no rope `{wanted}`")),
+    }
 }

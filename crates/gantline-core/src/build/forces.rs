@@ -1,12 +1,14 @@
-//! Forces of the water on bodies.
+//! Forces on bodies: of the water, and of mooring lines.
 
 use glam::DVec3;
 
+use super::moorings::build_mooring;
 use super::{BuildError, error, finite, positive};
 use crate::force::AnyForce;
 use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
 use crate::force::drag::Drag;
+use crate::force::mooring::Mooring;
 use crate::force::square::Square;
 use crate::force::tank::Tank;
 use crate::hull::{Hull, Mesh};
@@ -26,10 +28,14 @@ fn build_force(given: &ForceSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
     let name = given.name();
     let find = |body: &str| match tree.bodies.iter().position(|other| other.name == body) {
         Some(index) if tree.bodies[index].joint.moves_body() => Ok(index),
-        Some(_) => error(name, format!("`{body}` is rope that flows; water acts on bodies")),
+        Some(_) => error(name, format!("`{body}` is rope that flows; forces act on bodies")),
         None => error(name, format!("there is no body `{body}` for it to act on")),
     };
     Ok(match given {
+        ForceSpec::Mooring(line) => {
+            let mooring: Mooring = build_mooring(line, find(&line.body)?, tree)?;
+            AnyForce::Mooring(Box::new(mooring))
+        }
         ForceSpec::Buoyancy { body, vertices, triangles, density, level, .. } => {
             positive(name, "the density of its water", *density)?;
             finite(name, "the level of its water", &[*level])?;

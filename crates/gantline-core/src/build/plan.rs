@@ -51,7 +51,7 @@ pub(super) fn build_plan(
     spec: &SystemSpec,
     drives: &[DriveJoint],
     groups: &[ContactGroup],
-    ropes: (&[AnyConstraint], &Rows),
+    ropes: (&[AnyConstraint], &Rows, &Tree),
 ) -> Result<Plan, BuildError> {
     let steps = spec.plan.iter().map(|step| build_step(step, drives, groups, ropes));
     let steps: Vec<Step> = steps.collect::<Result<_, _>>()?;
@@ -104,7 +104,7 @@ fn build_step(
     given: &StepSpec,
     drives: &[DriveJoint],
     groups: &[ContactGroup],
-    ropes: (&[AnyConstraint], &Rows),
+    ropes: (&[AnyConstraint], &Rows, &Tree),
 ) -> Result<Step, BuildError> {
     let name = &given.name;
     let mut moves = Vec::with_capacity(given.moves.len());
@@ -162,9 +162,15 @@ pub(super) fn build_cuts(spec: &SystemSpec) -> Result<Vec<Cut>, BuildError> {
             cuts.push(Cut { rope, due: Due::At(time) });
         }
     }
+    for (line, given) in spec.moorings().enumerate() {
+        let rope = spec.ropes.len() + line;
+        cuts.extend(given.cut_at.map(|time| Cut { rope, due: Due::At(time) }));
+    }
     for (index, step) in spec.plan.iter().enumerate() {
         for name in &step.cuts {
-            let Some(rope) = spec.ropes.iter().position(|rope| &rope.name == name) else {
+            let ropes = spec.ropes.iter().map(|rope| &rope.name);
+            let mut all = ropes.chain(spec.moorings().map(|line| &line.name));
+            let Some(rope) = all.position(|rope| rope == name) else {
                 return error(&step.name, format!("there is no rope `{name}`"));
             };
             cuts.push(Cut { rope, due: Due::Step(index) });

@@ -1,4 +1,5 @@
-//! Forces on single bodies that depend on where the body is and how it moves: what water does to it, around it and in it.
+//! Forces on single bodies that depend on where the body is and how it moves: what water does to it, around it and in it,
+//! and lines that moor it.
 //!
 //! A force is a wrench about the origin of its body. It says how the wrench changes with place, velocity and
 //! acceleration *as seen from the body*: what turns along with the body does not change then. So matrices that are
@@ -10,6 +11,7 @@
 pub mod added_mass;
 pub mod buoyancy;
 pub mod drag;
+pub mod mooring;
 pub mod square;
 pub mod tank;
 
@@ -22,6 +24,7 @@ use crate::tree::pose::Pose;
 use added_mass::AddedMass;
 use buoyancy::Buoyancy;
 use drag::Drag;
+use mooring::Mooring;
 use square::Square;
 use tank::Tank;
 
@@ -36,6 +39,10 @@ pub struct At<'a> {
     pub rate: Twist,
     /// Acceleration of gravity [m/s²].
     pub gravity: DVec3,
+    /// Configuration of the tree.
+    pub q: &'a [f64],
+    /// Its velocity coordinates.
+    pub v: &'a [f64],
 }
 
 /// Derivatives of a wrench, seen from the body: force and moment over linear and angular motion, world axes.
@@ -52,6 +59,17 @@ pub struct Tangent {
 impl Tangent {
     /// No change with anything.
     pub const NONE: Self = Self { place: Square::ZERO, velocity: Square::ZERO, acceleration: Square::ZERO };
+}
+
+/// Derivatives of a force that depends on a flow and acts on it. Pairs are over place and over velocity.
+#[derive(Debug, Clone, Copy)]
+pub struct Feeding {
+    /// Of the wrench on the body over the flow.
+    pub wrench: [Wrench; 2],
+    /// Of the force on the flow over displacement and turn of the body, as seen from there.
+    pub body: [Wrench; 2],
+    /// Of the force on the flow over the flow.
+    pub flow: [f64; 2],
 }
 
 /// What a kind of force has to say.
@@ -83,6 +101,21 @@ pub trait Force {
         0.0
     }
 
+    /// Degree of freedom of a flow that it depends on as well and acts on; the flow hangs on the body.
+    fn flow(&self) -> Option<usize> {
+        None
+    }
+
+    /// Force on that flow [N].
+    fn feed(&self, _at: &At) -> f64 {
+        0.0
+    }
+
+    /// Derivatives that the flow adds.
+    fn feeding(&self, _at: &At) -> Option<Feeding> {
+        None
+    }
+
     /// Inertia that moves along with the body, about its origin.
     fn inertia(&self, _pose: &Pose) -> Option<Square> {
         None
@@ -100,6 +133,8 @@ pub enum AnyForce {
     Drag(Drag),
     /// A liquid in a slack tank.
     Tank(Box<Tank>),
+    /// A mooring line.
+    Mooring(Box<Mooring>),
 }
 
 impl std::ops::Deref for AnyForce {
@@ -111,13 +146,31 @@ impl std::ops::Deref for AnyForce {
             Self::AddedMass(added) => added,
             Self::Drag(drag) => drag,
             Self::Tank(tank) => &**tank,
+            Self::Mooring(mooring) => &**mooring,
         }
     }
 }
 
+/// Energy that water and lines hold [J].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Energies {
+    /// What pressed the water away, and what is in tanks.
+    pub fluid: f64,
+    /// Mooring lines.
+    pub lines: f64,
+}
+
 /// Energy that all forces hold [J].
-pub fn energy(tree: &Tree, kinematics: &Kinematics) -> f64 {
-    tree.forces.iter().map(|force| force.energy(&kinematics.pose[force.body()], tree.gravity)).sum()
+pub fn energy(tree: &Tree, kinematics: &Kinematics) -> Energies {
+    let mut held = Energies::default();
+    for force in &tree.forces {
+        let pose = &kinematics.pose[force.body()];
+        match force {
+            AnyForce::Mooring(mooring) => held.lines += mooring.energy_at(pose, tree.gravity, &kinematics.q),
+            _ => held.fluid += force.energy(pose, tree.gravity),
+        }
+    }
+    held
 }
 
 /// Velocity of a body under the velocity coordinates `v`.
@@ -130,28 +183,45 @@ pub fn twist_of(tree: &Tree, kinematics: &Kinematics, body: usize, v: &[f64]) ->
     twist
 }
 
-/// Power that is lost in all forces under the velocity coordinates `v` [W].
-pub fn loss(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
-    let at = |force: &AnyForce| {
-        let (body, gravity) = (force.body(), tree.gravity);
-        let twist = twist_of(tree, kinematics, body, v);
-        force.loss(&At { pose: &kinematics.pose[body], twist, rate: Twist::default(), gravity })
-    };
-    tree.forces.iter().map(at).sum()
+/// Where the body of a force is, and how it moves under the velocity coordinates `v`; not accelerated.
+fn under<'a>(tree: &Tree, kinematics: &'a Kinematics, body: usize, v: &'a [f64]) -> At<'a> {
+    let (twist, rate) = (twist_of(tree, kinematics, body, v), Twist::default());
+    At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity, q: &kinematics.q, v }
 }
 
-/// Sets `out` to what resists the velocity coordinates `v`, along every degree of freedom.
-pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f64]) {
-    out.fill(0.0);
+/// Power that is lost in all forces under the velocity coordinates `v` [W].
+pub fn loss(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
+    tree.forces.iter().map(|force| force.loss(&under(tree, kinematics, force.body(), v))).sum()
+}
+
+/// Sets `water` and `lines` to what resists the velocity coordinates `v`, along every degree of freedom.
+pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], [water, lines]: [&mut [f64]; 2]) {
+    water.fill(0.0);
+    lines.fill(0.0);
     for force in &tree.forces {
-        let AnyForce::Drag(drag) = force else { continue };
-        let (body, gravity) = (drag.body(), tree.gravity);
-        let twist = twist_of(tree, kinematics, body, v);
-        let wrench =
-            drag.wrench(&At { pose: &kinematics.pose[body], twist, rate: Twist::default(), gravity });
+        let (body, at) = (force.body(), under(tree, kinematics, force.body(), v));
+        let (wrench, out) = match force {
+            AnyForce::Drag(drag) => (drag.wrench(&at), &mut *water),
+            AnyForce::Mooring(mooring) => {
+                let (wrench, feed) = mooring.damping(&at);
+                if let Some(dof) = mooring.flow() {
+                    lines[dof] -= feed;
+                }
+                (wrench, &mut *lines)
+            }
+            _ => continue,
+        };
         for &dof in &tree.support[body] {
             let linear = kinematics.point_column(tree, dof, kinematics.pose[body].position);
             out[dof] -= linear.dot(wrench.force) + kinematics.columns[dof].angular.dot(wrench.moment);
         }
     }
+}
+
+/// Mooring lines among the forces.
+pub fn moorings(tree: &Tree) -> impl Iterator<Item = &Mooring> {
+    tree.forces.iter().filter_map(|force| match force {
+        AnyForce::Mooring(mooring) => Some(&**mooring),
+        _ => None,
+    })
 }

@@ -1,12 +1,38 @@
-//! Conditions on which a step of the plan ends, by forces in supports and ropes.
+//! Conditions on which a step of the plan ends, by forces in supports and ropes, and by how falls hang.
+
+use glam::DVec3;
+
+use crate::tree::kinematics::Kinematics;
 
 /// What conditions look at.
 #[derive(Clone, Copy)]
 pub struct Seen<'a> {
     /// Normal force of each contact group [N].
     pub support: &'a [f64],
-    /// Tension that a row of a rope stands for [N].
+    /// Tension that a row of a rope stands for [N]; mooring lines count on from the rows.
     pub tension: &'a dyn Fn(usize) -> f64,
+    /// Where everything is.
+    pub kinematics: &'a Kinematics,
+}
+
+/// Falls between two bodies: where they hang from, what hangs on them, and the way down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Falls {
+    /// Upper body, and the point in its frame [m].
+    pub upper: (usize, DVec3),
+    /// Lower body, and the point in its frame [m].
+    pub lower: (usize, DVec3),
+    /// Downwards.
+    pub down: DVec3,
+}
+
+impl Falls {
+    /// Cosine of their angle to plumb.
+    fn cosine(&self, kinematics: &Kinematics) -> f64 {
+        let [upper, lower] = [self.upper, self.lower].map(|(body, at)| kinematics.point(Some(body), at));
+        let along = lower - upper;
+        self.down.dot(along) / along.length()
+    }
 }
 
 /// A condition.
@@ -48,6 +74,13 @@ pub enum Condition {
         /// Bound [N].
         bound: f64,
     },
+    /// All falls hang within this of plumb.
+    Plumb {
+        /// The falls.
+        falls: Vec<Falls>,
+        /// Cosine of the largest angle.
+        cosine: f64,
+    },
     /// In every group of rows (max - min)/mean of the tensions is no more than a share, and all carry.
     Spread {
         /// The groups.
@@ -70,6 +103,7 @@ impl Condition {
             Self::Touched(group) => seen.support[*group] > 0.0,
             Self::TensionAbove { rows, bound } => rows.iter().map(tension).sum::<f64>() >= *bound,
             Self::TensionBelow { rows, bound } => rows.iter().map(tension).sum::<f64>() <= *bound,
+            Self::Plumb { falls, cosine } => falls.iter().all(|one| one.cosine(seen.kinematics) >= *cosine),
             Self::Spread { groups, at_most } => groups.iter().all(|rows| {
                 let (mut low, mut high, mut sum) = (f64::INFINITY, 0.0_f64, 0.0);
                 for value in rows.iter().map(tension) {
@@ -84,10 +118,14 @@ impl Condition {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tree::Tree;
 
     #[test]
     fn each_holds_on_its_side_of_its_bound() {
-        let seen = Seen { support: &[600.0, 0.0], tension: &|row| [10.0, 12.0, -1.0][row] };
+        let tree = Tree::new(Vec::new(), DVec3::ZERO);
+        let kinematics = Kinematics::new(&tree);
+        let seen =
+            Seen { support: &[600.0, 0.0], tension: &|row| [10.0, 12.0, -1.0][row], kinematics: &kinematics };
         let transferred = |at_least| Condition::LoadTransferred { group: 0, weight: 1000.0, at_least };
         assert!(transferred(0.4).holds(&seen) && !transferred(0.41).holds(&seen));
         let returned = |at_most| Condition::LoadReturned { group: 0, weight: 1000.0, at_most };

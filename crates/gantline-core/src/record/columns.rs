@@ -74,7 +74,7 @@ impl Columns {
             applied: vec![Wrench::default(); system.tree.bodies.len()],
             unused: vec![0.0; system.tree.velocities],
             straights: Vec::new(),
-            whole_until: vec![f64::INFINITY; system.rope_count],
+            whole_until: vec![f64::INFINITY; system.all_ropes()],
         };
         for event in parted {
             sampled.whole_until[event.subject] = event.time;
@@ -91,6 +91,7 @@ impl Columns {
             let spots = &samples.spots[index * spots..][..spots];
             sampled.kinematics.update(&system.tree, q);
             sampled.add_rows(system, samples.time[index], [q, tension], (seats, spots), &mut columns);
+            sampled.add_moorings(system, v, &mut columns);
             sampled.add_clearances(system, samples.time[index], seats, &mut columns);
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
         }
@@ -146,10 +147,10 @@ fn lengthenings(system: &System, samples: &Samples) -> Vec<f64> {
         .flat_map(|adjuster| adjuster.rows.iter().map(|&row| system.constraint_index(row)))
         .collect();
     let count = if adjusted.is_empty() { 0 } else { samples.time.len() };
-    let mut all = vec![0.0; count * system.rope_count];
+    let mut all = vec![0.0; count * system.all_ropes()];
     for sample in 0..count {
         for (index, rope) in adjusted.iter().enumerate() {
-            all[sample * system.rope_count + rope] = samples.lengthening[sample * adjusted.len() + index];
+            all[sample * system.all_ropes() + rope] = samples.lengthening[sample * adjusted.len() + index];
         }
     }
     all
@@ -217,6 +218,21 @@ impl Sampled {
             }
         }
         columns.constraint_residual.push(violation);
+    }
+
+    /// Adds the columns of mooring lines: one segment each, as long as the line is stretched.
+    fn add_moorings(&mut self, system: &System, v: &[f64], columns: &mut Columns) {
+        let (tree, kinematics) = (&system.tree, &self.kinematics);
+        for mooring in system.moorings() {
+            let tension = mooring.tension_of(tree, kinematics, v);
+            columns.rope_tension.push(tension);
+            columns.segment_tension.push(tension);
+            let pose = &kinematics.pose[mooring.body];
+            let length = mooring.draw(pose, tree.gravity, &kinematics.q, |point| {
+                columns.rope_point.extend_from_slice(point.as_ref());
+            });
+            columns.segment_length.push(length);
+        }
     }
 
     /// Adds a rope's columns and its forces on bodies; returns its length [m].

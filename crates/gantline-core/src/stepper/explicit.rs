@@ -144,7 +144,7 @@ impl Explicit {
         let h = self.h;
         let end = (state.steps + 1) as f64 * h;
         flows::supports(system, &state.tension, &mut self.support);
-        flows::advance_plan(system, state, end, &self.support, log);
+        flows::advance_plan(system, state, frame, (end, &self.support), log);
         if state.steps == 0 {
             let State { v, bias, .. } = state;
             self.bias.update(&system.tree, &frame.kinematics, v, None, None, bias);

@@ -16,18 +16,20 @@ use crate::force::{AnyForce, At};
 impl NewtonEuler {
     /// Takes the wrenches of all forces from what each body needs.
     pub(super) fn apply(&mut self, tree: &Tree, kinematics: &Kinematics) {
-        for force in &tree.forces {
+        for (index, force) in tree.forces.iter().enumerate() {
             let body = force.body();
-            let Wrench { force, moment } = force.wrench(&self.at(tree, kinematics, body));
-            self.wrenches[body].force -= force;
-            self.wrenches[body].moment -= moment;
+            let at = self.at(tree, kinematics, body);
+            let (wrench, feed) = (force.wrench(&at), force.feed(&at));
+            self.wrenches[body].force -= wrench.force;
+            self.wrenches[body].moment -= wrench.moment;
+            self.feeds[index] = feed;
         }
     }
 
     /// Place and motion of a body at the last update.
-    pub fn at<'a>(&self, tree: &Tree, kinematics: &'a Kinematics, body: usize) -> At<'a> {
+    pub fn at<'a>(&'a self, tree: &Tree, kinematics: &'a Kinematics, body: usize) -> At<'a> {
         let (twist, rate) = (self.twists[body], self.accelerations[body]);
-        At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity }
+        At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity, q: &kinematics.q, v: &self.v }
     }
 }
 
@@ -61,7 +63,15 @@ impl DynamicsTangent {
     pub(super) fn add_force(&mut self, place: &Place, force: &AnyForce) {
         let Place { tree, kinematics, dynamics, .. } = *place;
         let body = force.body();
-        let tangent = force.tangent(&dynamics.at(tree, kinematics, body));
+        let at = dynamics.at(tree, kinematics, body);
+        let tangent = force.tangent(&at);
+        let feeding = force.flow().zip(force.feeding(&at));
+        if let Some((flow, feeding)) = feeding {
+            self.position.take(place, (flow, body), &feeding.wrench[..1]);
+            self.velocity.take(place, (flow, body), &feeding.wrench[1..]);
+            self.position.add(place, (flow, flow), -feeding.flow[0]);
+            self.velocity.add(place, (flow, flow), -feeding.flow[1]);
+        }
         for &dof in &tree.support[body] {
             let top = tree.owner[dof];
             let own = kinematics.columns[dof];
@@ -88,6 +98,10 @@ impl DynamicsTangent {
                 tangent.acceleration.times(&rate),
             ];
             self.position.take(place, (dof, body), &parts);
+            if let Some((flow, feeding)) = feeding {
+                let change = work(&moved, &feeding.body[0]) + work(&velocity, &feeding.body[1]);
+                self.position.add(place, (flow, dof), -change);
+            }
 
             let (spin, rate) = self.carried(place, (top, body), &sped);
             let linear = match tree.motions[dof] {
@@ -97,8 +111,16 @@ impl DynamicsTangent {
             let velocity = Twist { angular: spin, linear };
             let parts = [tangent.velocity.times(&velocity), tangent.acceleration.times(&rate)];
             self.velocity.take(place, (dof, body), &parts);
+            if let Some((flow, feeding)) = feeding {
+                self.velocity.add(place, (flow, dof), -work(&velocity, &feeding.body[1]));
+            }
         }
     }
+}
+
+/// Power of a wrench on a motion.
+fn work(motion: &Twist, wrench: &Wrench) -> f64 {
+    motion.linear.dot(wrench.force) + motion.angular.dot(wrench.moment)
 }
 
 impl DynamicsTangent {
@@ -121,16 +143,20 @@ impl DynamicsTangent {
 impl super::tangent::Paired {
     /// Takes wrenches on a body, changes over `dof`, from the rows of all degrees of freedom that move it.
     fn take(&mut self, place: &Place, (dof, body): (usize, usize), parts: &[Wrench]) {
-        let Place { tree, kinematics, mass, .. } = *place;
+        let Place { tree, kinematics, .. } = *place;
         for &row in &tree.support[body] {
             let own = column(tree, kinematics, row, body);
-            let work = |part: &Wrench| own.linear.dot(part.force) + own.angular.dot(part.moment);
-            let value: f64 = parts.iter().map(work).sum();
-            if row >= dof {
-                self.lower[mass.slot(row, dof)] -= value;
-            } else {
-                self.upper[mass.slot(dof, row)] -= value;
-            }
+            let value: f64 = parts.iter().map(|part| work(&own, part)).sum();
+            self.add(place, (row, dof), -value);
+        }
+    }
+
+    /// Adds to the change of the row of one degree of freedom over another.
+    fn add(&mut self, place: &Place, (row, dof): (usize, usize), value: f64) {
+        if row >= dof {
+            self.lower[place.mass.slot(row, dof)] += value;
+        } else {
+            self.upper[place.mass.slot(dof, row)] += value;
         }
     }
 }

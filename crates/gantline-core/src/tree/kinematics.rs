@@ -38,6 +38,8 @@ pub struct Kinematics {
     pub lever: Vec<DVec3>,
     /// Column of every degree of freedom.
     pub columns: Vec<Column>,
+    /// The configuration that all this is at.
+    pub q: Vec<f64>,
 }
 
 impl Kinematics {
@@ -49,6 +51,7 @@ impl Kinematics {
             arm: vec![DVec3::ZERO; tree.bodies.len()],
             lever: vec![DVec3::ZERO; tree.bodies.len()],
             columns: vec![Column::default(); tree.velocities],
+            q: vec![0.0; tree.positions],
         }
     }
 
@@ -59,10 +62,13 @@ impl Kinematics {
         self.arm.copy_from_slice(&other.arm);
         self.lever.copy_from_slice(&other.lever);
         self.columns.copy_from_slice(&other.columns);
+        self.q.copy_from_slice(&other.q);
     }
 
     /// Evaluates everything at the configuration `q`.
     pub fn update(&mut self, tree: &Tree, q: &[f64]) {
+        self.q.clear();
+        self.q.extend_from_slice(q);
         for (index, body) in tree.bodies.iter().enumerate() {
             let (above, below) = self.pose.split_at_mut(index);
             let pose = &mut below[0];

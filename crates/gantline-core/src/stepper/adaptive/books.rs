@@ -8,7 +8,7 @@ use super::Adaptive;
 use super::evaluation::Point;
 use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
-use crate::force::At;
+use crate::force::{AnyForce, At};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::coils;
@@ -74,7 +74,12 @@ impl Adaptive {
         }
         for force in &system.tree.forces {
             let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, force.body());
-            ledger.drag += duration * force.loss(&at);
+            let lost = duration * force.loss(&at);
+            *(if matches!(force, AnyForce::Mooring(_)) {
+                &mut ledger.rope_damping
+            } else {
+                &mut ledger.drag
+            }) += lost;
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
@@ -143,7 +148,7 @@ impl Adaptive {
         for force in &system.tree.forces {
             let body = force.body();
             let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, body);
-            power += force.energy_rate(&At { twist: self.defect[body], ..at });
+            power += force.energy_rate(&At { twist: self.defect[body], v: &self.rate.phi, ..at });
         }
         ledger.method -= duration * power;
         self.look_at_coils(system, duration);
