@@ -81,7 +81,8 @@ impl Catenary {
     pub fn hang(&self, reach: f64, rise: f64, length: f64) -> Hanging {
         if self.on_bed {
             // V with H = 0: V/w (1 + V/2EA) = Z.
-            let plumb = self.stiffness * ((1.0 + 2.0 * self.weight * rise / self.stiffness).sqrt() - 1.0);
+            let whole = 2.0 * self.weight * rise;
+            let plumb = whole / (1.0 + (1.0 + whole / self.stiffness).sqrt());
             if plumb <= self.weight * length && reach <= length - plumb / self.weight {
                 return self.heaped(plumb, [reach, rise], length);
             }
@@ -268,4 +269,116 @@ fn solve(rows: [&Jet; 2], right: [f64; 2]) -> [f64; 2] {
     let [[a, b], [c, d]] = rows.map(|row| [row.first[0], row.first[1]]);
     let determinant = a * d - b * c;
     [(right[0] * d - b * right[1]) / determinant, (a * right[1] - c * right[0]) / determinant]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Distances and energy by Simpson's rule along the line, with more points where it bends.
+    fn by_quadrature(line: &Catenary, [h, v]: [f64; 2], length: f64) -> [f64; 3] {
+        let Catenary { weight, stiffness, on_bed } = *line;
+        let off = if on_bed { length.min(v / weight) } else { length };
+        // u = (V − h sinh t)/w makes ∫ dt of what is smooth.
+        let [from, to] = [v, v - weight * off].map(|v| (v / h).asinh());
+        let (parts, step) = (4000, (from - to) / 4000.0);
+        let mut sum = [0.0; 3];
+        for part in 0..=parts {
+            let t = to + step * f64::from(part);
+            let (along, tension) = (h * t.sinh(), h * t.cosh());
+            let share = if part == 0 || part == parts { 1.0 } else { f64::from(2 + 2 * (part % 2)) };
+            let each = [h * (1.0 / tension + 1.0 / stiffness), along * (1.0 / tension + 1.0 / stiffness)];
+            let held = tension * tension / (2.0 * stiffness);
+            let weights = share * step / 3.0 * tension / weight;
+            sum[0] += weights * each[0];
+            sum[1] += weights * each[1];
+            sum[2] += weights * (tension + held);
+        }
+        let rest = length - off;
+        sum[0] += rest * (1.0 + h / stiffness);
+        sum[2] += rest * (h + h * h / (2.0 * stiffness));
+        [sum[0], sum[1], h * sum[0] + v * sum[1] - sum[2]]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+
+        /// Forces lead back to the distances, for lines from plumb to level, slack to taut, light to heavy.
+        #[test]
+        fn hangs_between_its_ends(
+            [reach, slack, bend] in [-6.0..0.5_f64, -6.0..0.3, 0.02..3.0_f64],
+            [weight, stiffness] in [-1.0..3.0_f64, 5.0..11.0_f64],
+            (on_bed, size, under) in (any::<bool>(), 1.0..300.0_f64, any::<bool>()),
+        ) {
+            let line = Catenary { weight: 10f64.powf(weight), stiffness: 10f64.powf(stiffness), on_bed };
+            let (aside, up) = (10f64.powf(reach).min(1.0), bend / 3.0);
+            let up = if under && !on_bed { -up } else { up };
+            let (reach, rise) = (size * aside, size * up);
+            let chord = reach.hypot(rise);
+            // Between a strain of some 2 % and a length twice the chord.
+            let length = if slack < -1.0 { chord * (1.0 + 0.02 * (slack + 1.0) / 5.0) } else { chord * (1.0 + 10f64.powf(slack)) };
+            let hanging = line.hang(reach, rise, length);
+            let Hanging { horizontal: h, vertical: v, .. } = hanging;
+            prop_assert!(h.is_finite() && v.is_finite() && h >= 0.0, "{hanging:?}");
+            let [x, z] = line.place(&hanging, length, 1.0);
+            // An error of the forces of one part in 1e13 moves the ends of a stiff line by less than that.
+            prop_assert!((x - reach).abs() + (z - rise).abs() < 1e-11 * (length + chord), "{x} {reach} {z} {rise} {hanging:?}");
+            let tension = h.hypot(v.abs() + line.weight * length);
+            // The energy is a difference of Φ from H X + V Z, which all are of the size of T L.
+            // Where the line hardly bends or is all but plumb, the quadrature itself cancels.
+            if h > 1e-7 * tension && line.weight * length > 1e-4 * tension {
+                let [x, z, energy] = by_quadrature(&line, [h, v], length);
+                prop_assert!((x - reach).abs() + (z - rise).abs() < 1e-8 * length, "{x} {reach} {z} {rise}");
+                prop_assert!((energy - hanging.energy.value).abs() < 1e-8 * tension * length, "{energy} {hanging:?}");
+            }
+        }
+
+        /// First and second derivatives of energy and strain, and the forces as slopes of the energy, against differences.
+        #[test]
+        fn derivatives_are_those_of_differences(
+            [reach, rise, length] in [0.2..1.2_f64, 0.1..0.9_f64, 1.0..1.8_f64],
+            (on_bed, weight, stiffness) in (any::<bool>(), 0.5..20.0_f64, 1.0..1e3_f64),
+        ) {
+            let line = Catenary { weight, stiffness, on_bed };
+            let hang = |at: [f64; 3]| line.hang(at[0], at[1], at[2]);
+            let at = [reach, rise, length];
+            let here = hang(at);
+            // Where the line first comes down to the bed, or heaps up, second derivatives have a corner.
+            prop_assume!(!on_bed || ((here.vertical / weight - length).abs() > 1e-3 && here.horizontal > 1e-3 * weight));
+            let step = 1e-5;
+            for k in 0..3 {
+                let moved = |sign: f64| { let mut there = at; there[k] += sign * step; hang(there) };
+                let (more, less) = (moved(1.0), moved(-1.0));
+                for (ahead, behind, jet) in [(more.energy, less.energy, here.energy), (more.strain, less.strain, here.strain)] {
+                    let slope = (ahead.value - behind.value) / (2.0 * step);
+                    let size = 1.0 + jet.value.abs() + jet.second[k][k].abs();
+                    prop_assert!((slope - jet.first[k]).abs() < 1e-6 * size, "{k}: {slope} {jet:?}");
+                    for j in 0..3 {
+                        let bend = (ahead.first[j] - behind.first[j]) / (2.0 * step);
+                        let size = 1.0 + jet.second[k][k].abs() + jet.second[j][j].abs();
+                        prop_assert!((bend - jet.second[k][j]).abs() < 1e-4 * size, "{k} {j}: {bend} {jet:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// Heaps on the bed leave the line plumb, of the weight of what hangs, and move nothing sideways.
+    #[test]
+    fn heaps_hang_plumb() {
+        let line = Catenary { weight: 100.0, stiffness: 1e9, on_bed: true };
+        let hanging = line.hang(3.0, 10.0, 20.0);
+        assert_eq!(hanging.horizontal, 0.0);
+        // Z = V/w + V²/2wEA
+        let v = hanging.vertical;
+        assert!((v / 100.0 + v * v / (2.0 * 100.0 * 1e9) - 10.0).abs() < 1e-9);
+        assert!((hanging.energy.second[1][1] - 100.0 / (1.0 + v / 1e9)).abs() < 1e-9);
+        assert!((hanging.grounded - 10.0).abs() < 1e-4);
+        let [x, z] = line.place(&hanging, 20.0, 0.25);
+        assert!((x - 3.0 * 5.0 / hanging.grounded).abs() < 1e-12 && z == 0.0);
+        // The force is continuous where the heap is used up.
+        let straight = line.hang(hanging.grounded + 1e-6, 10.0, 20.0);
+        assert!(straight.horizontal < 1e-3 && (straight.vertical - v).abs() < 1e-3, "{straight:?}");
+    }
 }
