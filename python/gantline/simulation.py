@@ -23,6 +23,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
+from gantline.results.vessels import vessel_warnings
 from gantline.scenario import Scenario, ScenarioError, load_scenario, resolve
 from gantline.scenario.errors import Problem
 from gantline.version import version
@@ -194,6 +195,7 @@ class Simulation:
         columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
         warnings += drum_warnings(rig, columns, names)
+        warnings += vessel_warnings(columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):

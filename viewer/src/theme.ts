@@ -13,6 +13,7 @@ export interface Palette {
   ground: number;
   /** Floor and walls of a hole in the ground. */
   pit: [number, number];
+  water: number;
   grid: number;
   contact: number;
   shadow: number;
@@ -39,6 +40,7 @@ const LIGHT: Palette = {
   edge: 0x4a5866,
   ground: 0xf1f3f0,
   pit: [0xd5dbd9, 0xbcc5c6],
+  water: 0x6fa8cc,
   grid: 0xc2cbd2,
   contact: 0x12805c,
   shadow: 0x22303c,
@@ -64,6 +66,7 @@ const DARK: Palette = {
   edge: 0xa9b7c3,
   ground: 0x1b232b,
   pit: [0x131920, 0x0c1116],
+  water: 0x2f6288,
   grid: 0x3b4853,
   contact: 0x3fcf9b,
   shadow: 0x05080b,

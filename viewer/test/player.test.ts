@@ -1,4 +1,4 @@
-import { Box3, type Mesh, type Plane, Vector3 } from "three";
+import { Box3, type Material, type Mesh, type Plane, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { shown, ticksOf, verticalScale } from "../src/chart/scale";
 import type { Vector } from "../src/data/format";
@@ -186,6 +186,15 @@ describe("drawing", () => {
     // The floor 2 by 4, and walls 4 high all around.
     expect(area).toBeCloseTo(2 * 4 + 4 * (2 + 4 + 2 + 4), 6);
     expect(Math.min(...edges.filter((_, at) => at % 3 === 2))).toBe(-3);
+  });
+
+  it("lets what is under water show through", () => {
+    const corners = [0, 1].flatMap((x) => [0, 2].flatMap((y) => [0, 3].map((z) => [x, y, z] as Vector)));
+    const made = { name: "a", boxes: [corners], removedAt: null };
+    const header = { structures: ["structure", "water"].map((kind) => ({ ...made, kind })) };
+    const structures = new Structures({ header, now: 0 } as unknown as Lift, [0, 0, 0]);
+    const drawn = structures.group.children.map((one) => (one.children[0] as Mesh).material as Material);
+    expect(drawn.map((material) => material.transparent)).toEqual([false, true]);
   });
 
   it("lets supports stand until they are taken away", () => {

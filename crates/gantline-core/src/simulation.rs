@@ -6,10 +6,11 @@ use thiserror::Error;
 use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
 use crate::constraint::Law;
+use crate::event::afloat::{Lookout, Vessel};
 use crate::event::{Event, EventKind, EventLog};
 use crate::record::columns::{Columns, tensions_of};
 use crate::record::names::Names;
-use crate::record::{Recorder, Samples, Span};
+use crate::record::{Recorder, Sample, Samples, Span};
 use crate::spec::{IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
 use crate::state::State;
 use crate::statics::potential::Losses;
@@ -64,6 +65,19 @@ enum Method {
     Adaptive(Box<Adaptive>),
 }
 
+impl Method {
+    /// Motion and forces at a share of the step that has been made.
+    fn course(&mut self, system: &System, span: &Span, share: f64, sample: &mut Sample) {
+        match self {
+            Self::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
+            Self::Explicit(explicit) => {
+                explicit.interpolate(system, (span.before, span.after), share, sample)
+            }
+            Self::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
+        }
+    }
+}
+
 /// Everything that goes into a checkpoint.
 #[derive(Serialize, Deserialize)]
 struct Checkpoint {
@@ -88,6 +102,7 @@ pub struct Simulation {
     frame: Frame,
     method: Method,
     recorder: Recorder,
+    lookout: Lookout,
     samples: Samples,
     events: EventLog,
     counters: Counters,
@@ -142,9 +157,16 @@ impl Simulation {
         }
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);
+        let has_capsized =
+            |vessel: &&Vessel| vessel.beyond(&frame.kinematics.pose[vessel.body], system.tree.gravity) > 0.0;
+        if let Some(vessel) = system.vessels.iter().find(has_capsized) {
+            let (element, cause) = (vessel.name.clone(), "it capsizes before it comes to rest".to_owned());
+            return Err(NoEquilibrium { element, cause }.into());
+        }
         Ok(Self {
             method: method(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),
+            lookout: Lookout::new(&system),
             fingerprint: fingerprint([document, settings]),
             document: fingerprint([document]),
             before: state.clone(),
@@ -176,7 +198,7 @@ impl Simulation {
     /// Makes one step and records what is due.
     ///
     /// # Errors
-    /// [`StepError`]; the state is then the last good one.
+    /// [`StepError`]; the state is then the last good one, or that in which a vessel has capsized.
     pub fn step(&mut self) -> Result<(), StepError> {
         self.system.clock.resume();
         let made = self.make_step();
@@ -202,7 +224,11 @@ impl Simulation {
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
         self.record(report.complementarity_residual);
-        Ok(())
+        let Self { system, method, lookout, events, before, state: after, .. } = self;
+        let span = Span { before, after, residual: 0.0 };
+        lookout.look(system, &span, events, &mut |span, share, sample| {
+            method.course(system, span, share, sample)
+        })
     }
 
     /// Records what is due of the step that has been made.
@@ -210,13 +236,9 @@ impl Simulation {
         let Self { system, method, recorder, samples, before, state: after, frame, .. } = self;
         let span = Span { before, after, residual };
         system.clock.time(Stage::Recording, || {
-            recorder.record(&span, samples, &mut |span, share, sample| match method {
-                Method::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
-                Method::Explicit(explicit) => {
-                    explicit.interpolate(system, (span.before, span.after), share, sample);
-                }
-                Method::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
-            });
+            let motion =
+                &mut |span: &Span, share, sample: &mut Sample| method.course(system, span, share, sample);
+            recorder.record(&span, samples, motion);
             samples.note_lines(system, &frame.kinematics, after);
             samples.note_peaks(system, &after.q, |row, known| match method {
                 Method::Del(_) | Method::Explicit(_) => {
@@ -289,6 +311,8 @@ impl Simulation {
             | EventKind::PinPutIn => self.system.constraints[event.subject].name().to_owned(),
             EventKind::LiftOff | EventKind::SetDown => self.system.groups[event.subject].name.clone(),
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => self.system.sheave_name(event.subject),
+            EventKind::Flooding | EventKind::Surfacing => self.system.marks[event.subject].name.clone(),
+            EventKind::Capsized => self.system.vessels[event.subject].name.clone(),
             EventKind::StepBegin | EventKind::StepEnd | EventKind::EmergencyStop => {
                 let step = self.system.plan.steps.get(event.subject);
                 step.map_or_else(String::new, |step| step.name.clone())

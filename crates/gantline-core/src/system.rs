@@ -5,8 +5,9 @@ use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::contact::pad::Pad;
 use crate::contact::shape::Shape;
+use crate::event::afloat::{Mark, Vessel};
+use crate::force;
 use crate::force::mooring::Mooring;
-use crate::force::{self, AnyForce};
 use crate::plan::drive::Timeline;
 use crate::plan::{Cut, Pinning, Plan, Removal};
 use crate::rope::coil::Layers;
@@ -271,6 +272,10 @@ pub struct System {
     pub removals: Vec<Removal>,
     /// Distances that are recorded.
     pub watches: Vec<Watch>,
+    /// Bodies that should stay upright.
+    pub vessels: Vec<Vessel>,
+    /// Points of them that should stay above the water.
+    pub marks: Vec<Mark>,
     /// Operations.
     pub plan: Plan,
     /// Where the time goes: the one thing here that changes, since all that takes time sees the system.
@@ -335,8 +340,7 @@ impl System {
     pub fn weight_on_ropes(&self) -> f64 {
         let tree = &self.tree;
         let mut floats = vec![false; tree.bodies.len()];
-        for force in &tree.forces {
-            let AnyForce::Buoyancy(buoyancy) = force else { continue };
+        for buoyancy in tree.hulls() {
             tree.subtree[buoyancy.body].iter().for_each(|&body| floats[body] = true);
         }
         let mass = |all: bool| -> f64 {

@@ -87,6 +87,7 @@ fn random_route(random: &mut Random) -> SystemSpec {
         supports: Vec::new(),
         shapes: Vec::new(),
         pairs: Vec::new(),
+        vessels: Vec::new(),
         watches: Vec::new(),
         forces: Vec::new(),
         adjusters: Vec::new(),

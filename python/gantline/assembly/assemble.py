@@ -6,6 +6,7 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
+from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.describe import rig, rope_kinds, scene
 from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
@@ -17,6 +18,7 @@ from gantline.assembly.plain import add_mechanics
 from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
 from gantline.assembly.supports import add_supports, removals
+from gantline.assembly.vessels import add_vessels, watch_vessels
 from gantline.assembly.water import add_water
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Scenario, resolve
@@ -67,6 +69,7 @@ def assemble(scenario: Scenario) -> Assembly:
     """
     rigging = resolve(scenario)
     parts = Parts()
+    add_vessels(parts, scenario)
     add_goliaths(parts, scenario)
     add_hooks(parts, scenario, rigging)
     pins = pins_of(scenario, rigging)
@@ -80,6 +83,8 @@ def assemble(scenario: Scenario) -> Assembly:
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
+    add_critical_damping(parts, scenario)
+    watch_vessels(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
     rest_on_girders(parts, scenario)

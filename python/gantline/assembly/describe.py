@@ -19,6 +19,7 @@ from gantline.assembly.shapes import members, watch_name
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
+from gantline.assembly.vessels import hull_shape, vessel_rig, water_surface
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.check_goliath import crane_bodies
@@ -50,6 +51,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "remark": head.remark,
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
+        **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
         "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
@@ -383,7 +385,8 @@ def _ground(scenario: Scenario) -> Json | None:
 
 
 def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
-    """What stands in the world, of boxes: supports by their contacts, and what is no hole in the ground."""
+    """What stands in the world, of boxes: supports by their contacts, what is no hole, water."""
+    water = water_surface(scenario, parts)
     shapes = {
         (name, "structure"): [parts.shapes[shape] for shape in members(parts.shapes, name)]
         for name, structure in (scenario.structures or {}).items()
@@ -396,7 +399,7 @@ def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
     return [
         {"name": name, "kind": kind, "boxes": [box for one in given for box in one["parts"]]}
         for (name, kind), given in shapes.items()
-    ]
+    ] + ([{"name": "water", "kind": "water", "boxes": [water]}] if water is not None else [])
 
 
 def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body: Json) -> Json:
@@ -420,6 +423,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         kind = "body"
     elif name in crane_bodies(scenario.cranes or {}):
         shape = crane_shape(scenario, name)
+    elif name in (scenario.vessels or {}):
+        kind, shape = "vessel", hull_shape((scenario.vessels or {})[name])
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:

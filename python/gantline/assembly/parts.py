@@ -47,6 +47,7 @@ class Parts:
         pairs: shapes that may touch.
         watches: distances that are recorded.
         forces: of water on bodies, in order.
+        vessels: what should stay upright, and which of their points above the water.
         drives: drives by name.
         plan: steps in order.
         emergency_stop: what stops all drives of the plan, and when.
@@ -66,6 +67,7 @@ class Parts:
     pairs: list[Json] = field(default_factory=list)
     watches: list[Json] = field(default_factory=list)
     forces: list[Json] = field(default_factory=list)
+    vessels: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
     emergency_stop: Json | None = None
@@ -205,6 +207,7 @@ class Parts:
         used |= {shape for watch in self.watches for side in watch["between"] for shape in side["shapes"]}
         if_there = {
             "forces": self.forces,
+            "vessels": self.vessels,
             "supports": self.supports,
             "shapes": [shape for name, shape in self.shapes.items() if name in used],
             "pairs": self.pairs,

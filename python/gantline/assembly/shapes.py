@@ -16,6 +16,7 @@ from gantline.assembly.goliath import crane_shape, goliaths
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.supports import every_support, pad_shape, support_contact
+from gantline.assembly.vessels import hull_shape
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.ground import Ground
@@ -33,7 +34,7 @@ _PLACES = 8
 
 
 def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> None:
-    """Give a shape to load, ground, structures, supports, equalizer frames and bodies of `mechanics`."""
+    """Give a shape to load, ground, structures, supports, equalizer frames, vessels and plain bodies."""
     load = scenario.load
     if load is not None and lifted is not None:
         parts.add_shape(load.name, load.name, load_parts(lifted))
@@ -60,6 +61,8 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
     for name in goliaths(scenario):
         for side, leg in enumerate((crane_shape(scenario, name) or {})["boxes"], start=1):
             parts.add_shape(f"{name}.legs.{side}", name, [leg])
+    for name, vessel in (scenario.vessels or {}).items():
+        parts.add_shape(name, name, [hull_shape(vessel)])
     plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
     for name, body in plain.items():
         if body.shape is not None:

@@ -1,4 +1,4 @@
-"""Water around the bodies of `mechanics` and in their tanks, into forces on bodies."""
+"""Water around vessels and bodies of `mechanics` and in their tanks, into forces on bodies."""
 
 from __future__ import annotations
 
@@ -9,29 +9,42 @@ import numpy as np
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import inertia_list, inertia_matrix
 from gantline.scenario import Scenario
-from gantline.scenario.mechanics import Body
-from gantline.scenario.water import BallastTank, Water
+from gantline.scenario.water import Afloat, BallastTank, HullShape, Water
 
-__all__ = ["add_water"]
+__all__ = ["add_water", "bodies_afloat", "hull_mesh", "hull_name"]
+
+
+def bodies_afloat(scenario: Scenario) -> dict[str, Afloat]:
+    """Vessels and bodies of `mechanics` by name: all that water may act on."""
+    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
+    return {**(scenario.vessels or {}), **plain}
+
+
+def hull_name(body: str) -> str:
+    """Name of the hull of a body among forces and in recordings."""
+    return f"{body}.hull"
+
+
+def hull_mesh(hull: HullShape) -> Json:
+    """A hull in the axes of its body: vertices and triangles, counter-clockwise from outside."""
+    return _box(hull.box, hull.bottom)
 
 
 def add_water(parts: Parts, scenario: Scenario) -> None:
-    """Add what water does to the bodies of `mechanics`; these are there, with their masses."""
-    if scenario.mechanics is None:
-        return
+    """Add what water does to bodies; these are there, with their masses."""
     water = scenario.water or Water()
-    for name, body in scenario.mechanics.bodies.items():
+    for name, body in bodies_afloat(scenario).items():
         for tank_name, tank in (body.tanks or {}).items():
             _fill(parts, name, f"{name}.{tank_name}", tank)
         parts.forces += _around(name, body, water)
 
 
-def _around(name: str, body: Body, water: Water) -> list[Json]:
+def _around(name: str, body: Afloat, water: Water) -> list[Json]:
     found: list[Json] = []
     if body.hull is not None:
-        mesh = _box(body.hull.box, body.hull.keel)
         surface = {"density": water.density, "level": water.level}
-        found.append({"type": "buoyancy", "name": f"{name}.hull", "body": name, **mesh, **surface})
+        named = {"type": "buoyancy", "name": hull_name(name), "body": name}
+        found.append({**named, **hull_mesh(body.hull), **surface})
     if body.added_mass is not None:
         matrix = np.diag(body.added_mass.diagonal).tolist()
         point = {"at": list(body.added_mass.at), "matrix": matrix}

@@ -6,7 +6,18 @@ held against. Those that everybody has to hand in are listed without a limit too
 
 from __future__ import annotations
 
-from gantline.checks import contacts, cranes, equalizers, hooks, loads, lugs, ropes, shackles, slings
+from gantline.checks import (
+    contacts,
+    cranes,
+    equalizers,
+    hooks,
+    loads,
+    lugs,
+    ropes,
+    shackles,
+    slings,
+    vessels,
+)
 from gantline.checks.measure import Measure
 
 _ALL = "by definition"
@@ -250,6 +261,18 @@ LIMITS: dict[str, Measure] = {
         at_least=True,
         by_definition=0.0,
         definition="'watch' of the lift file",
+        is_listed=True,
+    ),
+    "heel": Measure("largest heel of a vessel to either side", "deg", 2, vessels.heel, is_listed=True),
+    "trim": Measure("largest trim of a vessel by bow or stern", "deg", 2, vessels.trim, is_listed=True),
+    "freeboard": Measure(
+        "least height of deck edge and openings of a vessel above the water",
+        "m",
+        2,
+        vessels.freeboard,
+        at_least=True,
+        by_definition=0.0,
+        definition="nothing may go under",
         is_listed=True,
     ),
     "load_tilt": Measure(

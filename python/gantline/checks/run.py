@@ -29,12 +29,12 @@ def check_recording(recording: Recording) -> list[Check]:
 
     Returns:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
-        with a load, hook or sling, in the order of `LIMITS`; limits that are not known here; one check for
-        each requirement of a step; and one that failed for each rope that parted.
+        with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
+        check for each requirement of a step; and one that failed for each rope that parted.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
-    hands_in = bool(rig.loads or rig.hooks or rig.slings)
+    hands_in = bool(rig.loads or rig.hooks or rig.slings or rig.vessels)
     found = [
         _check_limit(recording, key, measure, limits.get(key))
         for key, measure in LIMITS.items()

@@ -124,6 +124,7 @@ def statics(
     except NoEquilibriumError as problem:
         stop(str(problem), COULD_NOT_GO_ON)
     from gantline.cli.tilting import tilting_lines
+    from gantline.cli.vessels import vessels_at_rest
     from gantline.study.tilting import margins_of, tilting_of
 
     found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
@@ -139,6 +140,7 @@ def statics(
         _slings(rest, bounds),
         _ropes(rest),
         _hooks(rest),
+        vessels_at_rest(question, rest),
         _loads(rest),
         tilting_lines(tilting_of(question, rest, found), far),
         contact_forces(rest) if rest.losses == "held" else [],
@@ -247,7 +249,7 @@ def _ropes(rest: Equilibrium) -> list[str]:
     from gantline.cli.table import table
 
     slings = {sling.rope for sling in rest.recording.rig.slings}
-    names = [name for name in rest.recording.coordinates["rope"] if name not in slings]
+    names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in slings]
     rows = [(name, show(rest.tension(name), "kN", 3)) for name in names]
     return table(("Rope", "tension"), rows, "lr") if rows else []
 

@@ -9,6 +9,7 @@ import numpy as np
 from gantline.checks import Check, Verdict, values_of
 from gantline.cli.check_table import check_table
 from gantline.cli.table import ABSENT, pairs, table
+from gantline.cli.vessels import vessels
 from gantline.results import series
 from gantline.results.equalising import equalising
 from gantline.results.metrics import energy_bound, metrics_of
@@ -47,6 +48,7 @@ def summary(
         _used(recording),
         *(_equalizer(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
+        vessels(recording),
         _ropes(recording),
         _wraps(recording),
         _losses(recording),
@@ -430,6 +432,9 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
             {name: name for crane in rig.cranes for name in crane.corners},
         ),
     }
+    afloat = {vessel.name: vessel.name for vessel in rig.vessels}
+    of_vessels = (("draft", "m", 3), ("heel", "deg", 2), ("trim", "deg", 2), ("freeboard", "m", 2))
+    sources |= {name: (f"vessel_{name}", unit, digits, afloat) for name, unit, digits in of_vessels}
     if measure not in sources:
         yield "not known here"
         return

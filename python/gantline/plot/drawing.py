@@ -30,10 +30,24 @@ _MOST_LUGS = 10  # that are labelled one by one
 _TITLES = 0.9  # height of the titles of a further row [inch]
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _EARTH, _EARTH_EDGE = "#ECE7DF", "#8C7B62"
-_FILL = {"load": "#C9D6E2", "frame": "#8FA3B5", "support": "#CFC6B8", "structure": "#E6E6E6"}
+_FILL = {
+    "load": "#C9D6E2",
+    "frame": "#8FA3B5",
+    "support": "#CFC6B8",
+    "structure": "#E6E6E6",
+    "vessel": "#D5D2C8",
+    "water": "#DCEBF5",
+}
 # Directions in which a label may stand, the preferred ones first.
 _AROUND = np.array([(np.cos(a), np.sin(a)) for a in np.deg2rad([45, -45, 135, -135, *range(0, 360, 15)])])
-_EDGE = {"load": "#5B7286", "frame": "#4A5F73", "support": _EARTH_EDGE, "structure": "#A3A3A3"}
+_EDGE = {
+    "load": "#5B7286",
+    "frame": "#4A5F73",
+    "support": _EARTH_EDGE,
+    "structure": "#A3A3A3",
+    "vessel": "#6B665A",
+    "water": "#3F86B5",
+}
 
 
 @dataclass(frozen=True)

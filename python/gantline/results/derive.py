@@ -15,6 +15,7 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Hook, Load, Rig
 from gantline.results.rotation import tilt
 from gantline.results.variable import FloatArray, Variable
+from gantline.results.vessels import vessel_state
 
 Columns = Mapping[str, FloatArray]
 Names = Mapping[str, Sequence[str]]
@@ -86,6 +87,12 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "m",
         "smallest distance of a watched pair, 0 or less where they touch",
     ),
+    "displaced_volume": (
+        "displaced_volume",
+        ("time", "hull"),
+        "m^3",
+        "volume of a hull below the water",
+    ),
     "energy": (
         "energy",
         ("time", "energy_kind"),
@@ -108,7 +115,18 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
     "rope_peak_time": ("rope_peak_time", ("rope",), "s", "time of the largest tension of a rope"),
     "event_time": ("event_time", ("event",), "s", "time of an event"),
 }
-_NAMED = ("rope", "segment", "wrapped_sheave", "body", "joint", "contact", "pin", "pair", "energy_kind")
+_NAMED = (
+    "rope",
+    "segment",
+    "wrapped_sheave",
+    "body",
+    "joint",
+    "contact",
+    "pin",
+    "pair",
+    "hull",
+    "energy_kind",
+)
 # name in the recording, name among the names, dimension, description
 _TEXTS = (
     ("rope_of_point", "rope_point", "rope_point", "rope to which a drawn point belongs"),
@@ -148,6 +166,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         _hook_loads(columns, names, lift),
         _load_state(columns, names, lift),
         rope_flows(columns, names, lift),
+        vessel_state(columns, names, lift.vessels),
     ):
         variables |= derived
         coordinates |= labels

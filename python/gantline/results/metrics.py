@@ -38,6 +38,11 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
 - `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity from its start
   while clear
+- `final_draft.<vessel>`, `final_draft_aft.<vessel>`, `final_draft_forward.<vessel>` [m],
+  `final_heel.<vessel>`, `final_trim.<vessel>` [rad], `final_displacement.<vessel>` [kg]: of that vessel at
+  the last sample; heel to starboard, trim by the stern positive
+- `peak_heel`, `peak_trim` [rad]: largest magnitude of any vessel at any sample
+- `least_freeboard` [m]: least height of the deck edge and openings of any vessel above the water
 - `peak_sheave_tension_ratio`, `final_sheave_tension_ratio` [1]: largest ratio of the tensions on both sides
   of a sheave with losses, over the samples and at the last one; while the loads are clear, if they ever are
 - `travel_used_up`, `travel_used_down` [1]: largest travel of a moving sheave above/below its start, of its
@@ -100,6 +105,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         _sheaves,
         _loads,
         _supports,
+        _vessels,
         _hooks,
         _travel,
         _lengthening,
@@ -143,6 +149,19 @@ def _supports(recording: Recording) -> Iterator[_Metric]:
     yield "peak_support_force", _largest(peaks)
     for watch in rig.watches:
         yield f"smallest_clearance.{watch.name}", float(recording.column("clearance", watch.name).min())
+
+
+def _vessels(recording: Recording) -> Iterator[_Metric]:
+    vessels = recording.rig.vessels
+    if not vessels:
+        return
+    for vessel in vessels:
+        for name in ("draft", "draft_aft", "draft_forward", "heel", "trim", "displacement"):
+            last = recording.column(f"vessel_{name}", vessel.name)[-1]
+            yield f"final_{name}.{vessel.name}", float(last)
+    for name in ("heel", "trim"):
+        yield f"peak_{name}", float(np.abs(recording[f"vessel_{name}"].values).max())
+    yield "least_freeboard", float(recording["vessel_freeboard"].values.min())
 
 
 def _slings(recording: Recording) -> Iterator[_Metric]:

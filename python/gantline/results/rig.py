@@ -12,6 +12,7 @@ from typing import Any, Self
 
 from gantline.results.crane import Crane
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
+from gantline.results.vessels import Vessel
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
 EQUALISED_BELOW = 0.05
@@ -347,6 +348,7 @@ class Rig(FromJson):
         supports: What the loads stand on, where that is more than the ground.
         watches: Pairs whose distance is watched.
         hooks: Hooks of all cranes.
+        vessels: Vessels.
         cranes: Goliath cranes, with what is particular to their hooks.
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
@@ -374,6 +376,7 @@ class Rig(FromJson):
     supports: Sequence[Support] = ()
     watches: Sequence[Watch] = ()
     hooks: Sequence[Hook] = ()
+    vessels: Sequence[Vessel] = ()
     cranes: Sequence[Crane] = ()
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
@@ -399,6 +402,7 @@ class Rig(FromJson):
             "supports": tuple(Support.from_json(d) for d in document.get("supports") or ()),
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
+            "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),

@@ -87,7 +87,7 @@ class Structure:
 
     Attributes:
         name: of a support that of its contact.
-        kind: `support` or `structure`.
+        kind: `support`, `structure` or `water`.
         boxes: the eight corners of each [m], shape (boxes, 8, 3); x slowest, z fastest.
         removed_at: when it is taken away [s]; None if it stays.
     """

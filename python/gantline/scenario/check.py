@@ -9,6 +9,7 @@ from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
 from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.check_supports import check_supports
+from gantline.scenario.check_vessels import check_vessels
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
@@ -51,13 +52,14 @@ def check(scenario: Scenario) -> None:
         check_reeving(findings, hook)
     if scenario.load is not None:
         check_load(findings, scenario.load)
-    elif scenario.mechanics is None:
-        findings.add((), "there is nothing to lift; a lift file has a 'load' or 'mechanics'")
+    elif scenario.mechanics is None and scenario.vessels is None:
+        findings.add((), "there is nothing to lift; a lift file has a 'load', 'vessels' or 'mechanics'")
     if scenario.start == "settled" and (scenario.load is None or scenario.load.stands_on is None):
         sentence = "'settled' needs a load that stands on the ground"
         findings.add(("start",), f"{sentence}; write 'stands_on: ground' or 'start: as_given'")
     if scenario.mechanics is not None:
         check_mechanics(findings, scenario.mechanics)
+    check_vessels(findings)
     _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)
@@ -67,9 +69,10 @@ def check(scenario: Scenario) -> None:
 
 
 def _check_names(findings: Findings) -> None:
-    """Cranes, equalizers, all sheaves that move, the load, plain bodies and drums share one set of names."""
+    """Vessels, cranes, equalizers, sheaves that move, load, plain bodies and drums share one set of names."""
     scenario = findings.scenario
     named: list[tuple[str, str, Path]] = []
+    named += [(name, "a vessel", ("vessels", name)) for name in scenario.vessels or {}]
     named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
     named += crane_parts(scenario.cranes or {})
     named += [

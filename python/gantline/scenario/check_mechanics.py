@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from gantline.scenario.check_goliath import crane_bodies
+from gantline.scenario.check_vessels import check_afloat, check_inertia
 from gantline.scenario.drum import Drum
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
@@ -32,7 +33,6 @@ from gantline.scenario.sheave import check_losses, sheave_losses
 
 __all__ = ["check_mechanics"]
 
-_ROUNDING = 1 + 1e-9
 _SMALLEST = 1e-9
 
 
@@ -47,9 +47,7 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
         if body.orientation is not None:
             _check_direction(findings, (*path, "orientation", "about"), body.orientation.about)
         _check_mass(findings, path, body)
-        for key in ("hull", "tanks"):
-            if getattr(body, key) is not None and scenario.simulation.gravity == 0:
-                findings.add((*path, key), "gravity is zero; water needs gravity above zero")
+        check_afloat(findings, path, body)
     slings = [f"sling.{sling}" for sling in scenario.slings or {}]
     taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
     for name, hook in scenario.hooks.items():
@@ -80,7 +78,7 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
 
 def _yard_bodies(scenario: Scenario) -> list[str]:
     """Names of the bodies that the yard words make."""
-    names = [*scenario.hooks, *crane_bodies(scenario.cranes or {})]
+    names = [*(scenario.vessels or {}), *scenario.hooks, *crane_bodies(scenario.cranes or {})]
     for name, equalizer in (scenario.equalizers or {}).items():
         kind = (scenario.equalizer_types or {}).get(equalizer.type or "")
         sheaves = equalizer.moving_sheaves or (kind.moving_sheaves if kind is not None else None)
@@ -159,17 +157,7 @@ def _check_mass(findings: Findings, path: Path, body: Body) -> None:
         if isinstance(joint, Free):
             findings.add(path, "'inertia' is missing; a free body needs it")
         return
-    a, b, c = inertia.xx, inertia.yy, inertia.zz
-    largest = max(a, b, c)
-    products = ((inertia.yz, a), (inertia.xz, b), (inertia.xy, c))
-    if min(a, b, c) < 0 or (isinstance(joint, Free) and min(a, b, c) == 0):
-        bound = "above zero" if isinstance(joint, Free) else "never negative"
-        findings.add((*path, "inertia"), f"xx, yy and zz of this body are {bound}")
-    elif largest > (a + b + c - largest) * _ROUNDING or any(
-        2 * abs(p) > own * _ROUNDING for p, own in products
-    ):
-        sentence = "no body has such an inertia; each of xx, yy, zz is at most the sum of the other two"
-        findings.add((*path, "inertia"), f"{sentence}, and products are small")
+    check_inertia(findings, path, inertia, is_free=isinstance(joint, Free))
 
 
 def _check_weight(findings: Findings, path: Path, rope: MechanicsRope) -> None:

@@ -118,6 +118,11 @@ class Limits(Element):
     corner_load: PositiveForce | None = Field(
         None, description="Load of a corner of a Goliath crane, by moments of weights and hoist loads."
     )
+    heel: PositiveAngle | None = Field(None, description="Heel of vessels to either side.")
+    trim: PositiveAngle | None = Field(None, description="Trim of vessels by bow or stern.")
+    freeboard: NotNegativeLength | None = Field(
+        None, description="Least height of deck edge and openings of vessels above the water; 0 if not given."
+    )
     wind_of_limit: Ratio | None = Field(
         None, description="Gusts of the lift of the wind limit of the crane; 100 % if not given."
     )

@@ -43,7 +43,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.rope_weight import NODES_SHOWN, WEIGHT_SHOWN, RopeNodes, RopeWeightWord
 from gantline.scenario.sheave import SheaveWords
-from gantline.scenario.water import AddedMass, BallastTank, HullShape, WaterDamping
+from gantline.scenario.water import Afloat
 
 __all__ = [
     "Ball",
@@ -201,7 +201,7 @@ class BodyShape(Element):
     centre: Position = Field(ORIGIN, description="Its middle in the body's axes.")
 
 
-class Body(Element):
+class Body(Afloat):
     """A rigid body on a joint."""
 
     what: ClassVar[str] = "a body"
@@ -215,10 +215,6 @@ class Body(Element):
     inertia: BodyInertia | None = Field(
         None, description="Inertia about the centre of gravity; 0 if not given."
     )
-    hull: HullShape | None = Field(None, description="What of it displaces water; nothing if not given.")
-    added_mass: AddedMass | None = Field(None, description="Water that moves along with it.")
-    water_damping: WaterDamping | None = Field(None, description="What water resists its motion with.")
-    tanks: Named[BallastTank] | None = Field(None, description="Tanks with liquid in it, by name.")
     shape: BodyShape | None = Field(None, description="A box to draw, and with which it touches others.")
     remark: Text | None = Field(None, description="A remark for people.")
 

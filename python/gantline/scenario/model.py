@@ -24,13 +24,11 @@ from gantline.scenario.quantities import PositiveTime, Quantity, Reader, WordOr,
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
 from gantline.scenario.tree import MapNode, line_of
+from gantline.scenario.vessel import Vessel
 from gantline.scenario.watch import Watch
 from gantline.scenario.water import Water
 
-__all__ = ["COMING", "Scenario"]
-
-#: Sections that the format will have and that this version does not know.
-COMING = ("vessels",)
+__all__ = ["Scenario"]
 
 Crane = Annotated[
     Annotated[FixedHook, Tag("fixed_hook")] | Annotated[Goliath, Tag("goliath")], Discriminator(crane_type)
@@ -63,7 +61,7 @@ class Scenario(Element):
         None,
         description="'rest': everything in equilibrium, found from the positions given; 'settled': the load "
         "has settled on the ground, all else is as given; 'as_given': from the positions given. If not "
-        "given: 'rest' for a lift with a 'load', else 'as_given'.",
+        "given: 'rest' for a lift with a 'load' or 'vessels', else 'as_given'.",
     )
     axes: Axes | None = Field(None, description="Where the axes point, for people.")
     wind: Annotated[float | Literal["none"], WordOr(("none",), Quantity("speed", "not_negative"))] | None = (
@@ -75,6 +73,7 @@ class Scenario(Element):
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     water: Water | None = Field(None, description="Water around hulls; sea water up to 0 if not given.")
+    vessels: Named[Vessel] | None = Field(None, description="Vessels by name.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
     lug_types: Named[LugType] | None = Field(None, description="Types of lug by name.")
@@ -148,7 +147,8 @@ class Scenario(Element):
     @property
     def starts_at_rest(self) -> bool:
         """Whether everything is in equilibrium before the lift begins."""
-        return self.start == "rest" or (self.start is None and self.load is not None)
+        has_rest = self.load is not None or self.vessels is not None
+        return self.start == "rest" or (self.start is None and has_rest)
 
     @property
     def load_has_settled(self) -> bool:

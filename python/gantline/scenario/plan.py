@@ -88,6 +88,7 @@ class BoundReader(Reader):
 
 AngleBound = Annotated[Bound, BoundReader("angle")]
 ForceBound = Annotated[Bound, BoundReader("force")]
+LengthBound = Annotated[Bound, BoundReader("length")]
 RatioBound = Annotated[Bound, BoundReader("ratio")]
 
 #: Measures that a step may report.
@@ -103,6 +104,10 @@ MEASURES = (
     "hook_height",
     "falls_out_of_plumb",
     "corner_load",
+    "draft",
+    "heel",
+    "trim",
+    "freeboard",
 )
 
 
@@ -142,6 +147,11 @@ class Require(Element):
     load_transferred: RatioBound | None = Field(None, description="1 - support forces/weight.")
     falls_out_of_plumb: AngleBound | None = Field(
         None, description="Angle of the falls from plumb, of hooks of Goliath cranes."
+    )
+    heel: AngleBound | None = Field(None, description="Heel of every vessel, to either side.")
+    trim: AngleBound | None = Field(None, description="Trim of every vessel, by bow or stern.")
+    freeboard: LengthBound | None = Field(
+        None, description="Height of deck edge and openings of every vessel above the water."
     )
 
 

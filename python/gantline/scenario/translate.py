@@ -8,7 +8,6 @@ from typing import Any
 from pydantic_core import ErrorDetails
 
 from gantline.scenario.errors import PathPart, Problem, closest, join_path, nearest, shorten
-from gantline.scenario.model import COMING
 from gantline.scenario.quantities import found
 from gantline.scenario.tree import ListNode, MapNode, line_of
 
@@ -51,7 +50,7 @@ def _sentence(error: ErrorDetails, path: Sequence[PathPart], node: Any, parent: 
     if kind == "missing":
         return _missing(last, node)
     if kind == "extra_forbidden":
-        return _unknown_key(last, path, parent)
+        return _unknown_key(last, parent)
     if kind == "literal_error":
         return f"found {found(node)}; right is {context.get('expected', 'another word')}"
     if kind in ("union_tag_invalid", "union_tag_not_found"):
@@ -75,10 +74,8 @@ def _missing(key: str, node: Any) -> str:
     return f"'{key}' is missing; {node.what or 'this mapping'} needs it{hint}"
 
 
-def _unknown_key(key: str, path: Sequence[PathPart], parent: Any) -> str:
+def _unknown_key(key: str, parent: Any) -> str:
     shown = shorten(key)
-    if len(path) == 1 and key in COMING:
-        return f"'{shown}' cannot be simulated yet; leave it out"
     if not isinstance(parent, MapNode) or not parent.allowed:
         return f"'{shown}' is not a key that is known here"
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)

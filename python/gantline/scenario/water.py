@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field, model_validator
 
-from gantline.scenario.base import Element
+from gantline.scenario.base import Element, Named
 from gantline.scenario.quantities import (
     Damping,
     Inertia,
@@ -20,10 +20,12 @@ from gantline.scenario.quantities import (
     refuse,
 )
 
-__all__ = ["SEA_WATER", "AddedMass", "BallastTank", "HullShape", "Water", "WaterDamping"]
+__all__ = ["MOTIONS", "SEA_WATER", "AddedMass", "Afloat", "BallastTank", "HullShape", "Water", "WaterDamping"]
 
 #: Density of sea water [kg/m^3].
 SEA_WATER = 1025.0
+#: Motions of a body along and about its x, y, z.
+MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 ORIGIN = (0.0, 0.0, 0.0)
 
 Density = Annotated[float, Quantity("density", "positive")]
@@ -45,7 +47,20 @@ class HullShape(Element):
     what: ClassVar[str] = "a hull"
 
     box: Sizes = Field(description="Length, breadth and depth: sizes along x, y, z of the body.")
-    keel: Position = Field(ORIGIN, description="Middle of its bottom in the body's axes.")
+    keel: Position | None = Field(
+        None, description="Middle of its bottom in the body's axes; their origin if not given."
+    )
+
+    @property
+    def bottom(self) -> tuple[float, float, float]:
+        """Middle of its bottom in the body's axes [m]."""
+        return ORIGIN if self.keel is None else self.keel
+
+    @property
+    def extent(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+        """Its least and largest x, y, z in the body's axes [m]."""
+        (length, breadth, depth), (x, y, z) = self.box, self.bottom
+        return (x - length / 2, y - breadth / 2, z), (x + length / 2, y + breadth / 2, z + depth)
 
 
 class AddedMass(Element):
@@ -71,7 +86,7 @@ class AddedMass(Element):
     @property
     def diagonal(self) -> list[float]:
         """Surge, sway, heave [kg], roll, pitch, yaw [kg m^2]."""
-        return [self.surge, self.sway, self.heave, self.roll, self.pitch, self.yaw]
+        return [getattr(self, motion) for motion in MOTIONS]
 
 
 class WaterDamping(Element):
@@ -90,7 +105,7 @@ class WaterDamping(Element):
     @property
     def diagonal(self) -> list[float]:
         """Surge, sway, heave [N s/m], roll, pitch, yaw [N m s]."""
-        return [self.surge, self.sway, self.heave, self.roll, self.pitch, self.yaw]
+        return [getattr(self, motion) for motion in MOTIONS]
 
 
 class BallastTank(Element):
@@ -120,3 +135,12 @@ class BallastTank(Element):
     def is_slack(self) -> bool:
         """True where the liquid has a free surface."""
         return 0 < self.depth < self.box[2] * (1 - 1e-9)
+
+
+class Afloat(Element):
+    """What water does to a body, and what is in its tanks; a base of bodies that may float."""
+
+    hull: HullShape | None = Field(None, description="What of it displaces water; nothing if not given.")
+    added_mass: AddedMass | None = Field(None, description="Water that moves along with it.")
+    water_damping: WaterDamping | None = Field(None, description="What water resists its motion with.")
+    tanks: Named[BallastTank] | None = Field(None, description="Tanks with liquid in it, by name.")

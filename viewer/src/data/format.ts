@@ -66,7 +66,7 @@ export interface Hole {
 /** What stands in the world: the eight corners of each of its boxes, z fastest; when it is taken away [s]. */
 export interface Structure {
   name: string;
-  kind: "support" | "structure";
+  kind: "support" | "structure" | "water";
   boxes: Vector[][];
   removedAt: number | null;
 }

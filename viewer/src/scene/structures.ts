@@ -1,4 +1,4 @@
-/** Supports and structures: boxes that stand in the world, until they are taken away. */
+/** Supports, structures and the surface of water: boxes that stand in the world, until they are taken away. */
 
 import {
   BufferAttribute,
@@ -31,6 +31,12 @@ export class Structures {
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
   });
+  /** What lies under it shows through. */
+  private readonly water = new MeshLambertMaterial({
+    transparent: true,
+    opacity: 0.55,
+    depthWrite: false,
+  });
   private readonly edges = new LineBasicMaterial({ transparent: true, opacity: 0.5 });
   private readonly holders: { holder: Group; removedAt: number | null }[];
 
@@ -50,7 +56,7 @@ export class Structures {
     for (const corners of structure.boxes) {
       const geometry = boxOf(corners, origin);
       holder.add(
-        new Mesh(geometry, this.material),
+        new Mesh(geometry, structure.kind === "water" ? this.water : this.material),
         new LineSegments(new EdgesGeometry(geometry), this.edges),
       );
     }
@@ -59,6 +65,7 @@ export class Structures {
 
   setPalette(palette: Palette): void {
     this.material.color.set(palette.other);
+    this.water.color.set(palette.water);
     this.edges.color.set(palette.edge);
   }
 

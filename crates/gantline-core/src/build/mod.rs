@@ -10,6 +10,7 @@ mod plan;
 mod rows;
 mod touches;
 mod tree;
+mod vessels;
 
 use glam::DVec3;
 use thiserror::Error;
@@ -41,6 +42,7 @@ use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
 use touches::{Touches, build_shapes, build_watches};
 use tree::{build_tree, start_of_joint};
+use vessels::build_vessels;
 
 /// What is wrong with a document.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -91,6 +93,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let Built { constraints, groups, seats, touches } = build_constraints(spec, &tree, &start, &shapes)?;
     let Touches { finders, removals, mut spots } = touches;
     let watches = build_watches(spec, &shapes)?;
+    let (vessels, marks) = build_vessels(spec, &tree)?;
     let rows = Rows::new(&constraints);
     let coils = places_of_coils(spec, &tree, &constraints, &rows);
     tree.supplies = coils.len();
@@ -150,6 +153,8 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         finders,
         removals,
         watches,
+        vessels,
+        marks,
         plan,
         clock: Clock::default(),
     };

@@ -1,4 +1,6 @@
-//! What happens at a moment: ropes going taut or slack, lift-off, steps of the plan.
+//! What happens at a moment: ropes going taut or slack, lift-off, flooding, steps of the plan.
+
+pub mod afloat;
 
 use serde::{Deserialize, Serialize};
 
@@ -37,6 +39,12 @@ pub enum EventKind {
     PinPulled,
     /// A locking pin has been put in.
     PinPutIn,
+    /// A deck's edge or an opening of a vessel goes under water.
+    Flooding,
+    /// It comes out again.
+    Surfacing,
+    /// A vessel has turned over.
+    Capsized,
     /// A step of the plan begins.
     StepBegin,
     /// A step of the plan ends.
@@ -65,6 +73,9 @@ impl EventKind {
             Self::StopLeft => "stop_left",
             Self::PinPulled => "pin_pulled",
             Self::PinPutIn => "pin_put_in",
+            Self::Flooding => "flooding",
+            Self::Surfacing => "surfacing",
+            Self::Capsized => "capsized",
             Self::StepBegin => "step_begin",
             Self::StepEnd => "step_end",
             Self::EmergencyStop => "emergency_stop",
@@ -72,7 +83,7 @@ impl EventKind {
     }
 }
 
-/// One event. `subject` is the index of a constraint, a contact group, a sheave or a step, as the kind says.
+/// One event. `subject` is the index of a constraint, a contact group, a sheave, a mark, a vessel or a step, as the kind says.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// Time [s].

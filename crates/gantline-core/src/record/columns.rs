@@ -14,6 +14,7 @@ use crate::event::{EventKind, EventLog};
 use crate::rope::route::Straight;
 use crate::rope::seat::Seat;
 use crate::system::System;
+use crate::tree::Tree;
 use crate::tree::bias::{NewtonEuler, Wrench};
 use crate::tree::kinematics::Kinematics;
 
@@ -56,6 +57,8 @@ pub struct Columns {
     pub pin_force: Vec<f64>,
     /// (pair) smallest distance [m], not positive where they touch.
     pub clearance: Vec<f64>,
+    /// (hull) volume below the water [m³].
+    pub displaced_volume: Vec<f64>,
     /// (energy kind) [J].
     pub energy: Vec<f64>,
     /// Largest e of an inextensible rope beyond its length [m].
@@ -94,6 +97,7 @@ impl Columns {
             sampled.add_moorings(system, v, &mut columns);
             sampled.add_clearances(system, samples.time[index], seats, &mut columns);
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
+            sampled.add_hulls(&system.tree, &mut columns);
         }
         columns.rope_lengthening = lengthenings(system, samples);
         let kinds = kinds_of(system);
@@ -123,6 +127,7 @@ impl Columns {
             contact_force: room(names.contact.len()),
             pin_force: room(names.pin.len()),
             clearance: room(names.pair.len()),
+            displaced_volume: room(names.hull.len()),
             energy: Vec::new(),
             constraint_residual: room(1),
         }
@@ -315,6 +320,13 @@ impl Sampled {
         let all =
             system.watches.iter().map(|watch| clearance(system, &self.kinematics, seats, watch, is_whole));
         columns.clearance.extend(all);
+    }
+
+    fn add_hulls(&self, tree: &Tree, columns: &mut Columns) {
+        for buoyancy in tree.hulls() {
+            let pose = &self.kinematics.pose[buoyancy.body];
+            columns.displaced_volume.push(buoyancy.below(pose, tree.gravity).volume);
+        }
     }
 
     fn apply(&mut self, body: Option<usize>, point: DVec3, force: DVec3, couple: DVec3) {

@@ -27,6 +27,8 @@ pub struct Names {
     pub pin: Vec<String>,
     /// Pairs whose distance is recorded.
     pub pair: Vec<String>,
+    /// Hulls in water.
+    pub hull: Vec<String>,
     /// Kinds of energy that it has.
     pub energy_kind: Vec<&'static str>,
 }
@@ -49,6 +51,7 @@ impl Names {
             contact: Vec::new(),
             pin: Vec::new(),
             pair: system.watches.iter().map(|watch| watch.name.clone()).collect(),
+            hull: system.tree.hulls().map(|hull| hull.name.clone()).collect(),
             energy_kind: kinds_of(system).into_iter().map(|kind| KINDS[kind]).collect(),
         };
         for constraint in &system.constraints {

@@ -8,6 +8,7 @@ mod force;
 mod plan;
 mod rope;
 mod settings;
+mod vessel;
 
 use serde::Deserialize;
 
@@ -16,6 +17,7 @@ pub use force::*;
 pub use plan::*;
 pub use rope::*;
 pub use settings::*;
+pub use vessel::*;
 
 /// A system of bodies, ropes, contacts, and the plan of its drives.
 #[derive(Debug, Clone, Deserialize)]
@@ -46,6 +48,9 @@ pub struct SystemSpec {
     /// Forces of the water on bodies.
     #[serde(default)]
     pub forces: Vec<ForceSpec>,
+    /// Vessels, for what may happen to them.
+    #[serde(default)]
+    pub vessels: Vec<VesselSpec>,
     /// Groups of ropes whose lengths are adjusted to one tension.
     #[serde(default)]
     pub adjusters: Vec<AdjusterSpec>,

@@ -21,6 +21,7 @@ use std::ops::Range;
 use glam::{DMat3, DVec3};
 
 use crate::force::AnyForce;
+use crate::force::buoyancy::Buoyancy;
 use joint::{Joint, Motion};
 use pose::Pose;
 
@@ -145,6 +146,14 @@ impl Tree {
     /// Degrees of freedom that move the point's body; none for the world.
     pub fn support_of(&self, body: Option<usize>) -> &[usize] {
         body.map_or(&[], |body| &self.support[body])
+    }
+
+    /// Hulls in water.
+    pub fn hulls(&self) -> impl Iterator<Item = &Buoyancy> {
+        self.forces.iter().filter_map(|force| match force {
+            AnyForce::Buoyancy(buoyancy) => Some(&**buoyancy),
+            _ => None,
+        })
     }
 
     /// Length of an increment of q.

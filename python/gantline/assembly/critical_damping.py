@@ -1,0 +1,143 @@
+"""Damping of vessels by shares of what is critical for their natural motions.
+
+Upright at its draft a vessel has, about the centre of gravity of all that is on it, a stiffness K by the
+water and an inertia M with the added one. Its natural motions φ with K φ = ω² M φ and φᵀ M φ = 1 are damped
+by themselves, each with the share ζ of what is critical for it, if
+
+    C = Σ 2 ζ ω (M φ)(M φ)ᵀ
+
+A motion that is part heave and part pitch has of each share as much as of its energy is in each. Surge, sway
+and yaw, e, that only moorings restore, have the period T that the lift file says: φ = e/√(eᵀ M e), ω = 2π/T.
+They are orthogonal to the others over M, and so change nothing about them. See docs/concepts/vessels.md.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.spatial import Array, inertia_matrix, point_inertia
+from gantline.assembly.water import hull_mesh
+from gantline.hydro import Attitude, Hull, Hydrostatics, Tank, free_surface_correction, hydrostatics
+from gantline.scenario import Scenario
+from gantline.scenario.vessel import CriticalDamping, Vessel
+from gantline.scenario.water import MOTIONS, Water
+
+__all__ = ["add_critical_damping"]
+
+#: Squares of frequencies below this share of the largest belong to motions that nothing restores.
+_NEUTRAL = 1e-9
+
+
+def add_critical_damping(parts: Parts, scenario: Scenario) -> None:
+    """Add the damping of vessels that is given as shares; all that is on them is there, with its mass.
+
+    Raises:
+        ScenarioError: if nothing restores a motion for which a share is given.
+    """
+    for name, vessel in (scenario.vessels or {}).items():
+        if vessel.water_damping is None or vessel.water_damping.critical is None:
+            continue
+        given = vessel.water_damping.critical
+        mass, centre, own = _aboard(parts, name)
+        inertia = np.zeros((6, 6))
+        inertia[:3, :3], inertia[3:, 3:] = mass * np.eye(3), own
+        for force in parts.forces:
+            if force["type"] == "added_mass" and force["body"] == name:
+                inertia += _about(force, centre)
+        stiffness, heights = _stiffness(scenario, name, vessel, centre)
+        for motion, height in heights.items():
+            if getattr(given, motion) and height <= 0.0:
+                sentence = f"nothing restores {motion} upright at this draft: GM is {height:.3g} m"
+                path = ("vessels", name, "water_damping", "critical", motion)
+                raise scenario.error(path, f"{sentence}; give '{motion}' itself, such as '100 MN m s'")
+        damping = _damping(given, stiffness, inertia).tolist()
+        named = {"type": "drag", "name": f"{name}.critical_damping", "body": name, "at": centre.tolist()}
+        parts.forces.append({**named, "damping": damping, "quadratic": [0.0] * 6})
+
+
+def _aboard(parts: Parts, vessel: str) -> tuple[float, Array, Array]:
+    """Mass [kg], centre of gravity (3,) [m], inertia about it (3, 3) [kg m^2] of a vessel and all on it."""
+    position, turn = parts.pose(vessel)
+    masses, centres, inertias = [], [], []
+    for name, body in parts.bodies.items():
+        above: str | None = name
+        while above not in (None, vessel):
+            above = parts.bodies[above]["parent"]
+        if above is None or body["mass"] == 0.0:
+            continue
+        place, orientation = parts.pose(name)
+        own = turn.T @ orientation
+        masses.append(float(body["mass"]))
+        centres.append(turn.T @ (place - position) + own @ np.array(body["centre_of_gravity"]))
+        inertias.append(own @ inertia_matrix(body["inertia"]) @ own.T)
+    total = math.fsum(masses)
+    centre = np.average(centres, axis=0, weights=masses)
+    inertia = sum(
+        (
+            own + point_inertia(mass, at - centre)
+            for own, mass, at in zip(inertias, masses, centres, strict=True)
+        ),
+        start=np.zeros((3, 3)),
+    )
+    return total, centre, inertia
+
+
+def _about(added: Json, centre: Array) -> Array:
+    """An added mass (6, 6) about another point: the velocity of its own is v - r × ω, r from there to it."""
+    x, y, z = np.array(added["at"]) - centre
+    moved = np.eye(6)
+    moved[:3, 3:] = -np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    about: Array = moved.T @ np.array(added["matrix"]) @ moved
+    return about
+
+
+def _stiffness(
+    scenario: Scenario, name: str, vessel: Vessel, centre: Array
+) -> tuple[Array, dict[str, float]]:
+    """Stiffness by the water about a point (6, 6) [N/m, N, N m]; GM of roll and pitch [m]."""
+    found, heights = _hydrostatics(scenario, name, vessel, centre)
+    per_metre = found.per_metre * scenario.simulation.gravity
+    weight = found.mass * scenario.simulation.gravity
+    ahead, aside = found.centre_of_flotation[:2] - centre[:2]
+    rises = np.array([0.0, 0.0, 1.0, aside, -ahead, 0.0])  # of the waterplane's middle, by each motion
+    stiffness: Array = per_metre * np.outer(rises, rises) + weight * np.diag([0, 0, 0, *heights, 0])
+    return stiffness, {"roll": heights[0], "pitch": heights[1]}
+
+
+def _damping(given: CriticalDamping, stiffness: Array, inertia: Array) -> Array:
+    """C (6, 6) for shares of critical damping, stiffness and inertia (6, 6)."""
+    shares = np.array([getattr(given, motion) or 0.0 for motion in MOTIONS])
+    half = np.linalg.inv(np.linalg.cholesky(inertia))
+    squares, scaled = np.linalg.eigh(half @ stiffness @ half.T)
+    damping = np.zeros((6, 6))
+    for square, shape in zip(squares, (half.T @ scaled).T, strict=True):
+        if square <= _NEUTRAL * squares.max():
+            continue
+        energies = np.diag(stiffness) * shape**2
+        share = float(shares @ energies / energies.sum())
+        damping += 2 * share * math.sqrt(square) * np.outer(inertia @ shape, inertia @ shape)
+    for place, motion in enumerate(MOTIONS):
+        period = getattr(given.periods, motion, None)
+        if period is not None:
+            column = inertia[:, place]
+            damping += shares[place] * (4 * math.pi / period) * np.outer(column, column) / column[place]
+    return damping
+
+
+def _hydrostatics(
+    scenario: Scenario, name: str, vessel: Vessel, centre: Array
+) -> tuple[Hydrostatics, tuple[float, float]]:
+    """Hydrostatics upright at the draft of the start; GM for heel and trim less free surfaces [m]."""
+    mesh = hull_mesh(vessel.hull)
+    hull = Hull(name, np.array(mesh["vertices"]), np.array(mesh["triangles"]))
+    density = (scenario.water or Water()).density
+    found = hydrostatics(hull, Attitude(vessel.draft, middle=float(np.mean(hull.box[:, 0]))), density)
+    slack = [
+        Tank(tank.box[0], tank.box[1], tank.density)
+        for tank in (vessel.tanks or {}).values()
+        if tank.is_slack
+    ]
+    return found, found.gm(centre, free_surface_correction(slack, found.mass))

@@ -1,0 +1,85 @@
+"""Whether vessels can float as they are said to, and hold what is said to be in them."""
+
+from __future__ import annotations
+
+import math
+
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.mechanics import BodyInertia
+from gantline.scenario.vessel import CAPSIZED_BEYOND, DECK_EDGE, Vessel
+from gantline.scenario.water import Afloat
+
+__all__ = ["check_afloat", "check_inertia", "check_vessels"]
+
+_ROUNDING = 1 + 1e-9
+#: A tank may reach so far out of the hull by rounding [m].
+_CLOSE = 1e-6
+
+
+def check_vessels(findings: Findings) -> None:
+    """Note everything that is wrong with vessels."""
+    for name, vessel in (findings.scenario.vessels or {}).items():
+        path: Path = ("vessels", name)
+        check_afloat(findings, path, vessel)
+        check_inertia(findings, path, vessel.own_inertia, is_free=True)
+        _check_draft(findings, path, vessel)
+        _check_tanks(findings, path, vessel)
+        _check_openings(findings, path, vessel)
+
+
+def check_afloat(findings: Findings, path: Path, body: Afloat) -> None:
+    """Note a hull or tanks where nothing weighs anything."""
+    for key in ("hull", "tanks"):
+        if getattr(body, key) is not None and findings.scenario.simulation.gravity == 0:
+            findings.add((*path, key), "gravity is zero; water needs gravity above zero")
+
+
+def check_inertia(findings: Findings, path: Path, inertia: BodyInertia, *, is_free: bool) -> None:
+    """Note an inertia that no body has; a free body has one about each axis."""
+    a, b, c = inertia.xx, inertia.yy, inertia.zz
+    largest = max(a, b, c)
+    products = ((inertia.yz, a), (inertia.xz, b), (inertia.xy, c))
+    if min(a, b, c) < 0 or (is_free and min(a, b, c) == 0):
+        bound = "above zero" if is_free else "never negative"
+        findings.add((*path, "inertia"), f"xx, yy and zz of this body are {bound}")
+    elif largest > (a + b + c - largest) * _ROUNDING or any(
+        2 * abs(p) > own * _ROUNDING for p, own in products
+    ):
+        sentence = "no body has such an inertia; each of xx, yy, zz is at most the sum of the other two"
+        findings.add((*path, "inertia"), f"{sentence}, and products are small")
+
+
+def _check_draft(findings: Findings, path: Path, vessel: Vessel) -> None:
+    keel, deck = vessel.hull.extent[0][2], vessel.hull.extent[1][2]
+    if not keel < vessel.draft < deck:
+        sentence = f"{vessel.draft:g} m is not between the keel at {keel:g} m and the deck at {deck:g} m"
+        findings.add((*path, "draft"), f"{sentence}; a vessel floats with its deck dry")
+    for key in ("heel", "trim"):
+        if abs(getattr(vessel, key)) >= CAPSIZED_BEYOND:
+            sentence = f"{math.degrees(getattr(vessel, key)):g} deg is no {key} to start from"
+            findings.add(
+                (*path, key), f"{sentence}; beyond {math.degrees(CAPSIZED_BEYOND):g} deg it has capsized"
+            )
+
+
+def _check_tanks(findings: Findings, path: Path, vessel: Vessel) -> None:
+    low, high = vessel.hull.extent
+    for name, tank in (vessel.tanks or {}).items():
+        (length, breadth, depth), (x, y, z) = tank.box, tank.bottom
+        least, most = (x - length / 2, y - breadth / 2, z), (x + length / 2, y + breadth / 2, z + depth)
+        for axis, own in zip("xyz", zip(least, most, low, high, strict=True), strict=True):
+            from_, to, start, end = own
+            if from_ < start - _CLOSE or to > end + _CLOSE:
+                sentence = f"it goes from {from_:g} m to {to:g} m along {axis}"
+                right = f"the hull from {start:g} m to {end:g} m"
+                findings.add((*path, "tanks", name), f"{sentence}, {right}; a tank is inside of it")
+                break
+
+
+def _check_openings(findings: Findings, path: Path, vessel: Vessel) -> None:
+    for name, at in (vessel.openings or {}).items():
+        if name == DECK_EDGE:
+            findings.add((*path, "openings", name), f"'{name}' means that of the hull; use another name")
+        elif at[2] <= vessel.hull.extent[0][2]:
+            sentence = f"z = {at[2]:g} m is not above the keel at {vessel.hull.extent[0][2]:g} m"
+            findings.add((*path, "openings", name), f"{sentence}; z counts from the vessel's origin")

@@ -1,0 +1,183 @@
+"""Vessels: bodies afloat in the words of a yard.
+
+The axes of a vessel begin at stern, keel and centre plane: x forward, y to port, z up.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, ClassVar
+
+from pydantic import Field, model_validator
+
+from gantline.scenario.base import Element, Named
+from gantline.scenario.mechanics import BodyInertia
+from gantline.scenario.quantities import (
+    Angle,
+    ListOf,
+    Position,
+    PositiveLength,
+    PositiveMass,
+    PositiveTime,
+    Quantity,
+    Ratio,
+    Sizes,
+    Text,
+    refuse,
+)
+from gantline.scenario.water import MOTIONS, Afloat, HullShape, WaterDamping
+
+__all__ = [
+    "CAPSIZED_BEYOND",
+    "DECK_EDGE",
+    "CriticalDamping",
+    "Periods",
+    "Vessel",
+    "VesselDamping",
+    "VesselHull",
+    "VesselMass",
+]
+
+#: Angle of a vessel's own z axis from plumb beyond which it has capsized [rad]. By the 2008 IS Code, part A
+#: 2.3, no righting arm beyond 50 deg counts; a little more is left for a swing that comes back.
+CAPSIZED_BEYOND = math.radians(60.0)
+#: What the edge of a vessel's deck is called beside its openings.
+DECK_EDGE = "deck_edge"
+_Place = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
+
+
+class VesselHull(HullShape):
+    """The hull of a vessel, a box along its axes."""
+
+    what: ClassVar[str] = "the hull of a vessel"
+
+    keel: Position | None = Field(
+        None, description="Middle of its bottom; half its length ahead of the stern if not given."
+    )
+
+    @property
+    def bottom(self) -> tuple[float, float, float]:
+        """Middle of its bottom in the vessel's axes [m]."""
+        return (self.box[0] / 2, 0.0, 0.0) if self.keel is None else self.keel
+
+
+class VesselMass(Element):
+    """Something of a vessel that has a weight."""
+
+    what: ClassVar[str] = "a mass of a vessel"
+
+    mass: PositiveMass = Field(description="Mass.")
+    at: Position = Field(description="Its centre of gravity in the vessel's axes.")
+
+
+class Periods(Element):
+    """Natural periods of motions that the water does not restore."""
+
+    what: ClassVar[str] = "periods"
+
+    surge: PositiveTime | None = Field(None, description="Along x.")
+    sway: PositiveTime | None = Field(None, description="Along y.")
+    yaw: PositiveTime | None = Field(None, description="About z.")
+
+
+class CriticalDamping(Element):
+    """Damping by what is critical for each motion by itself."""
+
+    what: ClassVar[str] = "shares of critical damping"
+
+    surge: Ratio | None = Field(None, description="Along x; needs its period.")
+    sway: Ratio | None = Field(None, description="Along y; needs its period.")
+    heave: Ratio | None = Field(None, description="Along z.")
+    roll: Ratio | None = Field(None, description="About x.")
+    pitch: Ratio | None = Field(None, description="About y.")
+    yaw: Ratio | None = Field(None, description="About z; needs its period.")
+    periods: Periods = Field(Periods(), description="Periods on the moorings of surge, sway and yaw.")
+
+    @model_validator(mode="after")
+    def _periods_where_needed(self) -> CriticalDamping:
+        for key in Periods.model_fields:
+            share, period = getattr(self, key), getattr(self.periods, key)
+            if share and period is None:
+                sentence = f"the water restores no {key}, so that no damping is critical by itself"
+                raise refuse(f"{sentence}; give its period on the moorings: 'periods: {{{key}: 60 s}}'", key)
+            if share is None and period is not None:
+                raise refuse(f"a period of {key} without a share of its critical damping", "periods")
+        return self
+
+
+class VesselDamping(WaterDamping):
+    """What still water resists a vessel's motion with."""
+
+    critical: CriticalDamping | None = Field(
+        None,
+        description="Shares of critical damping, about the centre of gravity of all that is on the vessel.",
+    )
+
+    @model_validator(mode="after")
+    def _once(self) -> VesselDamping:
+        for key in MOTIONS:
+            if (
+                key in self.model_fields_set
+                and self.critical is not None
+                and getattr(self.critical, key) is not None
+            ):
+                raise refuse(f"'{key}' stands here and under 'critical'; leave one of them out", key)
+        return self
+
+
+class Vessel(Afloat):
+    """A vessel: one body that floats."""
+
+    what: ClassVar[str] = "a vessel"
+
+    position: _Place = Field(
+        (0.0, 0.0), description="Where stern and centre plane are at the start, x and y of the world."
+    )
+    heading: Angle = Field(0.0, description="Direction of its x axis, from world x towards y.")
+    draft: PositiveLength = Field(
+        description="Draft at half length at the start, along its own z; with 'start: rest' a guess."
+    )
+    heel: Angle = Field(0.0, description="Heel at the start, to starboard positive.")
+    trim: Angle = Field(0.0, description="Trim at the start, by the stern positive.")
+    hull: VesselHull = Field(description="What of it displaces water.")
+    water_damping: VesselDamping | None = Field(None, description="What water resists its motion with.")
+    masses: Named[VesselMass] = Field(
+        description="What it weighs by itself, by name: without cranes, hooks and contents of tanks."
+    )
+    radii_of_gyration: Sizes | None = Field(
+        None, description="Of these masses together about their centre of gravity, axes x, y, z."
+    )
+    inertia: BodyInertia | None = Field(
+        None, description="Inertia of these masses together, in place of 'radii_of_gyration'."
+    )
+    openings: Named[Position] | None = Field(
+        None, description="Points that must stay above water beside the deck's edge, by name: vents, hatches."
+    )
+    remark: Text | None = Field(None, description="A remark for people.")
+
+    @model_validator(mode="after")
+    def _one_inertia(self) -> Vessel:
+        if (self.radii_of_gyration is None) == (self.inertia is None):
+            raise refuse("needs 'radii_of_gyration' or 'inertia', and not both")
+        return self
+
+    @property
+    def mass(self) -> float:
+        """Mass of the vessel by itself [kg]."""
+        return math.fsum(one.mass for one in self.masses.values())
+
+    @property
+    def centre_of_gravity(self) -> tuple[float, float, float]:
+        """Centre of gravity of the vessel by itself, its axes [m]."""
+        parts = self.masses.values()
+        x, y, z = (math.fsum(one.mass * one.at[axis] for one in parts) / self.mass for axis in range(3))
+        return x, y, z
+
+    @property
+    def own_inertia(self) -> BodyInertia:
+        """Inertia of the vessel by itself about its centre of gravity."""
+        if self.radii_of_gyration is None:
+            assert self.inertia is not None  # validated
+            return self.inertia
+        xx, yy, zz = (self.mass * radius**2 for radius in self.radii_of_gyration)
+        return BodyInertia.model_construct(xx=xx, yy=yy, zz=zz)
