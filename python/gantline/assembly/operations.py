@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from gantline.assembly.moorings import winch_drive
 from gantline.assembly.parts import Json
 from gantline.assembly.plain import drum_drive
+from gantline.assembly.reeving import upper_sheaves
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.condition import Condition
 from gantline.scenario.hooks import full_name
+from gantline.scenario.mooring import line_rope
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, Step
 from gantline.scenario.reeving import hoist_ropes
@@ -62,6 +65,8 @@ def emergency_stop(scenario: Scenario) -> Json | None:
 def _drive(one: Mover) -> str:
     if one.kind == "hook":
         return hoist_drive(one.name)
+    if one.kind == "mooring line":
+        return winch_drive(one.name)
     return drum_drive(one.name) if one.kind == "drum" else along_drive(one.name)
 
 
@@ -129,6 +134,18 @@ def _condition(
         ]
         groups = [group for group in groups if group]
         return {"type": "spread", "groups": groups, "at_most": condition.tension_spread}
+    if condition.falls_out_of_plumb is not None:
+        reeved = {name: hook for name, hook in scenario.hooks.items() if hook.reeving is not None}
+        hooks = [full_name(text, reeved) or text for text in condition.of] or list(reeved)
+        middle = [0.0, 0.0, 0.0]
+        falls = [[[upper_sheaves(hook), middle], [hook, middle]] for hook in hooks]
+        return {"type": "plumb", "falls": falls, "at_most": condition.falls_out_of_plumb}
+    if condition.mooring_tension is not None:
+        wanted = condition.mooring_tension
+        segments = [[line_rope(wanted.line), 0]]
+        if wanted.above is not None:
+            return {"type": "tension_above", "segments": segments, "bound": wanted.above}
+        return {"type": "tension_below", "segments": segments, "bound": wanted.below}
     assert scenario.load is not None  # checked when the file was read
     group = scenario.load.name
     if condition.load_transferred is not None:

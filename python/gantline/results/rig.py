@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, Self
 
 from gantline.results.crane import Crane
+from gantline.results.moorings import Fender, MooringLine
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
 from gantline.results.vessels import Vessel
 
@@ -349,10 +350,12 @@ class Rig(FromJson):
         watches: Pairs whose distance is watched.
         hooks: Hooks of all cranes.
         vessels: Vessels.
+        mooring_lines: Mooring lines.
+        fenders: Fenders.
         cranes: Goliath cranes, with what is particular to their hooks.
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
-        ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
+        ropes: All ropes: equalizing ropes, slings, mooring lines, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
         drums: Drums.
         wrapped_sheaves: Sheaves with true tangents.
@@ -377,6 +380,8 @@ class Rig(FromJson):
     watches: Sequence[Watch] = ()
     hooks: Sequence[Hook] = ()
     vessels: Sequence[Vessel] = ()
+    mooring_lines: Sequence[MooringLine] = ()
+    fenders: Sequence[Fender] = ()
     cranes: Sequence[Crane] = ()
     equalizers: Sequence[Equalizer] = ()
     slings: Sequence[Sling] = ()
@@ -403,6 +408,8 @@ class Rig(FromJson):
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
+            "mooring_lines": tuple(MooringLine.from_json(d) for d in document.get("mooring_lines") or ()),
+            "fenders": tuple(Fender.from_json(d) for d in document.get("fenders") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),

@@ -7,9 +7,9 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import Name, Names, PositiveForce, Quantity, refuse
+from gantline.scenario.quantities import Name, Names, PositiveAngle, PositiveForce, Quantity, refuse
 
-__all__ = ["Condition", "HoistLoadReached"]
+__all__ = ["Condition", "HoistLoadReached", "MooringTensionReached"]
 
 
 class HoistLoadReached(Element):
@@ -25,6 +25,22 @@ class HoistLoadReached(Element):
     def _one_side(self) -> HoistLoadReached:
         if (self.above is None) == (self.below is None):
             raise refuse("it has one of 'above' and 'below', such as {hook: U1, above: 400 kN}")
+        return self
+
+
+class MooringTensionReached(Element):
+    """A tension of a mooring line."""
+
+    what: ClassVar[str] = "mooring_tension"
+
+    line: Name = Field(description="The mooring line.")
+    above: PositiveForce | None = Field(None, description="The step ends when its tension is above this.")
+    below: PositiveForce | None = Field(None, description="The step ends when its tension is below this.")
+
+    @model_validator(mode="after")
+    def _one_side(self) -> MooringTensionReached:
+        if (self.above is None) == (self.below is None):
+            raise refuse("it has one of 'above' and 'below', such as {line: bow.ps, above: 200 kN}")
         return self
 
 
@@ -46,18 +62,28 @@ class Condition(Element):
     tension_spread: Annotated[float, Quantity("ratio", "positive")] | None = Field(
         None, description="(max - min)/mean of the slings of every equalizer is below this, and all carry."
     )
-    of: Names = Field((), description="tension_spread: equalizers that count; all if not given.")
+    falls_out_of_plumb: PositiveAngle | None = Field(
+        None, description="The falls of all hooks that hang from cranes in ropes are within this of plumb."
+    )
+    mooring_tension: MooringTensionReached | None = Field(None, description="Tension of a mooring line.")
+    of: Names = Field(
+        (),
+        description="tension_spread: equalizers that count; falls_out_of_plumb: hooks that count; all if not "
+        "given.",
+    )
 
     @model_validator(mode="after")
     def _exactly_one(self) -> Condition:
-        ways = ("load_transferred", "supports", "hoist_load", "tension_spread")
+        ways = tuple(key for key in type(self).model_fields if key != "of")
         if sum(getattr(self, way) is not None for way in ways) != 1:
             raise refuse(
                 "a step waits for one thing: 'load_transferred: 50 %', 'supports: clear', "
-                "'hoist_load: {hook: U1, above: 400 kN}' or 'tension_spread: 5 %'"
+                "'hoist_load: {hook: U1, above: 400 kN}', 'tension_spread: 5 %', "
+                "'falls_out_of_plumb: 0.5 deg' or 'mooring_tension: {line: bow.ps, above: 200 kN}'"
             )
         if self.load_transferred is not None and self.load_transferred > 1:
             raise refuse(f"load_transferred is {self.load_transferred * 100:g} %; it can reach 100 % at most")
-        if self.of and self.tension_spread is None:
-            raise refuse("'of' stands without 'tension_spread', whose equalizers it names", "of")
+        if self.of and self.tension_spread is None and self.falls_out_of_plumb is None:
+            sentence = "'of' stands without 'tension_spread', whose equalizers it names"
+            raise refuse(f"{sentence}, or 'falls_out_of_plumb', whose hooks", "of")
         return self

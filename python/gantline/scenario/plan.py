@@ -27,7 +27,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.units import example, units_of
 
-Kind = Literal["hook", "drum", "trolley", "crane"]
+Kind = Literal["hook", "drum", "trolley", "crane", "mooring line"]
 
 __all__ = [
     "MEASURES",
@@ -36,6 +36,7 @@ __all__ = [
     "DrumStep",
     "EmergencyStop",
     "HaulInStep",
+    "HaulStep",
     "HoistStep",
     "HoldStep",
     "HookStep",
@@ -47,6 +48,7 @@ __all__ = [
     "Step",
     "TravelStep",
     "TraverseStep",
+    "VeerStep",
 ]
 
 
@@ -180,7 +182,7 @@ class _AnyStep(Element):
 
 
 class MovingStep(_AnyStep):
-    """A step that moves hooks, drums, trolleys or cranes."""
+    """A step that moves hooks, drums, trolleys, cranes or mooring lines."""
 
     #: The key that says what is moved.
     verb: ClassVar[str]
@@ -192,7 +194,7 @@ class MovingStep(_AnyStep):
     ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by")
 
     speed: PositiveSpeed = Field(
-        description="Speed of hooks, trolleys or crane, or of the rope on the drums."
+        description="Speed of hooks, trolleys or crane, or of the rope on drums and winches."
     )
     acceleration: PositiveAcceleration | None = Field(
         None, description="That of the hoist or drive itself if not given."
@@ -342,6 +344,35 @@ class PayOutStep(DrumStep):
     verb: ClassVar[str] = "pay_out"
 
 
+class MooringStep(MovingStep):
+    """A step in which winches move mooring lines."""
+
+    kind: ClassVar[Kind] = "mooring line"
+
+    by: PositiveLength | None = Field(None, description="Length of line after which the winches are at rest.")
+
+
+class HaulStep(MooringStep):
+    """A step in which mooring lines are hauled in."""
+
+    what: ClassVar[str] = "a haul step"
+
+    haul: Names = Field(description="Mooring line or lines that are hauled in.")
+
+    verb: ClassVar[str] = "haul"
+    direction: ClassVar[float] = -1.0
+
+
+class VeerStep(MooringStep):
+    """A step in which mooring lines are paid out."""
+
+    what: ClassVar[str] = "a veer step"
+
+    veer: Names = Field(description="Mooring line or lines that are paid out.")
+
+    verb: ClassVar[str] = "veer"
+
+
 class HoldStep(_AnyStep):
     """A step that waits."""
 
@@ -381,7 +412,7 @@ class EmergencyStop(Element):
 
 
 #: Keys by which a step says what it does.
-VERBS = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "hold")
+VERBS = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "haul", "veer", "hold")
 
 
 def _verb(data: Any) -> str | None:
@@ -398,11 +429,13 @@ Step = Annotated[
     | Annotated[TravelStep, Tag("travel step")]
     | Annotated[HaulInStep, Tag("haul_in step")]
     | Annotated[PayOutStep, Tag("pay_out step")]
+    | Annotated[HaulStep, Tag("haul step")]
+    | Annotated[VeerStep, Tag("veer step")]
     | Annotated[HoldStep, Tag("hold step")],
     Discriminator(
         _verb,
         custom_error_type="gantline",
         custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', "
-        "'travel', 'haul_in', 'pay_out' and 'hold'",
+        "'travel', 'haul_in', 'pay_out', 'haul', 'veer' and 'hold'",
     ),
 ]
