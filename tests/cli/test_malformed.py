@@ -11,9 +11,9 @@ from typer.testing import CliRunner
 from gantline.cli.app import app
 from gantline.scenario import ScenarioError, load_scenario
 from gantline.scenario.tree import LARGEST_FILE
-from lift_text import BASE, MECHANICS, spoiled
+from lift_text import BASE, MECHANICS, MOORED, spoiled
 
-BASES = {"yard": BASE, "mechanics": MECHANICS}
+BASES = {"yard": BASE, "mechanics": MECHANICS, "moored": MOORED}
 CASES = YAML(typ="safe").load(Path(__file__).with_name("malformed.yaml"))
 NEEDED = "a lift file or its folder is needed"
 

@@ -81,7 +81,7 @@ class MooringLine(Element):
     length: PositiveLength | None = Field(None, description="Unstretched length.")
     pretension: PositiveForce | None = Field(
         None,
-        description="Tension at the fairlead, with the vessel where it is at the start; in place of 'length'.",
+        description="Tension at the fairlead, the vessel where it is at the start; in place of 'length'.",
     )
     type: Literal["catenary", "spring"] = Field(
         "catenary",

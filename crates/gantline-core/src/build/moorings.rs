@@ -169,7 +169,7 @@ fn length_for(
                 return error(
                     name,
                     format!(
-                        "no length gives it a pretension of {wanted} N; its weight alone pulls with {least} N"
+                        "no length gives it a pretension of {wanted:.0} N; its weight alone pulls with {least:.0} N"
                     ),
                 );
             }

@@ -119,6 +119,26 @@ impl Condition {
 mod tests {
     use super::*;
     use crate::tree::Tree;
+    use crate::tree::pose::Pose;
+
+    /// Falls of 10 m that lean by 17.5 cm, asin 0.0175 = 1.0027°: beyond 1°, within 1.01°.
+    #[test]
+    fn falls_are_plumb_within_an_angle() {
+        let mut kinematics = Kinematics::new(&Tree::new(Vec::new(), DVec3::ZERO));
+        let at = |x: f64, y: f64, z: f64| Pose { position: DVec3::new(x, y, z), ..Pose::IDENTITY };
+        let down = (100.0_f64 - 0.175 * 0.175).sqrt();
+        kinematics.pose = vec![at(3.0, 4.0, 50.0), at(3.0, 4.175, 49.0 - down), at(3.0, 4.0, 20.0)];
+        let falls =
+            |lower: usize| Falls { upper: (0, -DVec3::Z), lower: (lower, DVec3::ZERO), down: -DVec3::Z };
+        let seen = Seen { support: &[], tension: &|_| 0.0, kinematics: &kinematics };
+        let within = |lowers: &[usize], degrees: f64| {
+            let falls = lowers.iter().map(|&lower| falls(lower)).collect();
+            Condition::Plumb { falls, cosine: degrees.to_radians().cos() }.holds(&seen)
+        };
+        assert!(within(&[1], 1.01) && !within(&[1], 1.0));
+        assert!(within(&[2], 1e-6), "plumb falls are plumb");
+        assert!(!within(&[2, 1], 1.0), "all have to be");
+    }
 
     #[test]
     fn each_holds_on_its_side_of_its_bound() {

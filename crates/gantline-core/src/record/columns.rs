@@ -93,6 +93,7 @@ impl Columns {
             let seats = &samples.seats[index * sheaves..][..sheaves];
             let spots = &samples.spots[index * spots..][..spots];
             sampled.kinematics.update(&system.tree, q);
+            sampled.mark_parted(system, samples.time[index]);
             sampled.add_rows(system, samples.time[index], [q, tension], (seats, spots), &mut columns);
             sampled.add_moorings(system, v, &mut columns);
             sampled.add_clearances(system, samples.time[index], seats, &mut columns);
@@ -223,6 +224,15 @@ impl Sampled {
             }
         }
         columns.constraint_residual.push(violation);
+    }
+
+    /// Lines that have parted have done so at their times, not where the step that followed ended.
+    fn mark_parted(&mut self, system: &System, time: f64) {
+        for (mooring, until) in system.moorings().zip(&self.whole_until[system.rope_count..]) {
+            if time > *until {
+                self.kinematics.q[mooring.mark] = 1.0;
+            }
+        }
     }
 
     /// Adds the columns of mooring lines: one segment each, as long as the line is stretched.

@@ -87,6 +87,8 @@ impl Sub for Jet {
 impl Mul for Jet {
     type Output = Self;
 
+    // A product's derivatives are sums.
+    #[allow(clippy::suspicious_arithmetic_impl)]
     fn mul(self, other: Self) -> Self {
         Self {
             value: self.value * other.value,
