@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from gantline.assembly import assemble
 from gantline.checks import check_recording
-from gantline.scenario import ScenarioError, load_scenario, parse_scenario
-from gantline.scenario.shipped import shipped
+from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
+from goliath_lift import goliath_lift
 from lift_text import MOORED, spoiled
 
 
@@ -70,17 +71,24 @@ def test_cut_lines_and_limits() -> None:
     assert tension.value == pytest.approx(150e3 / 1351e3, rel=1e-3)
 
 
-def test_falls_out_of_plumb_waits_for_hooks_that_hang_in_ropes() -> None:
-    """From the upper sheaves to the bearing; all hooks, or those that are named."""
-    text = load_scenario(shipped()["goliath"]).text
-    begin = text.index("plan:")
-    end = text.index("\nlimits:", begin)
-    for of, hooks in (("", 3), (", of: [U1]", 1)):
-        plan = f"plan:\n  - {{step: wait, hold: until_met, until: {{falls_out_of_plumb: 0.5 deg{of}}}}}\n"
-        document = assemble(parse_scenario(text[:begin] + plan + text[end:])).document
-        until = document["plan"][0]["until"]
-        assert until["type"] == "plumb"
-        assert until["at_most"] == pytest.approx(math.radians(0.5))
-        assert len(until["falls"]) == hooks
-        [above, below] = until["falls"][0]
-        assert above[0] == f"{below[0]}/upper_sheaves"
+def test_a_step_waits_until_falls_are_plumb() -> None:
+    """A load swings after a traverse; the hold ends where its falls first are within 0.02 deg of plumb."""
+    bound = math.radians(0.02)
+    plan = """\
+{step: go, traverse: one, speed: 30 m/min, by: 5 m}
+{step: wait, hold: until_met, until: {falls_out_of_plumb: 0.02 deg, of: [A]}}
+{step: hold, hold: until_end}"""
+    scenario = parse_scenario(goliath_lift(plan, duration=60))
+    [_, wait, _] = assemble(scenario).document["plan"]
+    middle = [0.0, 0.0, 0.0]
+    falls = [[["gol.A/upper_sheaves", middle], ["gol.A", middle]]]
+    assert wait["until"] == {"type": "plumb", "falls": falls, "at_most": bound}
+    recording = Simulation(scenario).run()
+    angle = recording.column("falls_out_of_plumb", "gol.A")
+    times = {name: time for time, kind, name in recording.events() if kind == "step_end"}
+    waiting = (recording.time > times["go"]) & (recording.time < times["wait"])
+    assert waiting.any()
+    assert (angle[waiting] > bound).all()
+    at_end = np.interp(times["wait"], recording.time, angle)
+    # Between samples 0.1 s apart the angle goes 1e-5 rad from a straight line.
+    assert at_end == pytest.approx(bound, abs=2e-5)

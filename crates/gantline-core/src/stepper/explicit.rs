@@ -87,7 +87,9 @@ impl Explicit {
             );
         }
         if !system.tree.forces.is_empty() {
-            return Some("the integrator explicit knows no water; use adaptive or del".to_owned());
+            return Some(
+                "the integrator explicit knows no water and no catenaries; use adaptive or del".to_owned(),
+            );
         }
         if !system.cuts.is_empty() || !system.fragile.is_empty() {
             return Some("the integrator explicit knows no ropes that part; use adaptive or del".to_owned());
