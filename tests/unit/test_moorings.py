@@ -54,7 +54,9 @@ def test_a_spring_line_is_a_rope() -> None:
 def test_the_least_pretension_is_named() -> None:
     """No length pulls less than what the weight of the line does at best."""
     text = spoiled("pretension: 150 kN", "pretension: 1 kN", MOORED)
-    with pytest.raises(ScenarioError, match=r"mooring\.stern.*pretension of 1000 N; its weight alone .* 6059 N"):
+    with pytest.raises(
+        ScenarioError, match=r"mooring\.stern.*pretension of 1000 N; its weight alone .* 6059 N"
+    ):
         Simulation(parse_scenario(text))
 
 
