@@ -13,7 +13,7 @@ from crawler_lift import crawler_lift
 from gantline.cli.app import app
 from gantline.scenario import ScenarioError, load_scenario
 from gantline.scenario.tree import LARGEST_FILE
-from lift_text import AFLOAT, BASE, MECHANICS, spoiled
+from lift_text import AFLOAT, BASE, MECHANICS, MOORED, spoiled
 
 LUFF = "{step: luff out, luff: fc, speed: 20 deg/min, to: 50 deg}"
 SLEW = "{step: slew, slew: c1, speed: 0.2 rev/min, by: 30 deg}"
@@ -21,6 +21,7 @@ BASES = {
     "yard": BASE,
     "mechanics": MECHANICS,
     "afloat": AFLOAT,
+    "moored": MOORED,
     "boom": boom_lift(LUFF, duration=60.0),
     "tackles": boom_lift(LUFF, duration=60.0, luffing=TACKLES),
     "crawler": crawler_lift(150e3, SLEW, duration=60.0),

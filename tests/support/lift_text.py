@@ -131,3 +131,31 @@ mechanics:
   ropes:
     plumb: {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: trolley}]}
 """
+
+#: A mass on two mooring lines, one of them on the sea bed and on a winch.
+MOORED = """\
+format: 1
+lift:
+  title: A moored barge
+duration: 20 s
+ropes:
+  moor_44: {construction: 6x36 IWRC, grade: 1960, diameter: 44 mm}
+  bare: {axial_stiffness: 90 MN}
+mechanics:
+  bodies:
+    barge: {at: [0 m, 0 m, 10 m], mass: 1000 t, joint: {type: slider, axis: [1, 0, 0]}}
+mooring_lines:
+  bow:
+    vessel: barge
+    fairlead: [0 m, 0 m, 0 m]
+    to: [100 m, 0 m, -15 m]
+    rope: moor_44
+    length: 104 m
+    sea_bed: -15 m
+    winch: {speed: 5 m/min, acceleration: 0.01 m/s^2}
+  stern: {vessel: barge, fairlead: [0 m, 0 m, 0 m], to: [-100 m, 0 m, 5 m], rope: moor_44, pretension: 150 kN}
+fenders:
+  f1: {vessel: barge, at: [0 m, 0 m, -5 m], wall: [-1 m, 0 m], facing: 0 deg, stiffness: 5 MN/m}
+plan:
+  - {step: haul, haul: bow, speed: 3 m/min, by: 0.2 m}
+"""

@@ -10,7 +10,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::constraint::Law;
-use crate::force;
+use crate::force::{self, AnyForce};
 use crate::solver::complementarity::Mode;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
@@ -90,7 +90,7 @@ pub struct Stored {
     pub kinetic: f64,
     /// −Σ m g·c.
     pub gravity: f64,
-    /// Σ ½ k max(e, 0)² of ropes and contacts.
+    /// Σ ½ k max(e, 0)² of ropes and contacts, and what mooring lines hold.
     pub elastic: f64,
     /// What pressed the water away.
     pub fluid: f64,
@@ -110,7 +110,7 @@ pub struct Ledger {
     pub kinetic: f64,
     /// −Σ m g·c.
     pub gravity: f64,
-    /// Σ ½ k max(e, 0)² of ropes and contacts.
+    /// Σ ½ k max(e, 0)² of ropes and contacts, and what mooring lines hold.
     pub elastic: f64,
     /// What pressed the water away.
     #[serde(default)]
@@ -205,7 +205,8 @@ impl Ledger {
 
 /// Numbers in [`KINDS`] of those that a system has: without water or air, and where neither streams, theirs are left out.
 pub fn kinds_of(system: &System) -> Vec<usize> {
-    let (has_fluid, streams) = (!system.tree.forces.is_empty(), force::has_stream(&system.tree));
+    let has_fluid = system.tree.forces.iter().any(|force| !matches!(force, AnyForce::Mooring(_)));
+    let streams = force::has_stream(&system.tree);
     let is_there = |kind: &usize| match KINDS[*kind] {
         "fluid" | "drag" => has_fluid,
         "fluid_work" => streams,

@@ -233,12 +233,13 @@ impl Simulation {
 
     /// Records what is due of the step that has been made.
     fn record(&mut self, residual: f64) {
-        let Self { system, method, recorder, samples, before, state: after, .. } = self;
+        let Self { system, method, recorder, samples, before, state: after, frame, .. } = self;
         let span = Span { before, after, residual };
         system.clock.time(Stage::Recording, || {
             let motion =
                 &mut |span: &Span, share, sample: &mut Sample| method.course(system, span, share, sample);
             recorder.record(&span, samples, motion);
+            samples.note_lines(system, &frame.kinematics, after);
             samples.note_peaks(system, &after.q, |row, known| match method {
                 Method::Del(_) | Method::Explicit(_) => {
                     (after.tension[row] > known).then_some((after.tension[row], after.time))
@@ -297,10 +298,9 @@ impl Simulation {
 
     fn subject(&self, event: &Event) -> String {
         match event.kind {
+            EventKind::Cut | EventKind::Broken => self.system.rope_name(event.subject).to_owned(),
             EventKind::Taut
             | EventKind::Slack
-            | EventKind::Cut
-            | EventKind::Broken
             | EventKind::Stick
             | EventKind::Slip
             | EventKind::OffSupport

@@ -6,6 +6,8 @@ use crate::constraint::{AnyConstraint, Law};
 use crate::contact::pad::Pad;
 use crate::contact::shape::Shape;
 use crate::event::afloat::{Mark, Vessel};
+use crate::force;
+use crate::force::mooring::Mooring;
 use crate::plan::drive::Timeline;
 use crate::plan::{Cut, Pinning, Plan, Removal};
 use crate::rope::coil::Layers;
@@ -232,7 +234,7 @@ pub struct System {
     pub rows: Rows,
     /// Sheaves with true tangents, in the order of ropes and routes.
     pub sheaves: Vec<SheavePlace>,
-    /// Ropes that break, and the tension at which they do [N].
+    /// Ropes that break, and the tension at which they do [N]. Mooring lines know it themselves.
     pub fragile: Vec<(usize, f64)>,
     /// Ropes that are cut.
     pub cuts: Vec<Cut>,
@@ -287,6 +289,24 @@ impl System {
             AnyConstraint::Rope(rope) => Some(rope),
             _ => None,
         })
+    }
+
+    /// Mooring lines. In recordings, cuts and events they count on from the ropes.
+    pub fn moorings(&self) -> impl Iterator<Item = &Mooring> {
+        force::moorings(&self.tree)
+    }
+
+    /// Ropes and mooring lines.
+    pub fn all_ropes(&self) -> usize {
+        self.rope_count + self.tree.marks
+    }
+
+    /// Name of a rope or mooring line.
+    pub fn rope_name(&self, index: usize) -> &str {
+        match index.checked_sub(self.rope_count) {
+            None => self.constraints[index].name(),
+            Some(line) => self.moorings().nth(line).map_or("", |line| &line.name),
+        }
     }
 
     /// Name of a sheave with true tangents: its rope, and its number along the route.

@@ -1,11 +1,11 @@
-//! Forces of water and wind on random trees: against energies, rates of momentum, and differences.
+//! Forces of water and wind and of mooring lines on random trees: against energies, rates of momentum, and differences.
 
 mod rigs;
 
 use gantline_core::audit::gravity_energy;
 use gantline_core::build::build;
-use gantline_core::force::{self, AnyForce, At, Force, twist_of};
-use gantline_core::spec::{BodySpec, DriveSpec, ForceSpec, PumpedSpec};
+use gantline_core::force::{self, AnyForce, At, Energies, Force, twist_of};
+use gantline_core::spec::{BodySpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PumpedSpec, SystemSpec};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
@@ -27,6 +27,42 @@ fn square(draw: &mut Draw, size: f64) -> [[f64; 6]; 6] {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| size * (0..6).map(|k| root[i][k] * root[j][k]).sum::<f64>())
     })
+}
+
+/// A mooring line from a body far down, with a winch: taut, slack, or with a part of it on a bed.
+fn mooring(spec: &mut SystemSpec, draw: &mut Draw, k: usize) -> ForceSpec {
+    let up = -DVec3::from_array(spec.gravity).normalize();
+    let down = DVec3::from_array(draw.scaled(10.0)) - up * 40.0;
+    let body = format!("b{}", draw.choice(7));
+    let winch = format!("winch{k}");
+    let joint = JointSpec::Flow {
+        inertia: 3.0,
+        velocity: draw.number(),
+        damping: 0.0,
+        brake: 0.0,
+        capacity: None,
+        power: None,
+        drive: None,
+    };
+    let mut flow = spec.bodies[0].clone();
+    (flow.name, flow.parent, flow.joint) = (winch.clone(), Some(body.clone()), joint);
+    (flow.mass, flow.centre_of_gravity, flow.inertia) = (0.0, [0.0; 3], [0.0; 6]);
+    spec.bodies.push(flow);
+    ForceSpec::Mooring(Box::new(MooringSpec {
+        name: format!("line{k}"),
+        body,
+        at: draw.vector(),
+        to: down.to_array(),
+        weight: 1.0,
+        axial_stiffness: 4000.0,
+        damping_time: 0.05,
+        length: (k == 1).then_some(90.0),
+        pretension: (k != 1).then_some(100.0 + 20.0 * draw.number()),
+        sea_bed: (k == 2).then_some(down.dot(up)),
+        winch: Some(winch),
+        breaking_force: None,
+        cut_at: None,
+    }))
 }
 
 /// The random rig with dented hulls and tanks, added mass and drag on bodies somewhere in its tree.
@@ -84,6 +120,10 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             pumped,
         };
         spec.forces.extend([buoyancy, added, drag, tank]);
+    }
+    for k in 0..3 {
+        let line = mooring(&mut spec, &mut draw, k);
+        spec.forces.push(line);
     }
     let (system, state) = build(&spec).expect("the generator makes valid rigs");
     let mut frame = Frame::new(&system);
@@ -180,7 +220,8 @@ proptest! {
         prop_assert!((added - energy).abs() < 1e-9 * (1.0 + dry));
     }
 
-    /// At rest inverse dynamics is the slope of the energy of gravity and displaced water, less what a stream pushes with.
+    /// At rest inverse dynamics is the slope of the energy of gravity, displaced water and mooring lines, less what a stream
+    /// pushes with.
     #[test]
     fn buoyancy_is_the_slope_of_its_energy(seeds in seeds()) {
         let (system, state, frame) = wet(&seeds);
@@ -190,7 +231,8 @@ proptest! {
         force::resistance(&system.tree, &frame.kinematics, &still, &mut pushed);
         let energy = |direction: &[f64], step: f64| {
             let (_, frame) = moved(&system, &state, direction, step);
-            gravity_energy(&system, &frame.kinematics) + force::energy(&system.tree, &frame.kinematics)
+            let Energies { fluid, lines } = force::energy(&system.tree, &frame.kinematics);
+            gravity_energy(&system, &frame.kinematics) + fluid + lines
         };
         for dof in 0..still.len() {
             let mut direction = still.clone();
@@ -207,13 +249,13 @@ proptest! {
         let (system, state, frame) = wet(&seeds);
         let a = rates(&system, &seeds);
         let (_, found) = inverse(&system, &frame, &state.v, &a);
-        let content = system.drives[system.drives.len() - 1].dof;
+        let content = system.tree.bodies.iter().find(|body| body.name == "content").unwrap().first_velocity;
         let mut direction = vec![0.0; a.len()];
         direction[content] = 1.0;
         let energy = |step: f64| {
             let (system, frame) = (&system, moved(&system, &state, &direction, step).1);
-            let still = force::energy(&system.tree, &frame.kinematics);
-            still + 0.5 * frame.mass.quadratic(&state.v)
+            let Energies { fluid, lines } = force::energy(&system.tree, &frame.kinematics);
+            fluid + lines + 0.5 * frame.mass.quadratic(&state.v)
         };
         // Energies are some 1e4 J, and quadratic in the content but for the tank's dents.
         let step = 1e-3;
@@ -256,13 +298,15 @@ proptest! {
         }
     }
 
-    /// Drag takes power and never gives it but what a fluid that streams puts in; both are its force times the velocity.
+    /// Drag and dampers of lines take power and never give it but what a fluid that streams puts in; it is their force times
+    /// the velocity.
     #[test]
     fn drag_takes_power(seeds in seeds()) {
         let (system, state, frame) = wet(&seeds);
-        let mut along = vec![0.0; state.v.len()];
-        force::resistance(&system.tree, &frame.kinematics, &state.v, &mut along);
-        let power: f64 = along.iter().zip(&state.v).map(|(force, v)| force * v).sum();
+        let [mut fluid, mut lines] = [(), ()].map(|()| vec![0.0; state.v.len()]);
+        force::resistance(&system.tree, &frame.kinematics, &state.v, &mut fluid);
+        force::line_damping(&system.tree, &frame.kinematics, &state.v, &mut lines);
+        let power: f64 = fluid.iter().zip(&lines).zip(&state.v).map(|((one, other), v)| (one + other) * v).sum();
         let (dynamics, _) = inverse(&system, &frame, &state.v, &rates(&system, &seeds));
         let at = |force: &AnyForce| dynamics.at(&system.tree, &frame.kinematics, force.body());
         let losses: Vec<f64> = system.tree.forces.iter().map(|force| force.loss(&at(force))).collect();
@@ -276,11 +320,17 @@ proptest! {
     #[test]
     fn only_the_motion_against_the_fluid_counts(seeds in seeds()) {
         let (system, state, frame) = wet(&seeds);
-        let pose = |force: &AnyForce| &frame.kinematics.pose[force.body()];
         for force in &system.tree.forces {
             let AnyForce::Drag(drag) = force else { continue };
             let twist = twist_of(&system.tree, &frame.kinematics, drag.body, &state.v);
-            let at = |twist| At { pose: pose(force), twist, rate: Twist::default(), gravity: DVec3::ZERO };
+            let at = |twist| At {
+                pose: &frame.kinematics.pose[drag.body],
+                twist,
+                rate: Twist::default(),
+                gravity: DVec3::ZERO,
+                q: &state.q,
+                v: &state.v,
+            };
             let mut still = drag.clone();
             still.stream = DVec3::ZERO;
             let (one, other) = (drag.wrench(&at(twist)), still.wrench(&at(Twist { linear: twist.linear - drag.stream, ..twist })));
@@ -315,11 +365,12 @@ fn a_cube_half_in_water() {
         twist: Twist::default(),
         rate: Twist::default(),
         gravity: system.tree.gravity,
-        pumped: 0.0,
+        q: &state.q,
+        v: &still,
     };
     assert!((force.wrench(&at).force - DVec3::Z * 4e4).length() < 1e-9);
     // ρ g V times the depth of its centre, half a metre.
-    assert!((force.energy(pose, system.tree.gravity, 0.0) - 2e4).abs() < 1e-9);
+    assert!((force.energy(pose, system.tree.gravity, &state.q) - 2e4).abs() < 1e-9);
     // ρ g A, and ρ g (I_T + V (z_B − z_o)) about the keel: 4/3 + 4 · 1/2.
     let AnyForce::Buoyancy(buoyancy) = force else { panic!("it is a hull") };
     let derivative = buoyancy.afloat(pose, system.tree.gravity).derivative();

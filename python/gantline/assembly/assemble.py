@@ -13,6 +13,7 @@ from gantline.assembly.describe import rig, rope_kinds, scene
 from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
+from gantline.assembly.moorings import add_moorings
 from gantline.assembly.operations import emergency_stop, operations
 from gantline.assembly.parting import add_partings
 from gantline.assembly.parts import Parts
@@ -90,6 +91,7 @@ def assemble(scenario: Scenario) -> Assembly:
     add_water(parts, scenario)
     add_streams(parts, scenario, lifted)
     add_critical_damping(parts, scenario)
+    add_moorings(parts, scenario)
     watch_vessels(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from gantline.assembly.parts import Json
+from gantline.assembly.reeving import upper_sheaves
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.condition import Condition
-from gantline.scenario.hooks import full_name
+from gantline.scenario.hooks import Hook, full_name
+from gantline.scenario.mooring import line_rope
 from gantline.scenario.reeving import hoist_ropes
 
 __all__ = ["condition_of"]
@@ -52,6 +54,20 @@ def condition_of(
                 "above": above,
                 "bound": bound,
             }
+    if condition.falls_out_of_plumb is not None:
+        reeved = {name: hook for name, hook in scenario.hooks.items() if hook.reeving is not None}
+        hooks = [full_name(text, reeved) or text for text in condition.of] or list(reeved)
+        return {
+            "type": "plumb",
+            "falls": [_falls(reeved[hook]) for hook in hooks],
+            "at_most": condition.falls_out_of_plumb,
+        }
+    if condition.mooring_tension is not None:
+        wanted = condition.mooring_tension
+        segments = [[line_rope(wanted.line), 0]]
+        if wanted.above is not None:
+            return {"type": "tension_above", "segments": segments, "bound": wanted.above}
+        return {"type": "tension_below", "segments": segments, "bound": wanted.below}
     assert scenario.load is not None  # checked when the file was read
     group = scenario.load.name
     if condition.load_transferred is not None:
@@ -60,3 +76,10 @@ def condition_of(
             return {"type": "load_returned", "group": group, "weight": weight, "at_most": share}
         return {"type": "load_transferred", "group": group, "weight": weight, "at_least": share}
     return {"type": "clear" if condition.supports == "clear" else "touched", "group": group}
+
+
+def _falls(hook: Hook) -> list[list[str | list[float]]]:
+    """From the upper sheaves to those of the hook block, each as a body and a point of it [m]."""
+    assert hook.hook_block is not None  # it hangs in ropes
+    above: list[str | list[float]] = [upper_sheaves(hook.name), [0.0, 0.0, 0.0]]
+    return [above, [hook.name, [0.0, 0.0, hook.hook_block.height]]]

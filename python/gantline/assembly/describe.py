@@ -15,6 +15,7 @@ from gantline.assembly.crawler import crawler_rig, crawler_shape
 from gantline.assembly.goliath import crane_rig, crane_shape
 from gantline.assembly.hulls import hull_mesh, hull_shape
 from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.moorings import mooring_rig
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import (
@@ -36,6 +37,7 @@ from gantline.scenario.extension import lugs_below
 from gantline.scenario.gear import RopeMaterial, Shackle
 from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.mechanics import RopeEnd
+from gantline.scenario.mooring import line_rope
 from gantline.scenario.parting import partings
 from gantline.scenario.plan import Bound, HoldStep, PumpStep
 from gantline.scenario.reeving import HoistDrum, hoist_drum
@@ -61,6 +63,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
+        **mooring_rig(scenario),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),
         **({"crawlers": crawlers} if (crawlers := crawler_rig(scenario, parts)) else {}),
@@ -242,6 +245,10 @@ def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMate
             kind = (scenario.ropes or {})[placed.tackles.rope]
             weight = rope_weight(kind, placed.tackles.rope_weight, None)
             kinds |= dict.fromkeys(placed.ropes, (kind, weight))
+    for name, line in (scenario.mooring_lines or {}).items():
+        kind = (scenario.ropes or {})[line.rope]
+        # A catenary's weight is its own; it is no body's mass.
+        kinds[line_rope(name)] = kind, RopeWeight("none", 0.0, 0)
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, rope in (plain or {}).items():
         kind = (scenario.ropes or {})[rope.rope]
@@ -402,7 +409,7 @@ def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts
             if "/" not in name or name in tops
         ],
         "sheaves": [*_sheaves(parts), *_extension_sheaves(scenario, rigging, lifted, parts)],
-        "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.rope_names],
+        "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.all_ropes],
         "contacts": [{key: one[key] for key in ("name", "body", "at")} for one in parts.contacts],
         "ground": _ground(scenario),
         **({"structures": structures} if (structures := _structures(scenario, parts)) else {}),

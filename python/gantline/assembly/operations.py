@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gantline.assembly.conditions import condition_of
+from gantline.assembly.moorings import winch_drive
 from gantline.assembly.parts import Json
 from gantline.assembly.plain import drum_drive
 from gantline.assembly.water import pump_drive
@@ -107,6 +108,8 @@ def _drives(one: Mover) -> list[str]:
         return [hoist_drive(one.name)]
     if one.kind == "boom":
         return [luff_drive(one.name)]
+    if one.kind == "mooring line":
+        return [winch_drive(one.name)]
     return [drum_drive(one.name) if one.kind == "drum" else along_drive(one.name)]
 
 

@@ -18,7 +18,10 @@ def add_partings(parts: Parts, scenario: Scenario) -> None:
         parts: the system with all its ropes and its plan.
         scenario: the lift.
     """
+    lines = {one["name"]: one for one in parts.forces if one["type"] == "mooring"}
     for name, parting in partings(scenario).items():
+        if name in lines:
+            continue  # they have been told
         pieces = _pieces(parts, name)
         for piece in pieces if parting.breaks_at is not None else ():
             piece["breaking_force"] = parting.breaks_at
@@ -26,7 +29,7 @@ def add_partings(parts: Parts, scenario: Scenario) -> None:
             pieces[0]["cut_at"] = parting.cut_at
     for given, step in zip(scenario.plan, parts.plan, strict=True):
         if given.cut:
-            step["cuts"] = [_pieces(parts, name)[0]["name"] for name in given.cut]
+            step["cuts"] = [name if name in lines else _pieces(parts, name)[0]["name"] for name in given.cut]
 
 
 def _pieces(parts: Parts, name: str) -> list[Json]:

@@ -47,7 +47,7 @@ class Parts:
         shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
         pairs: shapes that may touch.
         watches: distances that are recorded.
-        forces: of water and wind on bodies, in order.
+        forces: of water, wind and mooring lines on bodies, in order.
         vessels: what should stay upright, and which of their points above the water.
         drives: drives by name.
         plan: steps in order.
@@ -93,6 +93,11 @@ class Parts:
         given["placement"] = {"position": list(position), "orientation": list(orientation)}
         given |= {"centre_of_gravity": list(centre_of_gravity), "inertia": list(inertia)}
         self.bodies[name] = given
+
+    @property
+    def all_ropes(self) -> list[str]:
+        """Ropes as the recording knows them; mooring lines that hang by their weight come last."""
+        return [*self.rope_names, *(one["name"] for one in self.forces if one["type"] == "mooring")]
 
     def add_shape(self, name: str, body: str | None, parts: Sequence[Json]) -> None:
         """Add a shape on a body (None: the world); `gantline.assembly.shapes` says what its parts are."""

@@ -34,7 +34,7 @@ def check_recording(recording: Recording) -> list[Check]:
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
-    hands_in = bool(rig.loads or rig.hooks or rig.slings or rig.vessels)
+    hands_in = bool(rig.loads or rig.hooks or rig.slings or rig.vessels or rig.mooring_lines or rig.fenders)
     found = [
         _check_limit(recording, key, measure, limits.get(key))
         for key, measure in LIMITS.items()

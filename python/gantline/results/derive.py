@@ -12,6 +12,7 @@ from gantline.results.boom import boom_state
 from gantline.results.crane import corner_loads, crane_events, hook_state
 from gantline.results.crawler import crawler_events, crawler_state
 from gantline.results.flows import rope_flows
+from gantline.results.moorings import mooring_state
 from gantline.results.nodes import joined
 from gantline.results.recording import Recording
 from gantline.results.rig import Hook, Load, Rig
@@ -172,6 +173,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         _load_state(columns, names, lift),
         rope_flows(columns, names, lift),
         vessel_state(columns, names, lift.vessels),
+        mooring_state(columns, names, lift.mooring_lines, lift.fenders),
     ):
         variables |= derived
         coordinates |= labels

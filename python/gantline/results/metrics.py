@@ -46,6 +46,12 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   `final_heel.<vessel>`, `final_trim.<vessel>` [rad], `final_displacement.<vessel>` [kg]: of that vessel at
   the last sample; heel to starboard, trim by the stern positive
 - `peak_heel`, `peak_trim` [rad]: largest magnitude of any vessel at any sample
+- `peak_mooring_tension.<line>` [N]: largest tension of that mooring line over all steps
+- `peak_mooring_tension_of_breaking_force` [1]: largest of them over the minimum breaking force of its rope,
+  where that is known
+- `final_mooring_tension.<line>` [N]: its tension at the last sample
+- `peak_fender_force.<fender>` [N]: largest force of that fender at any sample
+- `peak_fender_force_of_capacity` [1]: largest of them over the capacity of its fender, where that is known
 - `least_freeboard` [m]: least height of the deck edge and openings of any vessel above the water
 - `peak_sheave_tension_ratio`, `final_sheave_tension_ratio` [1]: largest ratio of the tensions on both sides
   of a sheave with losses, over the samples and at the last one; while the loads are clear, if they ever are
@@ -111,6 +117,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         _loads,
         _supports,
         _vessels,
+        _moorings,
         _hooks,
         _charts,
         _crawlers,
@@ -240,6 +247,22 @@ def _loads(recording: Recording) -> Iterator[_Metric]:
         if clear.any():
             drifts.append(float(np.linalg.norm(place - place[0], axis=1)[clear].max()))
     yield "peak_load_drift_when_clear", _largest(drifts)
+
+
+def _moorings(recording: Recording) -> Iterator[_Metric]:
+    lines, fenders = recording.rig.mooring_lines, recording.rig.fenders
+    tension = {line.name: series.rope_peak(recording, line.rope)[0] for line in lines}
+    for line in lines:
+        yield f"peak_mooring_tension.{line.name}", tension[line.name]
+        yield f"final_mooring_tension.{line.name}", float(recording.column("mooring_tension", line.name)[-1])
+    known = [(line.name, line.minimum_breaking_force) for line in lines]
+    used = [tension[name] / strength for name, strength in known if strength is not None]
+    yield "peak_mooring_tension_of_breaking_force", _largest(used)
+    force = {one.name: float(recording.column("fender_force", one.name).max()) for one in fenders}
+    for name, peak in force.items():
+        yield f"peak_fender_force.{name}", peak
+    pressed = [force[one.name] / one.capacity for one in fenders if one.capacity is not None]
+    yield "peak_fender_force_of_capacity", _largest(pressed)
 
 
 def _hooks(recording: Recording) -> Iterator[_Metric]:

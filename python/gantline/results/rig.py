@@ -13,6 +13,7 @@ from typing import Any, Self
 from gantline.results.boom import Boom
 from gantline.results.crane import Crane, CraneHook
 from gantline.results.crawler import Crawler
+from gantline.results.moorings import Fender, MooringLine
 from gantline.results.rating_chart import RatingChart
 from gantline.results.strength import Bend, Factor, FromJson, Rating, Shackle, SideLoad
 from gantline.results.vessels import Vessel
@@ -369,12 +370,14 @@ class Rig(FromJson):
         watches: Pairs whose distance is watched.
         hooks: Hooks of all cranes.
         vessels: Vessels.
+        mooring_lines: Mooring lines.
+        fenders: Fenders.
         cranes: Goliath cranes, with what is particular to their hooks.
         booms: Booms, with what is particular to their hooks.
         crawlers: Crawler cranes, with what they stand on.
         equalizers: Equalizers of all hooks.
         slings: Slings of all hooks.
-        ropes: All ropes: equalizing ropes, slings, ropes of `mechanics`.
+        ropes: All ropes: equalizing ropes, slings, mooring lines, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
         drums: Drums.
         wrapped_sheaves: Sheaves with true tangents.
@@ -400,6 +403,8 @@ class Rig(FromJson):
     watches: Sequence[Watch] = ()
     hooks: Sequence[Hook] = ()
     vessels: Sequence[Vessel] = ()
+    mooring_lines: Sequence[MooringLine] = ()
+    fenders: Sequence[Fender] = ()
     cranes: Sequence[Crane] = ()
     booms: Sequence[Boom] = ()
     crawlers: Sequence[Crawler] = ()
@@ -430,6 +435,8 @@ class Rig(FromJson):
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
+            "mooring_lines": tuple(MooringLine.from_json(d) for d in document.get("mooring_lines") or ()),
+            "fenders": tuple(Fender.from_json(d) for d in document.get("fenders") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
             "booms": tuple(Boom.from_json(d) for d in document.get("booms") or ()),
             "crawlers": tuple(Crawler.from_json(d) for d in document.get("crawlers") or ()),

@@ -19,6 +19,7 @@ from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.luffing import luffing_drum
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
 from gantline.scenario.model import Scenario
+from gantline.scenario.mooring import check_moorings
 from gantline.scenario.parting import check_partings
 from gantline.scenario.pins import check_pins, pins_of
 from gantline.scenario.reeving import hoist_drum
@@ -66,6 +67,7 @@ def check(scenario: Scenario) -> None:
     if scenario.mechanics is not None:
         check_mechanics(findings, scenario.mechanics)
     check_vessels(findings)
+    check_moorings(findings)
     _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)
@@ -161,7 +163,8 @@ def _check_simulation(findings: Findings) -> None:
 
 def _has_friction(scenario: Scenario) -> bool:
     """Whether a sheave has losses, a drum a brake, or a joint friction."""
-    found = False
+    lines = (scenario.mooring_lines or {}).values()
+    found = any(line.winch is not None and line.winch.capacity is not None for line in lines)
     for name, given in (scenario.equalizers or {}).items():
         for key in SHEAVES:
             words = [said for _, said in sheave_levels(scenario, name, key)]

@@ -32,6 +32,7 @@ _WORDS = {
     "crane": ("crane that travels", "travel", "travel"),
     "boom": ("crane with 'luffing'", "luff", "luffing"),
     "upper": ("crane with 'slewing'", "slew", "slewing"),
+    "mooring line": ("mooring line", "move", "winch"),
 }
 
 
@@ -88,8 +89,8 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
         one = known[name]
         moved.append(name if one is None else one.name)
         if one is None:
-            sentence = f"drum '{name}' has no 'drive' that could turn it"
-            right = "'drive: {speed: 30 m/min, acceleration: 0.1 m/s^2}'"
+            sentence = f"{what} '{name}' has no '{drive}' that could {can} it"
+            right = f"'{drive}: {{speed: 30 m/min, acceleration: 0.1 m/s^2}}'"
             findings.add(("plan", place, step.verb), f"{sentence}; give it one, such as {right}")
             continue
         if step.emergency_stop_at is not None:
@@ -158,6 +159,15 @@ def _check_condition(findings: Findings, place: int, step: MovingStep | PumpStep
             _check_floating(findings, (*path, key, "vessel"), reached.vessel)
             return
     scenario = findings.scenario
+    if condition.falls_out_of_plumb is not None:
+        _check_falls(findings, path, condition)
+        return
+    if condition.mooring_tension is not None:
+        line, lines = condition.mooring_tension.line, scenario.mooring_lines or {}
+        if line not in lines:
+            found = f"'{line}' is not a mooring line; {nearest(line, lines)}"
+            findings.add((*path, "mooring_tension", "line"), found)
+        return
     if scenario.load is None or (scenario.ground is None and not scenario.supports):
         sentence = "this waits for a load to leave the ground"
         findings.add(path, f"{sentence}; there is no 'load' on a 'ground' or on 'supports' in this file")
@@ -191,6 +201,18 @@ def _check_floating(findings: Findings, path: Path, name: str) -> None:
         findings.add(path, f"'{name}' does not float freely; only what has a hull and six motions does")
     else:
         findings.add(path, f"'{name}' is not a vessel; {nearest(name, floating)}")
+
+
+def _check_falls(findings: Findings, path: Path, condition: Condition) -> None:
+    hooks = findings.scenario.hooks
+    reeved = {name: hook for name, hook in hooks.items() if hook.reeving is not None}
+    if not reeved:
+        findings.add(path, "this waits for falls to hang plumb; no hook in this file hangs in ropes")
+    for text in condition.of:
+        if full_name(text, reeved) is None:
+            findings.add(
+                (*path, "of"), f"'{text}' is not a hook that hangs in ropes; {nearest(text, reeved)}"
+            )
 
 
 def _check_spread(findings: Findings, path: Path, condition: Condition) -> None:

@@ -7,9 +7,9 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import Angle, Name, Names, PositiveForce, Quantity, refuse
+from gantline.scenario.quantities import Angle, Name, Names, PositiveAngle, PositiveForce, Quantity, refuse
 
-__all__ = ["AngleReached", "Condition", "HoistLoadReached"]
+__all__ = ["AngleReached", "Condition", "HoistLoadReached", "MooringTensionReached"]
 
 
 class HoistLoadReached(Element):
@@ -44,6 +44,22 @@ class AngleReached(Element):
         return self
 
 
+class MooringTensionReached(Element):
+    """A tension of a mooring line."""
+
+    what: ClassVar[str] = "mooring_tension"
+
+    line: Name = Field(description="The mooring line.")
+    above: PositiveForce | None = Field(None, description="The step ends when its tension is above this.")
+    below: PositiveForce | None = Field(None, description="The step ends when its tension is below this.")
+
+    @model_validator(mode="after")
+    def _one_side(self) -> MooringTensionReached:
+        if (self.above is None) == (self.below is None):
+            raise refuse("it has one of 'above' and 'below', such as {line: bow.ps, above: 200 kN}")
+        return self
+
+
 class Condition(Element):
     """What a step waits for."""
 
@@ -64,19 +80,29 @@ class Condition(Element):
     )
     heel: AngleReached | None = Field(None, description="Heel of a vessel, to starboard positive.")
     trim: AngleReached | None = Field(None, description="Trim of a vessel, by the stern positive.")
-    of: Names = Field((), description="tension_spread: equalizers that count; all if not given.")
+    falls_out_of_plumb: PositiveAngle | None = Field(
+        None, description="The falls of all hooks that hang from cranes in ropes are within this of plumb."
+    )
+    mooring_tension: MooringTensionReached | None = Field(None, description="Tension of a mooring line.")
+    of: Names = Field(
+        (),
+        description="tension_spread: equalizers that count; falls_out_of_plumb: hooks that count; all if not "
+        "given.",
+    )
 
     @model_validator(mode="after")
     def _exactly_one(self) -> Condition:
-        ways = ("load_transferred", "supports", "hoist_load", "tension_spread", "heel", "trim")
+        ways = tuple(key for key in type(self).model_fields if key != "of")
         if sum(getattr(self, way) is not None for way in ways) != 1:
             raise refuse(
                 "a step waits for one thing: 'load_transferred: 50 %', 'supports: clear', "
-                "'hoist_load: {hook: U1, above: 400 kN}', 'tension_spread: 5 %' or "
-                "'trim: {vessel: barge, below: 0.1 deg}'"
+                "'hoist_load: {hook: U1, above: 400 kN}', 'tension_spread: 5 %', "
+                "'trim: {vessel: barge, below: 0.1 deg}', 'falls_out_of_plumb: 0.5 deg' or "
+                "'mooring_tension: {line: bow.ps, above: 200 kN}'"
             )
         if self.load_transferred is not None and self.load_transferred > 1:
             raise refuse(f"load_transferred is {self.load_transferred * 100:g} %; it can reach 100 % at most")
-        if self.of and self.tension_spread is None:
-            raise refuse("'of' stands without 'tension_spread', whose equalizers it names", "of")
+        if self.of and self.tension_spread is None and self.falls_out_of_plumb is None:
+            sentence = "'of' stands without 'tension_spread', whose equalizers it names"
+            raise refuse(f"{sentence}, or 'falls_out_of_plumb', whose hooks", "of")
         return self

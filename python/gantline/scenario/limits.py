@@ -145,6 +145,13 @@ class Limits(Element):
     corner_load: PositiveForce | None = Field(
         None, description="Load of a corner of a Goliath crane, by moments of weights and hoist loads."
     )
+    mooring_tension_of_breaking_force: Ratio | None = Field(
+        None,
+        description="Tension of a mooring line of minimum breaking force of its rope; 100 % if not given.",
+    )
+    fender_force_of_capacity: Ratio | None = Field(
+        None, description="Force of a fender of its capacity; 100 % if not given."
+    )
     heel: PositiveAngle | None = Field(None, description="Heel of vessels to either side.")
     trim: PositiveAngle | None = Field(None, description="Trim of vessels by bow or stern.")
     freeboard: NotNegativeLength | None = Field(

@@ -21,6 +21,7 @@ from gantline.scenario.hooks import Hook, booms_of, hooks_of
 from gantline.scenario.limits import Limits, Rules
 from gantline.scenario.load import Load, LugType
 from gantline.scenario.mechanics import Mechanics
+from gantline.scenario.mooring import Fender, MooringLine
 from gantline.scenario.plan import EmergencyStop, Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
 from gantline.scenario.stream import Current, Wind, WindOfLift
@@ -96,6 +97,8 @@ class Scenario(Element):
     extension_sheaves: Named[ExtensionSheave] | None = Field(
         None, description="Sheaves that hang on slings and serve two lugs each, by name."
     )
+    mooring_lines: Named[MooringLine] | None = Field(None, description="Lines that hold vessels, by name.")
+    fenders: Named[Fender] | None = Field(None, description="Fenders between vessels and quays, by name.")
     plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
     emergency_stop: EmergencyStop | None = Field(
         None, description="Stops all that the plan moves, and the plan."

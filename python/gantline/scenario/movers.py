@@ -1,4 +1,4 @@
-"""What steps of the plan can move: hooks, drums, trolleys, cranes, booms."""
+"""What steps of the plan can move: hooks, drums, trolleys, cranes, booms, winches of mooring lines."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Mover:
         capacity: whether a motor with a limit drives it.
         brake: force that its brake holds, along what its drive counts [N]; None is that of the motor.
         emergency: deceleration of an emergency stop [m/s^2, rad/s^2]; None where nobody has said it.
-        start: position at the start, as `to` counts it [m, rad]; None for a drum, which has none.
+        start: position at the start, as `to` counts it [m, rad]; None for drums and winches, which have none.
         zero: what `to` counts where the drive is at 0 [m, rad].
         range: least and largest position as `to` counts it [m, rad]; None where there is no limit.
         gear: of a boom in tackles what its drive takes up of them [m] at an angle.
@@ -46,11 +46,13 @@ class Mover:
 
 
 def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
-    """Everything of a kind by its full name; None for a drum that has no drive."""
+    """Everything of a kind by its full name; None for a drum or mooring line that nothing drives."""
     if kind == "hook":
         return dict(_hooks(scenario))
     if kind == "drum":
         return _drums(scenario)
+    if kind == "mooring line":
+        return _winches(scenario)
     found: dict[str, Mover | None] = {}
     if kind == "boom":
         for placed in scenario.booms.values():
@@ -149,6 +151,28 @@ def _drums(scenario: Scenario) -> dict[str, Mover | None]:
             capacity=drive.capacity is not None,
             brake=drive.brake,
             emergency=None,
+            start=None,
+            zero=0.0,
+            range=None,
+        )
+    return found
+
+
+def _winches(scenario: Scenario) -> dict[str, Mover | None]:
+    found: dict[str, Mover | None] = {}
+    for name, line in (scenario.mooring_lines or {}).items():
+        winch = line.winch
+        if winch is None:
+            found[name] = None
+            continue
+        found[name] = Mover(
+            name=name,
+            kind="mooring line",
+            speed=winch.speed,
+            acceleration=winch.acceleration,
+            capacity=winch.capacity is not None,
+            brake=None,
+            emergency=winch.acceleration,
             start=None,
             zero=0.0,
             range=None,

@@ -67,6 +67,8 @@ def partings(scenario: Scenario) -> dict[str, Parting]:
         if placed.tackles is not None:
             of_kind = Parting(breaking_force(kinds[placed.tackles.rope], None), None)
             found |= dict.fromkeys(placed.ropes, of_kind)
+    for name, line in (scenario.mooring_lines or {}).items():
+        found[f"mooring.{name}"] = Parting(breaking_force(kinds[line.rope], line.breaks_at), line.cut_at)
     mechanics = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, plain in (mechanics or {}).items():
         found[name] = Parting(breaking_force(kinds[plain.rope], plain.breaks_at), plain.cut_at)
@@ -87,6 +89,10 @@ def check_partings(findings: Findings) -> None:
     for name, plain in mechanics.items():
         _check_force(findings, ("mechanics", "ropes", name), plain.rope, plain.breaks_at)
         _check_time(findings, ("mechanics", "ropes", name, "cut_at"), plain.cut_at)
+    for name, line in (scenario.mooring_lines or {}).items():
+        _check_force(findings, ("mooring_lines", name), line.rope, line.breaks_at)
+        _check_time(findings, ("mooring_lines", name, "cut_at"), line.cut_at)
+    moorings = [f"mooring.{name}" for name in scenario.mooring_lines or {}]
     equalizing = [f"{name}.equalizing" for name in scenario.equalizers or {}]
     hoisting = [
         rope
@@ -100,6 +106,7 @@ def check_partings(findings: Findings) -> None:
         *hoisting,
         *luffing,
         *(f"sling.{name}" for name in scenario.slings or {}),
+        *moorings,
         *mechanics,
     ]
     for place, step in enumerate(scenario.plan):

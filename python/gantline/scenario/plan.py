@@ -33,7 +33,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.units import example, units_of
 
-Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper"]
+Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper", "mooring line"]
 
 __all__ = [
     "MEASURES",
@@ -42,6 +42,7 @@ __all__ = [
     "DrumStep",
     "EmergencyStop",
     "HaulInStep",
+    "HaulStep",
     "HoistStep",
     "HoldStep",
     "HookStep",
@@ -58,6 +59,7 @@ __all__ = [
     "TravelStep",
     "TraverseStep",
     "TurnStep",
+    "VeerStep",
 ]
 
 
@@ -216,7 +218,7 @@ class _StartingStep(_AnyStep):
 
 
 class MovingStep(_StartingStep):
-    """A step that moves hooks, drums, trolleys, cranes or booms."""
+    """A step that moves hooks, drums, trolleys, cranes, booms or mooring lines."""
 
     #: The key that says what is moved.
     verb: ClassVar[str]
@@ -228,7 +230,7 @@ class MovingStep(_StartingStep):
     ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by")
 
     speed: PositiveSpeed = Field(
-        description="Speed of hooks, trolleys or crane, or of the rope on the drums."
+        description="Speed of hooks, trolleys or crane, or of the rope on drums and winches."
     )
     acceleration: PositiveAcceleration | None = Field(
         None, description="That of the hoist or drive itself if not given."
@@ -443,6 +445,35 @@ class PumpStep(_StartingStep):
         return self
 
 
+class MooringStep(MovingStep):
+    """A step in which winches move mooring lines."""
+
+    kind: ClassVar[Kind] = "mooring line"
+
+    by: PositiveLength | None = Field(None, description="Length of line after which the winches are at rest.")
+
+
+class HaulStep(MooringStep):
+    """A step in which mooring lines are hauled in."""
+
+    what: ClassVar[str] = "a haul step"
+
+    haul: Names = Field(description="Mooring line or lines that are hauled in.")
+
+    verb: ClassVar[str] = "haul"
+    direction: ClassVar[float] = -1.0
+
+
+class VeerStep(MooringStep):
+    """A step in which mooring lines are paid out."""
+
+    what: ClassVar[str] = "a veer step"
+
+    veer: Names = Field(description="Mooring line or lines that are paid out.")
+
+    verb: ClassVar[str] = "veer"
+
+
 class HoldStep(_AnyStep):
     """A step that waits."""
 
@@ -482,7 +513,20 @@ class EmergencyStop(Element):
 
 
 #: Keys by which a step says what it does.
-VERBS = ("hoist", "lower", "traverse", "travel", "luff", "slew", "haul_in", "pay_out", "pump", "hold")
+VERBS = (
+    "hoist",
+    "lower",
+    "traverse",
+    "travel",
+    "luff",
+    "slew",
+    "haul_in",
+    "pay_out",
+    "haul",
+    "veer",
+    "pump",
+    "hold",
+)
 
 
 def _verb(data: Any) -> str | None:
@@ -502,11 +546,13 @@ Step = Annotated[
     | Annotated[HaulInStep, Tag("haul_in step")]
     | Annotated[PayOutStep, Tag("pay_out step")]
     | Annotated[PumpStep, Tag("pump step")]
+    | Annotated[HaulStep, Tag("haul step")]
+    | Annotated[VeerStep, Tag("veer step")]
     | Annotated[HoldStep, Tag("hold step")],
     Discriminator(
         _verb,
         custom_error_type="gantline",
         custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', "
-        "'travel', 'luff', 'slew', 'haul_in', 'pay_out', 'pump' and 'hold'",
+        "'travel', 'luff', 'slew', 'haul_in', 'pay_out', 'haul', 'veer', 'pump' and 'hold'",
     ),
 ]

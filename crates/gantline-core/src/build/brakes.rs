@@ -6,6 +6,7 @@ use super::rows::flow_named;
 use super::{BuildError, at_least_zero, error, positive};
 use crate::constraint::AnyConstraint;
 use crate::constraint::brake::{Brake, Grip, share_of_ratio};
+use crate::force::{Force, moorings};
 use crate::spec::{GrooveSpec, GuideSpec, JointSpec, SystemSpec};
 use crate::tree::Tree;
 
@@ -55,6 +56,15 @@ pub(super) fn build_brakes(
             );
         }
         let dof = tree.bodies[index].first_velocity;
+        if moorings(tree).any(|line| line.flow() == Some(dof)) {
+            if *brake > 0.0 || capacity.is_some() {
+                return error(
+                    &given.name,
+                    "it pays out a mooring line, which no brake and no capacity can hold; leave them out",
+                );
+            }
+            continue;
+        }
         let passing = Passing::of(spec, &given.name);
         // What spins moves no rope by itself: the tensions on its bearing are those of the flow over it.
         let passes = match &passing {

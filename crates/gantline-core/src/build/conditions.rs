@@ -1,8 +1,11 @@
 //! Conditions on which steps of the plan end.
 
+use glam::DVec3;
+
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
-use crate::plan::Condition;
+use crate::force::moorings;
+use crate::plan::{Condition, Falls};
 use crate::spec::UntilSpec;
 use crate::system::{ContactGroup, Rows};
 use crate::tree::Tree;
@@ -21,7 +24,7 @@ pub(super) fn build_condition(
         None => error(name, format!("there are no contacts of `{wanted}`")),
     };
     let rows_of = |segments: &[(String, usize)]| -> Result<Vec<usize>, BuildError> {
-        segments.iter().map(|(rope, segment)| row_of(name, rope, *segment, ropes)).collect()
+        segments.iter().map(|(rope, segment)| row_of(name, rope, *segment, ropes, tree)).collect()
     };
     match given {
         UntilSpec::LoadTransferred { group, weight, at_least } => {
@@ -46,7 +49,7 @@ pub(super) fn build_condition(
         UntilSpec::Spread { groups, at_most } => {
             at_least_zero(name, "the spread", *at_most)?;
             let rows_of_group =
-                |group: &Vec<String>| group.iter().map(|rope| row_of(name, rope, 0, ropes)).collect();
+                |group: &Vec<String>| group.iter().map(|rope| row_of(name, rope, 0, ropes, tree)).collect();
             let groups = groups.iter().map(rows_of_group).collect::<Result<_, _>>()?;
             Ok(Condition::Spread { groups, at_most: *at_most })
         }
@@ -69,6 +72,24 @@ pub(super) fn build_condition(
                 bound: *bound,
             })
         }
+        UntilSpec::Plumb { falls, at_most } => {
+            at_least_zero(name, "the angle", *at_most)?;
+            let gravity = tree.gravity;
+            let Some(down) = gravity.try_normalize() else {
+                return error(name, "there is no gravity, so nothing is plumb; give it gravity");
+            };
+            let place = |(body, at): &(String, [f64; 3])| {
+                let Some(index) = tree.bodies.iter().position(|other| &other.name == body) else {
+                    return error(name, format!("there is no body `{body}`"));
+                };
+                finite(name, "a place", at)?;
+                Ok((index, DVec3::from_array(*at)))
+            };
+            let falls = falls
+                .iter()
+                .map(|[upper, lower]| Ok(Falls { upper: place(upper)?, lower: place(lower)?, down }));
+            Ok(Condition::Plumb { falls: falls.collect::<Result<_, _>>()?, cosine: at_most.cos() })
+        }
         other => error(name, format!("{other:?} is no condition")),
     }
 }
@@ -79,6 +100,7 @@ fn row_of(
     wanted: &str,
     segment: usize,
     (constraints, rows): (&[AnyConstraint], &Rows),
+    tree: &Tree,
 ) -> Result<usize, BuildError> {
     for (index, constraint) in constraints.iter().enumerate() {
         let AnyConstraint::Rope(rope) = constraint else { break };
@@ -90,5 +112,9 @@ fn row_of(
             None => error(name, format!("rope `{wanted}` has no segment {segment}")),
         };
     }
-    error(name, format!("there is no rope `{wanted}`"))
+    match moorings(tree).position(|line| line.name == wanted) {
+        Some(line) if segment == 0 => Ok(rows.count() + line),
+        Some(_) => error(name, format!("mooring line `{wanted}` has one segment, 0")),
+        None => error(name, format!("there is no rope `{wanted}`")),
+    }
 }

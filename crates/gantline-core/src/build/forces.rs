@@ -1,14 +1,16 @@
-//! Forces of water and wind on bodies.
+//! Forces on bodies: of water and wind, and of mooring lines.
 
 use glam::DVec3;
 
+use super::moorings::build_mooring;
 use super::{BuildError, error, finite, positive};
+use crate::force::AnyForce;
 use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
 use crate::force::drag::Drag;
+use crate::force::mooring::Mooring;
 use crate::force::square::Square;
 use crate::force::tank::{Pumped, Tank};
-use crate::force::{AnyForce, Content};
 use crate::hull::{Hull, Mesh};
 use crate::spec::{ForceSpec, JointSpec, PumpedSpec, SystemSpec};
 use crate::tree::Tree;
@@ -26,10 +28,14 @@ fn build_force(given: &ForceSpec, spec: &SystemSpec, tree: &Tree) -> Result<AnyF
     let name = given.name();
     let find = |body: &str| match tree.bodies.iter().position(|other| other.name == body) {
         Some(index) if tree.bodies[index].joint.moves_body() => Ok(index),
-        Some(_) => error(name, format!("`{body}` is rope that flows; water acts on bodies")),
+        Some(_) => error(name, format!("`{body}` is rope that flows; forces act on bodies")),
         None => error(name, format!("there is no body `{body}` for it to act on")),
     };
     Ok(match given {
+        ForceSpec::Mooring(line) => {
+            let mooring: Mooring = build_mooring(line, find(&line.body)?, tree)?;
+            AnyForce::Mooring(Box::new(mooring))
+        }
         ForceSpec::Buoyancy { body, vertices, triangles, density, level, .. } => {
             positive(name, "the density of its water", *density)?;
             finite(name, "the level of its water", &[*level])?;
@@ -64,8 +70,7 @@ fn build_force(given: &ForceSpec, spec: &SystemSpec, tree: &Tree) -> Result<AnyF
             let mut tank = Tank::new(name.to_owned(), find(body)?, hull, capacity, density, volume);
             if let Some(PumpedSpec { content, level }) = pumped {
                 finite(name, "the level of the liquid outside", &[*level])?;
-                let content = find_content(name, content, tank.body, spec, tree)?;
-                tank.pumped = Some(Pumped { content, level: *level });
+                tank.pumped = Some(find_content(name, (content, *level), tank.body, spec, tree)?);
             }
             AnyForce::Tank(Box::new(tank))
         }
@@ -104,14 +109,14 @@ fn build_force(given: &ForceSpec, spec: &SystemSpec, tree: &Tree) -> Result<AnyF
     })
 }
 
-/// The coordinate of the content of a tank on a body.
+/// The coordinate of the content of a tank on a body, and the level from which it is pumped.
 fn find_content(
     name: &str,
-    wanted: &str,
+    (wanted, level): (&str, f64),
     body: usize,
     spec: &SystemSpec,
     tree: &Tree,
-) -> Result<Content, BuildError> {
+) -> Result<Pumped, BuildError> {
     let Some(index) = spec.bodies.iter().position(|other| other.name == wanted) else {
         return error(name, format!("there is no body `{wanted}` whose joint could be its content"));
     };
@@ -119,7 +124,7 @@ fn find_content(
     if !matches!(spec.bodies[index].joint, JointSpec::Content { .. }) || own.parent != Some(body) {
         return error(name, format!("the joint of `{wanted}` is no content of a tank on that body"));
     }
-    Ok(Content { position: own.first_position, dof: own.first_velocity })
+    Ok(Pumped { position: own.first_position, dof: own.first_velocity, level })
 }
 
 fn build_mesh(name: &str, vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<Mesh, BuildError> {

@@ -5,6 +5,7 @@ mod brakes;
 mod coils;
 mod conditions;
 mod forces;
+mod moorings;
 mod plan;
 mod rows;
 mod touches;
@@ -36,6 +37,7 @@ use crate::tree::kinematics::Kinematics;
 use adjusters::build_adjusters;
 use coils::places_of_coils;
 use forces::build_forces;
+use moorings::place_moorings;
 use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
 use touches::{Touches, build_shapes, build_watches};
@@ -62,7 +64,7 @@ fn error<T>(element: &str, problem: impl Into<String>) -> Result<T, BuildError> 
 /// [`BuildError`] names the element and says what would be right.
 pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     unique("body", spec.bodies.iter().map(|body| body.name.as_str()))?;
-    unique("rope", spec.ropes.iter().map(|rope| rope.name.as_str()))?;
+    let ropes = spec.ropes.iter().map(|rope| rope.name.as_str());
     unique("adjuster", spec.adjusters.iter().map(|adjuster| adjuster.name.as_str()))?;
     let contacts = spec.contacts.iter().map(|contact| contact.name.as_str());
     let supports = spec.supports.iter().map(|support| support.name.as_str());
@@ -71,6 +73,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     unique("watch", spec.watches.iter().map(|watch| watch.name.as_str()))?;
     unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
     unique("force", spec.forces.iter().map(|force| force.name()))?;
+    unique("rope or line", ropes.chain(spec.moorings().map(|line| line.name.as_str())))?;
     let mut tree = build_tree(spec)?;
     tree.forces = build_forces(spec, &tree)?;
     let mut q = vec![0.0; tree.positions];
@@ -95,6 +98,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let coils = places_of_coils(spec, &tree, &constraints, &rows);
     tree.supplies = coils.len();
     tree.positions += coils.len();
+    place_moorings(spec, &mut tree, &start)?;
     q.resize(tree.positions, 0.0);
     let rigid: Vec<usize> = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
     let is_rope_row = |row: &usize| matches!(rows.laws[*row], Law::Unilateral { .. });
@@ -305,11 +309,12 @@ fn first_state(
     for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
         coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
     }
+    let held = force::energy(&system.tree, &frame.kinematics);
     let stored = Stored {
         kinetic: 0.5 * frame.mass.quadratic(&state.v),
         gravity: gravity_energy(system, &frame.kinematics),
-        elastic: elastic_energy(system, &frame.value, &state.modes),
-        fluid: force::energy(&system.tree, &frame.kinematics),
+        elastic: elastic_energy(system, &frame.value, &state.modes) + held.lines,
+        fluid: held.fluid,
     };
     state.ledger = Ledger::open(stored);
     Ok(state)

@@ -172,9 +172,15 @@ pub(super) fn build_cuts(spec: &SystemSpec) -> Result<Vec<Cut>, BuildError> {
             cuts.push(Cut { rope, due: Due::At(time) });
         }
     }
+    for (line, given) in spec.moorings().enumerate() {
+        let rope = spec.ropes.len() + line;
+        cuts.extend(given.cut_at.map(|time| Cut { rope, due: Due::At(time) }));
+    }
     for (index, step) in spec.plan.iter().enumerate() {
         for name in &step.cuts {
-            let Some(rope) = spec.ropes.iter().position(|rope| &rope.name == name) else {
+            let ropes = spec.ropes.iter().map(|rope| &rope.name);
+            let mut all = ropes.chain(spec.moorings().map(|line| &line.name));
+            let Some(rope) = all.position(|rope| rope == name) else {
                 return error(&step.name, format!("there is no rope `{name}`"));
             };
             cuts.push(Cut { rope, due: Due::Step(index) });

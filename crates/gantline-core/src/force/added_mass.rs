@@ -99,7 +99,7 @@ impl Force for AddedMass {
         Tangent { velocity: velocity.negated(), acceleration, ..Tangent::NONE }
     }
 
-    fn inertia(&self, pose: &Pose, _pumped: f64) -> Option<Square> {
+    fn inertia(&self, pose: &Pose, _q: &[f64]) -> Option<Square> {
         Some(self.matrix.turned(&pose.rotation).about(pose.rotation * self.at))
     }
 }

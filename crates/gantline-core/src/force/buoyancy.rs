@@ -141,7 +141,7 @@ impl Force for Buoyancy {
         Tangent { place, ..Tangent::NONE }
     }
 
-    fn energy(&self, pose: &Pose, gravity: DVec3, _pumped: f64) -> f64 {
+    fn energy(&self, pose: &Pose, gravity: DVec3, _q: &[f64]) -> f64 {
         self.density * gravity.length() * self.below(pose, gravity).depth_moment
     }
 

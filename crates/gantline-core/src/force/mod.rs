@@ -1,5 +1,5 @@
 //! Forces on single bodies that depend on where the body is and how it moves: what water does to it, around it and in it,
-//! and what wind does.
+//! and what wind and mooring lines do.
 //!
 //! A force is a wrench about the origin of its body. It says how the wrench changes with place, velocity and
 //! acceleration *as seen from the body*: what turns along with the body does not change then. So matrices that are
@@ -11,6 +11,7 @@
 pub mod added_mass;
 pub mod buoyancy;
 pub mod drag;
+pub mod mooring;
 pub mod square;
 pub mod tank;
 
@@ -23,6 +24,7 @@ use crate::tree::pose::Pose;
 use added_mass::AddedMass;
 use buoyancy::Buoyancy;
 use drag::Drag;
+use mooring::Mooring;
 use square::Square;
 use tank::Tank;
 
@@ -37,17 +39,10 @@ pub struct At<'a> {
     pub rate: Twist,
     /// Acceleration of gravity [m/s²].
     pub gravity: DVec3,
-    /// What has been pumped into the force's tank since the start [kg]; 0 of all other forces.
-    pub pumped: f64,
-}
-
-/// Where the content of a tank that is pumped stands among the coordinates.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Content {
-    /// In q: what has been pumped in since the start [kg].
-    pub position: usize,
-    /// In v.
-    pub dof: usize,
+    /// Configuration of the tree.
+    pub q: &'a [f64],
+    /// Its velocity coordinates.
+    pub v: &'a [f64],
 }
 
 /// Derivatives of a wrench, seen from the body: force and moment over linear and angular motion, world axes.
@@ -66,6 +61,17 @@ impl Tangent {
     pub const NONE: Self = Self { place: Square::ZERO, velocity: Square::ZERO, acceleration: Square::ZERO };
 }
 
+/// Derivatives of a force that depends on a flow and acts on it. Pairs are over place and over velocity.
+#[derive(Debug, Clone, Copy)]
+pub struct Feeding {
+    /// Of the wrench on the body over the flow.
+    pub wrench: [Wrench; 2],
+    /// Of the force on the flow over displacement and turn of the body, as seen from there.
+    pub body: [Wrench; 2],
+    /// Of the force on the flow over the flow.
+    pub flow: [f64; 2],
+}
+
 /// What a kind of force has to say.
 pub trait Force {
     /// Name, for messages.
@@ -80,8 +86,8 @@ pub trait Force {
     /// Its derivatives.
     fn tangent(&self, at: &At) -> Tangent;
 
-    /// Energy that it holds [J]; `pumped` as in [`At`].
-    fn energy(&self, _pose: &Pose, _gravity: DVec3, _pumped: f64) -> f64 {
+    /// Energy that it holds at the configuration `q` [J].
+    fn energy(&self, _pose: &Pose, _gravity: DVec3, _q: &[f64]) -> f64 {
         0.0
     }
 
@@ -100,24 +106,25 @@ pub trait Force {
         0.0
     }
 
-    /// Inertia that moves along with the body, about its origin; `pumped` as in [`At`].
-    fn inertia(&self, _pose: &Pose, _pumped: f64) -> Option<Square> {
+    /// Degree of freedom of a flow that it depends on as well and acts on: line that a winch has paid out [m], or what
+    /// has been pumped into a tank [kg]. The flow hangs on the body.
+    fn flow(&self) -> Option<usize> {
         None
     }
 
-    /// The coordinate of its content, of a tank that is pumped.
-    fn content(&self) -> Option<Content> {
-        None
-    }
-
-    /// What a pump has to give to a kilogram that it adds to the content [J/kg].
-    fn head(&self, _at: &At) -> f64 {
+    /// Force on that flow [N, of a tank J/kg].
+    fn feed(&self, _at: &At) -> f64 {
         0.0
     }
 
-    /// What a kilogram that is added to the content does to the wrench.
-    fn wrench_per_content(&self, _at: &At) -> Wrench {
-        Wrench::default()
+    /// Derivatives that the flow adds.
+    fn feeding(&self, _at: &At) -> Option<Feeding> {
+        None
+    }
+
+    /// Inertia that moves along with the body, about its origin, at the configuration `q`.
+    fn inertia(&self, _pose: &Pose, _q: &[f64]) -> Option<Square> {
+        None
     }
 }
 
@@ -132,6 +139,8 @@ pub enum AnyForce {
     Drag(Drag),
     /// A liquid in a tank.
     Tank(Box<Tank>),
+    /// A mooring line.
+    Mooring(Box<Mooring>),
 }
 
 impl std::ops::Deref for AnyForce {
@@ -143,14 +152,29 @@ impl std::ops::Deref for AnyForce {
             Self::AddedMass(added) => added,
             Self::Drag(drag) => drag,
             Self::Tank(tank) => &**tank,
+            Self::Mooring(mooring) => &**mooring,
         }
     }
 }
 
+/// Energy that water and lines hold [J].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Energies {
+    /// What pressed the water away, and what is in tanks.
+    pub fluid: f64,
+    /// Mooring lines.
+    pub lines: f64,
+}
+
 /// Energy that all forces hold [J].
-pub fn energy(tree: &Tree, kinematics: &Kinematics) -> f64 {
-    let forces = tree.forces.iter().zip(&kinematics.pumped);
-    forces.map(|(force, pumped)| force.energy(&kinematics.pose[force.body()], tree.gravity, *pumped)).sum()
+pub fn energy(tree: &Tree, kinematics: &Kinematics) -> Energies {
+    let mut held = Energies::default();
+    for force in &tree.forces {
+        let energy = force.energy(&kinematics.pose[force.body()], tree.gravity, &kinematics.q);
+        let kind = if matches!(force, AnyForce::Mooring(_)) { &mut held.lines } else { &mut held.fluid };
+        *kind += energy;
+    }
+    held
 }
 
 /// Velocity of a body under the velocity coordinates `v`.
@@ -163,6 +187,12 @@ pub fn twist_of(tree: &Tree, kinematics: &Kinematics, body: usize, v: &[f64]) ->
     twist
 }
 
+/// Where the body of a force is, and how it moves under the velocity coordinates `v`; not accelerated.
+fn under<'a>(tree: &Tree, kinematics: &'a Kinematics, body: usize, v: &'a [f64]) -> At<'a> {
+    let (twist, rate) = (twist_of(tree, kinematics, body, v), Twist::default());
+    At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity, q: &kinematics.q, v }
+}
+
 /// True where wind or current blows on a body.
 pub fn has_stream(tree: &Tree) -> bool {
     tree.forces.iter().any(|force| matches!(force, AnyForce::Drag(drag) if drag.stream != DVec3::ZERO))
@@ -170,12 +200,7 @@ pub fn has_stream(tree: &Tree) -> bool {
 
 /// Power that fluids which stream put into all bodies under the velocity coordinates `v` [W].
 pub fn work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
-    let at = |force: &AnyForce| {
-        let (body, gravity) = (force.body(), tree.gravity);
-        let twist = twist_of(tree, kinematics, body, v);
-        force.work(&At { pose: &kinematics.pose[body], twist, rate: Twist::default(), gravity, pumped: 0.0 })
-    };
-    tree.forces.iter().map(at).sum()
+    tree.forces.iter().map(|force| force.work(&under(tree, kinematics, force.body(), v))).sum()
 }
 
 /// Sets `out` to what fluids resist the velocity coordinates `v` with, along every degree of freedom; at rest that is the
@@ -184,14 +209,35 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
     out.fill(0.0);
     for force in &tree.forces {
         let AnyForce::Drag(drag) = force else { continue };
-        let (body, gravity) = (drag.body(), tree.gravity);
-        let twist = twist_of(tree, kinematics, body, v);
-        let still = Twist::default();
-        let wrench =
-            drag.wrench(&At { pose: &kinematics.pose[body], twist, rate: still, gravity, pumped: 0.0 });
-        for &dof in &tree.support[body] {
-            let linear = kinematics.point_column(tree, dof, kinematics.pose[body].position);
-            out[dof] -= linear.dot(wrench.force) + kinematics.columns[dof].angular.dot(wrench.moment);
+        take(tree, kinematics, drag.body, drag.wrench(&under(tree, kinematics, drag.body, v)), out);
+    }
+}
+
+/// Sets `out` to what the dampers of mooring lines resist with.
+pub fn line_damping(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f64]) {
+    out.fill(0.0);
+    for mooring in moorings(tree) {
+        let body = mooring.body();
+        let (wrench, feed) = mooring.damping(&under(tree, kinematics, body, v));
+        take(tree, kinematics, body, wrench, out);
+        if let Some(dof) = mooring.flow() {
+            out[dof] -= feed;
         }
     }
+}
+
+/// Takes a wrench on a body from what is along every degree of freedom.
+fn take(tree: &Tree, kinematics: &Kinematics, body: usize, wrench: Wrench, out: &mut [f64]) {
+    for &dof in &tree.support[body] {
+        let linear = kinematics.point_column(tree, dof, kinematics.pose[body].position);
+        out[dof] -= linear.dot(wrench.force) + kinematics.columns[dof].angular.dot(wrench.moment);
+    }
+}
+
+/// Mooring lines among the forces.
+pub fn moorings(tree: &Tree) -> impl Iterator<Item = &Mooring> {
+    tree.forces.iter().filter_map(|force| match force {
+        AnyForce::Mooring(mooring) => Some(&**mooring),
+        _ => None,
+    })
 }

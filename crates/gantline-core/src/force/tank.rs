@@ -36,7 +36,7 @@ use glam::{DMat3, DVec3};
 
 use super::added_mass::AddedMass;
 use super::square::{Square, skew};
-use super::{At, Content, Force, Tangent};
+use super::{At, Feeding, Force, Tangent};
 use crate::hull::{Hull, Immersion, Plane};
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::Twist;
@@ -70,11 +70,13 @@ pub struct Tank {
     pub pumped: Option<Pumped>,
 }
 
-/// What a pump moves.
+/// What a pump moves: a coordinate that counts what has been pumped in since the start.
 #[derive(Debug, Clone, Copy)]
 pub struct Pumped {
-    /// The coordinate.
-    pub content: Content,
+    /// Where it stands in q [kg].
+    pub position: usize,
+    /// In v.
+    pub dof: usize,
     /// z_w: level from which liquid outside is pumped, along the vertical [m].
     pub level: f64,
 }
@@ -125,6 +127,11 @@ impl Tank {
             below = self.hull.below(&Plane { normal: up, height });
         }
         (below, Plane { normal: up, height })
+    }
+
+    /// What has been pumped in since the start [kg].
+    fn content(&self, q: &[f64]) -> f64 {
+        self.pumped.map_or(0.0, |pumped| q[pumped.position])
     }
 
     /// How much liquid there is once so much has been pumped in [m³].
@@ -208,9 +215,10 @@ impl Force for Tank {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        let Wrench { mut force, mut moment } = self.weight(&self.at(at.pose, at.gravity, at.pumped));
+        let pumped = self.content(at.q);
+        let Wrench { mut force, mut moment } = self.weight(&self.at(at.pose, at.gravity, pumped));
         if self.pumped.is_some() {
-            let inertia = self.carried(at.pumped).wrench(at);
+            let inertia = self.carried(pumped).wrench(at);
             force += inertia.force;
             moment += inertia.moment;
         }
@@ -218,58 +226,61 @@ impl Force for Tank {
     }
 
     fn tangent(&self, at: &At) -> Tangent {
-        let contents = self.at(at.pose, at.gravity, at.pumped);
+        let pumped = self.content(at.q);
+        let contents = self.at(at.pose, at.gravity, pumped);
         let Wrench { force, moment } = self.weight(&contents);
         let Contents { up, weight, shift, spread, .. } = contents;
         let lift = skew(up);
         let turn = -skew(shift) - spread * lift;
         // Seen from the body, what a turn does to the directions of force and moment does not count.
         let angular = lift * turn * weight + skew(moment);
-        let carried = if self.pumped.is_some() { self.carried(at.pumped).tangent(at) } else { Tangent::NONE };
+        let carried = if self.pumped.is_some() { self.carried(pumped).tangent(at) } else { Tangent::NONE };
         Tangent { place: Square { angular, cross: skew(force), ..Square::ZERO }, ..carried }
     }
 
-    fn energy(&self, pose: &Pose, gravity: DVec3, pumped: f64) -> f64 {
-        let Contents { up, weight, volume, shift, .. } = self.at(pose, gravity, pumped);
+    fn energy(&self, pose: &Pose, gravity: DVec3, q: &[f64]) -> f64 {
+        let Contents { up, weight, volume, shift, .. } = self.at(pose, gravity, self.content(q));
         let height = self.pumped.map_or(0.0, |pumped| up.dot(pose.position) - pumped.level);
         weight * (up.dot(shift) + volume * height)
     }
 
     fn energy_rate(&self, at: &At) -> f64 {
-        let Wrench { force, moment } = self.weight(&self.at(at.pose, at.gravity, at.pumped));
+        let Wrench { force, moment } = self.weight(&self.at(at.pose, at.gravity, self.content(at.q)));
         -force.dot(at.twist.linear) - moment.dot(at.twist.angular)
     }
 
-    fn inertia(&self, pose: &Pose, pumped: f64) -> Option<Square> {
-        self.pumped.and_then(|_| self.carried(pumped).inertia(pose, 0.0))
+    fn inertia(&self, pose: &Pose, q: &[f64]) -> Option<Square> {
+        self.pumped.and_then(|_| self.carried(self.content(q)).inertia(pose, q))
     }
 
-    fn content(&self) -> Option<Content> {
-        self.pumped.map(|pumped| pumped.content)
+    fn flow(&self) -> Option<usize> {
+        self.pumped.map(|pumped| pumped.dof)
     }
 
-    fn head(&self, at: &At) -> f64 {
+    /// The opposite of what a pump has to give to a kilogram that it adds.
+    fn feed(&self, at: &At) -> f64 {
         let Some(Pumped { level, .. }) = self.pumped else { return 0.0 };
+        let pumped = self.content(at.q);
         let (turn, up) = (at.pose.rotation, -at.gravity / at.gravity.length());
         // The origin is so far above the surface.
-        let (_, surface) = self.surface(turn.transpose() * up, at.pumped);
+        let (_, surface) = self.surface(turn.transpose() * up, pumped);
         let lift = up.dot(at.pose.position) - surface.height - level;
         let spin = turn.transpose() * at.twist.angular;
         let motion = Twist { angular: spin, linear: turn.transpose() * at.twist.linear };
-        let momentum = self.carried_more(at.pumped).matrix.times(&motion);
+        let momentum = self.carried_more(pumped).matrix.times(&motion);
         let kinetic = 0.5 * (momentum.force.dot(motion.linear) + momentum.moment.dot(motion.angular));
-        at.gravity.length() * lift + kinetic
+        -(at.gravity.length() * lift + kinetic)
     }
 
-    fn wrench_per_content(&self, at: &At) -> Wrench {
-        if self.pumped.is_none() {
-            return Wrench::default();
-        }
-        let turn = at.pose.rotation;
-        let (below, _) = self.surface(turn.transpose() * -at.gravity.normalize(), at.pumped);
-        let mut wrench = self.carried_more(at.pumped).wrench(at);
+    /// What a kilogram more does to the wrench. The row of the content is a drive's, no equation, so that its own
+    /// derivatives are not needed.
+    fn feeding(&self, at: &At) -> Option<Feeding> {
+        self.pumped?;
+        let (pumped, turn) = (self.content(at.q), at.pose.rotation);
+        let (below, _) = self.surface(turn.transpose() * -at.gravity.normalize(), pumped);
+        let mut wrench = self.carried_more(pumped).wrench(at);
         let centre = if below.area > 0.0 { below.area_moment / below.area } else { DVec3::ZERO };
         wrench.add(at.gravity, turn * centre);
-        wrench
+        Some(Feeding { wrench: [wrench, Wrench::default()], body: [Wrench::default(); 2], flow: [0.0; 2] })
     }
 }

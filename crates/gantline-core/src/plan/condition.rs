@@ -1,18 +1,40 @@
-//! Conditions on which a step of the plan ends, by forces in supports and ropes, and by how what floats lies.
+//! Conditions on which a step of the plan ends, by forces in supports and ropes, by how what floats lies, and how falls
+//! hang.
 
-use glam::{DMat3, DQuat};
+use glam::{DMat3, DQuat, DVec3};
 
 use crate::spec::AttitudeSpec;
+use crate::tree::kinematics::Kinematics;
 
 /// What conditions look at.
 #[derive(Clone, Copy)]
 pub struct Seen<'a> {
     /// Normal force of each contact group [N].
     pub support: &'a [f64],
-    /// Tension that a row of a rope stands for [N].
+    /// Tension that a row of a rope stands for [N]; mooring lines count on from the rows.
     pub tension: &'a dyn Fn(usize) -> f64,
-    /// Joint coordinates.
-    pub q: &'a [f64],
+    /// Where everything is.
+    pub kinematics: &'a Kinematics,
+}
+
+/// Falls between two bodies: where they hang from, what hangs on them, and the way down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Falls {
+    /// Upper body, and the point in its frame [m].
+    pub upper: (usize, DVec3),
+    /// Lower body, and the point in its frame [m].
+    pub lower: (usize, DVec3),
+    /// Downwards.
+    pub down: DVec3,
+}
+
+impl Falls {
+    /// Cosine of their angle to plumb.
+    fn cosine(&self, kinematics: &Kinematics) -> f64 {
+        let [upper, lower] = [self.upper, self.lower].map(|(body, at)| kinematics.point(Some(body), at));
+        let along = lower - upper;
+        self.down.dot(along) / along.length()
+    }
 }
 
 /// A condition.
@@ -54,6 +76,13 @@ pub enum Condition {
         /// Bound [N].
         bound: f64,
     },
+    /// All falls hang within this of plumb.
+    Plumb {
+        /// The falls.
+        falls: Vec<Falls>,
+        /// Cosine of the largest angle.
+        cosine: f64,
+    },
     /// In every group of rows (max - min)/mean of the tensions is no more than a share, and all carry.
     Spread {
         /// The groups.
@@ -89,6 +118,7 @@ impl Condition {
             Self::Touched(group) => seen.support[*group] > 0.0,
             Self::TensionAbove { rows, bound } => rows.iter().map(tension).sum::<f64>() >= *bound,
             Self::TensionBelow { rows, bound } => rows.iter().map(tension).sum::<f64>() <= *bound,
+            Self::Plumb { falls, cosine } => falls.iter().all(|one| one.cosine(seen.kinematics) >= *cosine),
             Self::Spread { groups, at_most } => groups.iter().all(|rows| {
                 let (mut low, mut high, mut sum) = (f64::INFINITY, 0.0_f64, 0.0);
                 for value in rows.iter().map(tension) {
@@ -97,7 +127,7 @@ impl Condition {
                 low > 0.0 && (high - low) * rows.len() as f64 <= at_most * sum
             }),
             Self::Attitude { orientation, placement, angle, above, bound } => {
-                let [w, x, y, z] = [0, 1, 2, 3].map(|k| seen.q[orientation + k]);
+                let [w, x, y, z] = [0, 1, 2, 3].map(|k| seen.kinematics.q[orientation + k]);
                 let turned = *placement * DMat3::from_quat(DQuat::from_xyzw(x, y, z, w));
                 let found = match angle {
                     AttitudeSpec::Heel => turned.y_axis.z.atan2(turned.z_axis.z),
@@ -111,13 +141,35 @@ impl Condition {
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
-
     use super::*;
+    use crate::tree::Tree;
+    use crate::tree::pose::Pose;
+
+    /// Falls of 10 m that lean by 17.5 cm, asin 0.0175 = 1.0027°: beyond 1°, within 1.01°.
+    #[test]
+    fn falls_are_plumb_within_an_angle() {
+        let mut kinematics = Kinematics::new(&Tree::new(Vec::new(), DVec3::ZERO));
+        let at = |x: f64, y: f64, z: f64| Pose { position: DVec3::new(x, y, z), ..Pose::IDENTITY };
+        let down = (100.0_f64 - 0.175 * 0.175).sqrt();
+        kinematics.pose = vec![at(3.0, 4.0, 50.0), at(3.0, 4.175, 49.0 - down), at(3.0, 4.0, 20.0)];
+        let falls =
+            |lower: usize| Falls { upper: (0, -DVec3::Z), lower: (lower, DVec3::ZERO), down: -DVec3::Z };
+        let seen = Seen { support: &[], tension: &|_| 0.0, kinematics: &kinematics };
+        let within = |lowers: &[usize], degrees: f64| {
+            let falls = lowers.iter().map(|&lower| falls(lower)).collect();
+            Condition::Plumb { falls, cosine: degrees.to_radians().cos() }.holds(&seen)
+        };
+        assert!(within(&[1], 1.01) && !within(&[1], 1.0));
+        assert!(within(&[2], 1e-6), "plumb falls are plumb");
+        assert!(!within(&[2, 1], 1.0), "all have to be");
+    }
 
     #[test]
     fn each_holds_on_its_side_of_its_bound() {
-        let seen = Seen { support: &[600.0, 0.0], tension: &|row| [10.0, 12.0, -1.0][row], q: &[] };
+        let tree = Tree::new(Vec::new(), DVec3::ZERO);
+        let kinematics = Kinematics::new(&tree);
+        let seen =
+            Seen { support: &[600.0, 0.0], tension: &|row| [10.0, 12.0, -1.0][row], kinematics: &kinematics };
         let transferred = |at_least| Condition::LoadTransferred { group: 0, weight: 1000.0, at_least };
         assert!(transferred(0.4).holds(&seen) && !transferred(0.41).holds(&seen));
         let returned = |at_most| Condition::LoadReturned { group: 0, weight: 1000.0, at_most };
@@ -145,7 +197,9 @@ mod tests {
         let holds = |q: [f64; 4], angle, above| {
             let placement = DMat3::IDENTITY;
             let condition = Condition::Attitude { orientation: 0, placement, angle, above, bound: 0.02 };
-            condition.holds(&Seen { support: &[], tension: &|_| 0.0, q: &q })
+            let mut kinematics = Kinematics::new(&Tree::new(Vec::new(), DVec3::ZERO));
+            kinematics.q = q.to_vec();
+            condition.holds(&Seen { support: &[], tension: &|_| 0.0, kinematics: &kinematics })
         };
         // About x forward the port side rises; about y to port the bow sinks.
         let (heeled, trimmed) = (turned(DVec3::X, 0.03), turned(DVec3::Y, -0.03));

@@ -29,10 +29,10 @@ impl Due {
     }
 }
 
-/// A cut through a rope.
+/// A cut through a rope or mooring line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cut {
-    /// Index of the rope.
+    /// Index of the rope; mooring lines count on from there.
     pub rope: usize,
     /// When.
     pub due: Due,

@@ -7,7 +7,7 @@ pub mod operation;
 pub mod pinning;
 pub mod removal;
 
-pub use condition::{Condition, Seen};
+pub use condition::{Condition, Falls, Seen};
 pub use cut::{Cut, Due};
 pub use operation::{Emergency, EmergencyStop, Move, Plan, PlanState, Step, StopAt, Until};
 pub use pinning::Pinning;

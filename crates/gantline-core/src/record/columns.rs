@@ -77,7 +77,7 @@ impl Columns {
             applied: vec![Wrench::default(); system.tree.bodies.len()],
             unused: vec![0.0; system.tree.velocities],
             straights: Vec::new(),
-            whole_until: vec![f64::INFINITY; system.rope_count],
+            whole_until: vec![f64::INFINITY; system.all_ropes()],
         };
         for event in parted {
             sampled.whole_until[event.subject] = event.time;
@@ -93,7 +93,9 @@ impl Columns {
             let seats = &samples.seats[index * sheaves..][..sheaves];
             let spots = &samples.spots[index * spots..][..spots];
             sampled.kinematics.update(&system.tree, q);
+            sampled.mark_parted(system, samples.time[index]);
             sampled.add_rows(system, samples.time[index], [q, tension], (seats, spots), &mut columns);
+            sampled.add_moorings(system, v, &mut columns);
             sampled.add_clearances(system, samples.time[index], seats, &mut columns);
             sampled.add_bodies(system, [q, v, acceleration], &mut columns);
             sampled.add_hulls(&system.tree, &mut columns);
@@ -151,10 +153,10 @@ fn lengthenings(system: &System, samples: &Samples) -> Vec<f64> {
         .flat_map(|adjuster| adjuster.rows.iter().map(|&row| system.constraint_index(row)))
         .collect();
     let count = if adjusted.is_empty() { 0 } else { samples.time.len() };
-    let mut all = vec![0.0; count * system.rope_count];
+    let mut all = vec![0.0; count * system.all_ropes()];
     for sample in 0..count {
         for (index, rope) in adjusted.iter().enumerate() {
-            all[sample * system.rope_count + rope] = samples.lengthening[sample * adjusted.len() + index];
+            all[sample * system.all_ropes() + rope] = samples.lengthening[sample * adjusted.len() + index];
         }
     }
     all
@@ -222,6 +224,30 @@ impl Sampled {
             }
         }
         columns.constraint_residual.push(violation);
+    }
+
+    /// Lines that have parted have done so at their times, not where the step that followed ended.
+    fn mark_parted(&mut self, system: &System, time: f64) {
+        for (mooring, until) in system.moorings().zip(&self.whole_until[system.rope_count..]) {
+            if time > *until {
+                self.kinematics.q[mooring.mark] = 1.0;
+            }
+        }
+    }
+
+    /// Adds the columns of mooring lines: one segment each, as long as the line is stretched.
+    fn add_moorings(&mut self, system: &System, v: &[f64], columns: &mut Columns) {
+        let (tree, kinematics) = (&system.tree, &self.kinematics);
+        for mooring in system.moorings() {
+            let tension = mooring.tension_of(tree, kinematics, v);
+            columns.rope_tension.push(tension);
+            columns.segment_tension.push(tension);
+            let pose = &kinematics.pose[mooring.body];
+            let length = mooring.draw(pose, tree.gravity, &kinematics.q, |point| {
+                columns.rope_point.extend_from_slice(point.as_ref());
+            });
+            columns.segment_length.push(length);
+        }
     }
 
     /// Adds a rope's columns and its forces on bodies; returns its length [m].

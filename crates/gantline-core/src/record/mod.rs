@@ -8,6 +8,7 @@ use crate::contact::spot::Spot;
 use crate::rope::seat::Seat;
 use crate::state::State;
 use crate::system::System;
+use crate::tree::kinematics::Kinematics;
 
 mod clearance;
 pub mod columns;
@@ -100,6 +101,23 @@ impl Samples {
         self.complementarity_residual.push(residual);
     }
 
+    /// Keeps the largest tension of every mooring line at the ends of steps; `kinematics` belongs to the state.
+    pub fn note_lines(&mut self, system: &System, kinematics: &Kinematics, state: &State) {
+        self.make_room_for_peaks(system);
+        for (line, mooring) in system.moorings().enumerate() {
+            let tension = mooring.tension_of(&system.tree, kinematics, &state.v);
+            let rope = system.rope_count + line;
+            if tension > self.rope_peak_tension[rope] {
+                (self.rope_peak_tension[rope], self.rope_peak_time[rope]) = (tension, state.time);
+            }
+        }
+    }
+
+    fn make_room_for_peaks(&mut self, system: &System) {
+        self.rope_peak_tension.resize(system.all_ropes(), 0.0);
+        self.rope_peak_time.resize(system.all_ropes(), 0.0);
+    }
+
     /// Keeps the largest tension of every rope: `peak` gives the largest force of a row in a step that ended at `q`,
     /// and its time [s], where it is more than what is known.
     pub fn note_peaks(
@@ -108,8 +126,7 @@ impl Samples {
         q: &[f64],
         mut peak: impl FnMut(usize, f64) -> Option<(f64, f64)>,
     ) {
-        self.rope_peak_tension.resize(system.rope_count, 0.0);
-        self.rope_peak_time.resize(system.rope_count, 0.0);
+        self.make_room_for_peaks(system);
         let peaks = self.rope_peak_tension.iter_mut().zip(&mut self.rope_peak_time);
         for ((rope, &first), (known, when)) in system.ropes().zip(&system.rows.first).zip(peaks) {
             for (index, span) in rope.spans.iter().enumerate() {

@@ -3,6 +3,7 @@
 use super::columns::ARC_SAMPLES;
 use crate::audit::{KINDS, kinds_of};
 use crate::constraint::AnyConstraint;
+use crate::force::mooring::CHORDS;
 use crate::system::System;
 
 /// Names that go with the columns.
@@ -68,6 +69,11 @@ impl Names {
                     names.contact.push(constraint.name().to_owned());
                 }
             }
+        }
+        for mooring in system.moorings() {
+            names.segment.push(format!("{}/0", mooring.name));
+            names.rope_point.extend(std::iter::repeat_n(mooring.name.clone(), CHORDS + 1));
+            names.rope.push(mooring.name.clone());
         }
         names
     }

@@ -4,13 +4,14 @@
 //! K = Σ f cᵢ·cⱼ over the straight parts, f = T/ℓ, c the relative velocity of a part's ends across it: the
 //! part of Gᵀ's change that is positive semidefinite by construction. A hull adds ρ g ∫ w w dA over its section, w the
 //! upward velocity of the section's points, as such a group with f = ρ g: ∫ w w dA = L Lᵀ over heave and both turns,
-//! c = Lᵀ (heave, turn x, turn y).
+//! c = Lᵀ (heave, turn x, turn y). So does a mooring line with all of its stiffness, which is that of a convex function.
 
 use glam::{DMat3, DVec3};
 
 use crate::constraint::Constraint;
 use crate::force::AnyForce;
 use crate::force::buoyancy::{Afloat, Buoyancy};
+use crate::force::mooring::Mooring;
 use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::System;
@@ -29,7 +30,7 @@ pub struct Stiffness {
     pub columns: Vec<DVec3>,
     /// f = T/ℓ [N/m] of every group.
     pub factor: Vec<f64>,
-    /// How many of the groups are ropes'; hulls come after them.
+    /// How many of the groups are ropes'; hulls and mooring lines come after them.
     pub ropes: usize,
     /// α, weight of the velocity after the step.
     pub implicit: Vec<f64>,
@@ -49,8 +50,8 @@ impl Stiffness {
         }
         let ropes = start.len() - 1;
         for force in &system.tree.forces {
-            if let AnyForce::Buoyancy(buoyancy) = force {
-                dofs.extend(&system.tree.support[buoyancy.body]);
+            if matches!(force, AnyForce::Buoyancy(_) | AnyForce::Mooring(_)) {
+                dofs.extend(&system.tree.support[force.body()]);
                 start.push(dofs.len());
             }
         }
@@ -89,12 +90,19 @@ impl Stiffness {
             }
         }
         for force in &system.tree.forces {
-            if let AnyForce::Buoyancy(buoyancy) = force {
-                let columns = &mut self.columns[self.start[group]..self.start[group + 1]];
-                self.factor[group] = section_stiffness(system, frame, buoyancy, columns);
-                self.weigh(system, group, h, used);
-                group += 1;
-            }
+            let columns = match force {
+                AnyForce::Buoyancy(_) | AnyForce::Mooring(_) => {
+                    &mut self.columns[self.start[group]..self.start[group + 1]]
+                }
+                _ => continue,
+            };
+            self.factor[group] = match force {
+                AnyForce::Buoyancy(buoyancy) => section_stiffness(system, frame, buoyancy, columns),
+                AnyForce::Mooring(mooring) => line_stiffness(system, frame, mooring, columns),
+                _ => 0.0,
+            };
+            self.weigh(system, group, h, used);
+            group += 1;
         }
     }
 
@@ -132,8 +140,8 @@ impl Stiffness {
         }
     }
 
-    /// h² v₊ᵀ K (α v₊ − v/4) minus the work ½ h² v₊ᵀ K v₊ that tension does along the curved path [J]. What water does
-    /// along it is booked with the bias.
+    /// h² v₊ᵀ K (α v₊ − v/4) minus the work ½ h² v₊ᵀ K v₊ that tension does along the curved path [J]. What water and
+    /// mooring lines do along it is booked with the bias.
     pub fn loss(&self, after: &[f64], before: &[f64], h: f64) -> f64 {
         let of_group = |group: usize| {
             let (new, old) = (self.transversal(group, after), self.transversal(group, before));
@@ -168,6 +176,17 @@ fn section_stiffness(system: &System, frame: &Frame, buoyancy: &Buoyancy, column
         *column = root.transpose() * motion;
     }
     weight
+}
+
+/// Columns of the stiffness with which a mooring line holds its upper end, K = L Lᵀ: c = Lᵀ (the end's velocity); returns 1.
+fn line_stiffness(system: &System, frame: &Frame, mooring: &Mooring, columns: &mut [DVec3]) -> f64 {
+    let (tree, kinematics) = (&system.tree, &frame.kinematics);
+    let pose = &kinematics.pose[mooring.body];
+    let root = cholesky(&mooring.stiffness(pose, tree.gravity, &kinematics.q));
+    for (column, &dof) in columns.iter_mut().zip(&tree.support[mooring.body]) {
+        *column = root.transpose() * kinematics.point_column(tree, dof, pose.point(mooring.at));
+    }
+    1.0
 }
 
 /// L of a positive semidefinite matrix L Lᵀ; columns without anything left are zero.

@@ -1,4 +1,4 @@
-//! Forces of water and wind on bodies.
+//! Forces on bodies: of water and wind, and of lines that moor them.
 
 use serde::Deserialize;
 
@@ -68,6 +68,47 @@ pub enum ForceSpec {
         #[serde(default)]
         pumped: Option<PumpedSpec>,
     },
+    /// A mooring line, an elastic catenary.
+    Mooring(Box<MooringSpec>),
+}
+
+/// A mooring line: one of `length` and `pretension`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MooringSpec {
+    /// Unique name, of ropes too.
+    pub name: String,
+    /// Body that it holds.
+    pub body: String,
+    /// Its upper end [m], body frame.
+    pub at: [f64; 3],
+    /// Its lower end [m], in the world.
+    pub to: [f64; 3],
+    /// Weight of unstretched line [N/m].
+    pub weight: f64,
+    /// EA [N].
+    pub axial_stiffness: f64,
+    /// Damping time τ [s].
+    #[serde(default)]
+    pub damping_time: f64,
+    /// Unstretched length [m].
+    #[serde(default)]
+    pub length: Option<f64>,
+    /// Tension at its upper end at the start [N], from which the length follows.
+    #[serde(default)]
+    pub pretension: Option<f64>,
+    /// Height of the level bed that it may rest on [m], where its lower end lies; none is no bed.
+    #[serde(default)]
+    pub sea_bed: Option<f64>,
+    /// The flow of its winch, a body whose parent is `body`.
+    #[serde(default)]
+    pub winch: Option<String>,
+    /// Tension [N] at which it breaks; none never does.
+    #[serde(default)]
+    pub breaking_force: Option<f64>,
+    /// Time [s] at which it is cut.
+    #[serde(default)]
+    pub cut_at: Option<f64>,
 }
 
 /// How the liquid of a tank is pumped.
@@ -88,6 +129,7 @@ impl ForceSpec {
             | Self::AddedMass { name, .. }
             | Self::Drag { name, .. }
             | Self::Tank { name, .. } => name,
+            Self::Mooring(line) => &line.name,
         }
     }
 }

@@ -65,6 +65,16 @@ pub struct SystemSpec {
     pub emergency_stop: Option<EmergencyStopSpec>,
 }
 
+impl SystemSpec {
+    /// Mooring lines among the forces.
+    pub fn moorings(&self) -> impl Iterator<Item = &MooringSpec> {
+        self.forces.iter().filter_map(|force| match force {
+            ForceSpec::Mooring(line) => Some(&**line),
+            _ => None,
+        })
+    }
+}
+
 /// Position [m] and unit quaternion (w, x, y, z) of a frame in another.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]

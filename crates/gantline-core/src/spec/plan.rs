@@ -163,6 +163,13 @@ pub enum UntilSpec {
         /// Bound [N].
         bound: f64,
     },
+    /// All falls hang within an angle of plumb.
+    Plumb {
+        /// Bodies and points in their frames [m], where each hangs from and what hangs there.
+        falls: Vec<[(String, [f64; 3]); 2]>,
+        /// The angle [rad].
+        at_most: f64,
+    },
     /// In every group of ropes (max - min)/mean of their tensions is no more than a share, and all carry.
     Spread {
         /// Names of ropes.

@@ -16,6 +16,7 @@ use crate::solver::complementarity::Mode as RowMode;
 use crate::spec::SystemSpec;
 use crate::state::State;
 use crate::stepper::flows;
+use crate::stepper::frame::Frame;
 use crate::system::System;
 use crate::tree::kinematics::{Kinematics, Twist};
 
@@ -130,7 +131,7 @@ impl StaticLift {
                 statics.settle(system, state, losses)?;
                 flows::supports(system, &state.tension, &mut support);
                 let next = (now + LOOK).min(time);
-                flows::advance_plan(system, state, next, &support, log);
+                flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
                 now = next;
             }
         } else {
@@ -155,12 +156,12 @@ impl StaticLift {
             flows::supports(system, &state.tension, &mut support);
             // What is due now begins now, so that it is known what that waits for.
             let known = log.events.len();
-            flows::advance_plan(system, state, now.next_up(), &support, log);
+            flows::advance_plan(system, state, &placed(system, state), (now.next_up(), &support), log);
             let waits = state.plan.waits_for_condition();
             stride = stride.min(if waits { LOOK } else { LONGEST });
             let due = if waits { f64::INFINITY } else { state.plan.next_time(&system.plan, now) };
             let next = (now + stride).min(due).min(time);
-            flows::advance_plan(system, state, next, &support, log);
+            flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
             state.time = next;
             part(system, state);
             let found = statics.go_on(system, state, losses);
@@ -273,6 +274,8 @@ impl StaticLift {
     fn note_tensions(&mut self, state: &State) {
         let State { tension, q, time, .. } = state;
         let peak = |row: usize, known: f64| (tension[row] > known).then_some((tension[row], *time));
+        let frame = placed(&self.system, state);
+        self.samples.note_lines(&self.system, &frame.kinematics, state);
         self.samples.note_peaks(&self.system, q, peak);
     }
 
@@ -344,10 +347,21 @@ impl StaticLift {
     }
 }
 
+/// Where everything is in a state.
+fn placed(system: &System, state: &State) -> Frame {
+    let mut frame = Frame::new(system);
+    frame.kinematics.update(&system.tree, &state.q);
+    frame
+}
+
 /// Ropes that have been cut before now, and pins as the steps that have begun have them.
 fn part(system: &System, state: &mut State) {
     for cut in &system.cuts {
         if cut.due.is_before(state.time, &state.plan) {
+            if let Some(line) = cut.rope.checked_sub(system.rope_count) {
+                system.moorings().skip(line).take(1).for_each(|mooring| state.q[mooring.mark] = 1.0);
+                continue;
+            }
             state.modes[system.rows.first[cut.rope]..system.rows.first[cut.rope + 1]].fill(RowMode::Parted);
         }
     }

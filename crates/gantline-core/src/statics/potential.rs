@@ -16,7 +16,7 @@ use glam::DVec3;
 
 use crate::audit::gravity_energy;
 use crate::constraint::{AnyConstraint, Law};
-use crate::force;
+use crate::force::{self, Energies};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::frame::{Frame, Remembered};
@@ -289,10 +289,10 @@ impl Potential {
         self.noise.fill(0.0);
         let places = self.frame.kinematics.centre_of_gravity.iter();
         let reach = places.fold(1.0_f64, |most, place| most.max(place.abs().max_element()));
-        let fluid = force::energy(&system.tree, &self.frame.kinematics);
+        let Energies { fluid, lines } = force::energy(&system.tree, &self.frame.kinematics);
         let gravity = gravity_energy(system, &self.frame.kinematics);
-        self.energy = gravity + fluid;
-        self.rounding = gravity.abs() + fluid.abs();
+        self.energy = gravity + fluid + lines;
+        self.rounding = gravity.abs() + fluid.abs() + lines.abs();
         for (row, bearing) in bearings.iter().enumerate() {
             self.value[row] = bearing.held.map_or(self.frame.value[row], |held| held.value(&self.q));
             if matches!(bearing.part, Part::Stick(_) | Part::Across) {

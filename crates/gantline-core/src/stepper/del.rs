@@ -63,8 +63,8 @@ pub struct Del {
     rows: Complementarity,
     bias: NewtonEuler,
     c: Vec<f64>,
-    /// What of c is resistance of water; empty where there is none.
-    resistance: Vec<f64>,
+    /// What of c is resistance of water, and what is of dampers of mooring lines; empty where there is none.
+    resistance: [Vec<f64>; 2],
     previous: Vec<f64>,
     middle: Vec<f64>,
     momentum: Vec<f64>,
@@ -86,7 +86,8 @@ impl Del {
             rows: Complementarity::new(system),
             bias: NewtonEuler::new(&system.tree),
             c: zeros.clone(),
-            resistance: if system.tree.forces.is_empty() { Vec::new() } else { zeros.clone() },
+            resistance: [(), ()]
+                .map(|()| if system.tree.forces.is_empty() { Vec::new() } else { zeros.clone() }),
             previous: zeros.clone(),
             middle: zeros.clone(),
             momentum: zeros.clone(),
@@ -129,7 +130,7 @@ impl Del {
         let h = self.h;
         let end = (state.steps + 1) as f64 * h;
         flows::supports(system, &state.tension, &mut self.support);
-        flows::advance_plan(system, state, end, &self.support, log);
+        flows::advance_plan(system, state, frame, (end, &self.support), log);
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);
         removing::remove(system, state, frame, end, log);
@@ -213,15 +214,17 @@ impl Del {
 
         // q₊ = q ⊕ h v₊, and the books.
         let mut stream_power = 0.0;
-        if !self.resistance.is_empty() {
-            force::resistance(&system.tree, &frame.kinematics, &self.middle, &mut self.resistance);
+        if !system.tree.forces.is_empty() {
+            let [fluid, lines] = &mut self.resistance;
+            force::resistance(&system.tree, &frame.kinematics, &self.middle, fluid);
+            force::line_damping(&system.tree, &frame.kinematics, &self.middle, lines);
             stream_power = force::work(&system.tree, &frame.kinematics, &self.middle);
         }
         let flow = StepFlows {
             h,
             v: &self.v,
             c: &self.c,
-            resistance: &self.resistance,
+            resistance: self.resistance.each_ref().map(Vec::as_slice),
             stream_power,
             rows: &self.rows,
             stiffness: &self.kkt.stiffness,

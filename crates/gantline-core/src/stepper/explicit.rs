@@ -87,7 +87,9 @@ impl Explicit {
             );
         }
         if !system.tree.forces.is_empty() {
-            return Some("the integrator explicit knows no water; use adaptive or del".to_owned());
+            return Some(
+                "the integrator explicit knows no water and no catenaries; use adaptive or del".to_owned(),
+            );
         }
         if !system.cuts.is_empty() || !system.fragile.is_empty() {
             return Some("the integrator explicit knows no ropes that part; use adaptive or del".to_owned());
@@ -144,7 +146,7 @@ impl Explicit {
         let h = self.h;
         let end = (state.steps + 1) as f64 * h;
         flows::supports(system, &state.tension, &mut self.support);
-        flows::advance_plan(system, state, end, &self.support, log);
+        flows::advance_plan(system, state, frame, (end, &self.support), log);
         if state.steps == 0 {
             let State { v, bias, .. } = state;
             self.bias.update(&system.tree, &frame.kinematics, v, None, None, bias);

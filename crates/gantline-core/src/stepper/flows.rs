@@ -4,7 +4,7 @@
 use crate::audit::{Stored, elastic_energy, gravity_energy, spring_energy};
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
-use crate::force;
+use crate::force::{self, Energies};
 use crate::plan::Seen;
 use crate::record::Sample;
 use crate::solver::complementarity::{Complementarity, Mode};
@@ -12,6 +12,7 @@ use crate::solver::stiffness::Stiffness;
 use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+use crate::tree::kinematics::Kinematics;
 
 /// A step that has been solved and not yet made: `state` and `frame` are still those of its start.
 pub struct StepFlows<'a> {
@@ -21,8 +22,8 @@ pub struct StepFlows<'a> {
     pub v: &'a [f64],
     /// Velocity-dependent forces minus gravity.
     pub c: &'a [f64],
-    /// What of c is resistance of water and air; empty where there is none.
-    pub resistance: &'a [f64],
+    /// What of c is resistance of water and air, and what is of dampers of mooring lines; empty where there is none.
+    pub resistance: [&'a [f64]; 2],
     /// Power that wind and current put in [W].
     pub stream_power: f64,
     /// Forces and modes.
@@ -69,17 +70,18 @@ impl StepFlows<'_> {
         if state.steps > 0 {
             let changes = self.c.iter().zip(&state.bias).zip(&state.v);
             let gained: f64 = changes.map(|((new, old), v)| v * (new - old)).sum();
-            let resisted: f64 = self.resistance.iter().zip(&state.v).map(|(force, v)| force * v).sum();
+            let resisted: f64 = self.resistance.iter().map(|force| power(force, &state.v)).sum();
             let gained = gained - resisted;
             state.ledger.flows.method -= 0.5 * self.h * gained;
         }
         state.bias.copy_from_slice(self.c);
         // Resistance takes what it takes in the step.
-        let taken: f64 = self.resistance.iter().zip(self.v).map(|(force, v)| force * v).sum();
-        state.ledger.flows.drag += self.h * (taken + self.stream_power);
+        let [fluid, lines] = self.resistance;
+        state.ledger.flows.drag += self.h * (power(fluid, self.v) + self.stream_power);
         state.ledger.flows.fluid_work += self.h * self.stream_power;
-        for (bias, force) in state.bias.iter_mut().zip(self.resistance) {
-            *bias -= force;
+        state.ledger.flows.rope_damping += self.h * power(lines, self.v);
+        for (bias, force) in state.bias.iter_mut().zip(fluid.iter().zip(lines)) {
+            *bias -= force.0 + force.1;
         }
     }
 
@@ -176,6 +178,11 @@ impl StepFlows<'_> {
         state.trial.copy_from_slice(&self.rows.trial);
         state.modes.copy_from_slice(&self.rows.modes);
     }
+}
+
+/// Power of forces along every degree of freedom.
+fn power(force: &[f64], v: &[f64]) -> f64 {
+    force.iter().zip(v).map(|(force, v)| force * v).sum()
 }
 
 /// What the rows become in a step, for its events.
@@ -296,11 +303,35 @@ pub fn supports(system: &System, tension: &[f64], out: &mut [f64]) {
     }
 }
 
+/// Tension that a row of a rope stands for [N] under the forces of all rows; mooring lines count on from the rows.
+pub fn tension_at(
+    system: &System,
+    kinematics: &Kinematics,
+    (row, force): (usize, &[f64]),
+    [q, v]: [&[f64]; 2],
+) -> f64 {
+    match force.get(row) {
+        Some(force) => system.rope_tension(row, *force, q),
+        None => {
+            let line = system.moorings().nth(row - force.len());
+            line.map_or(0.0, |mooring| mooring.tension_of(&system.tree, kinematics, v))
+        }
+    }
+}
+
 /// Lets the plan act on everything that is due before `to` [s], by the support forces [N] and what is in the state.
-pub fn advance_plan(system: &System, state: &mut State, to: f64, support: &[f64], log: &mut EventLog) {
-    let (force, q) = (&state.tension, &state.q);
-    let tension = |row: usize| system.rope_tension(row, force[row], q);
-    let seen = Seen { support, tension: &tension, q };
+///
+/// `frame` belongs to the state.
+pub fn advance_plan(
+    system: &System,
+    state: &mut State,
+    frame: &Frame,
+    (to, support): (f64, &[f64]),
+    log: &mut EventLog,
+) {
+    let kinematics = &frame.kinematics;
+    let tension = |row: usize| tension_at(system, kinematics, (row, &state.tension), [&state.q, &state.v]);
+    let seen = Seen { support, tension: &tension, kinematics };
     state.plan.advance(&system.plan, state.time, to, Some(&seen), log);
 }
 
@@ -314,11 +345,12 @@ pub fn set_driven(system: &System, state: &mut State) {
 
 /// Energy that a state holds.
 pub fn stored(system: &System, state: &State, frame: &Frame) -> Stored {
+    let Energies { fluid, lines } = force::energy(&system.tree, &frame.kinematics);
     Stored {
         kinetic: 0.5 * frame.mass.quadratic(&state.v),
         gravity: gravity_energy(system, &frame.kinematics),
-        elastic: elastic_energy(system, &frame.value, &state.modes),
-        fluid: force::energy(&system.tree, &frame.kinematics),
+        elastic: elastic_energy(system, &frame.value, &state.modes) + lines,
+        fluid,
     }
 }
 

@@ -1,10 +1,11 @@
-//! Ropes that part: cut at a time, or broken by their tension. From then on they carry nothing, for good.
+//! Ropes and mooring lines that part: cut at a time, or broken by their tension. From then on they carry nothing, for good.
 //!
 //! What a rope held is set free in itself, which is no part of the system: it is lost, and booked as `parting`.
 
 use super::frame::Frame;
 use crate::audit::spring_energy;
 use crate::event::{EventKind, EventLog};
+use crate::force::Force;
 use crate::plan::Due;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -14,7 +15,7 @@ use crate::system::System;
 const ROUNDING: f64 = 1e-9;
 
 /// Cuts the ropes that are due before `to` [s]; true where any parted. `frame` belongs to the state.
-pub fn cut(system: &System, state: &mut State, frame: &Frame, to: f64, log: &mut EventLog) -> bool {
+pub fn cut(system: &System, state: &mut State, frame: &mut Frame, to: f64, log: &mut EventLog) -> bool {
     let mut any = false;
     for cut in &system.cuts {
         if cut.due.is_before(to, &state.plan) && is_whole(system, state, cut.rope) {
@@ -40,8 +41,17 @@ pub fn moment(due: Due, state: &State, log: &EventLog) -> f64 {
 }
 
 /// Breaks the ropes whose tension has reached their breaking force; true where any did. `frame` belongs to the state.
-pub fn break_ropes(system: &System, state: &mut State, frame: &Frame, log: &mut EventLog) -> bool {
+pub fn break_ropes(system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog) -> bool {
     let mut any = false;
+    for (line, mooring) in system.moorings().enumerate() {
+        let rope = system.rope_count + line;
+        let Some(force) = mooring.breaking_force.filter(|_| is_whole(system, state, rope)) else { continue };
+        if mooring.tension_of(&system.tree, &frame.kinematics, &state.v) >= force * (1.0 - ROUNDING) {
+            log.push(state.time, EventKind::Broken, rope);
+            part(system, state, frame, rope);
+            any = true;
+        }
+    }
     for &(rope, force) in &system.fragile {
         if is_whole(system, state, rope) && tension(system, state, rope) >= force * (1.0 - ROUNDING) {
             log.push(state.time, EventKind::Broken, rope);
@@ -53,6 +63,9 @@ pub fn break_ropes(system: &System, state: &mut State, frame: &Frame, log: &mut 
 }
 
 fn is_whole(system: &System, state: &State, rope: usize) -> bool {
+    if let Some(line) = rope.checked_sub(system.rope_count) {
+        return system.moorings().nth(line).is_some_and(|mooring| mooring.is_whole(&state.q));
+    }
     state.modes[system.rows.first[rope]] != Mode::Parted
 }
 
@@ -63,7 +76,17 @@ fn tension(system: &System, state: &State, rope: usize) -> f64 {
     forces.map(|(span, force)| span.scale(&state.q) * force).fold(0.0, f64::max)
 }
 
-fn part(system: &System, state: &mut State, frame: &Frame, rope: usize) {
+fn part(system: &System, state: &mut State, frame: &mut Frame, rope: usize) {
+    if let Some(line) = rope.checked_sub(system.rope_count) {
+        if let Some(mooring) = system.moorings().nth(line) {
+            let kinematics = &mut frame.kinematics;
+            let pose = &kinematics.pose[mooring.body];
+            state.ledger.flows.parting += mooring.energy(pose, system.tree.gravity, &state.q);
+            // Also where the forces are seen from before all is evaluated anew.
+            (state.q[mooring.mark], kinematics.q[mooring.mark]) = (1.0, 1.0);
+        }
+        return;
+    }
     for row in system.rows.first[rope]..system.rows.first[rope + 1] {
         state.ledger.flows.parting += spring_energy(&system.rows.laws[row], frame.value[row]);
         state.modes[row] = Mode::Parted;

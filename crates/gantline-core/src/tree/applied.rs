@@ -3,9 +3,8 @@
 //! A force takes its wrench from what the joint of its body has to transmit. The derivative over a degree of freedom
 //! follows as in [`super::tangent`]: what turns along with the body is handed up with the rest of the wrench, and what
 //! is left is the change of the wrench as seen from the body, the force's own derivative times the changes of place,
-//! velocity and acceleration seen from there. The content of a tank that is pumped is a coordinate too: its joint hangs
-//! on the body of the tank, so that the pattern has a place for what it does to that body. What it takes to pump stands
-//! in its own row. That is a drive's, no equation, and its derivatives are not needed.
+//! velocity and acceleration seen from there. Line that a winch pays out and what is pumped into a tank are coordinates
+//! too: their joints hang on the body, so that the pattern has a place for what they do to it.
 
 use super::Tree;
 use super::bias::{NewtonEuler, Wrench};
@@ -13,43 +12,34 @@ use super::joint::Motion;
 use super::kinematics::{Kinematics, Twist};
 use super::mass::MassMatrix;
 use super::tangent::{DynamicsTangent, Place};
-use crate::force::At;
+use crate::force::{AnyForce, At};
 
 impl NewtonEuler {
     /// Takes the wrenches of all forces from what each body needs.
     pub(super) fn apply(&mut self, tree: &Tree, kinematics: &Kinematics) {
         for (index, force) in tree.forces.iter().enumerate() {
             let body = force.body();
-            let Wrench { force, moment } = force.wrench(&self.at(tree, kinematics, index));
-            self.wrenches[body].force -= force;
-            self.wrenches[body].moment -= moment;
+            let at = self.at(tree, kinematics, body);
+            let (wrench, feed) = (force.wrench(&at), force.feed(&at));
+            self.wrenches[body].force -= wrench.force;
+            self.wrenches[body].moment -= wrench.moment;
+            self.feeds[index] = feed;
         }
     }
 
-    /// What pumps have to give along the contents of their tanks.
-    pub(super) fn pump(&self, tree: &Tree, kinematics: &Kinematics, out: &mut [f64]) {
-        for (index, force) in tree.forces.iter().enumerate() {
-            if let Some(content) = force.content() {
-                out[content.dof] += force.head(&self.at(tree, kinematics, index));
-            }
-        }
-    }
-
-    /// Place and motion of the body of a force, by its index, at the last update.
-    pub fn at<'a>(&self, tree: &Tree, kinematics: &'a Kinematics, force: usize) -> At<'a> {
-        let body = tree.forces[force].body();
+    /// Place and motion of a body at the last update.
+    pub fn at<'a>(&'a self, tree: &Tree, kinematics: &'a Kinematics, body: usize) -> At<'a> {
         let (twist, rate) = (self.twists[body], self.accelerations[body]);
-        let pumped = kinematics.pumped[force];
-        At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity, pumped }
+        At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity, q: &kinematics.q, v: &self.v }
     }
 }
 
 impl MassMatrix {
     /// Adds what moves along with bodies: Σ Jᵀ A J.
     pub(super) fn add_inertia(&mut self, tree: &Tree, kinematics: &Kinematics) {
-        for (force, pumped) in tree.forces.iter().zip(&kinematics.pumped) {
+        for force in &tree.forces {
             let body = force.body();
-            let Some(inertia) = force.inertia(&kinematics.pose[body], *pumped) else { continue };
+            let Some(inertia) = force.inertia(&kinematics.pose[body], &kinematics.q) else { continue };
             let support = &tree.support[body];
             for (index, &row) in support.iter().enumerate() {
                 let Wrench { force, moment } = inertia.times(&column(tree, kinematics, row, body));
@@ -71,13 +61,17 @@ fn column(tree: &Tree, kinematics: &Kinematics, dof: usize, body: usize) -> Twis
 
 impl DynamicsTangent {
     /// Adds what the wrench of one force does to the derivatives over all degrees of freedom that move its body.
-    pub(super) fn add_force(&mut self, place: &Place, index: usize) {
+    pub(super) fn add_force(&mut self, place: &Place, force: &AnyForce) {
         let Place { tree, kinematics, dynamics, .. } = *place;
-        let force = &tree.forces[index];
-        let (body, at) = (force.body(), dynamics.at(tree, kinematics, index));
+        let body = force.body();
+        let at = dynamics.at(tree, kinematics, body);
         let tangent = force.tangent(&at);
-        if let Some(content) = force.content() {
-            self.position.take(place, (content.dof, body), &[force.wrench_per_content(&at)]);
+        let feeding = force.flow().zip(force.feeding(&at));
+        if let Some((flow, feeding)) = feeding {
+            self.position.take(place, (flow, body), &feeding.wrench[..1]);
+            self.velocity.take(place, (flow, body), &feeding.wrench[1..]);
+            self.position.add(place, (flow, flow), -feeding.flow[0]);
+            self.velocity.add(place, (flow, flow), -feeding.flow[1]);
         }
         for &dof in &tree.support[body] {
             let top = tree.owner[dof];
@@ -105,6 +99,10 @@ impl DynamicsTangent {
                 tangent.acceleration.times(&rate),
             ];
             self.position.take(place, (dof, body), &parts);
+            if let Some((flow, feeding)) = feeding {
+                let change = work(&moved, &feeding.body[0]) + work(&velocity, &feeding.body[1]);
+                self.position.add(place, (flow, dof), -change);
+            }
 
             let (spin, rate) = self.carried(place, (top, body), &sped);
             let linear = match tree.motions[dof] {
@@ -114,8 +112,16 @@ impl DynamicsTangent {
             let velocity = Twist { angular: spin, linear };
             let parts = [tangent.velocity.times(&velocity), tangent.acceleration.times(&rate)];
             self.velocity.take(place, (dof, body), &parts);
+            if let Some((flow, feeding)) = feeding {
+                self.velocity.add(place, (flow, dof), -work(&velocity, &feeding.body[1]));
+            }
         }
     }
+}
+
+/// Power of a wrench on a motion.
+fn work(motion: &Twist, wrench: &Wrench) -> f64 {
+    motion.linear.dot(wrench.force) + motion.angular.dot(wrench.moment)
 }
 
 impl DynamicsTangent {
@@ -138,16 +144,20 @@ impl DynamicsTangent {
 impl super::tangent::Paired {
     /// Takes wrenches on a body, changes over `dof`, from the rows of all degrees of freedom that move it.
     fn take(&mut self, place: &Place, (dof, body): (usize, usize), parts: &[Wrench]) {
-        let Place { tree, kinematics, mass, .. } = *place;
+        let Place { tree, kinematics, .. } = *place;
         for &row in &tree.support[body] {
             let own = column(tree, kinematics, row, body);
-            let work = |part: &Wrench| own.linear.dot(part.force) + own.angular.dot(part.moment);
-            let value: f64 = parts.iter().map(work).sum();
-            if row >= dof {
-                self.lower[mass.slot(row, dof)] -= value;
-            } else {
-                self.upper[mass.slot(dof, row)] -= value;
-            }
+            let value: f64 = parts.iter().map(|part| work(&own, part)).sum();
+            self.add(place, (row, dof), -value);
+        }
+    }
+
+    /// Adds to the change of the row of one degree of freedom over another.
+    fn add(&mut self, place: &Place, (row, dof): (usize, usize), value: f64) {
+        if row >= dof {
+            self.lower[place.mass.slot(row, dof)] += value;
+        } else {
+            self.upper[place.mass.slot(dof, row)] += value;
         }
     }
 }

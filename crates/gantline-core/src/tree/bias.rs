@@ -42,6 +42,10 @@ pub struct NewtonEuler {
     pub accelerations: Vec<Twist>,
     /// After [`NewtonEuler::update`]: what the joint of every body has to transmit to it.
     pub wrenches: Vec<Wrench>,
+    /// Velocity coordinates at the last update of a tree with forces.
+    pub v: Vec<f64>,
+    /// What every force does to the flow that it depends on [N].
+    pub feeds: Vec<f64>,
 }
 
 impl NewtonEuler {
@@ -52,6 +56,8 @@ impl NewtonEuler {
             twists: vec![Twist::default(); bodies],
             accelerations: vec![Twist::default(); bodies],
             wrenches: vec![Wrench::default(); bodies],
+            v: vec![0.0; tree.velocities],
+            feeds: vec![0.0; tree.forces.len()],
         }
     }
 
@@ -115,6 +121,7 @@ impl NewtonEuler {
             self.accelerations[index] = acceleration;
         }
         if !tree.forces.is_empty() {
+            self.v.copy_from_slice(v);
             self.apply(tree, kinematics);
         }
     }
@@ -138,8 +145,10 @@ impl NewtonEuler {
                 above.moment += wrench.moment + kinematics.arm[index].cross(wrench.force);
             }
         }
-        if !tree.forces.is_empty() {
-            self.pump(tree, kinematics, out);
+        for (force, feed) in tree.forces.iter().zip(&self.feeds) {
+            if let Some(dof) = force.flow() {
+                out[dof] -= feed;
+            }
         }
     }
 }

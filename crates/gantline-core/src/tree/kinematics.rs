@@ -38,8 +38,8 @@ pub struct Kinematics {
     pub lever: Vec<DVec3>,
     /// Column of every degree of freedom.
     pub columns: Vec<Column>,
-    /// What has been pumped into every tank since the start [kg], by [`Tree::forces`]; 0 of all other forces.
-    pub pumped: Vec<f64>,
+    /// The configuration that all this is at.
+    pub q: Vec<f64>,
 }
 
 impl Kinematics {
@@ -51,7 +51,7 @@ impl Kinematics {
             arm: vec![DVec3::ZERO; tree.bodies.len()],
             lever: vec![DVec3::ZERO; tree.bodies.len()],
             columns: vec![Column::default(); tree.velocities],
-            pumped: vec![0.0; tree.forces.len()],
+            q: vec![0.0; tree.positions],
         }
     }
 
@@ -62,11 +62,13 @@ impl Kinematics {
         self.arm.copy_from_slice(&other.arm);
         self.lever.copy_from_slice(&other.lever);
         self.columns.copy_from_slice(&other.columns);
-        self.pumped.copy_from_slice(&other.pumped);
+        self.q.copy_from_slice(&other.q);
     }
 
     /// Evaluates everything at the configuration `q`.
     pub fn update(&mut self, tree: &Tree, q: &[f64]) {
+        self.q.clear();
+        self.q.extend_from_slice(q);
         for (index, body) in tree.bodies.iter().enumerate() {
             let (above, below) = self.pose.split_at_mut(index);
             let pose = &mut below[0];
@@ -83,9 +85,6 @@ impl Kinematics {
                 self.lever[index] = pose.rotation * body.centre_of_gravity;
             }
             self.centre_of_gravity[index] = pose.position + self.lever[index];
-        }
-        for (pumped, force) in self.pumped.iter_mut().zip(&tree.forces) {
-            *pumped = force.content().map_or(0.0, |content| q[content.position]);
         }
     }
 

@@ -66,10 +66,12 @@ pub struct Tree {
     pub bodies: Vec<Body>,
     /// Acceleration of gravity [m/s²], world axes.
     pub gravity: DVec3,
-    /// Length of q, with the supplies of drums at its end.
+    /// Length of q, with the supplies of drums and the marks at its end.
     pub positions: usize,
     /// How many of these are supplies: coordinates that no joint has, each with an increment after those of the joints.
     pub supplies: usize,
+    /// How many are marks, the last ones: 0 for a mooring line that holds, 1 for one that has parted.
+    pub marks: usize,
     /// Length of v.
     pub velocities: usize,
     /// What every degree of freedom is.
@@ -127,6 +129,7 @@ impl Tree {
             gravity,
             positions,
             supplies: 0,
+            marks: 0,
             velocities,
             motions,
             is_point,
@@ -158,13 +161,13 @@ impl Tree {
         self.velocities + self.supplies
     }
 
-    /// q ⊕ h v for the whole tree; without increments of the supplies these stay.
+    /// q ⊕ h v for the whole tree; without increments of the supplies these stay, and marks do.
     pub fn advance(&self, q: &mut [f64], increment: &[f64]) {
         for body in &self.bodies {
             let positions = body.first_position..body.first_position + body.joint.positions();
             body.joint.advance(&mut q[positions], &increment[body.dofs()]);
         }
-        let first = self.positions - self.supplies;
+        let first = self.positions - self.marks - self.supplies;
         for (q, increment) in q[first..].iter_mut().zip(&increment[self.velocities..]) {
             *q += increment;
         }

@@ -97,7 +97,7 @@ impl DynamicsTangent {
             self.sweep(&place, dof, &velocity);
             collect(&place, dof, &self.wrench, None, &mut self.velocity);
         }
-        for force in 0..tree.forces.len() {
+        for force in &tree.forces {
             self.add_force(&place, force);
         }
     }

@@ -8,7 +8,7 @@ use super::Adaptive;
 use super::evaluation::Point;
 use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
-use crate::force::At;
+use crate::force::{AnyForce, At};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::coils;
@@ -72,9 +72,14 @@ impl Adaptive {
             }
             ledger.joint_damping += duration * system.tree.damping[dof] * velocity * velocity;
         }
-        for (index, force) in system.tree.forces.iter().enumerate() {
-            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, index);
-            ledger.drag += duration * force.loss(&at);
+        for force in &system.tree.forces {
+            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, force.body());
+            let lost = duration * force.loss(&at);
+            if matches!(force, AnyForce::Mooring(_)) {
+                ledger.rope_damping += lost;
+            } else {
+                ledger.drag += lost;
+            }
             ledger.fluid_work += duration * force.work(&at);
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
@@ -141,9 +146,10 @@ impl Adaptive {
         {
             power -= body.mass * system.tree.gravity.dot(twist.at(*lever));
         }
-        for (index, force) in system.tree.forces.iter().enumerate() {
-            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, index);
-            power += force.energy_rate(&At { twist: self.defect[force.body()], ..at });
+        for force in &system.tree.forces {
+            let body = force.body();
+            let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, body);
+            power += force.energy_rate(&At { twist: self.defect[body], v: &self.rate.phi, ..at });
         }
         ledger.method -= duration * power;
         self.look_at_coils(system, duration);

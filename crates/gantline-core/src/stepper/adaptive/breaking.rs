@@ -1,7 +1,8 @@
 //! When a rope breaks along the course of a step.
 
-use super::Adaptive;
+use super::{Adaptive, LOOKS};
 use crate::constraint::rope::span::Span;
+use crate::force::mooring::Mooring;
 use crate::state::State;
 use crate::system::System;
 
@@ -26,7 +27,34 @@ impl Adaptive {
                 }
             }
         }
+        for mooring in system.moorings().filter(|mooring| mooring.is_whole(&state.q)) {
+            let Some(force) = mooring.breaking_force else { continue };
+            let share = self.line_breaks(system, state, mooring, force);
+            first = first.into_iter().chain(share).reduce(f64::min);
+        }
         first
+    }
+
+    /// When a mooring line first reaches its breaking force, as far as the looks tell.
+    fn line_breaks(&mut self, system: &System, state: &State, mooring: &Mooring, force: f64) -> Option<f64> {
+        let made = self.made;
+        let mut reached = |share: f64| {
+            self.probe_rows(system, state, share);
+            mooring.tension_of(&system.tree, &self.probe.frame.kinematics, &self.point.v) >= force
+        };
+        let mut low = 0.0;
+        for look in LOOKS.map(|look| look * made) {
+            if reached(look) {
+                let mut high = look;
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    *(if reached(middle) { &mut high } else { &mut low }) = middle;
+                }
+                return Some(high);
+            }
+            low = look;
+        }
+        None
     }
 
     fn break_between(

@@ -183,7 +183,7 @@ impl Adaptive {
         let mut report = StepReport { converged: true, ..StepReport::default() };
         flows::supports(system, &state.tension, &mut self.support);
         let soon = state.time + 1e-12 * (1.0 + state.time);
-        flows::advance_plan(system, state, soon, &self.support, log);
+        flows::advance_plan(system, state, frame, (soon, &self.support), log);
         state.restart |= parting::cut(system, state, frame, soon, log);
         state.restart |= removing::remove(system, state, frame, soon, log);
         state.restart |= pinning::act(system, state, frame, log)?;
@@ -240,7 +240,7 @@ impl Adaptive {
         &mut self,
         system: &System,
         state: &mut State,
-        frame: &Frame,
+        frame: &mut Frame,
         log: &mut EventLog,
     ) -> Result<(), ZeroPivot> {
         for (drive, timeline) in system.prescribed(&state.plan.timelines) {

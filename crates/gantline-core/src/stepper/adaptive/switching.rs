@@ -13,6 +13,7 @@ use crate::event::{EventKind, EventLog};
 use crate::plan::Seen;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
+use crate::stepper::flows::tension_at;
 use crate::system::System;
 
 /// A rope whose ends come closer by more than this [m/s] loosens; less is rounding.
@@ -142,10 +143,9 @@ impl Adaptive {
             *sum = normals.map(|row| self.probe.tension[row].max(0.0)).sum();
         }
         let probe = &self.probe;
-        let tension = |row: usize| system.rope_tension(row, probe.tension[row], &probe.q);
-        state
-            .plan
-            .is_fulfilled(&system.plan, &Seen { support: &self.support, tension: &tension, q: &probe.q })
+        let (kinematics, motion) = (&probe.frame.kinematics, [probe.q.as_slice(), &self.point.v]);
+        let tension = |row: usize| tension_at(system, kinematics, (row, &probe.tension), motion);
+        state.plan.is_fulfilled(&system.plan, &Seen { support: &self.support, tension: &tension, kinematics })
     }
 
     /// The largest distance of a row from its law [N].

@@ -1,0 +1,143 @@
+"""Mooring lines and fenders into forces, ropes, flows and contacts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gantline.assembly.parts import Json, Parts, end, material
+from gantline.scenario import Scenario
+from gantline.scenario.gear import RopeMaterial
+from gantline.scenario.mooring import Fender, MooringLine, fender_contact, line_rope, line_weight
+from gantline.scenario.parting import Parting, partings
+
+__all__ = ["add_moorings", "mooring_rig", "winch_drive", "winch_flow"]
+
+#: Inertia of a winch that is driven whatever it takes [kg]: next to nothing beside a vessel.
+_INERTIA = 1.0
+
+
+def winch_flow(line: str) -> str:
+    """Name of the rope that the winch of a mooring line pays out, among the joints of a recording."""
+    return f"{line_rope(line)}.winch"
+
+
+def winch_drive(line: str) -> str:
+    """Name of the drive of the winch of a mooring line."""
+    return f"{winch_flow(line)}.drive"
+
+
+def add_moorings(parts: Parts, scenario: Scenario) -> None:
+    """Add mooring lines and fenders; the bodies that they hold are there.
+
+    Raises:
+        ScenarioError: if a line is too short for where its vessel is at the start.
+    """
+    kinds = scenario.ropes or {}
+    parting = partings(scenario)
+    for name, line in (scenario.mooring_lines or {}).items():
+        if line.winch is not None:
+            parts.add_drive(winch_drive(name))
+            motor = {} if line.winch.capacity is None else {"capacity": line.winch.capacity}
+            parts.add_flow(winch_flow(name), _INERTIA, drive=winch_drive(name), **motor)
+        kind = kinds[line.rope]
+        _check_length(parts, scenario, name, line, kind, parting[line_rope(name)])
+        if line.type == "spring":
+            _add_spring(parts, name, line, kind)
+        else:
+            parts.forces.append(_catenary(scenario, name, line, kind, parting[line_rope(name)]))
+            if line.winch is not None:
+                parts.flows[winch_flow(name)]["parent"] = line.vessel
+    for name, fender in (scenario.fenders or {}).items():
+        parts.contacts.append(_fender(name, fender))
+
+
+def _check_length(
+    parts: Parts, scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial, parting: Parting
+) -> None:
+    """A straight line of no more than its length pulls at least with its stretch: that must not break it."""
+    path = ("mooring_lines", name)
+    chord = float(np.linalg.norm(parts.place(line.vessel, line.fairlead) - np.array(line.to)))
+    if chord == 0:
+        raise scenario.error((*path, "to"), "is where the fairlead is; a line has two ends")
+    limits = [limit for limit in (parting.breaks_at, kind.breaking_force) if limit is not None]
+    if line.length is not None and kind.stiffness is not None:
+        pull = kind.stiffness * (chord / line.length - 1)
+        if (limits and pull >= min(limits)) or pull > 0.1 * kind.stiffness:
+            sentence = f"{line.length:g} m are too short for ends that are {chord:.6g} m apart at the start"
+            raise scenario.error(
+                (*path, "length"),
+                f"{sentence}: it would pull with {pull / 1e3:.4g} kN; make it longer, or give 'pretension'",
+            )
+    if line.pretension is not None and limits and line.pretension >= min(limits):
+        sentence = f"{line.pretension / 1e3:g} kN are more than it holds, {min(limits) / 1e3:.4g} kN"
+        raise scenario.error((*path, "pretension"), f"{sentence}; pull less")
+    if line.sea_bed is not None:
+        above = float(parts.place(line.vessel, line.fairlead)[2]) - line.sea_bed
+        if above <= 0:
+            sentence = f"its fairlead is {-above:g} m below the sea bed at the start"
+            raise scenario.error((*path, "sea_bed"), f"{sentence}; the bed is lower, or the fairlead higher")
+
+
+def _add_spring(parts: Parts, name: str, line: MooringLine, kind: RopeMaterial) -> None:
+    """A rope from the vessel to where it is made fast; `kind` stretches."""
+    assert kind.stiffness is not None  # checked when the file was read
+    length = line.length
+    if line.pretension is not None:
+        chord = float(np.linalg.norm(parts.place(line.vessel, line.fairlead) - np.array(line.to)))
+        length = chord / (1 + line.pretension / kind.stiffness)
+    drum = (winch_flow(name), 1.0) if line.winch is not None else None
+    route = [end(line.vessel, line.fairlead, drum), end(None, line.to)]
+    parts.add_rope(line_rope(name), length, material(kind.stiffness, kind.damping_time), route)
+
+
+def _catenary(scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial, parting: Parting) -> Json:
+    said = {
+        "length": line.length,
+        "pretension": line.pretension,
+        "sea_bed": line.sea_bed,
+        "winch": winch_flow(name) if line.winch is not None else None,
+        "breaking_force": parting.breaks_at,
+        "cut_at": parting.cut_at,
+    }
+    return {
+        "type": "mooring",
+        "name": line_rope(name),
+        "body": line.vessel,
+        "at": list(line.fairlead),
+        "to": list(line.to),
+        "weight": line_weight(scenario, line),
+        "axial_stiffness": kind.stiffness,
+        "damping_time": kind.damping_time,
+        **{key: value for key, value in said.items() if value is not None},
+    }
+
+
+def _fender(name: str, fender: Fender) -> Json:
+    """A contact of a point with an upright plane, in front of the wall by the thickness of the fender."""
+    normal = np.array(fender.normal)
+    point = np.array([*fender.wall, 0.0]) + fender.thickness * normal
+    return {
+        "name": fender_contact(name),
+        "group": fender_contact(name),
+        "body": fender.vessel,
+        "at": list(fender.at),
+        "plane_point": point.tolist(),
+        "plane_normal": normal.tolist(),
+        "stiffness": fender.stiffness,
+        "damping_time": fender.damping / fender.stiffness,
+        "friction": fender.friction,
+    }
+
+
+def mooring_rig(scenario: Scenario) -> Json:
+    """What results need to know of mooring lines and fenders; nothing in a lift without."""
+    kinds = scenario.ropes or {}
+    lines = [
+        {"name": name, "rope": line_rope(name), "minimum_breaking_force": kinds[line.rope].breaking_force}
+        for name, line in (scenario.mooring_lines or {}).items()
+    ]
+    fenders = [
+        {"name": name, "contact": fender_contact(name), "capacity": fender.capacity}
+        for name, fender in (scenario.fenders or {}).items()
+    ]
+    return {key: given for key, given in (("mooring_lines", lines), ("fenders", fenders)) if given}

@@ -1,0 +1,40 @@
+"""Mooring lines against their minimum breaking force, and fenders against their capacity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from gantline.checks.forces import kilonewton
+from gantline.checks.measure import Finding, Found, Missing, extreme
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
+
+
+def tension_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Peak tension of a mooring line over the minimum breaking force of its rope."""
+    for line in recording.rig.mooring_lines:
+        strength = line.minimum_breaking_force
+        if strength is None:
+            yield Missing(line.name, "minimum breaking force not known")
+            continue
+        highest = series.peak(recording, recording.column("mooring_tension", line.name), during)
+        if during.all():
+            highest = max(series.rope_peak(recording, line.rope), highest or (0.0, 0.0))
+        if highest is not None:
+            text = f"{kilonewton(highest[0])} / {kilonewton(strength)}"
+            yield Found(highest[0] / strength, line.name, highest[1], text)
+
+
+def fender_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Force of a fender over its capacity."""
+    for fender in recording.rig.fenders:
+        capacity = fender.capacity
+        if capacity is None:
+            yield Missing(fender.name, "no capacity")
+            continue
+        used = recording.column("fender_force", fender.name) / capacity
+        for found in extreme(recording, used, during, fender.name):
+            text = f"{kilonewton(found.value * capacity)} / {kilonewton(capacity)}"
+            yield replace(found, formula=text)

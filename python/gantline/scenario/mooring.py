@@ -1,0 +1,218 @@
+"""Mooring lines and fenders: what keeps vessels where they are."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from gantline.scenario.base import Element
+from gantline.scenario.errors import nearest
+from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
+from gantline.scenario.quantities import (
+    Angle,
+    Damping,
+    Flag,
+    Length,
+    ListOf,
+    Name,
+    NotNegativeLength,
+    Position,
+    PositiveAcceleration,
+    PositiveForce,
+    PositiveLength,
+    PositiveSpeed,
+    PositiveStiffness,
+    Quantity,
+    Ratio,
+    Time,
+    refuse,
+)
+from gantline.scenario.water import SEA_WATER
+
+if TYPE_CHECKING:
+    from gantline.scenario.findings import Findings, Path
+    from gantline.scenario.gear import RopeMaterial
+    from gantline.scenario.model import Scenario
+
+__all__ = [
+    "Fender",
+    "MooringLine",
+    "Winch",
+    "check_moorings",
+    "fender_contact",
+    "line_rope",
+    "line_weight",
+    "moored_bodies",
+]
+
+#: Density of the steel of ropes [kg/m^3], EN 1991-1-1, table A.4: what they displace follows from their mass.
+STEEL = 7850.0
+#: How far the lower end of a line may be from the bed that it lies on [m].
+_ON_BED = 1e-3
+
+
+class Winch(Element):
+    """A winch on which a mooring line ends."""
+
+    what: ClassVar[str] = "a winch"
+
+    speed: PositiveSpeed = Field(description="Highest speed of the rope.")
+    acceleration: PositiveAcceleration = Field(
+        description="Highest acceleration of the rope; also used where a step names none."
+    )
+    capacity: PositiveForce | None = Field(
+        None,
+        description="Largest pull, at which it slips: of lines of type 'spring' alone. Whatever it takes if "
+        "not given.",
+    )
+
+
+class MooringLine(Element):
+    """A line that holds a vessel."""
+
+    what: ClassVar[str] = "a mooring line"
+
+    vessel: Name = Field(description="The vessel that it holds, or a body of 'mechanics'.")
+    fairlead: Position = Field(description="Where it leaves the vessel, in the vessel's axes.")
+    to: Position = Field(description="Where it is made fast, in the world: a bollard, an anchor.")
+    rope: Name = Field(description="Kind of rope, a name of 'ropes'.")
+    length: PositiveLength | None = Field(None, description="Unstretched length.")
+    pretension: PositiveForce | None = Field(
+        None,
+        description="Tension at the fairlead, the vessel where it is at the start; in place of 'length'.",
+    )
+    type: Literal["catenary", "spring"] = Field(
+        "catenary",
+        description="'catenary': hangs by its own weight; 'spring': straight between its ends, without "
+        "weight.",
+    )
+    sea_bed: Length | None = Field(
+        None,
+        description="Height of the level bed that a catenary may lie on, without friction; that of 'to', "
+        "where it is made fast. No bed if not given.",
+    )
+    under_water: Flag | None = Field(
+        None,
+        description="Whether a catenary weighs what it weighs under water, all of it; where there is a "
+        "'sea_bed' if not given.",
+    )
+    winch: Winch | None = Field(None, description="Winch on the vessel; it is made fast if not given.")
+    breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
+    cut_at: Time | None = Field(None, description=CUT_SHOWN)
+
+    @model_validator(mode="after")
+    def _one_way_to_say_it(self) -> MooringLine:
+        if (self.length is None) == (self.pretension is None):
+            found = "none of them" if self.length is None else "both"
+            raise refuse(f"a mooring line has one of 'length' and 'pretension'; found {found}")
+        if self.type == "spring":
+            for key in ("sea_bed", "under_water"):
+                if getattr(self, key) is not None:
+                    raise refuse(
+                        f"'{key}' is for lines with weight; leave it out, or write 'type: catenary'", key
+                    )
+        elif self.winch is not None and self.winch.capacity is not None:
+            sentence = "the winch of a catenary does not slip"
+            raise refuse(f"{sentence}; leave 'capacity' out, or write 'type: spring'", "winch")
+        if self.sea_bed is not None and abs(self.to[2] - self.sea_bed) > _ON_BED:
+            side = "above" if self.sea_bed > self.to[2] else "below"
+            apart = abs(self.sea_bed - self.to[2])
+            sentence = f"the sea bed at {self.sea_bed:g} m is {apart:g} m {side} the end at {self.to[2]:g} m"
+            raise refuse(f"{sentence}; a line rests on the bed on which it is made fast", "sea_bed")
+        return self
+
+    @property
+    def is_under_water(self) -> bool:
+        """Whether it weighs what it weighs under water."""
+        return self.sea_bed is not None if self.under_water is None else self.under_water
+
+
+class Fender(Element):
+    """A fender between a vessel and a quay: a point of the vessel that meets an upright plane."""
+
+    what: ClassVar[str] = "a fender"
+
+    vessel: Name = Field(description="The vessel, or a body of 'mechanics'.")
+    at: Position = Field(description="Where the vessel presses on it, in the vessel's axes.")
+    wall: Annotated[tuple[float, float], ListOf(Quantity("length"), 2)] = Field(
+        description="A place of the wall of the quay, x and y of the world."
+    )
+    facing: Angle = Field(description="Where the wall faces, from world x towards y: to the vessel.")
+    thickness: NotNegativeLength = Field(0.0, description="Of the fender, where nothing presses on it.")
+    stiffness: PositiveStiffness = Field(description="Force over compression.")
+    damping: Damping = Field(0.0, description="Force over the speed of compression.")
+    friction: Ratio = Field(0.0, description="Coefficient of friction along the wall.")
+    capacity: PositiveForce | None = Field(None, description="Largest force that it may take.")
+
+    @property
+    def normal(self) -> tuple[float, float, float]:
+        """Direction in which the wall faces."""
+        return math.cos(self.facing), math.sin(self.facing), 0.0
+
+
+def line_rope(name: str) -> str:
+    """Name of a mooring line among the ropes of a recording."""
+    return f"mooring.{name}"
+
+
+def fender_contact(name: str) -> str:
+    """Name of a fender among the contacts of a recording."""
+    return f"fender.{name}"
+
+
+def line_weight(scenario: Scenario, line: MooringLine) -> float:
+    """Weight per length of a catenary [N/m]."""
+    mass = (scenario.ropes or {})[line.rope].mass_per_length
+    density = scenario.water.density if scenario.water is not None else SEA_WATER
+    share = 1.0 - density / STEEL if line.is_under_water else 1.0
+    return mass * share * scenario.simulation.gravity
+
+
+def moored_bodies(scenario: Scenario) -> list[str]:
+    """What mooring lines can hold and fenders keep off."""
+    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
+    return [*(scenario.vessels or {}), *plain]
+
+
+def check_moorings(findings: Findings) -> None:
+    """Note everything that is wrong with mooring lines and fenders."""
+    scenario = findings.scenario
+    known = moored_bodies(scenario)
+    kinds = scenario.ropes or {}
+    for section, all_ in (("mooring_lines", scenario.mooring_lines), ("fenders", scenario.fenders)):
+        for name, one in (all_ or {}).items():
+            if one.vessel not in known:
+                sentence = f"'{one.vessel}' is not a vessel, nor a body of 'mechanics'"
+                findings.add((section, name, "vessel"), f"{sentence}; {nearest(one.vessel, known)}")
+    plain = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
+    for name, line in (scenario.mooring_lines or {}).items():
+        path: Path = ("mooring_lines", name)
+        if line_rope(name) in plain:
+            sentence = f"'{line_rope(name)}' is already the name of a rope of 'mechanics'"
+            findings.add(path, f"{sentence}; use another name")
+        if line.rope not in kinds:
+            findings.add(
+                (*path, "rope"), f"'{line.rope}' is not a name of 'ropes'; {nearest(line.rope, kinds)}"
+            )
+            continue
+        _check_rope(findings, path, line, kinds[line.rope])
+    has_catenary = any(line.type == "catenary" for line in (scenario.mooring_lines or {}).values())
+    if has_catenary and scenario.simulation.integrator == "explicit":
+        sentence = "'explicit' knows no catenaries; 'adaptive' or 'del' is right, or 'type: spring'"
+        findings.add(("simulation", "integrator"), sentence)
+
+
+def _check_rope(findings: Findings, path: Path, line: MooringLine, kind: RopeMaterial) -> None:
+    if kind.inextensible:
+        sentence = f"rope '{line.rope}' does not stretch, which a mooring line has to"
+        findings.add((*path, "rope"), f"{sentence}; give it an 'axial_stiffness' or a 'construction'")
+    if line.type == "spring":
+        return
+    if kind.mass_per_length == 0:
+        sentence = f"the mass of rope '{line.rope}' is not known, and a catenary hangs by its weight"
+        right = "give it a 'construction' or its mass, such as 'mass: 8 kg/m', or write 'type: spring'"
+        findings.add((*path, "rope"), f"{sentence}; {right}")
+    if findings.scenario.simulation.gravity == 0:
+        findings.add((*path, "type"), "without gravity nothing hangs; 'type: spring' is right here")
