@@ -74,3 +74,28 @@ def test_drafts_stay_numbers_on_the_beam_ends() -> None:
 def test_a_vessel_starts_at_rest_by_itself(tmp_path: Path) -> None:
     assert load_scenario(written(tmp_path, lift_of(barge()))).starts_at_rest
     assert barge()["masses"]["hull"]["at"][2] == f"{KG} m"
+
+
+def test_pictures_and_report_show_how_a_vessel_lies(tmp_path: Path) -> None:
+    from gantline.plot.pictures import PICTURES
+    from gantline.report import write_report
+    from gantline.simulation import simulate
+    from gantline.viewer.pack import pack
+
+    run = simulate(written(tmp_path, lift_of(barge(heel="5 deg"), start="as_given")))
+    figure = PICTURES["vessels"](run)
+    assert figure is not None
+    drawn = [np.asarray(line.get_ydata()) for panel in figure.axes for line in panel.lines]
+    assert any(
+        np.allclose(one, np.degrees(run.column("vessel_heel", "barge"))) for one in drawn if len(one) > 2
+    )
+    header = pack(run).header
+    assert {"draft", "trim", "heel", "freeboard"} <= {curve["group"] for curve in header["curves"]}
+    # The surface of the water is drawn around the vessel, its top at the level.
+    (water,) = [one for one in header["structures"] if one["kind"] == "water"]
+    corners = np.array(water["boxes"][0])
+    assert corners[:, 2].max() == pytest.approx(0.0)
+    assert corners[:, 0].min() < 0 and corners[:, 0].max() > 100
+    page = tmp_path / "report.html"
+    write_report(run, page)
+    assert 'id="vessels"' in page.read_text(encoding="utf-8")

@@ -171,6 +171,7 @@ def _rest(question: Statics, moment: float | None, state: Path | None, *, held: 
 
 def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
     """Where the lift goes that is left by itself."""
+    from gantline.cli.vessels import vessels
     from gantline.statics import NoEquilibriumError
 
     try:
@@ -181,7 +182,7 @@ def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
         return []
     state = "the stable equilibrium there" if beyond.is_stable else "still not stable"
     head = [f"Left by itself it goes along motion 1; {state}:"]
-    return [head, _slings(beyond, []), _hooks(beyond), _loads(beyond)]
+    return [head, _slings(beyond, []), _hooks(beyond), vessels(beyond.recording), _loads(beyond)]
 
 
 def _bounds(question: Statics, moment: float | None) -> list[Equilibrium]:

@@ -14,6 +14,7 @@ from gantline.plot import by_equalizer, drawing, traces
 from gantline.plot.comparison import comparison_figures
 from gantline.plot.energy import energy
 from gantline.plot.style import RC
+from gantline.plot.vessels import vessels
 from gantline.results.comparison import Comparison
 from gantline.results.recording import Recording
 
@@ -26,6 +27,7 @@ PICTURES: dict[str, Callable[[Recording], Figure | None]] = {
     "sheave_travel": traces.sheave_travel,
     "sling_lengthening": traces.sling_lengthening,
     "attitude": traces.attitude,
+    "vessels": vessels,
     "motion": traces.motion,
     "hook_load": traces.hook_load,
     "energy": energy,

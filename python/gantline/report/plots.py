@@ -124,6 +124,24 @@ class Attitude(_Plots):
         ]
 
 
+class Vessels(_Plots):
+    """How vessels lie: draft, trim, heel, freeboard."""
+
+    anchor = "vessels"
+    title = "Vessels"
+
+    def plots(self, subject: Subject) -> list[Plot]:
+        """Draft, trim, heel, freeboard."""
+        if not subject.rig.vessels:
+            return []
+        return [
+            _plot("Draft at half length", "draft", "m", height=180, smallest=0.1),
+            _plot("Trim, by the stern positive", "trim", "deg", height=180, smallest=0.1),
+            _plot("Heel, to starboard positive", "heel", "deg", height=180, smallest=0.1),
+            _plot("Least freeboard of deck edge and openings", "freeboard", "m", height=180, smallest=0.1),
+        ]
+
+
 def _strokes(subject: Subject) -> list[dict[str, Any]]:
     """Ends of the strokes, where all equalizers have the same."""
     found = []

@@ -45,6 +45,10 @@ def curves(recording: Recording) -> Iterator[Curve]:
         ("pins", "pin_force", "kN", 1e-3),
         ("lengthening", "rope_lengthening", "m", 1.0),
         ("wraps", "drum_wraps", "", 1.0),
+        ("draft", "vessel_draft", "m", 1.0),
+        ("heel", "vessel_heel", "deg", 180.0 / np.pi),
+        ("trim", "vessel_trim", "deg", 180.0 / np.pi),
+        ("freeboard", "vessel_freeboard", "m", 1.0),
     ):
         if variable in recording:
             dim = recording[variable].dims[1]
