@@ -69,6 +69,8 @@ plan:
   - {{step: lift off, hoist: [c1.H, c2.H], speed: 1 m/min, until: {{supports: clear}}}}
   - {{step: up, hoist: [c1.H, c2.H], speed: 1 m/min, by: 0.5 m}}
   - {{step: hold, hold: until_end}}
+watch:
+  - {{between: [c1, beam], smallest: 2 m}}
 {rules}simulation: {{tension_tolerance: 100 N, sample_interval: 0.1 s}}
 """
 
@@ -113,6 +115,8 @@ def test_shares_by_moments_and_what_is_kept_back() -> None:
     assert "several_cranes_factor 1.2: Mobile crane code of practice 2006" in found.source
     assert check(recording, "ground_pressure_of_allowed").verdict is Verdict.OK
     assert check(recording, "moment_of_tipping_moment").verdict is Verdict.OK
+    # Nearest to the beam, whose side is at 2 m, is the track at 16 m - 8.4 m/2 - 1.5 m/2, at its foot.
+    assert recording.column("clearance", "c1 - beam")[0] == pytest.approx(11.05 - 2.0, abs=0.02)
 
 
 def test_without_a_rule_the_check_says_so() -> None:

@@ -225,8 +225,8 @@ def _axis(
     return joint | {"friction": 0.0, "drive": drive}
 
 
-def crawler_shape(scenario: Scenario, body: str) -> Json | None:
-    """Boxes for pictures: two tracks with their mats, or machinery and counterweight."""
+def crawler_shape(scenario: Scenario, body: str, *, mats: bool = True) -> Json | None:
+    """Boxes: two tracks, with their mats or without, or machinery and counterweight."""
     for name, crane in crawlers(scenario).items():
         tracks = crane.tracks
         if body == tracks_body(name):
@@ -234,10 +234,9 @@ def crawler_shape(scenario: Scenario, body: str) -> Json | None:
             boxes = [_box((tracks.length, tracks.width, _TRACK), (0.0, y, _TRACK / 2)) for y in sides]
             across = tracks.gauge - tracks.width
             middle = _box((tracks.length / 3, across, _TRACK / 2), (0.0, 0.0, tracks.height - _TRACK / 4))
-            mats = [
-                _box((tracks.length, tracks.mats, _MAT), (0.0, y, -_MAT / 2)) for y in sides if tracks.mats
-            ]
-            return {"type": "boxes", "boxes": [*boxes, middle, *mats]}
+            size = (tracks.length, tracks.mats or 0.0, _MAT)
+            flat = [_box(size, (0.0, y, -_MAT / 2)) for y in sides if mats and tracks.mats]
+            return {"type": "boxes", "boxes": [*boxes, middle, *flat]}
         if body == upper_body(name):
             behind = crane.counterweight.behind
             machine = (0.0, 0.0, tracks.height + _MACHINE[2] / 2)

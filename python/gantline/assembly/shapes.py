@@ -13,12 +13,14 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from gantline.assembly.boom import boom_shape
+from gantline.assembly.crawler import crawler_shape, crawlers
 from gantline.assembly.goliath import crane_shape, goliaths
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.supports import every_support, pad_shape, support_contact
 from gantline.assembly.vessels import vessel_shape
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.crawler import tracks_body, upper_body
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.ground import Ground
 from gantline.scenario.structures import Dock, dock_of
@@ -35,7 +37,7 @@ _PLACES = 8
 
 
 def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> None:
-    """Give a shape to load, ground, structures, supports, frames, legs, booms, vessels and plain bodies."""
+    """Give a shape to load, ground, structures, supports, frames, parts of cranes, vessels, plain bodies."""
     load = scenario.load
     if load is not None and lifted is not None:
         parts.add_shape(load.name, load.name, load_parts(lifted))
@@ -64,6 +66,10 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
             parts.add_shape(f"{name}.legs.{side}", name, [leg])
     for placed in scenario.booms.values():
         parts.add_shape(placed.name, placed.name, (boom_shape(scenario, placed.name) or {})["boxes"])
+    for name in crawlers(scenario):
+        for part in (tracks_body(name), upper_body(name)):
+            boxes = crawler_shape(scenario, part, mats=False)  # a load may come over the mats
+            parts.add_shape(part, part, (boxes or {})["boxes"])
     for name in scenario.vessels or {}:
         shape = vessel_shape(scenario, name)
         if shape["type"] == "mesh":
