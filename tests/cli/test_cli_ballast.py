@@ -14,7 +14,7 @@ from ballasted import barge, pump, tank, text
 TANKS = {
     "fore": tank((85, 0, 0.5), 900.0),
     "aft": tank((20, 0, 0.5), 200.0),
-    "side": tank((50, 8, 0.5), 50.0),
+    "side": tank((50, 5, 0.5), 50.0),
 }
 PLAN = [pump("fore", "aft", "3000 t/h", by="100 t"), {"step": "wait", "hold": "until_end"}]
 

@@ -76,6 +76,7 @@ def test_what_is_pumped_has_the_weight_the_inertia_and_the_surface_of_what_is_th
 
 
 def test_shares_of_critical_damping_know_what_is_pumped() -> None:
+    """The same damping as with tanks that are not pumped, whose liquid is mass of the vessel."""
     tanks = {"a": tank((85, 3, 0.5), 900.0), "b": tank((15, -4, 0.5), 200.0)}
     damping = {"critical": {"heave": "20 %", "roll": "6 %", "pitch": "20 %"}}
     vessel, plan = barge(tanks, water_damping=damping), [pump("a", "b", "500 t/h", by="100 t")]
@@ -89,7 +90,7 @@ def test_shares_of_critical_damping_know_what_is_pumped() -> None:
 
 
 ROLLING = {"added_mass": ADDED, "heel": "4 deg", "trim": "-1 deg"}
-SHIFTING = {"a": tank((85, 4, 0.5), 300.0), "b": tank((15, -4, 0.5), 2000.0), "c": tank((50, 8, 2), 0.0)}
+SHIFTING = {"a": tank((85, 4, 0.5), 300.0), "b": tank((15, -4, 0.5), 2000.0), "c": tank((50, 5, 2), 0.0)}
 
 
 @pytest.mark.parametrize("integrator", ["adaptive", "del"])
@@ -105,7 +106,8 @@ def test_energy_and_mass_of_a_barge_that_rolls_while_it_is_pumped(integrator: st
     scenario = lift(barge(SHIFTING, **ROLLING), plan, start="as_given", duration=f"{lasts} s")
     recording = run(scenario, integrator=integrator)
     assert recording.attributes["status"] == "done"
-    assert not recording.attributes["warnings"], "the energy balance closes to its usual bound"
+    warnings = recording.attributes["warnings"]
+    assert not any("energy" in one for one in warnings), "the energy balance closes to its usual bound"
     content = {name: recording.column("tank_content", f"barge.{name}") for name in SHIFTING}
     moved = content["b"][-1] - content["b"][0]
     assert moved > 20e3
@@ -145,6 +147,7 @@ def test_water_from_the_sea_sinks_the_barge() -> None:
 
 
 def test_a_run_that_is_saved_while_it_pumps_goes_on_alike() -> None:
+    """Byte by byte what the run without a break has."""
     plan = [pump("a", "b", "60000 t/h", until={"trim": {"vessel": "barge", "above": "3 deg"}})]
     scenario = lift(barge(SHIFTING, **ROLLING), plan, start="as_given", duration="30 s")
     whole = run(scenario)
@@ -276,7 +279,8 @@ def test_even_keel_with_the_load_and_the_trim_before() -> None:
 
 
 def test_tanks_too_small_and_a_vessel_that_would_capsize() -> None:
-    tanks = {"fore": tank((85, 0, 0.5), 900.0), "side": tank((50, 10, 0.5), 0.0)}
+    """Some 4000 t more sink 3000 m² by 1.3 m, not by two; KM of a box at 4 m, 20.75 m, is below 24 m."""
+    tanks = {"fore": tank((85, 0, 0.5), 900.0), "side": tank((50, 5, 0.5), 0.0)}
     with pytest.raises(CannotBeError, match=r"the nearest that they come to is heel .*; draft .* off"):
         solve_ballast(lift(barge(tanks)), draft=6.0)
     top_heavy = {"hull": {"mass": f"{OWN} kg", "at": ["50 m", "0 m", "24 m"]}}
