@@ -105,6 +105,10 @@ def test_sphere_of_task_10_bobs_in_a_lift_file(amplitude: float, tmp_path: Path)
     drafts = np.linspace(low + 1e-6, high - 1e-6, 241)
     volumes = np.array([hydrostatics(mesh, Attitude(float(draft)), FRESH).volume for draft in drafts])
     rest = float(np.interp(mass / FRESH, volumes, drafts))
+    # From 5 m it dips under by a few millimetres, where it displaces all of its volume.
+    below = np.linspace(high + 0.05, high + 1.0, 20)
+    drafts = np.concatenate([drafts, below])
+    volumes = np.concatenate([volumes, np.full(len(below), mesh.closure.volume)])
     # Released `amplitude` above rest: draft d = rest − z.
     top = min(amplitude, rest - drafts[0])
     added = read_database(tmp_path / database).added_mass_at(None, FRESH)[0][2, 2]

@@ -182,7 +182,9 @@ def test_a_barge_on_one_rope_turns_its_bow_into_the_current(tmp_path: Path) -> N
     names = [str(name) for name in rest.recording.dataset["body"].values]
     x, y, z = rest.recording.dataset["body_position"].values[-1, names.index("barge")]
     assert x == pytest.approx(40 * (1 + force / 20e6) + 30.0, rel=1e-6)
-    assert (y, z) == pytest.approx((0.0, 3.0 - draft), abs=1e-5)
+    # Forces balance to 1e-9 of the weight of 24 MN, and force over distance holds it sideways with 0.8 kN/m.
+    assert y == pytest.approx(0.0, abs=1e-4)
+    assert z == pytest.approx(3.0 - draft, abs=1e-6)
 
 
 def test_areas_of_a_load_count_from_its_datum(tmp_path: Path) -> None:

@@ -184,8 +184,9 @@ impl Search {
             if promised.abs() <= NOISE * noise {
                 // Energies say no more: it goes on while slopes do.
                 let before = self.here.residual(system);
-                if self.there.residual(system) < 0.5 * before {
-                    *lambda = (FASTER * *lambda).max(LEAST);
+                let (enough, factor) = if self.here.pushed.is_empty() { (0.5, FASTER) } else { (0.9, 1.0) };
+                if self.there.residual(system) < enough * before {
+                    *lambda = (factor * *lambda).max(LEAST);
                     return Ok(true);
                 }
                 if before <= BALANCED {
@@ -200,7 +201,8 @@ impl Search {
                     gained = self.correct(system, state, bearings, gained);
                 }
                 if gained > WORTH * promised {
-                    *lambda = (trust(gained / promised) * *lambda).max(LEAST);
+                    let factor = trust(gained / promised).max(self.circling(system));
+                    *lambda = (factor * *lambda).max(if factor > 1.0 { 1e-3 * FIRST } else { LEAST });
                     return Ok(true);
                 }
             }
@@ -216,6 +218,19 @@ impl Search {
         let pushed = self.here.pushed.iter().zip(&self.there.pushed).zip(&self.step);
         let work: f64 = pushed.map(|((here, there), step)| -0.5 * (here + there) * step).sum();
         self.here.energy - self.there.energy + work
+    }
+
+    /// Least factor of λ where wind or current push. The matrix has the symmetric half of what they change by, so steps
+    /// without λ may circle around the equilibrium ever farther; with enough of it they come nearer.
+    fn circling(&self, system: &System) -> f64 {
+        if self.here.pushed.is_empty() {
+            return 0.0;
+        }
+        match self.there.residual(system) / self.here.residual(system) {
+            left if left > 0.9 => SLOWER,
+            left if left > 0.5 => 1.0,
+            _ => 0.0,
+        }
     }
 
     /// Nothing leads on from here.
