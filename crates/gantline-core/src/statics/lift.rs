@@ -8,6 +8,7 @@ use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::EventLog;
+use crate::plan::condition::Seen;
 use crate::record::Samples;
 use crate::record::columns::Columns;
 use crate::record::names::Names;
@@ -21,6 +22,8 @@ use crate::tree::kinematics::{Kinematics, Twist};
 
 /// Time between looks at the conditions of a plan [s].
 const LOOK: f64 = 0.1;
+/// Farthest look ahead: where a condition holds there, what lies before it is looked at by halves [s].
+const AHEAD: f64 = 16.0 * LOOK;
 /// Longest and shortest part of a plan that is followed at once [s].
 const LONGEST: f64 = 5.0;
 const SHORTEST: f64 = 1e-3;
@@ -137,13 +140,14 @@ impl StaticLift {
         statics.settle(system, state, losses)
     }
 
-    /// From rest to rest.
+    /// From rest to rest. A condition is met at the first look at which it holds, `LOOK` apart: what holds for less than
+    /// `AHEAD`, and not at its end, may be missed.
     fn follow(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
         let Self { system, state, statics, .. } = self;
         let mut log = EventLog::new();
         let mut support = vec![0.0; system.groups.len()];
         part(system, state);
-        let mut rest = statics.settle(system, state, losses)?;
+        let mut rest = Some(statics.settle(system, state, losses)?);
         let (mut before, mut stride) = (state.clone(), LONGEST);
         while state.time < time {
             before.copy_from(state);
@@ -152,16 +156,23 @@ impl StaticLift {
             // What is due now begins now, so that it is known what that waits for.
             flows::advance_plan(system, state, now.next_up(), &support, &mut log);
             let waits = state.plan.waits_for_condition();
-            stride = stride.min(if waits { LOOK } else { LONGEST });
-            let due = if waits { f64::INFINITY } else { state.plan.next_time(&system.plan, now) };
+            stride = stride.min(if waits { AHEAD } else { LONGEST });
+            let mut due = state.plan.next_time(&system.plan, now);
+            if waits {
+                // Nothing but the condition may come in between.
+                stride = if due < now + stride { stride.min(LOOK) } else { stride };
+                due = f64::INFINITY;
+            }
             let next = (now + stride).min(due).min(time);
             flows::advance_plan(system, state, next, &support, &mut log);
             state.time = next;
             part(system, state);
-            let found = statics.go_on(system, state, losses);
+            let found = statics.follow(system, state, losses);
             let is_short = next - now <= SHORTEST;
-            if is_short || (found.is_ok() && statics.doubt <= DOUBT) {
-                rest = found?;
+            let is_late = found.is_ok() && waits && stride > LOOK && is_fulfilled(system, state, &mut support);
+            if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
+                found?;
+                rest = None;
                 stride *= 2.0;
             } else {
                 state.copy_from(&before);
@@ -169,7 +180,7 @@ impl StaticLift {
                 stride = 0.5 * (next - now);
             }
         }
-        Ok(rest)
+        Ok(rest.unwrap_or_else(|| statics.rest(system, state)))
     }
 
     /// The samples are the start of the lift, where `from_start`, and the equilibrium.
@@ -328,6 +339,13 @@ impl StaticLift {
             brakes.filter(|brake| matches!(brake, AnyConstraint::Brake(brake) if !brake.grip.is_none()));
         lossy.map(|brake| brake.name()).collect()
     }
+}
+
+/// Whether a step under way waits for what holds now.
+fn is_fulfilled(system: &System, state: &State, support: &mut [f64]) -> bool {
+    flows::supports(system, &state.tension, support);
+    let tension = |row: usize| system.rope_tension(row, state.tension[row], &state.q);
+    state.plan.is_fulfilled(&system.plan, &Seen { support, tension: &tension })
 }
 
 /// Ropes that have been cut before now, and pins as the steps that have begun have them.
