@@ -121,7 +121,7 @@ class Equilibrium:
         }
 
     def with_modes(self, modes: Sequence[Mode]) -> Recording:
-        """Its recording with the attributes `statics` and `modes`, which say what it is like and how it swings."""
+        """Its recording with the attributes `statics` and `modes`: what it is like, how it swings."""
         one = self.recording
         said = {"statics": self.to_json(), "modes": [mode.to_json() for mode in modes]}
         return Recording(one.variables, one.coordinates, {**one.attributes, **said})

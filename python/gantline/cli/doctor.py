@@ -60,8 +60,8 @@ def doctor(
 ) -> None:
     """Say what is installed, what each optional part gives, and what is wrong.
 
-    Ends with code 1 if something that gantline cannot do without is broken; an optional part that is not there is
-    no fault.
+    Ends with code 1 if something that gantline cannot do without is broken; an optional part that is not
+    there is no fault.
     """
     found = list(findings())
     broken = any(one.state == "wrong" for one in found)
@@ -91,11 +91,13 @@ def findings() -> Iterator[Finding]:
         yield _package(module, distribution, gives, how)
     for names, gives, how in _PROGRAMS:
         place = next((found for name in names if (found := shutil.which(name))), None)
-        yield Finding(names[0], "ok" if place else "absent", place or "", gives if place else f"{gives} ({how})")
+        yield Finding(
+            names[0], "ok" if place else "absent", place or "", gives if place else f"{gives} ({how})"
+        )
 
 
 def _core() -> Finding:
-    """The compiled core: whether it can be loaded, runs, and is as new as its sources, where those are there."""
+    """The compiled core: whether it can be loaded, and is as new as its sources where those are there."""
     try:
         from gantline import _core as core
     except ImportError as problem:

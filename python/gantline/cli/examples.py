@@ -1,4 +1,4 @@
-"""Examples that the help of each verb ends with; a test runs what is quick among them, and reads the others."""
+"""Examples that the help of each verb ends with; a test holds their options against those that there are."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
     ),
     "statics": (
         ("gantline statics equalizer", "how it hangs at the end of its plan, and its slowest motions"),
-        ("gantline statics equalizer --time '20 s' --sensitivities", "at another time, with what errors change"),
+        (
+            "gantline statics equalizer --time '20 s' --sensitivities",
+            "at another time, with what errors change",
+        ),
         ("gantline statics mylift -o results/mylift", "for the report in that folder"),
         ("gantline statics mylift --sweep 'slings.S1.length=23 m..23.1 m/5'", "over a length"),
     ),

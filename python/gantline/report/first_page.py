@@ -9,8 +9,8 @@ import numpy as np
 from gantline.checks import LIMITS, Check, Verdict, past_limits, verdict_of
 from gantline.report.attitude import attitude
 from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
-from gantline.report.section import Section
 from gantline.report.rest import what_if
+from gantline.report.section import Section
 from gantline.report.sketch import sketches
 from gantline.report.subject import ABSENT, Subject, share, show
 from gantline.results.metrics import energy_bound
@@ -18,7 +18,7 @@ from gantline.results.rig import Step
 from gantline.results.saved import digest_of
 
 _MOST_SLINGS = 16
-_MOST_STEPS = 12
+_MOST_STEPS = 16
 _MOST_NAMED = 4
 _MOST_WARNINGS = 3
 
@@ -47,6 +47,7 @@ class FirstPage(Section):
             "sketches": sketches(subject),
             "weights": _weights(subject),
             "hooks": [hook_row(subject, hook) for hook in subject.rig.hooks],
+            "cranes_travel": bool(subject.rig.cranes),
             "readings": [f"{100 * part:.0f} %" for part in READINGS],
             "slings": sling_rows(subject, _MOST_SLINGS),
             "slings_left_out": max(0, len(subject.rig.slings) - _MOST_SLINGS),
@@ -107,7 +108,9 @@ def _foremost_warnings(checks: list[Check]) -> list[Check]:
 def _warning(check: Check) -> dict[str, str]:
     share = check.utilisation
     past = f"{check.shown(check.value)}, past the {check.shown(check.limit)} of the lift file"
-    text = "; ".join(part for part in (past if share is not None and share > 1.0 else "", check.remark) if part)
+    text = "; ".join(
+        part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
+    )
     return {"name": check.name.replace("_", " "), "element": check.element, "text": text}
 
 
@@ -176,7 +179,7 @@ def _steps(subject: Subject) -> dict[str, Any]:
 
 def _does(step: Step) -> str:
     """What a step does, at which speed, with which pins."""
-    speed = f" at {show(step.speed, 'm/min', 2)}" if step.speed is not None and step.kind in _ALONG else ""
+    speed = f" {60.0 * step.speed:.3g} m/min" if step.speed is not None and step.kind in _ALONG else ""
     pins = [
         f"{words} pins of {', '.join(names)}"
         for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))

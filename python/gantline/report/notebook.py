@@ -42,5 +42,5 @@ class Report:
         return (
             f'<iframe sandbox="allow-scripts" title="{escape(f"Report: {self.title}")}" width="100%" '
             f'height="{_HEIGHT}" style="border:1px solid #bbb" srcdoc="{escape(self.html)}"></iframe>'
-            f"<div><small>{escape(self._size)} in this notebook; write_report makes a file of it</small></div>"
+            f"<div><small>{self._size} in this notebook; write_report makes a file of it</small></div>"
         )

@@ -11,8 +11,8 @@ from markupsafe import Markup
 
 from gantline.report.first_page import FirstPage
 from gantline.report.plots import Attitude, HookLoads, Player, Tensions
-from gantline.report.section import Section
 from gantline.report.rest import Cases, Modes, Rest
+from gantline.report.section import Section
 from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, Events, LiftFile
 from gantline.results.recording import Recording
@@ -81,14 +81,13 @@ def render_report(recording: Recording, *, beside: Beside | None = None, reload_
     )
 
 
-def write_report(recording: Recording, path: str | Path) -> Path:
+def write_report(recording: Recording, path: str | Path, *, beside: Beside | None = None) -> Path:
     """Write the report of a recording: one HTML file that opens in any browser without a network.
-
-    What `gantline cases` and `gantline statics` left in the same folder for the same lift file is shown too.
 
     Args:
         recording: Any recording.
         path: File to write; an existing one is replaced, and only once the new one is complete.
+        beside: Equilibrium and cases of the same lift; what lies in the folder of the file if not given.
 
     Returns:
         The path written.
@@ -99,7 +98,7 @@ def write_report(recording: Recording, path: str | Path) -> Path:
         ValueError: If the recording cannot be drawn.
     """
     target = Path(path)
-    text = render_report(recording, beside=read_beside(target.parent, recording))
+    text = render_report(recording, beside=beside or read_beside(target.parent, recording))
     replace_text(target, text)
     return target
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gantline.report.section import Section
@@ -14,13 +14,23 @@ from gantline.results.saved import QUANTITIES, SavedWorst
 
 #: What the first page says of cases, in its order.
 _FIRST = {
-    "sling_tension": "largest sling tension",
-    "smallest_sling_tension": "smallest sling tension",
-    "hoist_load": "largest hoist load",
-    "load_tilt": "largest tilt",
-    "sheave_travel": "farthest sheave travel",
+    "sling_tension": "most in sling",
+    "smallest_sling_tension": "least in sling",
+    "hoist_load": "most on hook",
+    "load_tilt": "tilt of",
+    "sheave_travel": "travel of",
 }
-_NAMES = {**_FIRST, "rope_tension": "rope tension", "hook_load": "hook load"}
+#: Cases that are not sound, of which the first page names so many.
+_MOST_TROUBLED = 3
+_NAMES = {
+    "sling_tension": "largest tension",
+    "smallest_sling_tension": "smallest tension",
+    "rope_tension": "tension",
+    "hook_load": "hook load",
+    "hoist_load": "hoist load",
+    "load_tilt": "tilt",
+    "sheave_travel": "travel, down positive",
+}
 
 
 class Rest(Section):
@@ -40,7 +50,10 @@ class Rest(Section):
             "facts": list(_facts(said)),
             "slings": _slings(rest),
             "hooks": [
-                (hook.name, *(number(_last(rest, name, hook.name), "kN", 1) for name in ("hook_load", "hoist_load")))
+                (
+                    hook.name,
+                    *(number(_last(rest, name, hook.name), "kN", 1) for name in ("hook_load", "hoist_load")),
+                )
                 for hook in rest.rig.hooks
             ],
             "loads": [
@@ -59,15 +72,24 @@ def _facts(said: Mapping[str, Any]) -> list[tuple[str, str]]:
     lossy = said.get("lossy_sheaves")
     rows = [
         ("time of the plan", show(_finite(said.get("time")), "s", 2)),
-        ("equilibrium", "stable" if said.get("stable") is True else f"UNSTABLE: {unstable} motions lead away"),
+        (
+            "equilibrium",
+            "stable" if said.get("stable") is True else f"UNSTABLE: {unstable} motions lead away",
+        ),
         ("motions that nothing holds", str(neutral)),
-        ("largest imbalance of forces", f"{_finite(said.get('residual')) or 0.0:.1e} of those that meet there"),
+        ("largest imbalance of forces", _imbalance(_finite(said.get("residual")))),
     ]
     if said.get("losses") == "held":
         rows.append(("friction", "of contacts and sheaves holds what it can"))
     elif isinstance(lossy, list) and lossy:
         rows.append(("friction", f"losses of {len(lossy)} sheaves left out"))
     return rows
+
+
+def _imbalance(residual: float | None) -> str:
+    if residual is None:
+        return ABSENT
+    return f"{residual:.1e} of those that meet there" if residual > 0.0 else "within rounding"
 
 
 def _slings(rest: Recording) -> list[tuple[str, ...]]:
@@ -156,6 +178,11 @@ def _numbers(one: SavedWorst) -> dict[str, str]:
     }
 
 
+def _briefly(troubles: Sequence[str]) -> str:
+    more = f" and {len(troubles) - 1} more" if len(troubles) > 1 else ""
+    return f"{troubles[0].replace('_', ' ')}{more}"
+
+
 def what_if(subject: Subject) -> dict[str, Any] | None:
     """What the first page says of cases; None where nobody has asked for them."""
     cases = subject.beside.cases
@@ -166,11 +193,11 @@ def what_if(subject: Subject) -> dict[str, Any] | None:
     for words, one in found:
         if one is not None:
             numbers = _numbers(one)
-            rows.append((f"{words}, {one.element}", f"{numbers['value']} ({numbers['case']})"))
+            rows.append((f"{words} {one.element}", f"{numbers['value']}, {one.case or 'as given'}"))
     troubled = [one for one in cases.cases if one.troubles]
     return {
         "rows": rows,
         "sound": cases.is_sound,
-        "troubled": [f"{one.name or 'as given'}: {', '.join(one.troubles[:2])}" for one in troubled[:3]],
-        "more": max(0, len(troubled) - 3),
+        "troubled": [(one.name or "as given", _briefly(one.troubles)) for one in troubled[:_MOST_TROUBLED]],
+        "more": max(0, len(troubled) - _MOST_TROUBLED),
     }

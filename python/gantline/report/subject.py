@@ -72,7 +72,6 @@ class Subject:
         """Largest sample and its time [s]."""
         return series.peak(self.recording, values, during)
 
-
     def step_at(self, time: float) -> str:
         """Name of the step of the plan that began last before a time [s]; empty before the first."""
         begun = [name for when, _, name in self.recording.events("step_begin") if when <= time]

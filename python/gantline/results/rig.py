@@ -47,7 +47,7 @@ class Load(FromJson):
         contingency: Factor on the calculated mass.
         design_mass: With contingency [kg].
         lugs: Lugs by name.
-        centre_envelope: How far the centre of gravity may be elsewhere, plus and minus along the load's axes [m].
+        centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
     """
 
     name: str

@@ -1,8 +1,8 @@
 """What was asked of a lift beside its recording: its cases, and its equilibrium with its motions.
 
-`gantline cases LIFT -o DIR` writes `cases.json`, `gantline statics LIFT -o DIR` writes `equilibrium.nc`; a report
-in the same folder shows both. Each names the lift file that it was made from, so that one of another lift, or
-of an older file, is told apart.
+`gantline cases LIFT -o DIR` writes `cases.json`, `gantline statics LIFT -o DIR` writes `equilibrium.nc`; a
+report in the same folder shows both. Each names the lift file that it was made from, so that one of another
+lift, or of an older file, is told apart.
 """
 
 from __future__ import annotations

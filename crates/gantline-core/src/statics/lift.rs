@@ -169,7 +169,8 @@ impl StaticLift {
             part(system, state);
             let found = statics.follow(system, state, losses);
             let is_short = next - now <= SHORTEST;
-            let is_late = found.is_ok() && waits && stride > LOOK && is_fulfilled(system, state, &mut support);
+            let is_late =
+                found.is_ok() && waits && stride > LOOK && is_fulfilled(system, state, &mut support);
             if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
                 found?;
                 rest = None;
