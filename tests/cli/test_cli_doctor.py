@@ -6,6 +6,7 @@ import json
 import os
 import re
 import shlex
+import shutil
 from importlib import import_module
 from pathlib import Path
 
@@ -32,7 +33,7 @@ def whole(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("whole")
 def test_parts_that_are_optional_are_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "find_spec", lambda name: None)
-    monkeypatch.setattr(module.shutil, "which", lambda name: None)
+    monkeypatch.setattr(shutil, "which", lambda name: None)
     result = says("doctor")
     assert result.exit_code == 0, result.output
     assert re.search(r"pyarrow +- +recordings as Parquet tables \(pip install pyarrow\)", result.stdout)

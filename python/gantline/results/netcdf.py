@@ -137,7 +137,7 @@ def _filtered(chunk: np.ndarray[Any, np.dtype[Any]], rows: int) -> bytes:
     if len(chunk) < rows:
         chunk = np.concatenate([chunk, np.zeros((rows - len(chunk), *chunk.shape[1:]))])
     shuffled = np.ascontiguousarray(chunk.reshape(-1).view(np.uint8).reshape(-1, chunk.itemsize).T)
-    return zlib.compress(shuffled, _LEVEL)
+    return zlib.compress(shuffled.data, _LEVEL)
 
 
 def _chunks(values: np.ndarray[Any, np.dtype[Any]]) -> tuple[int, ...]:
