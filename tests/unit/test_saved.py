@@ -60,7 +60,7 @@ def equilibrium(**changed: Any) -> Recording:
         "period": 14.026,
         "growth_time": None,
         "damping_ratio": 0.02,
-        "motion": "block turns",
+        "motion": "load turns",
     }
     away = {"number": 2, "period": None, "growth_time": 3.0, "damping_ratio": None, "motion": "hook moves"}
     attributes = {**one.attributes, "scenario": SCENARIO, "statics": said, "modes": [mode, away]}
