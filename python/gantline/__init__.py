@@ -9,7 +9,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from gantline.report import write_report
+    from gantline.report import Report, write_report
     from gantline.results.comparison import Comparison, compare
     from gantline.results.recording import Recording, open_recording
     from gantline.scenario import Scenario, ScenarioError, load_scenario
@@ -23,6 +23,7 @@ __all__ = [
     "Equilibrium",
     "NoEquilibriumError",
     "Recording",
+    "Report",
     "Scenario",
     "ScenarioError",
     "Simulation",
@@ -50,6 +51,7 @@ _HOMES = {
     "Equilibrium": "gantline.statics",
     "NoEquilibriumError": "gantline.statics",
     "Statics": "gantline.statics",
+    "Report": "gantline.report",
     "write_report": "gantline.report",
 }
 

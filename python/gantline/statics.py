@@ -108,6 +108,24 @@ class Equilibrium:
         """Whether no motion leads away from it."""
         return self.unstable == 0
 
+    def to_json(self) -> dict[str, Any]:
+        """What it is like as a JSON object, SI units; its numbers are in the recording."""
+        return {
+            "time": self.time,
+            "stable": self.is_stable,
+            "unstable_motions": self.unstable,
+            "neutral_motions": self.neutral,
+            "residual": self.residual,
+            "losses": self.losses,
+            "lossy_sheaves": list(self.lossy),
+        }
+
+    def with_modes(self, modes: Sequence[Mode]) -> Recording:
+        """Its recording with the attributes `statics` and `modes`: what it is like, how it swings."""
+        one = self.recording
+        said = {"statics": self.to_json(), "modes": [mode.to_json() for mode in modes]}
+        return Recording(one.variables, one.coordinates, {**one.attributes, **said})
+
     def tension(self, rope: str) -> float:
         """Tension of a rope [N]."""
         return float(self.recording.column("rope_tension", rope)[-1])
@@ -136,6 +154,16 @@ class Mode:
     def period(self) -> float | None:
         """Natural period [s]; None where it does not swing."""
         return 2 * math.pi / math.sqrt(self.square) if self.square > _NEUTRAL else None
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the shape as a JSON object, SI units."""
+        return {
+            "number": self.number + 1,
+            "period": self.period,
+            "growth_time": self.growth_time,
+            "damping_ratio": self.damping_ratio,
+            "motion": self.motion,
+        }
 
     @property
     def growth_time(self) -> float | None:

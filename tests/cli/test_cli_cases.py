@@ -142,3 +142,22 @@ def test_a_sweep_takes_no_options_of_one_equilibrium(lift: Path) -> None:
     result = gantline("statics", str(lift), "--sensitivities", "--sweep", "load.weight.calculated=1 t..2 t/3")
     assert result.exit_code == 2
     assert "--sensitivities and --output are for one" in result.stderr
+
+
+def test_cases_are_saved_for_a_report_and_do_not_depend_on_the_workers(lift: Path, tmp_path: Path) -> None:
+    from gantline.results.saved import CASES, SavedCases
+    from gantline.study import run_cases
+
+    folder = tmp_path / "out"
+    result = gantline("cases", str(lift), "-o", str(folder))
+    assert result.stdout.endswith(f"Cases       {folder / CASES}\n")
+    text = (folder / CASES).read_text(encoding="utf-8")
+    for workers in (1, 3):
+        found = run_cases(lift, workers=workers)
+        assert json.dumps(found.to_json(), indent=2) + "\n" == text
+    saved = SavedCases.from_json(json.loads(text))
+    assert [one.name for one in saved.cases] == list(found.names)
+    assert saved.is_sound and not any(one.troubles for one in saved.cases)
+    worst = saved.worst_of("sling_tension")
+    assert worst is not None
+    assert worst.value == max(one.value for one in found.worst if one.quantity == "sling_tension")

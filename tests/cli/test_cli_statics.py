@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 import subprocess
@@ -175,3 +176,28 @@ def test_what_keeps_a_load_upright(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "gantline", "check", str(tmp_path / "out" / "equilibrium.nc")]
     checked = subprocess.run(command, capture_output=True, text=True, check=False)
     assert warning in " ".join(checked.stdout.split())
+
+
+def test_all_numbers_as_json(tmp_path: Path) -> None:
+    result = statics("equalizer", "--json", "--sensitivities", "--modes", 2, "-o", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    document = json.loads(result.stdout)  # where files went is said beside
+    assert "Recording " in result.stderr
+    assert document["sling_tension"]["S1"] == pytest.approx(589.746e3, abs=1.0)
+    assert (document["stable"], document["time"], document["bounds"]) == (True, 40.0, [])
+    assert [mode["number"] for mode in document["modes"]] == [1, 2]
+    assert document["modes"][1]["period"] == pytest.approx(10.567, abs=1e-3)
+    heavier = next(one for one in document["sensitivities"] if one["kind"] == "mass")
+    assert heavier["rope_tension"]["sling.S1"] * 1000.0 == pytest.approx(1.966e3, abs=1.0)
+    saved = gantline.open_recording(tmp_path / "out" / "equilibrium.nc")
+    assert saved.attributes["modes"] == document["modes"]
+    assert saved.attributes["statics"]["stable"] is True
+
+
+def test_a_sweep_as_json() -> None:
+    path = "cranes.test_hook.at.z"
+    result = statics("equalizer", "--sweep", f"{path}=36.4 m..36.5 m/2", "--json")
+    document = json.loads(result.stdout)
+    assert (result.returncode, document["path"]) == (0, path)
+    assert [point["value"] for point in document["points"]] == [36.4, 36.5]
+    assert all(point["sling_tension"]["S1"] > 580e3 for point in document["points"])

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from gantline.checks import LIMITS, Check, Verdict, check_recording, end_of_step, has_failed
+from gantline.checks import LIMITS, Check, Verdict, check_recording, end_of_step, has_failed, verdict_of
 from gantline.results.recording import Recording
 from sample_lift import WEIGHT, ringing_lift, sample_recording, sample_rig
 
@@ -261,3 +261,34 @@ def test_values_read_in_the_units_of_people() -> None:
 def test_only_a_failure_fails() -> None:
     assert not has_failed([with_travel(up=0.95 * 1.4), with_limit(wind_speed=1.0)])
     assert has_failed([with_travel(up=1.1 * 1.4)])
+
+
+def test_a_go_past_a_limit_says_so() -> None:
+    # 93 % of the stroke are past the 90 % of the lift file and within the stroke: no failure, no plain GO.
+    sentence = verdict_of([with_travel(down=0.93 * 1.9)])
+    assert sentence.startswith("GO WITH WARNINGS; past a limit that only warns: equalizer_travel_used 103 %;")
+    assert "nearest" not in sentence
+    assert verdict_of([with_travel(down=0.5 * 1.9)]).startswith("GO; nearest to their limits")
+
+
+@pytest.mark.parametrize(("limit", "verdict"), [(1.0, Verdict.FAILED), (1.06, Verdict.OK)])
+def test_travel_at_any_time_counts_before_the_load_is_clear(limit: float, verdict: Verdict) -> None:
+    travel = np.zeros((3, 5))
+    travel[:, 2] = [0.0, -1.05 * 1.4, -0.5 * 1.4]
+    contact = np.array([[1.0] * 4, [1.0] * 4, [0.0] * 4])
+    check = only(
+        sample_recording(
+            np.arange(3.0),
+            tension=np.full((3, 5), 1e5),
+            travel=travel,
+            contact=contact,
+            rig=sample_rig(equalizer_travel_at_any_time=limit),
+        )
+    )
+    assert (check.verdict, check.element, check.time) == (verdict, "e1.3 up", 1.0)
+    assert check.value == pytest.approx(1.05)
+
+
+def test_travel_at_any_time_is_listed_where_a_limit_names_it_only() -> None:
+    names = {check.name for check in check_recording(ringing_lift(rig=sample_rig()))}
+    assert "equalizer_travel_at_any_time" not in names

@@ -406,7 +406,7 @@ def test_the_verdict_names_what_governs() -> None:
     text = verdict_of(checks)
     peaks = f"hoist_load_of_rated_capacity {(5 * (600e3 + 100e3 * RINGING) + RIGGING) / (400e3 * G):.0%}"
     assert text.startswith(
-        f"GO; nearest to their limits: {peaks.replace('%', ' %')}, equalizer_load_of_rated_"
+        f"GO WITH WARNINGS; nearest to their limits: {peaks.replace('%', ' %')}, equalizer_load_of_rated_"
     )
     assert " not checked, " in text and text.endswith(" without a limit")
     failed = check_recording(ringing_lift(rig=sample_rig(sling_factor_on_breaking_force=5.0)))

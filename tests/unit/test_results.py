@@ -5,13 +5,14 @@ import time as clock
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 import pytest
 import xarray
 
 import gantline
 from gantline.results.derive import recording_of
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, open_recording
 from gantline.results.variable import Variable
 from sample_lift import ENERGIES, SLINGS, WEIGHT, ringing_lift, sample_recording, sample_rig
 
@@ -180,6 +181,30 @@ def test_a_file_without_events_and_with_a_long_lift_file(tmp_path: Path) -> None
     again = gantline.open_recording(recording.save(tmp_path / "lift.nc"))
     assert again.events() == []
     assert again.attributes["scenario"] == "é" * 200_000
+
+
+def test_large_variables_are_read_by_any_library(tmp_path: Path) -> None:
+    # Several chunks of one megabyte of which the last is not full; one has the name of a dimension.
+    rng = np.random.default_rng(5)
+    values = rng.normal(size=(1000, 40, 9))
+    series = rng.normal(size=20_001)
+    recording = Recording(
+        {
+            "time": Variable(("time",), np.arange(1000.0), "s", "time"),
+            "point": Variable(("time", "point", "xyz"), values, "m", "points"),
+            "long": Variable(("sample",), series, "N", "a long series"),
+        },
+        {"xyz": list("abcdefghi")},
+        {},
+    )
+    path = recording.save(tmp_path / "large.nc")
+    back = open_recording(path)
+    assert np.array_equal(back["point"].values, values)
+    assert np.array_equal(back["long"].values, series)
+    with h5py.File(path) as file:
+        stored = file["_nc4_non_coord_point"]
+        assert stored.compression == "gzip" and stored.shuffle and stored.chunks[0] < 1000
+        assert np.array_equal(stored[...], values)
 
 
 def test_same_recording_same_bytes_at_another_time(tmp_path: Path) -> None:

@@ -39,7 +39,7 @@ from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.mechanics import RopeEnd
 from gantline.scenario.mooring import line_rope
 from gantline.scenario.parting import partings
-from gantline.scenario.plan import Bound, HoldStep, PumpStep
+from gantline.scenario.plan import Bound, HoldStep, MovingStep, PumpStep
 from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import RopeWeight, rope_weight
@@ -135,6 +135,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
             for kind in [lug.or_of((scenario.lug_types or {}).get(lug.type or ""))]
         },
         "centre_of_gravity_from_datum": [float(part) for part in centre],
+        "centre_envelope": [float(part) for part in load.centre_of_gravity.envelope],
     }
 
 
@@ -389,6 +390,9 @@ def _step(scenario: Scenario, step: Any) -> Json:
         "report": list(step.report),
         "require": require,
         **_pumped(scenario, step),
+        "speed": step.speed if isinstance(step, MovingStep) else None,
+        "pull_pins": list(step.pull_pins),
+        "put_in_pins": list(step.put_in_pins),
     }
 
 

@@ -1,6 +1,6 @@
 """Limits of a lift held against its recording."""
 
-from gantline.checks.check import Check, Verdict, has_failed, verdict_of
+from gantline.checks.check import Check, Verdict, has_failed, past_limits, verdict_of
 from gantline.checks.limits import LIMITS
 from gantline.checks.run import check_recording, end_of_step, values_of
 
@@ -11,6 +11,7 @@ __all__ = [
     "check_recording",
     "end_of_step",
     "has_failed",
+    "past_limits",
     "values_of",
     "verdict_of",
 ]

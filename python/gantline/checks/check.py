@@ -99,12 +99,24 @@ def verdict_of(checks: Sequence[Check]) -> str:
     if failed:
         head = f"NO-GO: {len(failed)} failed, {_foremost(failed)}"
     else:
-        nearest = _foremost([check for check in done if check.utilisation is not None])
-        head = f"GO; nearest to their limits: {nearest}" if nearest else "GO"
+        past = past_limits(checks)
+        nearest = _foremost([check for check in done if check.utilisation is not None and check not in past])
+        head = "GO WITH WARNINGS" if any(check.verdict is Verdict.WARNING for check in checks) else "GO"
+        head += f"; past a limit that only warns: {_foremost(past)}" if past else ""
+        head += f"; nearest to their limits: {nearest}" if nearest else ""
     warnings = sum(check.verdict is Verdict.WARNING for check in checks)
     without = sum(check.has_no_limit for check in checks)
     rest = f"{len(checks) - len(done) - without} not checked, {without} without a limit"
     return f"{head}; {_count(warnings, 'warning')}, {rest}"
+
+
+def past_limits(checks: Sequence[Check]) -> list[Check]:
+    """Checks that are past their limit and no more than a warning."""
+    return [
+        check
+        for check in checks
+        if check.verdict is Verdict.WARNING and check.utilisation is not None and check.utilisation > 1.0
+    ]
 
 
 def _foremost(checks: Sequence[Check]) -> str:

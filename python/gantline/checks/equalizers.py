@@ -55,6 +55,11 @@ def travel_used(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         yield Caution(past)
 
 
+def travel_at_any_time(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Travel of a moving sheave over its stroke that way, also while the load is still supported."""
+    yield from _travel(recording, during)
+
+
 def _past_stroke(recording: Recording) -> str:
     """Where a sheave came to the end of its stroke at any time, clear or not; empty if none did."""
     sheaves = {sheave for equalizer in recording.rig.equalizers for sheave in equalizer.moving_sheaves}

@@ -183,6 +183,12 @@ LIMITS: dict[str, Measure] = {
         definition=_ALL,
         is_listed=True,
     ),
+    "equalizer_travel_at_any_time": Measure(
+        "largest travel of a moving sheave / its stroke that way, supported or clear",
+        "%",
+        1,
+        equalizers.travel_at_any_time,
+    ),
     "tension_spread_when_clear": Measure(
         "(max - min)/mean over one equalizer's slings while the load is clear",
         "%",

@@ -11,6 +11,8 @@ from gantline.cli.cad_group import cad_app
 from gantline.cli.cases import cases
 from gantline.cli.check import check
 from gantline.cli.compare import compare
+from gantline.cli.doctor import doctor
+from gantline.cli.examples import examples_of
 from gantline.cli.export import export
 from gantline.cli.hydro import hydro
 from gantline.cli.new import new
@@ -28,19 +30,20 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command()(run)
-app.command()(statics)
-app.command()(cases)
-app.command()(compare)
-app.command()(check)
+app.command(epilog=examples_of("run"))(run)
+app.command(epilog=examples_of("statics"))(statics)
+app.command(epilog=examples_of("cases"))(cases)
+app.command(epilog=examples_of("compare"))(compare)
+app.command(epilog=examples_of("check"))(check)
 app.add_typer(cad_app, name="cad")
-app.command()(hydro)
-app.command()(ballast)
-app.command()(report)
-app.command()(view)
-app.command()(export)
-app.command()(new)
-app.command()(schema)
+app.command(epilog=examples_of("hydro"))(hydro)
+app.command(epilog=examples_of("ballast"))(ballast)
+app.command(epilog=examples_of("report"))(report)
+app.command(epilog=examples_of("view"))(view)
+app.command(epilog=examples_of("export"))(export)
+app.command(epilog=examples_of("new"))(new)
+app.command(epilog=examples_of("schema"))(schema)
+app.command(epilog=examples_of("doctor"))(doctor)
 
 
 def _print_version(is_wanted: bool) -> None:

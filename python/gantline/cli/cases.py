@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from gantline.cli.lift import Lift, Moment, moment_of
-from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop
+from gantline.cli.lift import Lift, Moment, moment_of, output_folder
+from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 
 def cases(
@@ -18,12 +19,24 @@ def cases(
         bool, typer.Option("--variants", help="Show each variant of a case in a line of its own.")
     ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON.")] = False,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="DIR",
+            help="Folder for all numbers as cases.json; a report in the same folder shows the worst of them.",
+        ),
+    ] = None,
 ) -> None:
     """Find how a lift hangs in each of its cases, and the worst case of each element; nothing is simulated.
 
     Ends with code 1 where a check fails or an equilibrium is unstable, and with 3 where there is none.
     """
+    from gantline.results.saved import CASES, replace_text
+
     moment = moment_of(time)
+    folder = None if output is None else output_folder(output)
     with scenario_errors():
         from gantline.scenario import load_scenario
         from gantline.study import run_cases
@@ -33,13 +46,18 @@ def cases(
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
         result = run_cases(scenario, moment)
+    text = json.dumps(result.to_json(), indent=2, allow_nan=False)
     if as_json:
-        typer.echo(json.dumps(result.to_json(), indent=2, allow_nan=False))
+        typer.echo(text)
     else:
         from gantline.cli.cases_table import cases_table
         from gantline.cli.check_table import width_of_terminal
 
         typer.echo("\n".join(cases_table(result, width=width_of_terminal(), variants=variants)))
+    if folder is not None:
+        with writing(folder):
+            replace_text(folder / CASES, text + "\n")
+        typer.echo(f"Cases       {folder / CASES}", err=as_json)
     if not result.has_equilibria:
         raise typer.Exit(COULD_NOT_GO_ON)
     raise typer.Exit(DONE if result.is_sound else CHECK_FAILED)

@@ -39,6 +39,7 @@ def report(
     It opens by a double click, prints to A4, and reads nothing from a network.
     """
     from gantline.report import write_report
+    from gantline.results.saved import read_beside
     from gantline.viewer import BundleMissing
 
     file = asked_for(recording)
@@ -46,10 +47,14 @@ def report(
     if target.is_dir():
         stop(f"{target}: is a folder; --output needs a file")
     try:
+        found = opened(file)
+        beside = read_beside(file.parent, found)
         with writing(target):
-            written = write_report(opened(file), target)
+            written = write_report(found, target, beside=beside)
     except (BundleMissing, ValueError) as problem:
         stop(f"{file}: {problem}")
+    for sentence in beside.left_out:
+        warn(f"not in the report: {sentence}")
     typer.echo(f"Report      {written}")
 
 

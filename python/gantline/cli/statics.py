@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -82,6 +83,9 @@ def statics(
             help="Folder for the equilibrium and one period of each motion shown, as recordings.",
         ),
     ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print all numbers as JSON, SI units, and nothing else.")
+    ] = False,
 ) -> None:
     """Find the equilibrium of a lift, and its natural motions about it; nothing is simulated.
 
@@ -98,7 +102,9 @@ def statics(
             stop(
                 "--sweep: makes a table of many equilibria; --held, --sensitivities and --output are for one"
             )
-        run_sweep(lift, sweep, moment)
+        run_sweep(lift, sweep, moment, as_json=as_json)
+    if (level or plumb or want is not None) and as_json:
+        stop("--json: is for an equilibrium and --sweep; --level, --want and --plumb print tables")
     if level or plumb or want is not None:
         from gantline.cli.inverse import hang_as_wanted
 
@@ -135,6 +141,12 @@ def statics(
         except ValueError as problem:
             stop(f"--margins: {problem}")
     shown = found[: max(modes, rest.unstable)]
+    if output is not None:
+        _write(question, rest, shown, output, aside=as_json)
+    if as_json:
+        more = question.sensitivities() if sensitivities else []
+        typer.echo(json.dumps(statics_json(rest, bounds, shown, more), indent=2, allow_nan=False))
+        raise typer.Exit(DONE if rest.is_stable else CHECK_FAILED)
     parts = [
         _heading(question, rest, found),
         _slings(rest, bounds),
@@ -149,8 +161,6 @@ def statics(
         _modes(shown),
         _sensitivities(rest, question.sensitivities()) if sensitivities else [],
     ]
-    if output is not None:
-        _write(question, rest, shown, output)
     if not rest.is_stable:
         parts += _beyond(question, rest)
     typer.echo("\n".join(line for part in parts if part for line in (*part, "")))
@@ -339,10 +349,41 @@ def _sensitivities(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[st
     return table(head, rows, "l" + "r" * len(slings)) if slings else []
 
 
-def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path) -> None:
+def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path, *, aside: bool) -> None:
+    from gantline.results.saved import EQUILIBRIUM
+
     place = output_folder(folder)
     with writing(place):
-        written = [rest.recording.save(place / "equilibrium.nc")]
+        written = [rest.with_modes(modes).save(place / EQUILIBRIUM)]
         for mode in modes:
             written.append(question.swing(mode).save(place / f"motion_{mode.number + 1}.nc"))
-    typer.echo("\n".join(f"Recording   {path}" for path in written))
+    typer.echo("\n".join(f"Recording   {path}" for path in written), err=aside)
+
+
+def statics_json(
+    rest: Equilibrium, bounds: list[Equilibrium], modes: list[Mode], sensitivities: list[Sensitivity]
+) -> dict[str, Any]:
+    """An equilibrium as a JSON object, SI units."""
+    from gantline.study.state import State, values_of
+
+    def numbers(one: Equilibrium) -> dict[str, Any]:
+        values = values_of(State("", "", one.losses, one.time, one))
+        return {**one.to_json(), **{key: of for key, of in values.items() if key != "smallest_sling_tension"}}
+
+    return {
+        **numbers(rest),
+        "bounds": [numbers(one) for one in bounds],
+        "contacts": [
+            {"name": one.contact, "support": one.support, "friction": list(one.friction), "bound": one.bound}
+            for one in rest.contacts
+        ],
+        "modes": [mode.to_json() for mode in modes],
+        "sensitivities": [
+            {
+                "kind": one.kind,
+                "of": one.name,
+                "rope_tension": dict(zip(one.ropes, map(float, one.tension), strict=True)),
+            }
+            for one in sensitivities
+        ],
+    }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
@@ -17,13 +18,14 @@ _WRITTEN = "a sweep is written like 'cranes.hook.at.z=36 m..37 m/5', five values
 _MOST = 1000
 
 
-def sweep(lift: Path, text: str, time: float | None) -> NoReturn:
+def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -> NoReturn:
     """Print the table of a sweep, and end.
 
     Args:
         lift: Lift file, folder, or name of a lift that comes with gantline.
         text: The sweep as it stands behind its option.
         time: Time of the plan [s]; None for the end of the lift.
+        as_json: Whether all numbers are printed as JSON in place of the table.
 
     Raises:
         typer.Exit: Always; with 1 where a check fails or a lift is unstable, and with 3 where it falls.
@@ -41,7 +43,11 @@ def sweep(lift: Path, text: str, time: float | None) -> NoReturn:
             points = list(run_sweep(scenario, path, first, last, count, time))
         except (PathError, UnitError) as problem:
             stop(f"--sweep: {problem}")
-    typer.echo("\n".join(_lines(path, points, width_of_terminal())))
+    if as_json:
+        found = [{"value": point.value, **point.state.to_json()} for point in points]
+        typer.echo(json.dumps({"path": path, "points": found}, indent=2, allow_nan=False))
+    else:
+        typer.echo("\n".join(_lines(path, points, width_of_terminal())))
     if any(point.state.rest is None for point in points):
         raise typer.Exit(COULD_NOT_GO_ON)
     raise typer.Exit(DONE if all(point.state.is_sound for point in points) else CHECK_FAILED)

@@ -23,13 +23,15 @@ def view(
     """
     from gantline.report import render_report
     from gantline.results import open_recording
+    from gantline.results.saved import read_beside
     from gantline.viewer import BundleMissing
     from gantline.viewer.server import PageServer
 
     file = asked_for(recording)
 
     def page() -> str:
-        return render_report(open_recording(file), reload_from="version")
+        recording = open_recording(file)
+        return render_report(recording, beside=read_beside(file.parent, recording), reload_from="version")
 
     try:
         page()

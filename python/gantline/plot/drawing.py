@@ -177,7 +177,7 @@ def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: boo
     for sheave in snap.sheaves:
         outline = view.project(sheave.circle)
         face, edge = ("white", INK) if sheave.moves else ("#B9C4CE", "#4A5F73")
-        panel.add_patch(
+        panel.add_artist(
             Polygon(outline, facecolor=face, edgecolor=edge, linewidth=1.1 if large else 0.6, zorder=3.5)
         )
         if large:
@@ -205,10 +205,10 @@ def _draw_box(panel: Axes, box: Box, view: View) -> None:
         normal = np.cross(face[1] - face[0], face[2] - face[1])
         if normal @ view.toward > 1e-9 * np.linalg.norm(normal):
             outline = view.project(face)
-            panel.add_patch(
+            panel.add_artist(
                 Polygon(outline, facecolor=fill, edgecolor="none", alpha=0.35 if is_frame else 1.0, zorder=1)
             )
-            panel.add_patch(
+            panel.add_artist(
                 Polygon(outline, fill=False, edgecolor=edge, linewidth=0.8, zorder=2.5 if is_frame else 1)
             )
 
@@ -353,7 +353,7 @@ def _draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
     low, _ = panel.get_ylim()
     line = ground.profile(0, (left, right), lift)
     below = np.concatenate([line, [(right, low), (left, low)]])
-    panel.add_patch(Polygon(below, facecolor=_EARTH, edgecolor="none", zorder=0))
+    panel.add_artist(Polygon(below, facecolor=_EARTH, edgecolor="none", zorder=0))
     panel.plot(*line.T, color=_EARTH_EDGE, linewidth=1.0, zorder=0.5)
 
 
@@ -366,7 +366,7 @@ def _draw_holes(panel: Axes, ground: Ground) -> None:
     """Holes of the ground in a top view."""
     for hole in ground.holes:
         (x0, x1), (y0, y1) = hole.x, hole.y
-        panel.add_patch(
+        panel.add_artist(
             Rectangle(
                 (x0, y0), x1 - x0, y1 - y0, facecolor=_EARTH, edgecolor=_EARTH_EDGE, linewidth=1.0, zorder=0
             )

@@ -21,15 +21,33 @@ def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
     """Load-cell readings of a hook [t], its largest hoist load and what that is of its rated capacity."""
     load = subject.recording.column("hoist_load", hook.name)
     highest = float(load.max())
-    used = values_of(subject.recording, "hoist_load_of_rated_capacity").get(hook.name)
+    shares = values_of(subject.recording, "hoist_load_of_rated_capacity")
+    own = {"trolley": ABSENT, "crane": ABSENT}
+    for rating in subject.rig.ratings:
+        if rating.level in own and hook.name in rating.hooks:
+            own[rating.level] = number(shares.get(f"{rating.level} {rating.name}"), "%", 1)
+    height = values_of(subject.recording, "hook_height_margin").get(hook.name)
+    aside = values_of(subject.recording, "falls_out_of_plumb").get(hook.name)
     return {
+        **own,
+        "highest": number(_highest(subject, hook), "m", 2),
+        "room": number(height, "m", 2),
+        "aside": number(aside, "deg", 2),
         "name": hook.name,
         "readings": [number(reading, "t", 1) for reading in _load_cell(subject, load)],
         "static": number(_mass(subject, subject.static(load)), "t", 1),
         "peak": number(highest / subject.rig.gravity, "t", 1),
         "rated": number(_mass(subject, hook.rated_capacity), "t", 0),
-        "used": show(used, "%", 1),
+        "used": number(shares.get(hook.name), "%", 1),
     }
+
+
+def _highest(subject: Subject, hook: Hook) -> float | None:
+    """Highest place of a hook's bearing [m]."""
+    recording = subject.recording
+    if hook.name not in recording.coordinates.get("crane_hook", ()):
+        return None
+    return float(recording.column("hook_height", hook.name).max())
 
 
 def _mass(subject: Subject, force: float | None) -> float | None:
@@ -121,5 +139,26 @@ def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
         "up": used(-1.0, equalizer.travel_up),
         "down": used(1.0, equalizer.travel_down),
         "spread": ABSENT if spread is None or not clear.any() else show(float(spread[clear].max()), "%", 2),
-        "locked": bool(equalizer.locked),
+        "pins": _pins(subject, equalizer),
     }
+
+
+def _pins(subject: Subject, equalizer: Equalizer) -> str:
+    """What has to be done with its locking pins, and before which step."""
+
+    def steps(key: str) -> list[str]:
+        own = (equalizer.name, *equalizer.moving_sheaves)
+        return [
+            f"{number} “{step.step}”"
+            for number, step in enumerate(subject.rig.plan, 1)
+            if any(name in own for name in getattr(step, key))
+        ]
+
+    pulled, put_in = steps("pull_pins"), steps("put_in_pins")
+    if not equalizer.locked:
+        text = "pull all before the first step"
+    elif pulled:
+        text = f"in at the start; pull before step {', '.join(pulled)}"
+    else:
+        text = "in over the whole lift"
+    return f"{text}; put in before step {', '.join(put_in)}" if put_in else text

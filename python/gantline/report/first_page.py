@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-import hashlib
 from typing import Any
 
 import numpy as np
 
-from gantline.checks import LIMITS, Check, Verdict, verdict_of
+from gantline.checks import LIMITS, Check, Verdict, past_limits, verdict_of
+from gantline.report.attitude import attitude
 from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
+from gantline.report.rest import what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
-from gantline.report.subject import ABSENT, Subject, show
-from gantline.results import series
+from gantline.report.subject import ABSENT, Subject, share, show
 from gantline.results.metrics import energy_bound
-from gantline.results.rig import Load
+from gantline.results.rig import Step
+from gantline.results.saved import digest_of
 
 _MOST_SLINGS = 16
-_MOST_STEPS = 12
+_MOST_STEPS = 16
 _MOST_NAMED = 4
+_MOST_WARNINGS = 3
+
+#: Steps whose speed is that of something that goes along a line.
+_ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out")
 
 #: What no check of the program looks at, whatever the lift.
 _BEYOND = "local strength of the load at its lugs, wind, and the ground under supports and crane"
@@ -42,13 +47,15 @@ class FirstPage(Section):
             "sketches": sketches(subject),
             "weights": _weights(subject),
             "hooks": [hook_row(subject, hook) for hook in subject.rig.hooks],
+            "cranes_travel": bool(subject.rig.cranes),
             "readings": [f"{100 * part:.0f} %" for part in READINGS],
             "slings": sling_rows(subject, _MOST_SLINGS),
             "slings_left_out": max(0, len(subject.rig.slings) - _MOST_SLINGS),
             "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
-            "attitude": _attitude(subject),
+            "attitude": attitude(subject),
             "steps": _steps(subject),
             "stop_if": _stop_if(subject),
+            "what_if": what_if(subject),
             "trust": _trust(subject),
         }
 
@@ -56,7 +63,7 @@ class FirstPage(Section):
 def fingerprint(subject: Subject) -> str:
     """The first digits of the SHA-256 of the lift file's text."""
     text = str(subject.recording.attributes.get("scenario", ""))
-    return hashlib.sha256(text.encode("utf-8")).hexdigest()[:12] if text else ABSENT
+    return digest_of(text)[:12] if text else ABSENT
 
 
 def _verdict(subject: Subject) -> dict[str, Any]:
@@ -82,12 +89,29 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         "head": head,
         "tone": tone,
         "failed": [check for check in checks if check.verdict is Verdict.FAILED],
+        "warned": [_warning(check) for check in _foremost_warnings(checks)],
         "warnings": len(warned),
         "nearest": list(worst.values())[:3],
         "missing": _listed(missing) if missing else "",
         "without": _listed(without) if without else "",
         "beyond": _BEYOND,
     }
+
+
+def _foremost_warnings(checks: list[Check]) -> list[Check]:
+    """Warnings that the first page spells out: what is past its limit, and what has a remark of its own."""
+    past = past_limits(checks)
+    others = [one for one in checks if one.verdict is Verdict.WARNING and one not in past and one.remark]
+    return [*past, *others][:_MOST_WARNINGS]
+
+
+def _warning(check: Check) -> dict[str, str]:
+    share = check.utilisation
+    past = f"{check.shown(check.value)}, past the {check.shown(check.limit)} of the lift file"
+    text = "; ".join(
+        part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
+    )
+    return {"name": check.name.replace("_", " "), "element": check.element, "text": text}
 
 
 def _listed(names: list[str]) -> str:
@@ -120,38 +144,20 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     every = np.sum([subject.recording.column("hoist_load", hook.name) for hook in rig.hooks], axis=0)
     factor = rig.factors.get("dynamic_amplification_factor")
     if factor is not None:
-        rows.append(("dynamic amplification factor of the rule", f"{factor.value:.2f}"))
-    rows.append(("largest hoist load, simulated", show(float(every.max()) / rig.gravity, "t", 1)))
-    return rows
-
-
-def _attitude(subject: Subject) -> list[tuple[str, str]]:
-    recording = subject.recording
-    rows: list[tuple[str, str]] = []
-    lift_off = subject.metrics.get("lift_off_time")
-    if lift_off is not None:
-        rows.append(("lift-off", f"at {show(lift_off, 's', 1)}"))
-    elif any(load.contacts for load in subject.rig.loads):
-        rows.append(("lift-off", "never clear of a support"))
-    for load in subject.rig.loads:
-        rows += _attitude_of(subject, load)
-    if recording.attributes.get("status") == "failed":
-        rows.append(("the run failed", str((recording.attributes.get("failure") or {}).get("cause", ""))))
-    return rows
-
-
-def _attitude_of(subject: Subject, load: Load) -> list[tuple[str, str]]:
-    recording = subject.recording
-    if load.body not in recording.coordinates.get("body", ()):
-        return []
-    tilt = subject.peak(recording.column("load_tilt", load.name))
-    place = recording.column("body_position", load.body)
-    drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
-    clear = series.load_is_clear(recording, load)
-    rows = [("largest tilt", f"{show(tilt[0], 'deg', 2)} at {show(tilt[1], 's', 1)}" if tilt else ABSENT)]
-    if clear.any():
-        rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
-    rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))
+        text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
+        known = [value for value in statics if value is not None]
+        times = factor.value * sum(known) / rig.gravity if len(known) == len(statics) else None
+        rows.append((text, show(times, "t", 1)))
+    largest = float(every.max())
+    # Of what one crane is rated for with its hook blocks, or one hook alone.
+    level = "crane" if any(rating.level == "crane" for rating in rig.ratings) else "hook"
+    rated = [one for one in rig.ratings if one.level == level]
+    of = rated[0].rated_capacity if len(rated) == 1 and rated[0].includes_hook_block else None
+    text = show(largest / rig.gravity, "t", 1)
+    if of:
+        used = show(share(largest, of), "%", 0)
+        text += f" of {show(of / rig.gravity, 't', 0)}, {used}"
+    rows.append(("largest hoist load, simulated", text))
     return rows
 
 
@@ -162,12 +168,25 @@ def _steps(subject: Subject) -> dict[str, Any]:
         {
             "name": step.step,
             "begin": show(times.get(step.step), "s", 1),
+            "does": _does(step),
             "is_hold": step.kind == "hold",
             "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
         }
         for step in plan[:_MOST_STEPS]
     ]
     return {"rows": rows, "left_out": max(0, len(plan) - _MOST_STEPS)}
+
+
+def _does(step: Step) -> str:
+    """What a step does, at which speed, with which pins."""
+    speed = f" {60.0 * step.speed:.3g} m/min" if step.speed is not None and step.kind in _ALONG else ""
+    pins = [
+        f"{words} pins of {', '.join(names)}"
+        for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))
+        if names
+    ]
+    verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
+    return "; ".join(part for part in (f"{verb}{speed}", *pins) if part)
 
 
 def _requirement(key: str, bounds: Any) -> str:

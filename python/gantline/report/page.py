@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -13,10 +11,12 @@ from markupsafe import Markup
 
 from gantline.report.first_page import FirstPage
 from gantline.report.plots import Attitude, HookLoads, Player, Tensions, Vessels
+from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.section import Section
 from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, Events, LiftFile
 from gantline.results.recording import Recording
+from gantline.results.saved import Beside, read_beside, replace_text
 from gantline.viewer import bundle, pack
 from gantline.viewer.inline import json_for_script, policy, script_is_safe
 
@@ -30,6 +30,9 @@ SECTIONS: tuple[Section, ...] = (
     Attitude(),
     Vessels(),
     Checks(),
+    Rest(),
+    Modes(),
+    Cases(),
     Events(),
     Energy(),
     LiftFile(),
@@ -38,11 +41,12 @@ SECTIONS: tuple[Section, ...] = (
 _STYLES = ("report.css", "first_page.css", "narrow.css", "print.css")
 
 
-def render_report(recording: Recording, *, reload_from: str = "") -> str:
+def render_report(recording: Recording, *, beside: Beside | None = None, reload_from: str = "") -> str:
     """The report of a recording as HTML.
 
     Args:
         recording: Any recording.
+        beside: Equilibrium and cases of the same lift, where they are known.
         reload_from: Where a served page asks whether the recording has changed; empty for a file.
 
     Returns:
@@ -55,7 +59,7 @@ def render_report(recording: Recording, *, reload_from: str = "") -> str:
     program = bundle()
     if not script_is_safe(program.script):
         raise ValueError("the player's program holds an end of a script element")
-    subject = Subject(recording)
+    subject = Subject(recording, beside)
     packed = pack(recording)
     environment = _environment()
     sections = []
@@ -78,12 +82,13 @@ def render_report(recording: Recording, *, reload_from: str = "") -> str:
     )
 
 
-def write_report(recording: Recording, path: str | Path) -> Path:
+def write_report(recording: Recording, path: str | Path, *, beside: Beside | None = None) -> Path:
     """Write the report of a recording: one HTML file that opens in any browser without a network.
 
     Args:
         recording: Any recording.
         path: File to write; an existing one is replaced, and only once the new one is complete.
+        beside: Equilibrium and cases of the same lift; what lies in the folder of the file if not given.
 
     Returns:
         The path written.
@@ -94,16 +99,8 @@ def write_report(recording: Recording, path: str | Path) -> Path:
         ValueError: If the recording cannot be drawn.
     """
     target = Path(path)
-    text = render_report(recording)
-    handle, trial = tempfile.mkstemp(prefix=".report.", dir=target.parent)
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.chmod(trial, 0o644)
-        os.replace(trial, target)
-    except BaseException:
-        Path(trial).unlink(missing_ok=True)
-        raise
+    text = render_report(recording, beside=beside or read_beside(target.parent, recording))
+    replace_text(target, text)
     return target
 
 

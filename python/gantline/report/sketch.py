@@ -29,6 +29,9 @@ _WIDTH, _HEIGHT, _MARGIN = (
     2.0,
 )  # of the paper [mm]; no world is drawn beyond the margin
 
+#: Corners of a box of half sizes 1.
+_SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
+
 #: Kind of each body, and points in space of each of its parts.
 _Solids = dict[str, tuple[str, list[FloatArray]]]
 
@@ -298,7 +301,12 @@ def _centres(subject: Subject, paper: _Paper) -> list[Mark]:
     marks = []
     for load in subject.rig.loads:
         if load.body in subject.recording.coordinates.get("body", ()):
-            place = paper.place(subject.recording.column("body_position", load.body)[-1])
+            centre = subject.recording.column("body_position", load.body)[-1]
+            turned = axes(subject.recording.column("body_orientation", load.body)[-1])
+            if any(load.centre_envelope):
+                corners = _SIGNS * np.asarray(load.centre_envelope, dtype=np.float64)
+                marks += paper.area(centre + corners @ turned.T, "sk-envelope")
+            place = paper.place(centre)
             marks.append(Mark("centre", "sk-centre", x=float(place[0]), y=float(place[1])))
     return marks
 

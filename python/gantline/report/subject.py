@@ -9,6 +9,7 @@ from gantline.results import series
 from gantline.results.metrics import metrics_of
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
+from gantline.results.saved import Beside
 from gantline.results.stability import Stability, stability_of
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
@@ -21,10 +22,12 @@ class Subject:
 
     Args:
         recording: Any recording.
+        beside: What else was asked of the same lift.
     """
 
-    def __init__(self, recording: Recording) -> None:
+    def __init__(self, recording: Recording, beside: Beside | None = None) -> None:
         self.recording = recording
+        self.beside = beside or Beside()
 
     @property
     def rig(self) -> Rig:
@@ -68,6 +71,11 @@ class Subject:
     def peak(self, values: FloatArray, during: BoolArray | None = None) -> tuple[float, float] | None:
         """Largest sample and its time [s]."""
         return series.peak(self.recording, values, during)
+
+    def step_at(self, time: float) -> str:
+        """Name of the step of the plan that began last before a time [s]; empty before the first."""
+        begun = [name for when, _, name in self.recording.events("step_begin") if when <= time]
+        return begun[-1] if begun else ""
 
 
 def show(value: float | None, unit: str, digits: int) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,9 @@ from gantline.report.subject import ABSENT, Subject, show
 from gantline.results import series
 from gantline.results.equalising import equalising
 from gantline.results.parting import stops_met
+from gantline.results.recording import Recording
 from gantline.results.rig import Equalizer
+from gantline.version import version
 
 _MOST_EVENTS = 400
 
@@ -170,12 +173,40 @@ class Energy(Section):
         counters = recording.attributes.get("counters") or {}
         return {
             "rows": rows,
-            "sentences": list(subject.stability.sentences()),
+            "sentences": [*_accuracy(recording), *subject.stability.sentences()],
             "warnings": [str(one) for one in recording.attributes.get("warnings") or []],
             "counters": [
                 (str(name), f"{int(count):,}".replace(",", " ")) for name, count in counters.items()
             ],
         }
+
+
+def _accuracy(recording: Recording) -> Iterator[str]:
+    """What the method was told to keep, as far as the settings say."""
+    settings = recording.attributes.get("settings") or {}
+    integrator = settings.get("integrator") or {}
+    method = integrator.get("type")
+    if method is None:
+        return
+    kept = [
+        f"{words} to {show(float(integrator[name]), unit, digits)}"
+        for name, words, unit, digits in (
+            ("tension_tolerance", "tensions", "N", 1),
+            ("position_tolerance", "positions", "mm", 3),
+        )
+        if isinstance(integrator.get(name), int | float)
+    ]
+    step = integrator.get("step")
+    if kept:
+        yield f"method {method}: each step keeps {' and '.join(kept)}"
+    elif isinstance(step, int | float):
+        yield f"method {method}: steps of {show(float(step), 'ms', 3)}, whose error is not controlled"
+    else:
+        yield f"method {method}"
+    interval = settings.get("sample_interval")
+    if isinstance(interval, int | float):
+        every = show(float(interval), "s", 3)
+        yield f"curves have a sample each {every}; peaks of tension are those of all steps"
 
 
 class LiftFile(Section):
@@ -191,7 +222,8 @@ class LiftFile(Section):
         settings = attributes.get("settings") or {}
         shown = [(str(key), _setting(value)) for key, value in settings.items()]
         facts = [
-            ("gantline", str(attributes.get("gantline_version", ""))),
+            ("simulated by gantline", str(attributes.get("gantline_version", ""))),
+            ("report by gantline", version()),
             ("lift file, SHA-256", fingerprint(subject)),
         ]
         size = subject.recording.sizes

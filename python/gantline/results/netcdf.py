@@ -11,6 +11,9 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+import zlib
+from collections import deque
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +26,7 @@ from gantline.results.variable import Variable
 
 _FORMAT = 1
 _PLAIN_TEXT = frozenset({"title", "gantline_version", "scenario", "status"})
+_LEVEL = 1  # of gzip: more takes several times as long and saves little
 _COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
 
 
@@ -91,15 +95,49 @@ def _write(recording: Recording, file: h5netcdf.File) -> None:
 def _write_variable(file: h5netcdf.File, name: str, variable: Variable) -> None:
     values = variable.values
     options: dict[str, Any] = {}
-    if not variable.is_text and values.nbytes >= _COMPRESS_FROM:
-        options = {"compression": "gzip", "compression_opts": 1, "shuffle": True, "chunks": _chunks(values)}
+    is_large = not variable.is_text and values.nbytes >= _COMPRESS_FROM
+    if is_large:
+        options = {
+            "compression": "gzip",
+            "compression_opts": _LEVEL,
+            "shuffle": True,
+            "chunks": _chunks(values),
+        }
     target = file.create_variable(
-        name, variable.dims, dtype=h5py.string_dtype() if variable.is_text else np.float64, **options
+        name, variable.dims, dtype=h5py.string_dtype() if variable.is_text else "<f8", **options
     )
-    if values.size:
+    if is_large:
+        _write_chunks(target._h5ds, values, options["chunks"][0])
+    elif values.size:
         target[...] = values.astype(object) if variable.is_text else values
     target.attrs["units"] = variable.unit
     target.attrs["long_name"] = variable.description
+
+
+def _write_chunks(target: h5py.Dataset, values: np.ndarray[Any, np.dtype[Any]], rows: int) -> None:
+    """Write a dataset in chunks of whole rows, compressed on all processors.
+
+    The library would filter one chunk after the other: the same bytes, shuffled and deflated here, are handed
+    to it as they are to stand in the file. Only so many are under way that memory stays small.
+    """
+    pending: deque[tuple[int, Future[bytes]]] = deque()
+    workers = os.cpu_count() or 1
+    whole = np.ascontiguousarray(values, dtype="<f8")
+    origin = (0,) * (values.ndim - 1)
+    with ThreadPoolExecutor(workers) as pool:
+        for begin in range(0, len(whole), rows):
+            pending.append((begin, pool.submit(_filtered, whole[begin : begin + rows], rows)))
+            while len(pending) > 2 * workers or (pending and begin + rows >= len(whole)):
+                place, packed = pending.popleft()
+                target.id.write_direct_chunk((place, *origin), packed.result())
+
+
+def _filtered(chunk: np.ndarray[Any, np.dtype[Any]], rows: int) -> bytes:
+    """What the filters shuffle and gzip make of a chunk; the last one is filled up with zeros."""
+    if len(chunk) < rows:
+        chunk = np.concatenate([chunk, np.zeros((rows - len(chunk), *chunk.shape[1:]))])
+    shuffled = np.ascontiguousarray(chunk.reshape(-1).view(np.uint8).reshape(-1, chunk.itemsize).T)
+    return zlib.compress(shuffled.data, _LEVEL)
 
 
 def _chunks(values: np.ndarray[Any, np.dtype[Any]]) -> tuple[int, ...]:

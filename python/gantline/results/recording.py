@@ -101,6 +101,25 @@ class Recording:
         sizes = ", ".join(f"{dim}: {size}" for dim, size in self._sizes.items())
         return f"<Recording {self.title!r}: {len(self._variables)} variables; {sizes}>"
 
+    def _repr_html_(self) -> str:
+        """For notebooks: what was lifted, how long it is, how it ended, its warnings."""
+        from gantline.html import facts_table
+        from gantline.units import format_quantity
+
+        sizes = ", ".join(f"{size} {dim}" for dim, size in self.sizes.items() if dim in self.coordinates)
+        rows = [("status", str(self._attributes.get("status", "")))]
+        if len(self.time):
+            span = f"{self.time[0]:g} s to {self.time[-1]:g} s"
+            rows.append(("time", f"{span}, {len(self.time)} samples"))
+        slings = [sling.rope for sling in self.rig.slings]
+        if slings and "rope_tension" in self:
+            peaks = {rope: float(self.column("rope_tension", rope).max(initial=0.0)) for rope in slings}
+            rope = max(peaks, key=lambda name: peaks[name])
+            rows.append(("largest sling tension", f"{format_quantity(peaks[rope], 'kN', 1)} ({rope})"))
+        rows += [("names", sizes), ("variables", ", ".join(self._variables))]
+        rows += [("warning", str(warning)) for warning in self._attributes.get("warnings") or ()]
+        return facts_table(self.title or "Recording", rows)
+
     def column(self, name: str, label: str) -> FloatArray:
         """One named series of a variable, for example `column("rope_tension", "sling.S1")`.
 

@@ -52,6 +52,7 @@ class Load(FromJson):
         contingency: Factor on the calculated mass.
         design_mass: With contingency [kg].
         lugs: Lugs by name.
+        centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
     """
 
     name: str
@@ -64,6 +65,7 @@ class Load(FromJson):
     contingency: float | None = None
     design_mass: float | None = None
     lugs: Mapping[str, Lug] = field(default_factory=dict)
+    centre_envelope: Sequence[float] = (0.0, 0.0, 0.0)
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
@@ -346,10 +348,16 @@ class Step(FromJson):
         report: Quantities to be read off at its end.
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
         tanks: Tanks that it pumps.
+        speed: Of what it moves [m/s]; None of a step that moves nothing along.
+        pull_pins: Equalizers or moving sheaves whose locking pins are pulled as it begins.
+        put_in_pins: The same of those that are put in.
     """
 
     step: str
     kind: str = ""
+    speed: float | None = None
+    pull_pins: Sequence[str] = ()
+    put_in_pins: Sequence[str] = ()
     report: Sequence[str] = ()
     require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     tanks: Sequence[str] = ()

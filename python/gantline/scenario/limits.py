@@ -86,6 +86,9 @@ class Limits(Element):
     equalizer_travel_used: Ratio | None = Field(
         None, description="Travel used, of the stroke; 100 % if not given."
     )
+    equalizer_travel_at_any_time: Ratio | None = Field(
+        None, description="The same over the whole lift, also before the load is clear of its supports."
+    )
     equalizer_load_of_rated_capacity: Ratio | None = Field(
         None,
         description="Static load of all slings of an equalizer, of its rated capacity; 100 % if not given.",

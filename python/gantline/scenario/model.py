@@ -144,6 +144,28 @@ class Scenario(Element):
         """An error with one problem at a path of this file."""
         return ScenarioError(self._source, [self.problem(path, sentence)])
 
+    def _repr_html_(self) -> str:
+        """For notebooks: what the lift file describes."""
+        from gantline.html import facts_table
+        from gantline.units import format_quantity
+
+        head = self.lift
+        rows = [("lift file", str(self.source)), ("duration", format_quantity(self.duration, "s", 0))]
+        if head.number:
+            rows.insert(0, ("number", f"{head.number} rev {head.revision}" if head.revision else head.number))
+        if self.load is not None:
+            rows.append((f"load {self.load.name}", format_quantity(self.load.weight.simulated, "t", 1)))
+        groups = {
+            "cranes": self.cranes,
+            "hooks": self.hooks,
+            "equalizers": self.equalizers,
+            "slings": self.slings,
+            "cases": self.cases,
+        }
+        rows += [(what, f"{len(names)}: {', '.join(names)}") for what, names in groups.items() if names]
+        rows += [(f"step {number}", step.step) for number, step in enumerate(self.plan, 1)]
+        return facts_table(head.title, rows)
+
     @property
     def hooks(self) -> dict[str, Hook]:
         """Hooks of all cranes by their full names."""

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from gantline.results.saved import digest_of
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.case import TOLERANCE
 from gantline.scenario.variants import (
@@ -41,12 +44,14 @@ class CasesResult:
 
     Attributes:
         title: Title of the lift.
+        scenario: Text of its lift file.
         given: The lift as it is given.
         states: That, then every variant of every case, in the order of the file; of lifts with losses of
             sheaves each with its two bounds.
     """
 
     title: str
+    scenario: str
     given: State
     states: Sequence[State]
 
@@ -78,6 +83,7 @@ class CasesResult:
         """All of it as a JSON object, SI units; the lift as it is given is the case with the name ''."""
         return {
             "title": self.title,
+            "scenario_sha256": digest_of(self.scenario),
             "sound": self.is_sound,
             "cases": [
                 {"case": name, "states": [state.to_json() for state in self.of(name)]} for name in self.names
@@ -97,44 +103,71 @@ class CasesResult:
         }
 
 
-def run_cases(lift: str | Path | Scenario, time: float | None = None) -> CasesResult:
+def run_cases(
+    lift: str | Path | Scenario, time: float | None = None, *, workers: int | None = None
+) -> CasesResult:
     """Statics of a lift as it is given and of each of its cases.
 
     No equilibrium is a result. Where sheaves have losses each variant has two states more, with all of them
-    slipping along the rope and against it.
+    slipping along the rope and against it. Variants are worked on side by side; what is found does not
+    depend on how many at a time.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
         time: Time of the plan [s]; None for the end of the lift. A cut that says when has its own.
+        workers: Variants at a time; None for as many as there are processors.
 
     Raises:
         ScenarioError: If the lift file is not right, or a case asks for what cannot be.
     """
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     base = without_cases(scenario)
-    states = list(_with_bounds(base, time, State("", "", "none", 0.0)))
-    for name in scenario.cases or {}:
-        states += _states(scenario, base, name, time)
-    return CasesResult(scenario.lift.title, states[0], states)
+    # Threads do: the core looks for equilibria without holding the interpreter.
+    with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
+        try:
+            whole = _with_bounds(pool, base, time, State("", "", "none", 0.0))
+            pending = [whole]
+            for name in scenario.cases or {}:
+                pending += _states(pool, scenario, base, name, time)
+            states = [state for each in pending for state in each.result()]
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+    return CasesResult(scenario.lift.title, scenario.text, states[0], states)
 
 
-def _states(scenario: Scenario, base: Scenario, name: str, time: float | None) -> Iterator[State]:
+#: States of a variant, which may still be worked on.
+_Pending = Future[list[State]]
+
+
+def _known(state: State) -> _Pending:
+    """A state that is known already."""
+    found: _Pending = Future()
+    found.set_result([state])
+    return found
+
+
+def _states(
+    pool: Executor, scenario: Scenario, base: Scenario, name: str, time: float | None
+) -> Iterator[_Pending]:
     """All states of a case."""
     case = (scenario.cases or {})[name]
     if case.vary == TOLERANCE:
-        yield from _tolerances(scenario, base, name, time)
+        yield from _tolerances(pool, scenario, base, name, time)
     elif case.cut:
-        yield from _cut(scenario, base, name, time)
+        yield _cut(pool, scenario, base, name, time)
     else:
         for variant in variants_of(scenario, name):
             state = State(name, variant.label, "none", 0.0)
-            yield from _of_case(scenario, variant.scenario, time, state)
+            yield _of_case(pool, scenario, variant.scenario, time, state)
 
 
-def _of_case(scenario: Scenario, changed: Scenario, time: float | None, state: State) -> Iterator[State]:
+def _of_case(
+    pool: Executor, scenario: Scenario, changed: Scenario, time: float | None, state: State
+) -> _Pending:
     """States of a case's lift; what is wrong with how that is built is said at the case."""
     try:
-        yield from _with_bounds(changed, time, state)
+        return _with_bounds(pool, changed, time, state)
     except ScenarioError as error:
         problem = error.problems[0]
         sentence = f"{problem.path}: {problem.sentence}"
@@ -142,17 +175,21 @@ def _of_case(scenario: Scenario, changed: Scenario, time: float | None, state: S
         raise scenario.error(("cases", state.case), f"{where}{sentence}") from None
 
 
-def _with_bounds(scenario: Scenario, time: float | None, state: State) -> Iterator[State]:
+def _with_bounds(pool: Executor, scenario: Scenario, time: float | None, state: State) -> _Pending:
     """A state settled, and with all sheaves slipping one way and the other where they have losses."""
     question = Statics(scenario)
-    found = settled(question, time, state)
-    yield found
-    if found.rest is not None and found.rest.lossy:
-        for losses in _BOUNDS:
-            yield settled(question, time, replace(state, losses=losses, first_order={}))
+
+    def work() -> list[State]:
+        found = settled(question, time, state)
+        if found.rest is None or not found.rest.lossy:
+            return [found]
+        bounds = (replace(state, losses=losses, first_order={}) for losses in _BOUNDS)
+        return [found, *(settled(question, time, bound) for bound in bounds)]
+
+    return pool.submit(work)
 
 
-def _cut(scenario: Scenario, base: Scenario, name: str, time: float | None) -> Iterator[State]:
+def _cut(pool: Executor, scenario: Scenario, base: Scenario, name: str, time: float | None) -> _Pending:
     """The lift at rest once ropes have been cut; at its own time, if it says one."""
     case = (scenario.cases or {})[name]
     moment = case.at
@@ -161,8 +198,7 @@ def _cut(scenario: Scenario, base: Scenario, name: str, time: float | None) -> I
             begin = begin_of_step(base, case.at_step)
         except NoEquilibriumError as problem:
             cause = f"{problem.cause} ({problem.element})"
-            yield State(name, "", "none", problem.time, cause=cause, cut=case.cut)
-            return
+            return _known(State(name, "", "none", problem.time, cause=cause, cut=case.cut))
         if begin is None:
             sentence = f"'{case.at_step}' does not begin within the {base.duration:g} s of the lift"
             raise scenario.error(("cases", name, "at_step"), sentence)
@@ -176,17 +212,19 @@ def _cut(scenario: Scenario, base: Scenario, name: str, time: float | None) -> I
     question = with_ropes_cut(scenario, name, when)
     label = "" if moment is None else f"at {when:.4g} s"
     state = State(name, label, "none", 0.0, cut=case.cut)
-    yield from _of_case(scenario, question, math.nextafter(when, math.inf), state)
+    return _of_case(pool, scenario, question, math.nextafter(when, math.inf), state)
 
 
-def _tolerances(scenario: Scenario, base: Scenario, name: str, time: float | None) -> Iterator[State]:
+def _tolerances(
+    pool: Executor, scenario: Scenario, base: Scenario, name: str, time: float | None
+) -> Iterator[_Pending]:
     """Patterns of long and short slings, by sensitivities, and each solved anew."""
     case = (scenario.cases or {})[name]
     question = Statics(base)
     off = tolerances(scenario)
     given = settled(question, time, State(name, "", "none", 0.0))
     if given.rest is None:
-        yield given
+        yield _known(given)
         return
     change = _changes(scenario, name, question, off)
     if change is None or case.pattern == "each":
@@ -196,7 +234,7 @@ def _tolerances(scenario: Scenario, base: Scenario, name: str, time: float | Non
         found = (pattern for one in changes for pattern in worst_patterns(str(case.pattern), one))
         patterns = list(dict.fromkeys(found))
     if not patterns:
-        yield replace(given, variant="lengths change no tension")
+        yield _known(replace(given, variant="lengths change no tension"))
     for pattern in patterns:
         longer = {sling: sign * off[sling] for sling, sign in zip(off, pattern, strict=True) if sign}
         more = change @ np.array(pattern) if change is not None else ()
@@ -205,7 +243,7 @@ def _tolerances(scenario: Scenario, base: Scenario, name: str, time: float | Non
             for sling, one in zip(question.rig.slings, more, strict=change is not None)
         }
         state = State(name, pattern_label(longer), "none", 0.0, first_order=first_order)
-        yield from _of_case(scenario, with_lengths(scenario, name, longer), time, state)
+        yield _of_case(pool, scenario, with_lengths(scenario, name, longer), time, state)
 
 
 def _changes_by_losses(

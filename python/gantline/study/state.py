@@ -9,23 +9,12 @@ from typing import Any
 from gantline.checks import Check, Verdict, check_recording, has_failed, verdict_of
 from gantline.results import series
 from gantline.results.recording import Recording
+from gantline.results.saved import LOSSES, QUANTITIES
 from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
 
 __all__ = ["LOSSES", "QUANTITIES", "State", "Worst", "settled", "values_of", "worst_of"]
 
-#: Quantities of a state, each with the unit and decimals in which people read it.
-QUANTITIES: dict[str, tuple[str, int]] = {
-    "sling_tension": ("kN", 1),
-    "smallest_sling_tension": ("kN", 1),
-    "rope_tension": ("kN", 1),
-    "hook_load": ("kN", 1),
-    "hoist_load": ("kN", 1),
-    "load_tilt": ("deg", 2),
-    "sheave_travel": ("m", 3),
-}
 _ROUNDING = 1e-9
-#: What losses of sheaves do in a state, in words.
-LOSSES: dict[Losses, str] = {"none": "", "forward": "slip along", "backward": "slip against"}
 
 
 @dataclass(frozen=True)

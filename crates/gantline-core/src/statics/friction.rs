@@ -1,7 +1,7 @@
 //! Friction at rest: what sheaves and contacts hold follows from the forces that press, which follow from what they hold.
 //! After each search it is set anew, until it no longer changes.
 
-use super::potential::{Losses, Part};
+use super::potential::{Bearing, Losses, Part};
 use super::{LOSS_LEFT, Statics};
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law};
@@ -22,6 +22,19 @@ fn wrong(known: f64, wanted: f64, force: f64) -> f64 {
 }
 
 impl Statics {
+    /// Sheaves that all slip one way begin with what they resisted at the equilibrium before, if there was one: from
+    /// there it takes fewer rounds.
+    pub(super) fn slip_as(&mut self, before: &[Bearing], losses: Losses) {
+        if !matches!(losses, Losses::Forward | Losses::Backward) {
+            return;
+        }
+        for (bearing, before) in self.bearings.iter_mut().zip(before) {
+            if let (Part::Resist(known), Part::Resist(then)) = (&mut bearing.part, before.part) {
+                *known = then;
+            }
+        }
+    }
+
     /// Sets what friction holds by the forces found, after so many rounds; true where that was right before.
     pub(super) fn follow_friction(
         &mut self,

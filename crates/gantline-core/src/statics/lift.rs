@@ -8,6 +8,7 @@ use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{Event, EventKind, EventLog};
+use crate::plan::condition::Seen;
 use crate::record::Samples;
 use crate::record::columns::Columns;
 use crate::record::names::Names;
@@ -22,6 +23,8 @@ use crate::tree::kinematics::{Kinematics, Twist};
 
 /// Time between looks at the conditions of a plan [s].
 const LOOK: f64 = 0.1;
+/// Farthest look ahead: where a condition holds there, what lies before it is looked at by halves [s].
+const AHEAD: f64 = 16.0 * LOOK;
 /// Longest and shortest part of a plan that is followed at once [s].
 const LONGEST: f64 = 5.0;
 const SHORTEST: f64 = 1e-3;
@@ -142,13 +145,14 @@ impl StaticLift {
         statics.settle(system, state, losses)
     }
 
-    /// From rest to rest.
+    /// From rest to rest. A condition is met at the first look at which it holds, `LOOK` apart: what holds for less than
+    /// `AHEAD`, and not at its end, may be missed.
     fn follow(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
         let Self { system, state, statics, log, .. } = self;
         log.events.clear();
         let mut support = vec![0.0; system.groups.len()];
         part(system, state);
-        let mut rest = statics.settle(system, state, losses)?;
+        let mut rest = Some(statics.settle(system, state, losses)?);
         let (mut before, mut stride) = (state.clone(), LONGEST);
         while state.time < time {
             before.copy_from(state);
@@ -158,16 +162,24 @@ impl StaticLift {
             let known = log.events.len();
             flows::advance_plan(system, state, &placed(system, state), (now.next_up(), &support), log);
             let waits = state.plan.waits_for_condition();
-            stride = stride.min(if waits { LOOK } else { LONGEST });
-            let due = if waits { f64::INFINITY } else { state.plan.next_time(&system.plan, now) };
+            stride = stride.min(if waits { AHEAD } else { LONGEST });
+            let mut due = state.plan.next_time(&system.plan, now);
+            if waits {
+                // Nothing but the condition may come in between.
+                stride = if due < now + stride { stride.min(LOOK) } else { stride };
+                due = f64::INFINITY;
+            }
             let next = (now + stride).min(due).min(time);
             flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
             state.time = next;
             part(system, state);
-            let found = statics.go_on(system, state, losses);
+            let found = statics.follow(system, state, losses);
             let is_short = next - now <= SHORTEST;
-            if is_short || (found.is_ok() && statics.doubt <= DOUBT) {
-                rest = found?;
+            let is_late =
+                found.is_ok() && waits && stride > LOOK && is_fulfilled(system, state, &mut support);
+            if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
+                found?;
+                rest = None;
                 stride *= 2.0;
             } else {
                 state.copy_from(&before);
@@ -176,7 +188,7 @@ impl StaticLift {
                 stride = 0.5 * (next - now);
             }
         }
-        Ok(rest)
+        Ok(rest.unwrap_or_else(|| statics.rest(system, state)))
     }
 
     /// The samples are the start of the lift, where `from_start`, and the equilibrium.
@@ -352,6 +364,15 @@ fn placed(system: &System, state: &State) -> Frame {
     let mut frame = Frame::new(system);
     frame.kinematics.update(&system.tree, &state.q);
     frame
+}
+
+/// Whether a step under way waits for what holds now.
+fn is_fulfilled(system: &System, state: &State, support: &mut [f64]) -> bool {
+    flows::supports(system, &state.tension, support);
+    let kinematics = &placed(system, state).kinematics;
+    let tension =
+        |row: usize| flows::tension_at(system, kinematics, (row, &state.tension), [&state.q, &state.v]);
+    state.plan.is_fulfilled(&system.plan, &Seen { support, tension: &tension, kinematics })
 }
 
 /// Ropes that have been cut before now, and pins as the steps that have begun have them.

@@ -106,10 +106,11 @@ impl Statics {
         losses: Losses,
     ) -> Result<Rest, NoEquilibrium> {
         self.begin(system, state);
+        self.bearings.clear();
         flows::set_driven(system, state);
-        let rest = self.balance(system, state, losses)?;
+        self.balance(system, state, losses)?;
         winding::lay(system, state, &self.search.here.frame);
-        Ok(rest)
+        Ok(self.rest(system, state))
     }
 
     /// What the equilibrium found last is like.
@@ -133,8 +134,9 @@ impl Statics {
     }
 
     /// Moves `state` to the equilibrium downhill of it, with drives where it has them.
-    fn balance(&mut self, system: &System, state: &mut State, losses: Losses) -> Result<Rest, NoEquilibrium> {
-        self.bearings = bearings(system, state, losses);
+    fn balance(&mut self, system: &System, state: &mut State, losses: Losses) -> Result<(), NoEquilibrium> {
+        let before = std::mem::replace(&mut self.bearings, bearings(system, state, losses));
+        self.slip_as(&before, losses);
         self.hold_motors(system);
         for round in 1.. {
             self.search.descend(system, state, &mut self.bearings).map_err(|stuck| explain(system, stuck))?;
@@ -157,9 +159,8 @@ impl Statics {
             return Err(NoEquilibrium { element, cause: cause.to_owned() });
         }
         self.drag_motors(system, state);
-        let rest = self.rest(system, state);
         self.store(system, state);
-        Ok(rest)
+        Ok(())
     }
 
     /// T̂ = T of rows without compliance; by how much the largest of their lengths was wrong [m].

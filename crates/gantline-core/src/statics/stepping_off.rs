@@ -41,7 +41,8 @@ impl Statics {
             let factor = factor.copysign(step[first]);
             step.iter_mut().for_each(|entry| *entry *= factor);
             system.tree.advance(&mut state.q, &step);
-            found = Some(self.balance(system, state, losses)?);
+            self.balance(system, state, losses)?;
+            found = Some(self.rest(system, state));
         }
         Ok(found)
     }

@@ -52,6 +52,7 @@ impl Statics {
     /// `state` is where a lift has got to by other means: drives stand where it has them.
     pub fn resume(&mut self, system: &System, state: &State) {
         self.begin(system, state);
+        self.bearings.clear();
         let positions = system.drives.iter().map(|drive| system.tree.bodies[drive.body].first_position);
         self.places = positions.map(|position| state.q[position]).collect();
     }
@@ -85,6 +86,20 @@ impl Statics {
         state: &mut State,
         losses: Losses,
     ) -> Result<Rest, NoEquilibrium> {
+        self.follow(system, state, losses)?;
+        Ok(self.rest(system, state))
+    }
+
+    /// The same, without asking what the equilibrium is like.
+    ///
+    /// # Errors
+    /// [`NoEquilibrium`] as [`Statics::settle`].
+    pub(super) fn follow(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        losses: Losses,
+    ) -> Result<(), NoEquilibrium> {
         let (last, stood) = (std::mem::take(&mut self.asked), std::mem::take(&mut self.places));
         self.begin(system, state);
         let before = self.before(system, state);
@@ -95,14 +110,14 @@ impl Statics {
         }
         flows::set_driven(system, state);
         self.wind(system, state, &before);
-        let mut rest = self.balance(system, state, losses)?;
+        self.balance(system, state, losses)?;
         for _ in 1..ROUNDS {
             if self.wind(system, state, &before) <= LEFT {
                 break;
             }
-            rest = self.balance(system, state, losses)?;
+            self.balance(system, state, losses)?;
         }
-        Ok(rest)
+        Ok(())
     }
 
     fn before(&mut self, system: &System, state: &mut State) -> Before {

@@ -1,0 +1,58 @@
+"""Examples that the help of each verb ends with; a test holds their options against those that there are."""
+
+from __future__ import annotations
+
+#: Command lines by verb, each with what it does.
+EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
+    "run": (
+        ("gantline run equalizer", "a lift that comes with gantline, into results/equalizer"),
+        ("gantline run mylift -o out --tension-tolerance '10 N'", "your own, more precisely"),
+        ("gantline run mylift --no-plots --json > checks.json", "for programs"),
+    ),
+    "statics": (
+        ("gantline statics equalizer", "how it hangs at the end of its plan, and its slowest motions"),
+        (
+            "gantline statics equalizer --time '20 s' --sensitivities",
+            "at another time, with what errors change",
+        ),
+        ("gantline statics mylift -o results/mylift", "for the report in that folder"),
+        ("gantline statics mylift --sweep 'slings.S1.length=23 m..23.1 m/5'", "over a length"),
+    ),
+    "cases": (
+        ("gantline cases equalizer", "all cases of the lift file, and the worst of each element"),
+        ("gantline cases mylift -o results/mylift", "for the report in that folder"),
+    ),
+    "compare": (
+        ("gantline compare mechanisms mechanisms", "a lift with itself: no difference"),
+        ("gantline compare before.nc after.nc", "two recordings"),
+    ),
+    "check": (
+        ("gantline check mylift", "is this lift file right?"),
+        ("gantline check results/mylift", "does the lift keep its limits? code 1 if not"),
+    ),
+    "hydro": (("gantline hydro box:100m,30m,8m --kg '5 m'", "drafts, displacement, GM of a barge"),),
+    "ballast": (
+        ("gantline ballast mylift --step 'hold point 2'", "even keel while the load hangs"),
+        ("gantline ballast mylift --draft '4.4 m' --tanks row1,row2", "with a draft, by two tanks"),
+    ),
+    "report": (
+        ("gantline report results/mylift", "the report beside its recording, made anew"),
+        ("gantline report results/mylift/recording.nc -o lift.html", "somewhere else"),
+    ),
+    "view": (("gantline view results/mylift", "in the browser, and again when it changes"),),
+    "export": (
+        ("gantline export results/mylift lift.glb", "for Blender"),
+        ("gantline export results/mylift t.csv --variable rope_tension", "for spreadsheets"),
+    ),
+    "new": (("gantline new mylift --from equalizer", "a folder with a lift file to change"),),
+    "schema": (("gantline schema -o lift.schema.json", "for an editor"),),
+    "doctor": (("gantline doctor", "what is installed here"),),
+}
+
+
+def examples_of(verb: str) -> str:
+    """The examples of a verb as the end of its help, a line each."""
+    shown = EXAMPLES[verb]
+    lines = (f"  {line}\n      {what}" for line, what in shown)
+    # \\b keeps the lines of this paragraph as they are.
+    return "\b\nExamples:\n" + "\n".join(lines)

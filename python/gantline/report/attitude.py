@@ -1,0 +1,79 @@
+"""Rows of the first page: how a load hangs, drifts, swings, and what it comes near."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gantline.report.subject import ABSENT, Subject, show
+from gantline.results import series
+from gantline.results.rig import Load
+from gantline.results.rotation import heading
+
+
+def attitude(subject: Subject) -> list[tuple[str, str]]:
+    """Lift-off, tilt, yaw, drift, swing and smallest clearance, in words."""
+    recording = subject.recording
+    rows: list[tuple[str, str]] = []
+    lift_off = subject.metrics.get("lift_off_time")
+    if lift_off is not None:
+        rows.append(("lift-off", f"at {show(lift_off, 's', 1)}"))
+    elif any(load.contacts for load in subject.rig.loads):
+        rows.append(("lift-off", "never clear of a support"))
+    for load in subject.rig.loads:
+        rows += _of_load(subject, load, lift_off)
+    rows += _clearance(subject)
+    if recording.attributes.get("status") == "failed":
+        rows.append(("the run failed", str((recording.attributes.get("failure") or {}).get("cause", ""))))
+    return rows
+
+
+def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple[str, str]]:
+    recording = subject.recording
+    if load.body not in recording.coordinates.get("body", ()):
+        return []
+    tilt = subject.peak(recording.column("load_tilt", load.name))
+    place = recording.column("body_position", load.body)
+    drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
+    clear = series.load_is_clear(recording, load)
+    rows = [("largest tilt", f"{show(tilt[0], 'deg', 2)} at {show(tilt[1], 's', 1)}" if tilt else ABSENT)]
+    turned = np.unwrap(heading(recording.column("body_orientation", load.body)))
+    yaw = subject.peak(np.abs(turned - turned[0]))
+    if yaw is not None:
+        rows.append(("largest yaw from the start", f"{show(yaw[0], 'deg', 2)} at {show(yaw[1], 's', 1)}"))
+    if lift_off is not None:
+        at = min(int(np.searchsorted(recording.time, lift_off)), len(drift) - 1)
+        rows.append(("drift at lift-off", show(float(drift[at]), "m", 3)))
+    swing = _swing_after_travel(subject, load)
+    if swing is not None:
+        rows.append(("swing after the last traverse", show(swing, "m", 3)))
+    elif clear.any():
+        rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
+    rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))
+    return rows
+
+
+def _swing_after_travel(subject: Subject, load: Load) -> float | None:
+    """Largest swing once the last step that traverses or travels has ended [m]; None without one."""
+    recording = subject.recording
+    if load.name not in recording.coordinates.get("load", ()) or "load_swing" not in recording:
+        return None
+    goes = {step.step for step in subject.rig.plan if step.kind in ("traverse", "travel")}
+    ends = [time for time, _, name in recording.events("step_end") if name in goes]
+    if not ends:
+        return None
+    after = recording.time >= max(ends)
+    return float(recording.column("load_swing", load.name)[after].max()) if after.any() else None
+
+
+def _clearance(subject: Subject) -> list[tuple[str, str]]:
+    """The watched pair that comes nearest to each other, and when."""
+    recording = subject.recording
+    pairs = recording.coordinates.get("pair", ())
+    if "clearance" not in recording or not pairs:
+        return []
+    distance = recording["clearance"].values
+    at, pair = np.unravel_index(int(np.argmin(distance)), distance.shape)
+    time = float(recording.time[at])
+    step = subject.step_at(time)
+    place = f" at {show(time, 's', 1)}" + (f", “{step}”" if step else "")
+    return [("smallest clearance", f"{pairs[pair]} {show(float(distance[at, pair]), 'm', 2)}{place}")]

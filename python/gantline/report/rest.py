@@ -1,0 +1,203 @@
+"""Sections of what was asked of the lift at rest: its equilibrium, its natural motions, its cases."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from gantline.report.section import Section
+from gantline.report.subject import ABSENT, Subject, number, show
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.saved import QUANTITIES, SavedWorst
+
+#: What the first page says of cases, in its order.
+_FIRST = {
+    "sling_tension": "most in sling",
+    "smallest_sling_tension": "least in sling",
+    "hoist_load": "most on hook",
+    "load_tilt": "tilt of",
+    "sheave_travel": "travel of",
+}
+#: Cases that are not sound, of which the first page names so many.
+_MOST_TROUBLED = 3
+_NAMES = {
+    "sling_tension": "largest tension",
+    "smallest_sling_tension": "smallest tension",
+    "rope_tension": "tension",
+    "hook_load": "hook load",
+    "hoist_load": "hoist load",
+    "load_tilt": "tilt",
+    "sheave_travel": "travel, down positive",
+}
+
+
+class Rest(Section):
+    """The lift at rest, as `gantline statics` found it."""
+
+    anchor = "statics"
+    title = "At rest"
+    template = "rest.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        rest = subject.beside.equilibrium
+        if rest is None:
+            return None
+        said = rest.attributes["statics"]
+        return {
+            "facts": list(_facts(said)),
+            "slings": _slings(rest),
+            "hooks": [
+                (
+                    hook.name,
+                    *(number(_last(rest, name, hook.name), "kN", 1) for name in ("hook_load", "hoist_load")),
+                )
+                for hook in rest.rig.hooks
+            ],
+            "loads": [
+                (load.name, number(_last(rest, "load_tilt", load.name), "deg", 3)) for load in rest.rig.loads
+            ],
+            "sheaves": [
+                (sheave, number(_last(rest, "sheave_travel", sheave), "m", 3))
+                for equalizer in rest.rig.equalizers
+                for sheave in equalizer.moving_sheaves
+            ],
+        }
+
+
+def _facts(said: Mapping[str, Any]) -> list[tuple[str, str]]:
+    unstable, neutral = said.get("unstable_motions"), said.get("neutral_motions")
+    lossy = said.get("lossy_sheaves")
+    rows = [
+        ("time of the plan", show(_finite(said.get("time")), "s", 2)),
+        (
+            "equilibrium",
+            "stable" if said.get("stable") is True else f"UNSTABLE: {unstable} motions lead away",
+        ),
+        ("motions that nothing holds", str(neutral)),
+        ("largest imbalance of forces", _imbalance(_finite(said.get("residual")))),
+    ]
+    if said.get("losses") == "held":
+        rows.append(("friction", "of contacts and sheaves holds what it can"))
+    elif isinstance(lossy, list) and lossy:
+        rows.append(("friction", f"losses of {len(lossy)} sheaves left out"))
+    return rows
+
+
+def _imbalance(residual: float | None) -> str:
+    if residual is None:
+        return ABSENT
+    return f"{residual:.1e} of those that meet there" if residual > 0.0 else "within rounding"
+
+
+def _slings(rest: Recording) -> list[tuple[str, ...]]:
+    tensions = [float(rest.column("rope_tension", sling.rope)[-1]) for sling in rest.rig.slings]
+    mean = sum(tensions) / max(len(tensions), 1)
+    return [
+        (
+            sling.name,
+            number(tension, "kN", 1),
+            f"{tension / mean:.3f}" if mean > 0.0 else ABSENT,
+            number(float(series.sling_angle(rest, sling)[-1]), "deg", 2),
+        )
+        for sling, tension in zip(rest.rig.slings, tensions, strict=True)
+    ]
+
+
+def _last(rest: Recording, name: str, label: str) -> float:
+    return float(rest.column(name, label)[-1])
+
+
+def _finite(value: Any) -> float | None:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    return float(value) if is_number else None
+
+
+class Modes(Section):
+    """Natural motions about that equilibrium."""
+
+    anchor = "modes"
+    title = "Natural motions"
+    template = "modes.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        rest = subject.beside.equilibrium
+        rows = [] if rest is None else [_mode(mode) for mode in rest.attributes["modes"]]
+        return {"rows": rows} if rows else None
+
+
+def _mode(mode: Mapping[str, Any]) -> dict[str, str]:
+    period, growth = _finite(mode.get("period")), _finite(mode.get("growth_time"))
+    course = show(period, "s", 3) if period is not None else "nothing holds it"
+    if growth is not None:
+        course = f"LEADS AWAY, e-fold in {show(growth, 's', 2)}"
+    return {
+        "number": str(mode.get("number", "")),
+        "course": course,
+        "damping": show(_finite(mode.get("damping_ratio")), "%", 2),
+        "motion": str(mode.get("motion", "")),
+    }
+
+
+class Cases(Section):
+    """Cases of the lift at rest, and the worst of them for each element."""
+
+    anchor = "cases"
+    title = "What if"
+    template = "cases.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        cases = subject.beside.cases
+        if cases is None:
+            return None
+        return {
+            "sound": cases.is_sound,
+            "cases": [
+                {"name": one.name or "as given", "states": one.states, "troubles": "; ".join(one.troubles)}
+                for one in cases.cases
+            ],
+            "worst": [
+                {"quantity": _NAMES[one.quantity], "element": one.element, **_numbers(one)}
+                for one in cases.worst
+            ],
+        }
+
+
+def _numbers(one: SavedWorst) -> dict[str, str]:
+    unit, digits = QUANTITIES[one.quantity]
+    ratio = one.value / one.given if one.given else None
+    return {
+        "given": show(one.given, unit, digits),
+        "value": show(one.value, unit, digits),
+        "ratio": ABSENT if ratio is None else f"{ratio:.3f}",
+        "case": ", ".join(part for part in (one.case or "as given", one.label) if part),
+    }
+
+
+def _briefly(troubles: Sequence[str]) -> str:
+    more = f" and {len(troubles) - 1} more" if len(troubles) > 1 else ""
+    return f"{troubles[0].replace('_', ' ')}{more}"
+
+
+def what_if(subject: Subject) -> dict[str, Any] | None:
+    """What the first page says of cases; None where nobody has asked for them."""
+    cases = subject.beside.cases
+    if cases is None:
+        return None
+    found = [(words, cases.worst_of(quantity)) for quantity, words in _FIRST.items()]
+    rows = []
+    for words, one in found:
+        if one is not None:
+            numbers = _numbers(one)
+            rows.append((f"{words} {one.element}", f"{numbers['value']}, {one.case or 'as given'}"))
+    troubled = [one for one in cases.cases if one.troubles]
+    return {
+        "rows": rows,
+        "sound": cases.is_sound,
+        "troubled": [(one.name or "as given", _briefly(one.troubles)) for one in troubled[:_MOST_TROUBLED]],
+        "more": max(0, len(troubled) - _MOST_TROUBLED),
+    }

@@ -1,0 +1,267 @@
+"""What was asked of a lift beside its recording: its cases, and its equilibrium with its motions.
+
+`gantline cases LIFT -o DIR` writes `cases.json`, `gantline statics LIFT -o DIR` writes `equilibrium.nc`; a
+report in the same folder shows both. Each names the lift file that it was made from, so that one of another
+lift, or of an older file, is told apart.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import os
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from gantline.results.recording import Recording, open_recording
+
+__all__ = [
+    "CASES",
+    "EQUILIBRIUM",
+    "LOSSES",
+    "QUANTITIES",
+    "Beside",
+    "SavedCase",
+    "SavedCases",
+    "SavedWorst",
+    "digest_of",
+    "read_beside",
+    "replace_text",
+]
+
+#: Names of the files.
+CASES = "cases.json"
+EQUILIBRIUM = "equilibrium.nc"
+
+#: Quantities of a lift at rest, each with the unit and decimals in which people read it.
+QUANTITIES: dict[str, tuple[str, int]] = {
+    "sling_tension": ("kN", 1),
+    "smallest_sling_tension": ("kN", 1),
+    "rope_tension": ("kN", 1),
+    "hook_load": ("kN", 1),
+    "hoist_load": ("kN", 1),
+    "load_tilt": ("deg", 2),
+    "sheave_travel": ("m", 3),
+}
+#: What losses of sheaves do, in words.
+LOSSES: dict[str, str] = {"none": "", "forward": "slip along", "backward": "slip against"}
+
+_LARGEST = 50_000_000  # bytes of a file that is read
+
+
+def digest_of(scenario: str) -> str:
+    """SHA-256 of the text of a lift file."""
+    return hashlib.sha256(scenario.encode("utf-8")).hexdigest()
+
+
+@dataclass(frozen=True)
+class SavedCase:
+    """One case.
+
+    Attributes:
+        name: Its name; empty for the lift as it is given.
+        states: How many equilibria were asked for.
+        troubles: What is wrong in them, each once: no equilibrium and why, instability, failed checks.
+    """
+
+    name: str
+    states: int
+    troubles: Sequence[str]
+
+
+@dataclass(frozen=True)
+class SavedWorst:
+    """The worst that happens to one element in all cases.
+
+    Attributes:
+        quantity: A key of `QUANTITIES`.
+        element: Sling, rope, hook, load or moving sheave.
+        given: Its value in the lift as it is given [SI]; None where it has none.
+        value: The worst value [SI].
+        case: The case that has it; empty for the lift as it is given.
+        label: The variant of that, and what losses do in it.
+    """
+
+    quantity: str
+    element: str
+    given: float | None
+    value: float
+    case: str
+    label: str
+
+
+@dataclass(frozen=True)
+class SavedCases:
+    """What `gantline cases` found.
+
+    Attributes:
+        scenario_sha256: Of the lift file's text.
+        is_sound: Whether every state has a stable equilibrium in which no check failed.
+        cases: The cases in the order of the file, the lift as it is given first.
+        worst: The worst of each element.
+    """
+
+    scenario_sha256: str
+    is_sound: bool
+    cases: Sequence[SavedCase]
+    worst: Sequence[SavedWorst]
+
+    @classmethod
+    def from_json(cls, document: Any) -> SavedCases:
+        """Read what `CasesResult.to_json` made.
+
+        Raises:
+            ValueError: If it is something else.
+        """
+        whole = _object(document)
+        return cls(
+            _text(whole, "scenario_sha256"),
+            whole.get("sound") is True,
+            [_case(_object(one)) for one in _list(whole, "cases")],
+            [_worst(_object(one)) for one in _list(whole, "worst")],
+        )
+
+    def worst_of(self, quantity: str) -> SavedWorst | None:
+        """The worst of a quantity over all elements: the largest, of the smallest tension the smallest."""
+        found = [one for one in self.worst if one.quantity == quantity]
+        if quantity == "smallest_sling_tension":
+            return min(found, key=lambda one: one.value, default=None)
+        return max(found, key=lambda one: abs(one.value), default=None)
+
+
+@dataclass(frozen=True)
+class Beside:
+    """What lies beside a recording and belongs to it.
+
+    Attributes:
+        equilibrium: The lift at rest, with the attributes `statics` and `modes`; None where there is none.
+        cases: Its cases; None where there are none.
+        left_out: Why a file that is there is not shown, a sentence each.
+    """
+
+    equilibrium: Recording | None = None
+    cases: SavedCases | None = None
+    left_out: Sequence[str] = ()
+
+
+def read_beside(folder: Path, recording: Recording) -> Beside:
+    """Read what lies in a folder and belongs to a recording of the same lift file."""
+    own = digest_of(str(recording.attributes.get("scenario", "")))
+    left_out: list[str] = []
+    cases: SavedCases | None = None
+    equilibrium: Recording | None = None
+    try:
+        cases = _read_cases(folder / CASES)
+    except (OSError, ValueError) as problem:
+        left_out.append(f"{CASES}: {problem}")
+    if cases is not None and cases.scenario_sha256 != own:
+        cases = None
+        left_out.append(f"{CASES}: is of another lift file; 'gantline cases' renews it")
+    try:
+        equilibrium = _read_equilibrium(folder / EQUILIBRIUM)
+    except (OSError, ValueError) as problem:
+        left_out.append(f"{EQUILIBRIUM}: {problem}")
+    if equilibrium is not None and digest_of(str(equilibrium.attributes.get("scenario", ""))) != own:
+        equilibrium = None
+        left_out.append(f"{EQUILIBRIUM}: is of another lift file; 'gantline statics' renews it")
+    return Beside(equilibrium, cases, left_out)
+
+
+def replace_text(path: Path, text: str) -> None:
+    """Write a text file; an existing one is replaced, and only once the new one is complete.
+
+    Raises:
+        OSError: If it cannot be written there.
+    """
+    handle, trial = tempfile.mkstemp(prefix=f".{path.stem}.", dir=path.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        os.chmod(trial, 0o644)
+        os.replace(trial, path)
+    except BaseException:
+        Path(trial).unlink(missing_ok=True)
+        raise
+
+
+def _read_cases(path: Path) -> SavedCases | None:
+    if not path.is_file():
+        return None
+    if path.stat().st_size > _LARGEST:
+        raise ValueError(f"is larger than {_LARGEST // 1_000_000} MB")
+    try:
+        return SavedCases.from_json(json.loads(path.read_text(encoding="utf-8")))
+    except (RecursionError, ValueError) as problem:
+        raise ValueError(f"is not what 'gantline cases' writes ({problem})") from None
+
+
+def _read_equilibrium(path: Path) -> Recording | None:
+    if not path.is_file():
+        return None
+    if path.stat().st_size > _LARGEST:
+        raise ValueError(f"is larger than {_LARGEST // 1_000_000} MB")
+    found = open_recording(path)
+    if not isinstance(found.attributes.get("statics"), dict) or not len(found.time):
+        raise ValueError("holds no equilibrium of 'gantline statics'")
+    modes = found.attributes.get("modes")
+    if not isinstance(modes, list) or not all(isinstance(mode, dict) for mode in modes):
+        raise ValueError("holds no motions of 'gantline statics'")
+    return found
+
+
+def _object(given: Any) -> Mapping[str, Any]:
+    if not isinstance(given, dict):
+        raise ValueError("an object was expected")
+    return given
+
+
+def _list(given: Mapping[str, Any], name: str) -> list[Any]:
+    found = given.get(name)
+    if not isinstance(found, list):
+        raise ValueError(f"'{name}' is no list")
+    return found
+
+
+def _text(given: Mapping[str, Any], name: str) -> str:
+    found = given.get(name)
+    if not isinstance(found, str):
+        raise ValueError(f"'{name}' is no text")
+    return found
+
+
+def _number(given: Mapping[str, Any], name: str) -> float:
+    found = given.get(name)
+    if isinstance(found, bool) or not isinstance(found, int | float) or not math.isfinite(found):
+        raise ValueError(f"'{name}' is no number")
+    return float(found)
+
+
+def _case(given: Mapping[str, Any]) -> SavedCase:
+    states = [_object(one) for one in _list(given, "states")]
+    troubles: list[str] = []
+    for state in states:
+        if state.get("equilibrium") is not True:
+            troubles.append(f"no equilibrium: {_text(state, 'cause')}")
+        elif state.get("stable") is not True:
+            troubles.append("unstable")
+        troubles += [f"{name} failed" for name in _list(state, "failed") if isinstance(name, str)]
+    return SavedCase(_text(given, "case"), len(states), tuple(dict.fromkeys(troubles)))
+
+
+def _worst(given: Mapping[str, Any]) -> SavedWorst:
+    quantity = _text(given, "quantity")
+    if quantity not in QUANTITIES:
+        raise ValueError(f"'{quantity}' is no quantity of cases")
+    label = [_text(given, "variant"), LOSSES.get(_text(given, "losses"), "")]
+    return SavedWorst(
+        quantity,
+        _text(given, "element"),
+        None if given.get("given") is None else _number(given, "given"),
+        _number(given, "value"),
+        _text(given, "case"),
+        ", ".join(part for part in label if part),
+    )
