@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { clock, expected, open, start } from "./chromium";
-import { processorTime, scriptTime } from "./measured";
+import { playing } from "./measured";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -183,26 +183,7 @@ describe("the player", () => {
 
   it("keeps up in software: ten frames a second at 640 by 360, two milliseconds of script each", async () => {
     const { page } = await open(browser, "report.html", { width: 682, height: 700, hash: "#t=16&speed=1" });
-    const scripts = await scriptTime(page);
-    await page.evaluate(() => {
-      const { player, session } = globalThis.gantlinePage!;
-      player!.stage!.canvas.scrollIntoView();
-      session.setLoop(true);
-      session.play();
-    });
-    await page.waitForTimeout(1000);
-    const frames = () => page.evaluate(() => globalThis.gantlinePage!.player!.stage!.measured.count);
-    const begin = {
-      frames: await frames(),
-      processor: processorTime(),
-      script: await scripts(),
-      now: Date.now(),
-    };
-    await page.waitForTimeout(4000);
-    const count = (await frames()) - begin.frames;
-    const processor = ((processorTime() ?? 0) - (begin.processor ?? 0)) / count;
-    const script = ((await scripts()) - begin.script) / count;
-    const rate = (1000 * count) / (Date.now() - begin.now);
+    const { rate, processor, script } = await playing(page, 4000);
     console.log(
       `${rate.toFixed(0)} frames/s; for each ${processor.toFixed(0)} ms of processor, ${script.toFixed(2)} ms of script`,
     );

@@ -33,6 +33,7 @@ from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import RopeWeight, rope_weight
 from gantline.scenario.structures import Dock, dock_of
+from gantline.scenario.water import Water
 
 __all__ = ["rig", "rope_kinds", "scene"]
 
@@ -367,6 +368,7 @@ def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts
         "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.rope_names],
         "contacts": [{key: one[key] for key in ("name", "body", "at")} for one in parts.contacts],
         "ground": _ground(scenario),
+        **({"water": {"level": level}} if (level := _water_level(scenario)) is not None else {}),
         **({"structures": structures} if (structures := _structures(scenario, parts)) else {}),
         "axes": None,
     }
@@ -380,6 +382,14 @@ def _ground(scenario: Scenario) -> Json | None:
     if dock is None:
         return {"level": level}
     return {"level": level, "holes": [{"x": list(dock.x), "y": list(dock.y), "floor": dock.floor}]}
+
+
+def _water_level(scenario: Scenario) -> float | None:
+    """Level of the water [m]; None in a lift on dry land."""
+    bodies = scenario.mechanics.bodies.values() if scenario.mechanics is not None else ()
+    if scenario.water is None and all(body.hull is None for body in bodies):
+        return None
+    return (scenario.water or Water()).level
 
 
 def _structures(scenario: Scenario, parts: Parts) -> list[Json]:

@@ -12,7 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from gantline.report.first_page import FirstPage
-from gantline.report.plots import Attitude, HookLoads, Player, Tensions
+from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tensions
 from gantline.report.section import Section
 from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, Events, LiftFile
@@ -28,6 +28,7 @@ SECTIONS: tuple[Section, ...] = (
     Equalizers(),
     HookLoads(),
     Attitude(),
+    Clearances(),
     Checks(),
     Events(),
     Energy(),

@@ -45,6 +45,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
         ("pins", "pin_force", "kN", 1e-3),
         ("lengthening", "rope_lengthening", "m", 1.0),
         ("wraps", "drum_wraps", "", 1.0),
+        ("clearance", "clearance", "m", 1.0),
     ):
         if variable in recording:
             dim = recording[variable].dims[1]

@@ -16,7 +16,7 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.surroundings import ground_of, structures_of
+from gantline.results.surroundings import ground_of, structures_of, water_level
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
 from gantline.viewer.decimate import Places, frames, peaks
@@ -82,6 +82,7 @@ def pack(recording: Recording) -> Packed:
         "ropes": _ropes(recording, scene, at),
         "lugs": _lugs(recording, list(bodies)),
         "contacts": _contacts(recording, scene, list(bodies), at, arrays),
+        "pairs": _pairs(recording, at, arrays),
         **_surroundings(recording),
         "events": [list(event) for event in recording.events()],
         "strokes": _strokes(recording),
@@ -197,13 +198,26 @@ def _contacts(
     ]
 
 
+def _pairs(recording: Recording, at: Places, arrays: Arrays) -> list[dict[str, Any]]:
+    """Watched pairs whose nearest points are recorded, and these points at the frames."""
+    if "clearance_point" not in recording:
+        return []
+    points = recording["clearance_point"].values[at]
+    arrays.steps("clearance_point", points, _MICROMETRE)
+    smallest = {watch.name: watch.smallest for watch in recording.rig.watches}
+    return [
+        {"name": name, "smallest": smallest.get(name, 0.0)} for name in recording.coordinates.get("pair", ())
+    ]
+
+
 def _surroundings(recording: Recording) -> dict[str, Any]:
-    """Level of the ground, its holes, and what stands on it; times at which supports are taken away."""
+    """Levels of ground and water, holes, and what stands there; times at which supports are taken away."""
     ground = ground_of(recording)
     holes = () if ground is None else ground.holes
     return {
         "ground": None if ground is None else ground.level,
         "holes": [{"x": list(one.x), "y": list(one.y), "floor": one.floor} for one in holes],
+        "water": water_level(recording),
         "structures": [
             {"name": one.name, "kind": one.kind, "boxes": one.boxes.tolist(), "removedAt": one.removed_at}
             for one in structures_of(recording)
@@ -225,7 +239,8 @@ def _curves(recording: Recording, arrays: Arrays) -> list[dict[str, Any]]:
         return []
     every = list(curves(recording))
     buckets = int(np.clip(_CURVE_POINTS // (4 * max(len(every), 1)), 100, 500))
-    places = [peaks(curve.values, buckets) for curve in every]
+    # A distance ends where the ropes that it is about have parted.
+    places = [at[np.isfinite(one.values[at])] for one in every for at in [peaks(one.values, buckets)]]
     bounds = np.concatenate([[0], np.cumsum([len(one) for one in places])])
     arrays.plain("curve_sample", np.concatenate(places) if places else [], "u4")
     kept = [curve.values[one] * curve.factor for curve, one in zip(every, places, strict=True)]

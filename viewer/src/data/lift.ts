@@ -33,9 +33,13 @@ export class Lift {
   /** All points of the recorded paths at the present time [m]. */
   readonly path: Float64Array;
   readonly tensions: Float64Array;
+  /** The part of `path` of each rope. */
+  private readonly recorded: Float64Array[];
   private readonly arrays: Map<string, Numbers>;
   private readonly tensionCurves: Curve[];
   private readonly chord = new Float64Array(4096);
+  private readonly places: Float64Array;
+  private readonly turns: Float64Array;
 
   constructor({ header, arrays }: Unpacked) {
     this.header = header;
@@ -51,9 +55,14 @@ export class Lift {
     const byName = new Map(this.group("tension").map((curve) => [curve.entry.name, curve]));
     this.tensionCurves = header.ropes.map((rope) => byName.get(rope.name)!);
     this.poses = new Float64Array(7 * header.bodies.length);
+    this.places = new Float64Array(3 * header.bodies.length);
+    this.turns = new Float64Array(4 * header.bodies.length);
     this.sheaveAngles = new Float64Array(header.sheaves.length);
     this.contactForces = new Float64Array(header.contacts.length);
     this.path = new Float64Array(3 * (header.arrays.path?.shape[1] ?? 0));
+    this.recorded = header.ropes.map(({ first, count }) =>
+      this.path.subarray(3 * first, 3 * (first + count)),
+    );
     this.tensions = new Float64Array(header.ropes.length);
     this.seek(this.begin);
   }
@@ -83,29 +92,28 @@ export class Lift {
     this.between("path", frame, next, share, this.path);
     this.between("sheave_angle", frame, next, share, this.sheaveAngles);
     this.between("contact_force", frame, next, share, this.contactForces);
-    const bodies = this.header.bodies.length;
-    const places = this.between("position", frame, next, share, new Float64Array(3 * bodies));
-    const turns = this.between("turn", frame, next, share, new Float64Array(4 * bodies));
-    for (let body = 0; body < bodies; body++) {
-      this.poses.set(places.subarray(3 * body, 3 * body + 3), 7 * body);
-      const turn = turns.subarray(4 * body, 4 * body + 4);
-      const size = Math.hypot(...turn) || 1;
-      for (let part = 0; part < 4; part++) this.poses[7 * body + 3 + part] = turn[part]! / size;
+    const { places, turns, poses } = this;
+    this.between("position", frame, next, share, places);
+    this.between("turn", frame, next, share, turns);
+    for (let body = 0; body < this.header.bodies.length; body++) {
+      const [from3, from4, to] = [3 * body, 4 * body, 7 * body];
+      const size = Math.hypot(turns[from4]!, turns[from4 + 1]!, turns[from4 + 2]!, turns[from4 + 3]!) || 1;
+      for (let part = 0; part < 3; part++) poses[to + part] = places[from3 + part]!;
+      for (let part = 0; part < 4; part++) poses[to + 3 + part] = turns[from4 + part]! / size;
     }
     for (let rope = 0; rope < this.tensions.length; rope++)
       this.tensions[rope] = 1e3 * this.tensionCurves[rope]!.at(time);
   }
 
-  private between(name: string, frame: number, next: number, share: number, out: Float64Array): Float64Array {
+  private between(name: string, frame: number, next: number, share: number, out: Float64Array): void {
     const array = this.arrays.get(name);
-    if (!array) return out;
+    if (!array) return;
     const step = this.header.arrays[name]!.step ?? 1;
     const width = out.length;
     for (let place = 0; place < width; place++) {
       const begin = array[frame * width + place]!;
       out[place] = step * (begin + share * (array[next * width + place]! - begin));
     }
-    return out;
   }
 
   /** Whether a rope is drawn hanging: it carries nothing and is longer than its way. */
@@ -131,8 +139,7 @@ export class Lift {
    */
   drawnPath(index: number): Float64Array {
     const rope = this.header.ropes[index]!;
-    const recorded = this.path.subarray(3 * rope.first, 3 * (rope.first + rope.count));
-    if (!this.hangs(index)) return recorded;
+    if (!this.hangs(index)) return this.recorded[index]!;
     let longest = 0;
     for (let piece = 0; piece + 1 < rope.count; piece++)
       longest = Math.max(longest, this.pieceLength(rope.first + piece));

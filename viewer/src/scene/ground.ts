@@ -19,7 +19,7 @@ import type { Palette } from "../theme";
 import type { Extent } from "./world";
 
 /** Pieces of a wall or floor along each side, so that each can fade. */
-const PIECES = 40;
+const PIECES = 16;
 
 export class Ground {
   readonly group = new Group();

@@ -21,7 +21,7 @@ import { cornersOf } from "./solids";
 import { Structures } from "./structures";
 
 /** Points of ropes from which software begins with the cheap style. */
-const MANY_POINTS = 1500;
+const MANY_POINTS = 800;
 
 export interface Extent {
   middle: [number, number, number];
@@ -45,6 +45,11 @@ export class World {
   private readonly structures: Structures;
   private palette: Palette;
   private cheap = false;
+  private still = false;
+  private width = 640;
+  private height = 360;
+  /** Whether edges are smoothed by the graphics card; software does without while much moves. */
+  private readonly antialias: boolean;
 
   /** Throws where the browser cannot draw in three dimensions. */
   constructor(
@@ -53,7 +58,9 @@ export class World {
     palette: Palette,
   ) {
     this.isSoftware = rendersInSoftware();
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
+    const isSlow = this.isSoftware && lift.path.length / 3 > MANY_POINTS;
+    this.antialias = !isSlow;
+    this.renderer = new WebGLRenderer({ canvas, antialias: this.antialias, alpha: true, stencil: true });
     // Colours are those of the page, and shall look like them.
     ColorManagement.enabled = false;
     this.renderer.localClippingEnabled = lift.header.holes.length > 0;
@@ -80,7 +87,7 @@ export class World {
       this.sun,
     );
     this.setPalette(palette);
-    this.setCheap(this.isSoftware && lift.path.length / 3 > MANY_POINTS);
+    this.setCheap(isSlow);
   }
 
   setPalette(palette: Palette): void {
@@ -96,14 +103,31 @@ export class World {
     return this.cheap;
   }
 
+  /** The cheap style, which holds while something moves. */
   setCheap(isCheap: boolean): void {
     this.cheap = isCheap;
-    this.ropes.setThin(isCheap);
-    this.bodies.setCheap(isCheap);
+    this.style();
+  }
+
+  /** Whether nothing moves for the moment: then even slow machines have time for a fine drawing. */
+  setStill(isStill: boolean): void {
+    if (isStill === this.still) return;
+    this.still = isStill;
+    if (this.cheap) this.style();
+  }
+
+  private style(): void {
+    const isPlain = this.cheap && !this.still;
+    this.ropes.setThin(isPlain);
+    this.bodies.setCheap(isPlain);
+    this.resize(this.width, this.height);
   }
 
   resize(width: number, height: number): void {
-    const ratio = this.cheap ? 1 : Math.min(2, globalThis.devicePixelRatio || 1);
+    [this.width, this.height] = [width, height];
+    const fine = Math.min(2, globalThis.devicePixelRatio || 1);
+    // Where edges are not smoothed, twice the pixels smooth them.
+    const ratio = this.cheap && !this.still ? 1 : this.antialias ? fine : 2;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
