@@ -434,6 +434,10 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         kind = "sheave"
     elif plain.shape is not None:
         shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
+    elif plain.hull is not None:
+        x, y, keel = plain.hull.keel
+        size = list(plain.hull.box)
+        kind, shape = "hull", {"type": "box", "size": size, "centre": [x, y, keel + size[2] / 2]}
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
 
 

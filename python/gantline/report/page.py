@@ -35,6 +35,9 @@ SECTIONS: tuple[Section, ...] = (
     LiftFile(),
 )
 
+#: Those of a lift that is still running.
+LIVE_SECTIONS: tuple[Section, ...] = (Player(), Tensions(), HookLoads(), Attitude(), Clearances())
+
 _STYLES = ("report.css", "first_page.css", "narrow.css", "print.css")
 
 
@@ -52,6 +55,25 @@ def render_report(recording: Recording, *, reload_from: str = "") -> str:
         BundleMissing: If the player is not built in this installation.
         ValueError: If the recording cannot be drawn.
     """
+    return _rendered(recording, SECTIONS, reload_from=reload_from)
+
+
+def render_live(recording: Recording) -> str:
+    """A page that shows a lift while it runs, as HTML; it asks at `live/` for what is new.
+
+    Args:
+        recording: What has been recorded so far.
+
+    Raises:
+        BundleMissing: If the player is not built in this installation.
+        ValueError: If the recording cannot be drawn.
+    """
+    return _rendered(recording, LIVE_SECTIONS, live_from="live/")
+
+
+def _rendered(
+    recording: Recording, wanted: tuple[Section, ...], *, reload_from: str = "", live_from: str = ""
+) -> str:
     program = bundle()
     if not script_is_safe(program.script):
         raise ValueError("the player's program holds an end of a script element")
@@ -59,7 +81,7 @@ def render_report(recording: Recording, *, reload_from: str = "") -> str:
     packed = pack(recording)
     environment = _environment()
     sections = []
-    for section in SECTIONS:
+    for section in wanted:
         content = section.content(subject)
         if content is not None:
             html = environment.get_template(section.template).render(section=section, **content)
@@ -68,13 +90,14 @@ def render_report(recording: Recording, *, reload_from: str = "") -> str:
     return environment.get_template("page.html").render(
         title=_title(subject),
         rig=subject.rig,
-        policy=policy([program.script], [style], connect="'self'" if reload_from else "'none'"),
+        policy=policy([program.script], [style], connect="'self'" if reload_from or live_from else "'none'"),
         style=Markup(style),
         script=Markup(program.script),
         header=Markup(json_for_script(packed.header_text())),
         data=Markup(packed.data_text()),
         sections=sections,
         reload_from=reload_from,
+        live_from=live_from,
     )
 
 

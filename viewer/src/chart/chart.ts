@@ -199,7 +199,7 @@ export class Chart {
 
   private listen(): void {
     for (const topic of ["time", "hover"] as const) this.ends.push(this.session.on(topic, () => this.mark()));
-    for (const topic of ["span", "pin", "hidden"] as const)
+    for (const topic of ["span", "pin", "hidden", "data"] as const)
       this.ends.push(this.session.on(topic, () => this.draw()));
     this.svg.addEventListener("pointermove", (event) => this.onMove(event));
     this.svg.addEventListener("pointerleave", () => this.leave());

@@ -103,21 +103,22 @@ export class Stage {
   }
 
   private legend(): HTMLElement {
-    const most = this.session.lift.largestTension / 1e3;
-    const scale = element(
-      "div",
-      { class: "gl-scale" },
-      "0",
-      element("span", {}, `${shown(most / 2, 0)}`),
-      `${shown(most, 0)} kN`,
-    );
+    const half = element("span", {});
+    const whole = element("span", {});
+    const show = () => {
+      const most = this.session.lift.largestTension / 1e3;
+      half.textContent = shown(most / 2, 0);
+      whole.textContent = `${shown(most, 0)} kN`;
+    };
+    show();
+    this.session.on("data", show);
     const slack = element("div", { class: "gl-slack" }, element("span", { class: "gl-slack-line" }), "slack");
     return element(
       "div",
       { class: "gl-ramp-box" },
       element("div", { class: "gl-ramp-title" }, "Rope tension"),
       this.ramp,
-      scale,
+      element("div", { class: "gl-scale" }, "0", half, whole),
       slack,
     );
   }
@@ -130,9 +131,13 @@ export class Stage {
     const arrows = this.toggle("Forces", "Arrows of tensions and of support forces (F)", true, (on) => {
       this.world.arrows.mesh.visible = on;
     });
-    holder.append(names, arrows, this.cheapSign);
+    const distances = this.toggle("Distances", "Smallest distances of watched pairs (D)", true, (on) => {
+      this.world.clearances.lines.visible = on;
+    });
+    distances.hidden = this.session.lift.header.pairs.length === 0;
+    holder.append(names, arrows, distances, this.cheapSign);
     this.root.addEventListener("keydown", (event) => {
-      const made = { n: names, f: arrows }[event.key.toLowerCase()];
+      const made = { n: names, f: arrows, d: distances }[event.key.toLowerCase()];
       if (made && !event.ctrlKey && !event.metaKey) made.click();
     });
     return holder;
@@ -170,6 +175,10 @@ export class Stage {
 
   private listen(): void {
     this.session.on("time", () => this.redraw());
+    this.session.on("data", () => {
+      this.world.takeMore();
+      this.redraw();
+    });
     this.session.on("pin", () => this.redraw());
     let pressed: [number, number] | null = null;
     this.canvas.addEventListener("pointerdown", (event) => {

@@ -248,7 +248,7 @@ function shadowOn(level: number, clipping: Clipping): { material: MeshBasicMater
 }
 
 function kindOf(body: Body): string {
-  return ["load", "frame", "hook"].includes(body.kind) ? body.kind : "other";
+  return ["load", "frame", "hook", "hull"].includes(body.kind) ? body.kind : "other";
 }
 
 function cube(size: number): [number, number, number] {

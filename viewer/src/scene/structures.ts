@@ -33,12 +33,19 @@ export class Structures {
     polygonOffsetUnits: 1,
   });
   private readonly edges = new LineBasicMaterial({ transparent: true, opacity: 0.5 });
-  private readonly holders: { holder: Group; removedAt: number | null }[];
+  private holders: { holder: Group; removedAt: number | null }[] = [];
 
   constructor(
     private readonly lift: Lift,
-    origin: readonly [number, number, number],
+    private readonly origin: readonly [number, number, number],
   ) {
+    this.build();
+  }
+
+  /** Make what is drawn from what the lift knows now. */
+  build(): void {
+    const { lift, origin } = this;
+    this.group.clear();
     // Those that stand equally long are one thing to draw.
     const times = new Set(lift.header.structures.map((one) => one.removedAt));
     this.holders = [...times].map((removedAt) => {

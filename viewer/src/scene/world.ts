@@ -15,6 +15,7 @@ import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
 import { Arrows } from "./arrows";
 import { Bodies } from "./bodies";
+import { Clearances } from "./clearances";
 import { Ground, holesUnder } from "./ground";
 import { Ropes } from "./ropes";
 import { cornersOf } from "./solids";
@@ -36,6 +37,7 @@ export class World {
   readonly extent: Extent;
   readonly bodies: Bodies;
   readonly arrows: Arrows;
+  readonly clearances: Clearances;
   readonly isSoftware: boolean;
   private readonly renderer: WebGLRenderer;
   private readonly ropes: Ropes;
@@ -71,6 +73,7 @@ export class World {
     this.bodies = new Bodies(lift, middle, size);
     this.ropes = new Ropes(lift, middle);
     this.arrows = new Arrows(lift, middle, size);
+    this.clearances = new Clearances(lift, middle);
     this.ground = new Ground(lift.header, this.extent);
     this.structures = new Structures(lift, middle);
     this.camera.up.set(0, 0, 1);
@@ -81,6 +84,7 @@ export class World {
       this.bodies.group,
       this.ropes.group,
       this.arrows.mesh,
+      this.clearances.lines,
       this.ground.group,
       this.structures.group,
       this.ambient,
@@ -97,6 +101,11 @@ export class World {
     [this.ambient.intensity, this.sun.intensity] = palette.light;
     this.structures.setPalette(palette);
     this.ground.lay(palette);
+  }
+
+  /** More has been recorded: supports may have been taken away meanwhile. */
+  takeMore(): void {
+    this.structures.build();
   }
 
   get isCheap(): boolean {
@@ -141,6 +150,7 @@ export class World {
     this.structures.update();
     this.ropes.update(this.palette, largest, pinned);
     if (this.arrows.mesh.visible) this.arrows.update(this.palette, largest);
+    if (this.clearances.lines.visible) this.clearances.update(this.palette);
     this.renderer.render(this.scene, this.camera);
   }
 
@@ -187,7 +197,8 @@ export function extentOf(lift: Lift): Extent {
   }
   lift.seek(lift.begin);
   if (low[0] > high[0]) return { middle: [0, 0, 0], size: 10, low: [-5, -5, -5], high: [5, 5, 5] };
-  if (lift.header.ground !== null) {
+  if (lift.header.water !== null) low[2] = Math.min(low[2], lift.header.water);
+  else if (lift.header.ground !== null) {
     low[2] = Math.max(low[2], lift.header.ground);
     for (const hole of holesUnder(lift.header, low, high)) low[2] = Math.min(low[2], hole.floor);
   }
