@@ -113,7 +113,7 @@ def _body(
     place = recording.column("body_position", name)[at]
     turn = _continuous(recording.column("body_orientation", name)[at][:, [1, 2, 3, 0]])
     node = document.node(name, root, translation=place[0].tolist(), rotation=turn[0].tolist())
-    solid = _solid(entry.get("shape"))
+    solid = solid_of(entry.get("shape"))
     if solid is not None:
         vertices = solid[0] - np.asarray(vector(entry.get("centre_of_gravity")))
         document.nodes[node]["mesh"] = document.mesh(name, vertices, solid[1], materials.of(kind))
@@ -131,7 +131,7 @@ def _continuous(turns: FloatArray) -> FloatArray:
     return unit
 
 
-def _solid(shape: Mapping[str, Any] | None) -> tuple[FloatArray, Indices] | None:
+def solid_of(shape: Mapping[str, Any] | None) -> tuple[FloatArray, Indices] | None:
     """Vertices and triangles of a shape; None for one that is not known, or a bare set of points."""
     kind = (shape or {}).get("type")
     if shape is None or kind not in ("box", "boxes", "mesh"):
