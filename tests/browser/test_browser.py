@@ -122,31 +122,33 @@ def watched_recording(folder: Path) -> Recording:
 
 @contextmanager
 def running() -> Iterator[str]:
-    """The address of a lift that begins to run when its page is asked for, and takes some seconds."""
+    """The address of a lift that goes on when its page asks for more, and takes some seconds."""
     simulation = gantline.Simulation(ROOT / "scenarios" / "equalizer")
     view = LiveView(simulation.recording, simulation.duration)
-    begins = threading.Event()
+    asked = threading.Event()
 
-    def page() -> str:
-        begins.set()
-        return render_live(view.first())
+    def since(samples: int) -> str:
+        asked.set()
+        return view.since(samples)
 
     def run() -> None:
-        begins.wait(60.0)
-        for until in np.linspace(0.0, simulation.duration, 41)[1:]:
+        simulation.run(until=1.0)
+        while not asked.wait(0.05):
+            view.offer()
+        for until in np.linspace(1.0, simulation.duration, 41)[1:]:
             recording = simulation.run(until=float(until))
             view.offer()
             time.sleep(0.1)
         view.finish(recording, "done")
 
-    server = PageServer(page, lambda: "", since=view.since)
+    server = PageServer(lambda: render_live(view.first()), lambda: "", since=since)
     threads = [threading.Thread(target=one, daemon=True) for one in (run, server.serve_forever)]
     for thread in threads:
         thread.start()
     try:
         yield server.address
     finally:
-        begins.set()
+        asked.set()
         threads[0].join()
         server.shutdown()
         server.server_close()

@@ -40,9 +40,10 @@ _COLOURS = {
     "support": (0.62, 0.56, 0.47),
     "structure": (0.70, 0.71, 0.72),
     "ground": (0.78, 0.79, 0.75),
+    "quay": (0.78, 0.79, 0.75),
     "water": (0.16, 0.42, 0.60),
 }
-_OPACITY = {"frame": 0.6, "water": 0.45}  # ropes and sheaves run inside of frames, hulls lie in water
+_OPACITY = {"frame": 0.6, "quay": 0.35, "water": 0.45}  # ropes and sheaves run inside of frames, hulls lie in water
 _CORNERS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64) / 2
 def gltf_binary(recording: Recording) -> bytes:
     """A recording as the bytes of a `.glb` file.

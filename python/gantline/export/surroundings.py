@@ -32,7 +32,7 @@ class Standing:
 
     Attributes:
         name: What a program calls it.
-        kind: `support`, `structure`, `ground` or `water`.
+        kind: `support`, `structure`, `ground`, `quay` (ground where there is water too) or `water`.
         vertices: Corners in the world [m], shape (n, 3).
         faces: Three corners of each triangle, shape (m, 3).
         size: 1 while it is there and 0 once it is taken away, at each time; None if it stays.
@@ -66,9 +66,11 @@ def surroundings(recording: Recording, at: Places) -> list[Standing]:
     ground, level = ground_of(recording), water_level(recording)
     x, y = _window(recording, [one.vertices for one in found])
     if ground is not None:
-        found.append(_of_squares("ground", _ground(ground, x, y)))
+        # Where there is water too, one sees through the ground what lies in it.
+        kind = "ground" if level is None else "quay"
+        found.append(_of_squares("ground", kind, _ground(ground, x, y)))
     if level is not None:
-        found.append(_of_squares("water", [_flat(x, y, level)]))
+        found.append(_of_squares("water", "water", [_flat(x, y, level)]))
     return found
 
 
@@ -90,9 +92,9 @@ def _window(recording: Recording, standing: list[FloatArray]) -> tuple[tuple[flo
     return tuple((float(least) - more, float(most) + more) for least, most in zip(low, high, strict=True))
 
 
-def _of_squares(name: str, squares: list[FloatArray]) -> Standing:
+def _of_squares(name: str, kind: str, squares: list[FloatArray]) -> Standing:
     faces = np.concatenate([_SQUARE + 4 * place for place in range(len(squares))])
-    return Standing(name, name, np.concatenate(squares), faces)
+    return Standing(name, kind, np.concatenate(squares), faces)
 
 
 def _flat(x: tuple[float, float], y: tuple[float, float], level: float) -> FloatArray:
