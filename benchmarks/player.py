@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +34,7 @@ _PITCH = 1.6  # m
 def lift_with_slings(count: int) -> str:
     """A lift file: an equalizer of a row of moving sheaves, a sling from each to a long load."""
     along = [_PITCH * (place - (count - 1) / 2) for place in range(count)]
-    between = [(one + other) / 2 for one, other in zip(along, along[1:], strict=False)]
+    between = [(one + other) / 2 for one, other in pairwise(along)]
     ends = [along[0] - _PITCH / 2, along[-1] + _PITCH / 2]
     mass = 60.0 * count
     lengths = [25.2 + 0.1 * ((7 * place) % 11 - 5) / 5 for place in range(count)]

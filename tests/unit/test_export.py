@@ -201,7 +201,7 @@ def test_a_film_has_its_pictures_at_its_speed(tmp_path: Path) -> None:
     span = float(recording.time[-1] - recording.time[0])
     write_video(recording, tmp_path / "lift.gif", speed=span)
     with Image.open(tmp_path / "lift.gif") as film:
-        assert (film.n_frames, film.size) == (11, (800, 450))  # a second, both ends
+        assert (getattr(film, "n_frames", 1), film.size) == (11, (800, 450))  # a second, both ends
         assert film.info["duration"] == 100
     with pytest.raises(VideoError, match="more than 20000 pictures"):
         write_video(recording, tmp_path / "long.gif", speed=1e-4)
@@ -220,7 +220,7 @@ def test_a_film_goes_through_ffmpeg(tmp_path: Path) -> None:
 
 def test_without_ffmpeg_it_is_said_what_would_help(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(VideoError, match="needs the program ffmpeg.*gif needs nothing"):
+    with pytest.raises(VideoError, match=r"needs the program ffmpeg.*gif needs nothing"):
         write_video(ringing_lift(), tmp_path / "lift.mp4")
     assert not (tmp_path / "lift.mp4").exists()
 

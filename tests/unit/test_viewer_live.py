@@ -181,9 +181,7 @@ def test_a_lift_is_shown_while_it_runs_and_the_program_ends_as_without(tmp_path:
         [sys.executable, "-m", "gantline", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
         assert process.stdout is not None
-        address = re.fullmatch(
-            r"Live +http://127\.0\.0\.1:(\d+)(/[\w-]+/)\n", process.stdout.readline()
-        )
+        address = re.fullmatch(r"Live +http://127\.0\.0\.1:(\d+)(/[\w-]+/)\n", process.stdout.readline())
         assert address is not None
         connection = http.client.HTTPConnection("127.0.0.1", int(address[1]), timeout=60)
         connection.request("GET", address[2])

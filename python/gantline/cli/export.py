@@ -42,8 +42,8 @@ def export(
 ) -> None:
     """Write a recording for another program: a scene that moves, a table, a picture or a film.
 
-    Blender, Windows and browsers show .glb files, the Rerun viewer shows .rrd files (by the package rerun-sdk);
-    spreadsheets and data tools read .csv and .parquet. A .png shows one moment, .gif and .mp4 (by ffmpeg) show all.
+    Blender, Windows and browsers show .glb files, the Rerun viewer .rrd files (by the package rerun-sdk);
+    spreadsheets and data tools read .csv and .parquet. A .png shows one moment, .gif and .mp4 (ffmpeg) all.
     """
     kind = output.suffix.lower()
     if kind not in _KINDS:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import webbrowser
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING
 
 import typer
@@ -49,9 +49,7 @@ def live_view(simulation: Simulation, *, browser: bool, aside: bool) -> Iterator
     try:
         yield view
     finally:
-        try:
+        with suppress(KeyboardInterrupt):
             view.wait_for_readers(_COMING)
-        except KeyboardInterrupt:
-            pass
         server.shutdown()
         server.server_close()

@@ -2,9 +2,9 @@
 
 A node below the root `lift` stands for each body, its frame at the centre of gravity, its poses those of the
 recording in metres and in the recording's axes; the root turns z up into the y up of glTF. Sheaves are nodes
-below their bodies. What stands in the world, ground and water are nodes below `surroundings`; a support that is
-taken away shrinks to nothing. Each straight piece of a rope is a node with a rod of length 1 along z, placed at its
-beginning, turned and stretched.
+below their bodies. What stands in the world, ground and water are nodes below `surroundings`; a support that
+is taken away shrinks to nothing. Each straight piece of a rope is a node with a rod of length 1 along z,
+placed at its beginning, turned and stretched.
 """
 
 from __future__ import annotations
@@ -43,8 +43,14 @@ _COLOURS = {
     "quay": (0.78, 0.79, 0.75),
     "water": (0.16, 0.42, 0.60),
 }
-_OPACITY = {"frame": 0.6, "quay": 0.35, "water": 0.45}  # ropes and sheaves run inside of frames, hulls lie in water
+_OPACITY = {
+    "frame": 0.6,
+    "quay": 0.35,
+    "water": 0.45,
+}  # ropes and sheaves run inside of frames, hulls lie in water
 _CORNERS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64) / 2
+
+
 def gltf_binary(recording: Recording) -> bytes:
     """A recording as the bytes of a `.glb` file.
 

@@ -1,7 +1,8 @@
 """A recorded lift for the Rerun viewer (`.rrd`), by its package `rerun-sdk`, which is optional.
 
-Bodies are entities below `world`, with their shapes about the centre of gravity and their poses over the timeline `lift`; ropes
-are strips of the recorded paths, coloured by tension; the curves of the report are scalars below `curves`.
+Bodies are entities below `world`, with their shapes about the centre of gravity and their poses over the
+timeline `lift`; ropes are strips of the recorded paths, coloured by tension; the curves of the report are
+scalars below `curves`.
 """
 
 from __future__ import annotations
@@ -54,7 +55,9 @@ def write_rerun(recording: Recording, path: Path) -> None:
     if not len(recording.time):
         raise ValueError("this recording has nothing to show")
     path.touch()  # the package only warns where a file cannot be written
-    stream = rerun.RecordingStream("gantline", recording_id=recording.rig.title or "lift", send_properties=False)
+    stream = rerun.RecordingStream(
+        "gantline", recording_id=recording.rig.title or "lift", send_properties=False
+    )
     stream.save(path)
     at = frames(recording, _MOST_FRAMES)
     stream.log("world", rerun.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
@@ -98,7 +101,9 @@ def _bodies(rerun: Any, stream: Any, recording: Recording, at: Places) -> None:
         rerun.send_columns(
             path,
             [rerun.TimeColumn(_TIMELINE, duration=recording.time[at])],
-            rerun.Transform3D.columns(translation=recording.column("body_position", name)[at], quaternion=turn),
+            rerun.Transform3D.columns(
+                translation=recording.column("body_position", name)[at], quaternion=turn
+            ),
             recording=stream,
         )
 

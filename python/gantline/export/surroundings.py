@@ -1,4 +1,4 @@
-"""What stands in the world of a recording as triangles: ground with its holes, water, supports, structures."""
+"""What stands in the world of a recording as triangles: ground with holes, water, supports, structures."""
 
 from __future__ import annotations
 
@@ -82,9 +82,7 @@ def box_faces(count: int) -> Indices:
 def _window(recording: Recording, standing: list[FloatArray]) -> tuple[tuple[float, float], ...]:
     """From where to where ground and water are shown along x and y [m]."""
     points = [
-        recording[name].values.reshape(-1, 3)
-        for name in ("body_position", "rope_point")
-        if name in recording
+        recording[name].values.reshape(-1, 3) for name in ("body_position", "rope_point") if name in recording
     ]
     every = np.concatenate([*points, *standing])
     low, high = every.min(axis=0)[:2], every.max(axis=0)[:2]
@@ -123,7 +121,7 @@ def _ground(ground: Ground, x: tuple[float, float], y: tuple[float, float]) -> l
             for axis, ends in enumerate((x, y))
         ]
         if all(begin < end for begin, end in sides):
-            found += _walls(*sides, hole.floor, ground.level)
+            found += _walls(sides[0], sides[1], hole.floor, ground.level)
     return found
 
 

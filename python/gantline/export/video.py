@@ -67,7 +67,9 @@ def write_video(recording: Recording, path: Path, speed: float | None = None) ->
     chosen = speed if speed is not None else max(span / USUAL_LENGTH, 1e-3)
     rate = GIF_RATE if is_gif else MP4_RATE
     if span / chosen * rate > _MOST_PICTURES:
-        raise VideoError(f"a film at {chosen:g} times real time would have more than {_MOST_PICTURES} pictures")
+        raise VideoError(
+            f"a film at {chosen:g} times real time would have more than {_MOST_PICTURES} pictures"
+        )
     pictures = (Image.fromarray(picture) for picture in film.frames(chosen, rate))
     if ffmpeg is None:
         _gif(pictures, path, rate)
@@ -79,8 +81,8 @@ def _ffmpeg() -> str:
     found = shutil.which("ffmpeg")
     if found is None:
         raise VideoError(
-            "MP4 needs the program ffmpeg, which is not on the path; its packages are called 'ffmpeg' in Debian,"
-            " Ubuntu, Homebrew and winget. A film as .gif needs nothing"
+            "MP4 needs the program ffmpeg, which is not on the path; its packages are called 'ffmpeg' in"
+            " Debian, Ubuntu, Homebrew and winget. A film as .gif needs nothing"
         )
     return found
 
@@ -90,7 +92,13 @@ def _gif(pictures: Iterator[Image.Image], path: Path, rate: float) -> None:
     first = next(pictures).quantize(128, dither=Image.Dither.NONE)
     rest = (one.quantize(palette=first, dither=Image.Dither.NONE) for one in pictures)
     first.save(
-        path, format="GIF", save_all=True, append_images=rest, duration=round(1000 / rate), loop=0, optimize=False
+        path,
+        format="GIF",
+        save_all=True,
+        append_images=rest,
+        duration=round(1000 / rate),
+        loop=0,
+        optimize=False,
     )
 
 

@@ -257,6 +257,7 @@ def _draw_rope(panel: Axes, rope: RopePath, view: View, norm: Normalize, width: 
 
 
 def norm_of(shown: Sequence[tuple[str, Snapshot]]) -> Normalize:
+    """From tensions [N] to the colour scale of all that is shown."""
     highest = max((rope.tension for _, snap in shown for rope in snap.ropes), default=0.0)
     return Normalize(0.0, highest if highest > 0.0 else 1.0)
 
@@ -472,6 +473,7 @@ def scale_bar(panel: Axes, height_fraction: float) -> None:
 
 
 def tension_bar(figure: Figure, panels: list[Axes], norm: Normalize) -> None:
+    """The colour scale of tensions, below panels."""
     scale, unit = force_unit(float(norm.vmax or 1.0))
     bar = figure.colorbar(
         ScalarMappable(Normalize(0.0, float(norm.vmax or 1.0) / scale), _TENSION),

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Iterator
 
 import matplotlib
 import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from gantline.plot import drawing
@@ -24,6 +24,7 @@ Image = npt.NDArray[np.uint8]
 _SIZE = (12.8, 7.2)  # inch
 _LOOKS = 9  # samples over the whole lift that the views must hold
 _MOST_NAMED = 8  # curves that have names
+_MANY = "#5B7F9E"  # of more of them
 
 
 class Film:
@@ -50,7 +51,6 @@ class Film:
         self._ground = ground_of(recording)
         with matplotlib.rc_context(RC):
             self._figure = Figure(figsize=_SIZE, dpi=width / _SIZE[0])
-            self._canvas = FigureCanvasAgg(self._figure)
             self._side, self._top, trace = self._panels()
             self._cursor = self._trace(trace)
             drawing.tension_bar(self._figure, [self._side], self._norm)
@@ -72,8 +72,9 @@ class Film:
             drawing.scale_bar(self._side, 0.03)
             self._caption.set_text(self._said(snap.time))
             self._cursor.set_xdata([snap.time, snap.time])
-            self._canvas.draw()
-        pixels: Image = np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
+            self._figure.savefig(raw := io.BytesIO(), format="raw", dpi=self._figure.dpi)
+        rows = round(self._figure.get_figheight() * self._figure.dpi)
+        pixels: Image = np.frombuffer(raw.getvalue(), dtype=np.uint8).reshape(rows, -1, 4)[..., :3]
         return pixels
 
     def frames(self, speed: float, rate: float) -> Iterator[Image]:
@@ -123,9 +124,10 @@ class Film:
         scale, unit = force_unit(max((float(one.max()) for one in curves.values()), default=1.0))
         has_names = len(curves) <= _MOST_NAMED
         for index, (name, values) in enumerate(curves.items()):
-            style = {"color": colour(index), "linewidth": 1.3, "label": name}
-            many = {"color": "#5B7F9E", "linewidth": 0.7, "alpha": 0.5}
-            panel.plot(recording.time, values / scale, **(style if has_names else many))
+            if has_names:
+                panel.plot(recording.time, values / scale, color=colour(index), linewidth=1.3, label=name)
+            else:
+                panel.plot(recording.time, values / scale, color=_MANY, linewidth=0.7, alpha=0.5)
         panel.set_xlabel("Time [s]")
         panel.set_ylabel(f"{'Sling' if slings else 'Rope'} tension [{unit}]")
         panel.set_xlim(float(recording.time[0]), max(float(recording.time[-1]), 1e-9))

@@ -141,7 +141,12 @@ class Clearances(_Plots):
         ]
         return [
             _plot(
-                "Smallest distances of watched pairs", "clearance", "m", height=240, smallest=0.1, limits=limits
+                "Smallest distances of watched pairs",
+                "clearance",
+                "m",
+                height=240,
+                smallest=0.1,
+                limits=limits,
             )
         ]
 

@@ -1,8 +1,8 @@
 """A lift that is being simulated, for pages that show it while it runs.
 
-A page asks for what it does not have yet: `live/<samples that it has>`. The answer is a packed recording of what has been
-recorded since, a line of header and a line of data, or nothing if there is nothing new; the header's `live` says how far the
-run is. As long as nobody asks, a run is told so and pays nothing.
+A page asks for what it does not have yet: `live/<samples that it has>`. The answer is a packed recording of
+what has been recorded since, a line of header and a line of data, or nothing if there is nothing new; the
+header's `live` says how far the run is. As long as nobody asks, a run pays nothing.
 """
 
 from __future__ import annotations

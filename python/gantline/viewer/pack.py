@@ -247,9 +247,7 @@ def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, 
     places = [at[np.isfinite(one[at])] for one in values for at in [peaks(one, buckets)]]
     bounds = np.concatenate([[0], np.cumsum([len(one) for one in places])])
     arrays.plain("curve_sample", np.concatenate(places) if places else [], "u4")
-    kept = [
-        one[at] * curve.factor for curve, one, at in zip(every, values, places, strict=True)
-    ]
+    kept = [one[at] * curve.factor for curve, one, at in zip(every, values, places, strict=True)]
     arrays.plain("curve_value", np.concatenate(kept) if kept else [], "f4")
     return [
         {

@@ -2,8 +2,8 @@
 
 Any program of this machine, and any page that a browser has open, can send requests to a local server. So the
 address holds a random token, requests must name this very host (which stops a foreign name that was made to
-lead here), nothing is ever looked up among files, and everything else than the page, its state and, of a lift that runs,
-what is new of it is refused.
+lead here), nothing is ever looked up among files, and everything else than the page, its state and, of a
+lift that runs, what is new of it is refused.
 """
 
 from __future__ import annotations
