@@ -26,6 +26,7 @@ import type { Palette } from "../theme";
 import { type Clipping, insideOf, outsideOf } from "./ground";
 import { geometryOf, hookGeometry, hullOf, plainSheaveGeometry, sheaveGeometry } from "./solids";
 
+const MANY_LUGS = 40; // from which each is drawn with few triangles
 const CREASE = 25; // degrees between faces from which an edge is drawn
 const Z = new Vector3(0, 0, 1);
 
@@ -150,7 +151,8 @@ export class Bodies {
 
   private addLugs(): void {
     const { lugs, bodies } = this.lift.header;
-    const geometry = new SphereGeometry(0.0055 * this.size, 10, 7);
+    const [around, up] = lugs.length > MANY_LUGS ? [6, 4] : [12, 8];
+    const geometry = new SphereGeometry(0.0055 * this.size, around, up);
     for (const body of new Set(lugs.map((lug) => lug.body))) {
       const own = lugs.filter((lug) => lug.body === body);
       const mesh = new InstancedMesh(geometry, this.material("lug"), own.length);
