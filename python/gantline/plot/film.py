@@ -54,6 +54,7 @@ class Film:
             self._side, self._top, trace = self._panels()
             self._cursor = self._trace(trace)
             drawing.tension_bar(self._figure, [self._side], self._norm)
+        self._windows = {panel: _filled(panel, window) for panel, window in self._windows.items()}
 
     def picture(self, sample: int) -> Image:
         """The lift at a sample, red, green and blue of each pixel, shape (rows, columns, 3)."""
@@ -146,6 +147,16 @@ def moments_of(time: FloatArray, speed: float, rate: float) -> FloatArray:
     count = int((time[-1] - time[0]) / speed * rate) + 1
     moments: FloatArray = np.minimum(time[0] + np.arange(count) * speed / rate, time[-1])
     return moments
+
+
+def _filled(panel: Axes, window: FloatArray) -> FloatArray:
+    """A window made as wide or as high as its panel has room for."""
+    room = panel.get_position()
+    ratio = room.width * _SIZE[0] / (room.height * _SIZE[1])
+    wide, high = np.ptp(window, axis=1)
+    more = np.maximum([high * ratio - wide, wide / ratio - high], 0.0) / 2
+    filled: FloatArray = window + np.outer(more, [-1.0, 1.0])
+    return filled
 
 
 def _bare(panel: Axes, window: FloatArray) -> None:
