@@ -38,6 +38,8 @@ class Film:
         ValueError: If there is nothing to draw.
     """
 
+    _windows: dict[Axes, FloatArray]
+
     def __init__(self, recording: Recording, width: int = 1280) -> None:
         if not len(recording.time):
             raise ValueError("this recording has no samples to draw")
