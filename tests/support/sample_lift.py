@@ -255,6 +255,7 @@ def sample_columns(
         "contact_force": contact,
         "pin_force": np.zeros((count, 0)),
         "clearance": np.zeros((count, 0)),
+        "clearance_point": np.zeros((count, 0, 2, 3)),
         "energy": np.column_stack([kinds[kind] for kind in ENERGIES]),
         "constraint_residual": zero,
         "displaced_volume": np.zeros((len(zero), 0)),

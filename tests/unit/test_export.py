@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 import struct
 import sys
 from pathlib import Path
@@ -12,10 +13,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import pytest
+from PIL import Image
 from typer.testing import CliRunner, Result
 
 from gantline.cli.app import app
-from gantline.export import TableError, gltf_binary, write_csv, write_parquet
+from gantline.export import RerunMissing, TableError, gltf_binary, write_csv, write_parquet, write_rerun
+from gantline.export.surroundings import surroundings
+from gantline.export.video import VideoError, write_still, write_video
 from gantline.results import Recording
 from hostile import hostile_recording
 from sample_lift import ringing_lift, sample_scene
@@ -170,10 +174,87 @@ def test_the_command_writes_by_the_ending_of_its_file(tmp_path: Path) -> None:
     assert (tmp_path / "a.glb").read_bytes()[:4] == b"glTF"
     assert says(tmp_path / "a.csv", "--variable", "hook_load").exit_code == 0
     for words, message in (
-        ((tmp_path / "a.obj",), "right would be one of .glb, .csv, .parquet"),
+        ((tmp_path / "a.obj",), "right would be one of .glb, .rrd, .csv, .parquet, .png, .mp4, .gif"),
         ((tmp_path / "a.glb", "--variable", "hook_load"), "is about tables"),
         ((tmp_path / "a.csv", "--variable", "nothing"), "no variable 'nothing'"),
         ((tmp_path / "missing" / "a.csv",), "cannot be written"),
     ):
         result = says(*words)
         assert result.exit_code == 2 and message in result.stderr, result.output
+
+
+def test_a_still_is_a_picture_of_its_moment(tmp_path: Path) -> None:
+    recording = ringing_lift(load_z=2.5 + np.linspace(0.0, 5.0, 2001))
+    for name, time in (("start", 0.0), ("again", 0.0), ("end", None)):
+        write_still(recording, tmp_path / f"{name}.png", time)
+    start, again, end = (np.asarray(Image.open(tmp_path / f"{n}.png")) for n in ("start", "again", "end"))
+    assert start.shape == (720, 1280, 3)
+    assert (start == again).all()
+    assert (start != end).any(axis=2).mean() > 0.005  # load and cursor have moved
+    with pytest.raises(ValueError, match="not within the recording"):
+        write_still(recording, tmp_path / "late.png", 1e4)
+    assert not (tmp_path / "late.png").exists()
+
+
+def test_a_film_has_its_pictures_at_its_speed(tmp_path: Path) -> None:
+    recording = ringing_lift(load_z=2.5 + np.linspace(0.0, 5.0, 2001))
+    span = float(recording.time[-1] - recording.time[0])
+    write_video(recording, tmp_path / "lift.gif", speed=span)
+    with Image.open(tmp_path / "lift.gif") as film:
+        assert (getattr(film, "n_frames", 1), film.size) == (11, (800, 450))  # a second, both ends
+        assert film.info["duration"] == 100
+    with pytest.raises(VideoError, match="more than 20000 pictures"):
+        write_video(recording, tmp_path / "long.gif", speed=1e-4)
+
+
+def test_a_film_goes_through_ffmpeg(tmp_path: Path) -> None:
+    if shutil.which("ffmpeg") is None:
+        pytest.skip("ffmpeg is not on the path")
+    recording = ringing_lift()
+    write_video(recording, tmp_path / "lift.mp4", speed=float(recording.time[-1]))
+    data = (tmp_path / "lift.mp4").read_bytes()
+    assert data[4:8] == b"ftyp" and b"avc1" in data
+    with pytest.raises(VideoError, match="ffmpeg could not make the film: "):
+        write_video(recording, tmp_path / "nowhere" / "lift.mp4", speed=float(recording.time[-1]))
+
+
+def test_without_ffmpeg_it_is_said_what_would_help(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(VideoError, match=r"needs the program ffmpeg.*gif needs nothing"):
+        write_video(ringing_lift(), tmp_path / "lift.mp4")
+    assert not (tmp_path / "lift.mp4").exists()
+
+
+def test_without_rerun_it_is_said_what_would_help(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "rerun", None)
+    with pytest.raises(RerunMissing, match="pip install rerun-sdk"):
+        write_rerun(ringing_lift(), tmp_path / "lift.rrd")
+
+
+def test_rerun_files_hold_the_lift(tmp_path: Path) -> None:
+    pytest.importorskip("rerun", reason="rerun-sdk is not installed")
+    write_rerun(ringing_lift(), tmp_path / "lift.rrd")
+    data = (tmp_path / "lift.rrd").read_bytes()
+    assert data.startswith(b"RRF") and len(data) > 10_000
+
+
+def test_ground_has_holes_floors_and_walls_in_gltf() -> None:
+    recording = ringing_lift()
+    scene = {
+        **recording.attributes["scene"],
+        "ground": {"level": 0.0, "holes": [{"x": [-2.0, 3.0], "y": [-1.0, 1.0], "floor": -4.0}]},
+        "water": {"level": -1.5},
+    }
+    changed = Recording(recording.variables, recording.coordinates, {**recording.attributes, "scene": scene})
+    found = {one.name: one for one in surroundings(changed, np.array([0]))}
+    ground, water = found["ground"], found["water"]
+    corners = ground.vertices[ground.faces]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    levels = corners[..., 2]
+    floor, walls = (levels == -4.0).all(axis=1), np.ptp(levels, axis=1) > 0.0
+    assert areas[floor].sum() == pytest.approx(5.0 * 2.0)
+    assert areas[walls].sum() == pytest.approx(4.0 * 2 * (5.0 + 2.0))
+    whole = np.prod(np.ptp(water.vertices, axis=0)[:2])
+    assert areas[~floor & ~walls].sum() == pytest.approx(whole - 10.0)
+    assert set(water.vertices[:, 2]) == {-1.5}
+    assert (ground.kind, water.kind) == ("quay", "water")

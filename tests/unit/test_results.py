@@ -130,6 +130,7 @@ def test_a_sling_that_hangs_in_the_hook_adds_the_vertical_part_of_its_tension() 
         "contact_force": np.zeros((1, 0)),
         "pin_force": np.zeros((1, 0)),
         "clearance": np.zeros((1, 0)),
+        "clearance_point": np.zeros((1, 0, 2, 3)),
         "energy": np.zeros((1, len(ENERGIES))),
         "constraint_residual": np.zeros(1),
         "displaced_volume": np.zeros((1, 0)),

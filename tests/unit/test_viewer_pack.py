@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import zlib
 from typing import Any
 
 import numpy as np
@@ -15,22 +14,10 @@ from gantline.viewer import Packed, pack
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.decimate import frames, peaks
 from gantline.viewer.shapes import packed_shape
+from packed_arrays import unpacked
 from sample_lift import SLINGS, ringing_lift, sample_recording
 
 Array = npt.NDArray[np.float64]
-
-
-def unpacked(packed: Packed, name: str) -> Array:
-    """An array of a packed recording, read as the page does."""
-    entry = packed.header["arrays"][name]
-    count = int(np.prod(entry["shape"]))
-    data = zlib.decompress(packed.data)[entry["at"] :]
-    if entry["type"] != "steps":
-        kind = {"f8": "<f8", "f4": "<f4", "u4": "<u4"}[entry["type"]]
-        return np.frombuffer(data, dtype=kind, count=count).reshape(entry["shape"]).astype(np.float64)
-    planes = np.frombuffer(data, dtype=np.uint8, count=4 * count).reshape(4, count)
-    change = np.ascontiguousarray(planes.T).view("<i4").reshape(entry["shape"])
-    return np.cumsum(change, axis=0, dtype=np.float64) * float(entry["step"])
 
 
 def test_steps_are_exact_to_half_a_step() -> None:

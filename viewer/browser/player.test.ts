@@ -1,8 +1,9 @@
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { clock, expected, open, start } from "./chromium";
-import { processorTime, scriptTime } from "./measured";
+import { playing } from "./measured";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -181,28 +182,60 @@ describe("the player", () => {
     expect(shown).toEqual([12.5, "top", "sling.S3", 2, [10, 20]]);
   });
 
-  it("keeps up in software: ten frames a second at 640 by 360, two milliseconds of script each", async () => {
-    const { page } = await open(browser, "report.html", { width: 682, height: 700, hash: "#t=16&speed=1" });
-    const scripts = await scriptTime(page);
+  it("shows where watched pairs are nearest, and that one is too close", async () => {
+    const { time, points } = JSON.parse(
+      readFileSync(join(process.env.GANTLINE_PAGES!, "watched.json"), "utf-8"),
+    ) as { time: number[]; points: number[][][][] };
+    const { page, troubles } = await open(browser, "watched.html", { hash: "#t=2" });
+    const nearest = await page.evaluate(() => {
+      const { lift } = globalThis.gantlinePage!.session;
+      lift.seek(2);
+      return [...lift.nearest];
+    });
+    const recorded = points[time.findIndex((one) => Math.abs(one - 2) < 1e-9)]!.flat(2);
+    for (const [place, part] of nearest.entries())
+      expect(Math.abs(part - recorded[place]!)).toBeLessThan(1e-6);
+    const label = page.locator(".gl-label-pair");
+    expect(await label.textContent()).toBe("2.50 m");
+    expect(await label.getAttribute("data-close")).toBe(""); // 3 m are asked for
+    await page.getByRole("button", { name: "Distances" }).click();
+    await page.waitForTimeout(300);
+    expect(await label.isVisible()).toBe(false);
+    const plot = page.locator('[data-gantline-chart*="clearance"]');
+    expect(await plot.textContent()).toContain("box - wall");
+    expect(troubles).toEqual([]);
+  });
+
+  it("draws finely again once nothing moves", async () => {
+    const { page } = await open(browser, "yard.html");
+    const style = () =>
+      page.evaluate(() => {
+        const { world, canvas } = globalThis.gantlinePage!.player!.stage!;
+        return [world.isCheap, canvas.width / canvas.clientWidth > 1.5];
+      });
     await page.evaluate(() => {
-      const { player, session } = globalThis.gantlinePage!;
-      player!.stage!.canvas.scrollIntoView();
-      session.setLoop(true);
+      const { session, player } = globalThis.gantlinePage!;
+      if (!player!.stage!.world.isCheap)
+        [...document.querySelectorAll<HTMLButtonElement>(".gl-chip")]
+          .find((one) => one.textContent === "Lines")!
+          .click();
       session.play();
     });
-    await page.waitForTimeout(1000);
-    const frames = () => page.evaluate(() => globalThis.gantlinePage!.player!.stage!.measured.count);
-    const begin = {
-      frames: await frames(),
-      processor: processorTime(),
-      script: await scripts(),
-      now: Date.now(),
-    };
-    await page.waitForTimeout(4000);
-    const count = (await frames()) - begin.frames;
-    const processor = ((processorTime() ?? 0) - (begin.processor ?? 0)) / count;
-    const script = ((await scripts()) - begin.script) / count;
-    const rate = (1000 * count) / (Date.now() - begin.now);
+    await page.waitForTimeout(500);
+    expect(await style()).toEqual([true, false]);
+    await page.evaluate(() => globalThis.gantlinePage!.session.pause());
+    await page.waitForTimeout(1500);
+    const isAntialiased = await page.evaluate(
+      () =>
+        globalThis.gantlinePage!.player!.stage!.canvas.getContext("webgl2")!.getContextAttributes()!
+          .antialias,
+    );
+    expect(await style()).toEqual([true, !isAntialiased]);
+  });
+
+  it("keeps up in software: ten frames a second at 640 by 360, two milliseconds of script each", async () => {
+    const { page } = await open(browser, "report.html", { width: 682, height: 700, hash: "#t=16&speed=1" });
+    const { rate, processor, script } = await playing(page, 4000);
     console.log(
       `${rate.toFixed(0)} frames/s; for each ${processor.toFixed(0)} ms of processor, ${script.toFixed(2)} ms of script`,
     );

@@ -6,6 +6,7 @@ import type { ChartSpec } from "./chart/frame";
 import { Lift } from "./data/lift";
 import { unpack } from "./data/unpack";
 import { element } from "./dom";
+import { follow } from "./live";
 import { Player } from "./player/player";
 import { Session } from "./player/session";
 import { watch } from "./reload";
@@ -29,6 +30,7 @@ async function fill(): Promise<void> {
   }
   globalThis.gantlinePage = { session, player, charts, ready: performance.now() };
   document.documentElement.dataset.ready = "true";
+  void follow(session);
 }
 
 function chooseTheme(): void {

@@ -9,6 +9,7 @@ export interface Palette {
   /** Cranes, supports, plain bodies. */
   other: number;
   hook: number;
+  hull: number;
   edge: number;
   ground: number;
   /** Floor and walls of a hole in the ground. */
@@ -16,6 +17,9 @@ export interface Palette {
   water: number;
   grid: number;
   contact: number;
+  /** Distances of watched pairs, and those that are too small. */
+  clearance: number;
+  tooClose: number;
   shadow: number;
   pinned: number;
   lug: number;
@@ -37,12 +41,15 @@ const LIGHT: Palette = {
   sheave: 0x8d9aa6,
   other: 0xc3ccd4,
   hook: 0xe2a72e,
+  hull: 0x8ea4b5,
   edge: 0x4a5866,
   ground: 0xf1f3f0,
   pit: [0xd5dbd9, 0xbcc5c6],
-  water: 0x6fa8cc,
   grid: 0xc2cbd2,
   contact: 0x12805c,
+  clearance: 0x0b7285,
+  tooClose: 0xd6221f,
+  water: 0x5f9fc4,
   shadow: 0x22303c,
   pinned: 0x111820,
   lug: 0x5d6b78,
@@ -63,12 +70,15 @@ const DARK: Palette = {
   sheave: 0x75828e,
   other: 0x46535f,
   hook: 0xb9882a,
+  hull: 0x3d5263,
   edge: 0xa9b7c3,
   ground: 0x1b232b,
   pit: [0x131920, 0x0c1116],
-  water: 0x2f6288,
   grid: 0x3b4853,
   contact: 0x3fcf9b,
+  clearance: 0x4fd3e8,
+  tooClose: 0xff6b5e,
+  water: 0x1f5f86,
   shadow: 0x05080b,
   pinned: 0xffffff,
   lug: 0xa5b2bd,

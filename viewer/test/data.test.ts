@@ -4,7 +4,7 @@ import { Curve, lastNotAfter } from "../src/data/curve";
 import type { Header } from "../src/data/format";
 import { catenaryParameter, hang } from "../src/data/hanging";
 import { Lift } from "../src/data/lift";
-import { inflate, summed, unpack } from "../src/data/unpack";
+import { inflate, summed, type Unpacked, unpack } from "../src/data/unpack";
 
 describe("packed arrays", () => {
   it("sums changes from their four planes of bytes, negative ones too", () => {
@@ -95,6 +95,10 @@ describe("a hanging rope", () => {
 });
 
 function smallLift(tension: number[]): Lift {
+  return new Lift(smallUnpacked(tension));
+}
+
+function smallUnpacked(tension: number[]): Unpacked {
   const plain = { group: "tension", name: "r", label: "r", unit: "kN", first: 0, count: 2 };
   const rope = { name: "r", label: "r", kind: "sling", first: 0, count: 2, diameter: 0, length: 5 };
   const header = {
@@ -109,29 +113,33 @@ function smallLift(tension: number[]): Lift {
     contacts: [],
     ground: null,
     holes: [],
+    water: null,
+    pairs: [{ name: "b - wall", smallest: 1 }],
     structures: [],
     events: [
       [0, "step_begin", "hoist"],
       [1, "step_begin", "hold"],
     ],
     strokes: {},
-    curves: [plain],
+    curves: [plain, { ...plain, group: "clearance", name: "b - wall", unit: "m", first: 2 }],
     arrays: {
       path: { type: "steps", shape: [2, 2, 3], step: 0.5, at: 0 },
       position: { type: "steps", shape: [2, 1, 3], step: 1, at: 0 },
       turn: { type: "steps", shape: [2, 1, 4], step: 1, at: 0 },
+      clearance_point: { type: "steps", shape: [2, 1, 2, 3], step: 0.25, at: 0 },
     },
   } as unknown as Header;
   const arrays = new Map<string, Float64Array | Float32Array | Uint32Array | Int32Array>([
     ["time", Float64Array.of(0, 2)],
     ["frames", Uint32Array.of(0, 1)],
-    ["curve_sample", Uint32Array.of(0, 1)],
-    ["curve_value", Float32Array.from(tension)],
+    ["curve_sample", Uint32Array.of(0, 1, 0, 1)],
+    ["curve_value", Float32Array.from([...tension, 2, 0.5])],
+    ["clearance_point", Int32Array.of(0, 0, 0, 8, 0, 0, 0, 0, 4, 2, 0, 4)],
     ["path", Int32Array.of(0, 0, 8, 6, 0, 8, 0, 0, 8, 8, 0, 8)],
     ["position", Int32Array.of(0, 0, 0, 2, 0, 4)],
     ["turn", Int32Array.of(1, 0, 0, 0, 0, 0, 0, 1)],
   ]);
-  return new Lift({ header, arrays });
+  return { header, arrays };
 }
 
 describe("a lift", () => {
@@ -150,6 +158,39 @@ describe("a lift", () => {
     expect([...path.subarray(0, 3)]).toEqual([0, 0, 4]);
     expect([...path.subarray(path.length - 3)]).toEqual([3, 0, 4]);
     expect(smallLift([1, 1]).drawnPath(0).length).toBe(6);
+  });
+
+  it("knows where watched pairs are nearest, and whether they are too close", () => {
+    const lift = smallLift([1, 1]);
+    lift.seek(1);
+    expect([...lift.nearest]).toEqual([0, 0, 0.5, 1.25, 0, 0.5]);
+    expect(lift.distance(0)).toBe(1.25);
+    expect(lift.isTooClose(0)).toBe(false);
+    lift.seek(2);
+    expect(lift.isTooClose(0)).toBe(true);
+  });
+
+  it("goes on with what is recorded later, whatever its steps", () => {
+    const lift = smallLift([1, 1]);
+    const more = smallUnpacked([3, 5]);
+    more.arrays.set("time", Float64Array.of(3, 4));
+    more.header.arrays.position!.step = 10;
+    more.header.samples = 4;
+    more.header.ropes[0]!.peak = 5000;
+    more.header.events = [...more.header.events, [3.5, "step_begin", "lower"]];
+    lift.append(more);
+    expect([lift.begin, lift.end, lift.header.samples, lift.largestTension]).toEqual([0, 4, 4, 5000]);
+    lift.seek(2.5); // halfway from where it was to where the second part begins
+    expect(lift.poses[0]).toBe(1);
+    expect(lift.tensions[0]).toBe(2000);
+    lift.seek(4);
+    expect([...lift.poses.subarray(0, 3)]).toEqual([20, 0, 40]);
+    expect(lift.group("tension")[0]!.largest).toBe(5);
+    expect(lift.steps.map((step) => [step.name, step.end])).toEqual([
+      ["hoist", 1],
+      ["hold", 3.5],
+      ["lower", 4],
+    ]);
   });
 
   it("knows the steps of its plan", () => {

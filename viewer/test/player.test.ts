@@ -1,13 +1,25 @@
-import { Box3, type Material, type Mesh, type Plane, Vector3 } from "three";
+import {
+  Box3,
+  type BufferAttribute,
+  type BufferGeometry,
+  type Mesh,
+  type MeshBasicMaterial,
+  type Plane,
+  SphereGeometry,
+  Vector3,
+} from "three";
 import { describe, expect, it } from "vitest";
 import { shown, ticksOf, verticalScale } from "../src/chart/scale";
 import type { Vector } from "../src/data/format";
 import type { Lift } from "../src/data/lift";
 import { parse, written } from "../src/player/address";
 import { Session, usualSpeed } from "../src/player/session";
-import { holesUnder, insideOf, niceCell, outsideOf, pitOf } from "../src/scene/ground";
+import { Clearances } from "../src/scene/clearances";
+import { Ground, holesUnder, insideOf, niceCell, outsideOf, pitOf } from "../src/scene/ground";
 import { distanceToPiece } from "../src/scene/picking";
+import { hullOf, plainSheaveGeometry, sheaveGeometry } from "../src/scene/solids";
 import { Structures } from "../src/scene/structures";
+import type { Extent } from "../src/scene/world";
 import { paletteOf, rampInto } from "../src/theme";
 
 describe("axes", () => {
@@ -120,6 +132,21 @@ describe("playing", () => {
     expect(one.span).toEqual([8, 10]);
   });
 
+  it("stays at the end of a lift that goes on, unless somebody looks elsewhere", () => {
+    const one = session();
+    one.lift.append = () => {
+      (one.lift as { end: number }).end += 5;
+    };
+    one.append(null as never);
+    expect([one.time, one.span]).toEqual([0, [0, 15]]);
+    one.seek(15);
+    one.append(null as never);
+    expect([one.time, one.span]).toEqual([20, [0, 20]]);
+    one.show(2, 3);
+    one.append(null as never);
+    expect(one.span).toEqual([2, 3]);
+  });
+
   it("tells each listener until it has had enough", () => {
     const one = session();
     let told = 0;
@@ -172,6 +199,47 @@ describe("drawing", () => {
     expect(holesUnder({ holes: [hole] }, [0, 0, 0], [10, 9, 9])).toEqual([]);
   });
 
+  it("lays water at its level, also where there is no ground", () => {
+    const extent = { middle: [0, 0, 5], size: 40, low: [-20, -20, -5], high: [20, 20, 15] } as Extent;
+    const ground = new Ground({ ground: null, holes: [], water: -1 }, extent);
+    ground.lay(paletteOf("light"));
+    const [surface] = ground.group.children as Mesh[];
+    expect(surface!.position.z).toBe(-6);
+    expect((surface!.material as MeshBasicMaterial).transparent).toBe(true);
+    const dry = new Ground({ ground: 0, holes: [], water: null }, extent);
+    dry.lay(paletteOf("light"));
+    expect(dry.group.children.length).toBe(1);
+  });
+
+  it("draws a line between the nearest points of a watched pair, in another colour where it is too short", () => {
+    let tooClose = false;
+    const lift = {
+      nearest: Float64Array.of(1, 2, 3, 4, 2, 3),
+      header: { pairs: [{ name: "p", smallest: 1 }] },
+      isTooClose: () => tooClose,
+    } as unknown as Lift;
+    const drawn = new Clearances(lift, [1, 1, 1]);
+    const { lines } = drawn;
+    const palette = paletteOf("light");
+    const colour = () => [0, 1, 2].map((part) => lines.geometry.attributes.color!.array[part]!);
+    drawn.update(palette);
+    expect([...lines.geometry.attributes.position!.array]).toEqual([0, 1, 2, 3, 1, 2]);
+    const usual = colour();
+    tooClose = true;
+    drawn.update(palette);
+    expect(colour()).not.toEqual(usual);
+  });
+
+  it("draws sheaves and shadows with few triangles where drawing is slow", () => {
+    const [fine, plain] = [sheaveGeometry(), plainSheaveGeometry()];
+    const count = (geometry: BufferGeometry) =>
+      (geometry.index ? geometry.index.count : geometry.attributes.position!.count) / 3;
+    expect(count(plain)).toBeLessThan(count(fine) / 5);
+    expect(count(hullOf(new SphereGeometry(1, 8, 6).toNonIndexed()))).toBeGreaterThan(8);
+    const box = new Box3().setFromBufferAttribute(plain.attributes.position as BufferAttribute);
+    expect(box.max.x).toBeLessThanOrEqual(1);
+  });
+
   it("shows the walls and the floor of a pit from within", () => {
     const { floor, walls, edges } = pitOf({ x: [0, 2], y: [0, 4], floor: -3 }, 1);
     const middle = new Vector3(1, 2, -1);
@@ -186,15 +254,6 @@ describe("drawing", () => {
     // The floor 2 by 4, and walls 4 high all around.
     expect(area).toBeCloseTo(2 * 4 + 4 * (2 + 4 + 2 + 4), 6);
     expect(Math.min(...edges.filter((_, at) => at % 3 === 2))).toBe(-3);
-  });
-
-  it("lets what is under water show through", () => {
-    const corners = [0, 1].flatMap((x) => [0, 2].flatMap((y) => [0, 3].map((z) => [x, y, z] as Vector)));
-    const made = { name: "a", boxes: [corners], removedAt: null };
-    const header = { structures: ["structure", "water"].map((kind) => ({ ...made, kind })) };
-    const structures = new Structures({ header, now: 0 } as unknown as Lift, [0, 0, 0]);
-    const drawn = structures.group.children.map((one) => (one.children[0] as Mesh).material as Material);
-    expect(drawn.map((material) => material.transparent)).toEqual([false, true]);
   });
 
   it("lets supports stand until they are taken away", () => {

@@ -271,8 +271,22 @@ fn distances_of_boxes_apart_and_into_one_another() {
     assert!((one.distance(&other, [&here, &placed(1.4, 0.2, 0.0)]) + 0.1).abs() < 1e-9);
     // A line 0.5 m over the top and one past an edge, √2 · 1 m away.
     let line = |x: f64, z: f64| [DVec3::new(x, -9.0, z), DVec3::new(x, 9.0, z)];
-    assert!((one.distance_to_line(&here, line(0.3, 1.5)) - 0.5).abs() < 1e-12);
-    assert!((one.distance_to_line(&here, line(2.0, 2.0)) - 2.0_f64.sqrt()).abs() < 1e-12);
+    assert!((one.apart_from_line(&here, line(0.3, 1.5)).distance - 0.5).abs() < 1e-12);
+    assert!((one.apart_from_line(&here, line(2.0, 2.0)).distance - 2.0_f64.sqrt()).abs() < 1e-12);
+
+    // The points that are nearest: of each shape one, as far apart as the distance says.
+    let near = one.apart(&other, [&here, &placed(2.5, 2.5, 2.5)]);
+    let corners = [DVec3::ONE, DVec3::splat(2.0)];
+    assert!(
+        near.points.iter().zip(corners).all(|(point, corner)| (*point - corner).length() < 1e-9),
+        "{near:?}"
+    );
+    let near = one.apart_from_line(&here, line(0.3, 1.5));
+    assert!((near.points[1] - near.points[0] - DVec3::new(0.0, 0.0, 0.5)).length() < 1e-9, "{near:?}");
+    // Into one another along x: both points on the two skins there, a tenth of a metre apart.
+    let near = one.apart(&other, [&here, &placed(1.4, 0.2, 0.0)]);
+    let depth = (near.points[0] - near.points[1]).dot(DVec3::X);
+    assert!((depth - 0.1).abs() < 1e-6 && (near.distance + 0.1).abs() < 1e-9, "{near:?}");
 }
 
 /// A box of `size` and 1000 kg at `position` on a slab whose top is level 0, with velocity `velocity`.

@@ -204,7 +204,7 @@ fn column_arrays<'py>(
     let (bodies, kinds) = (names.body.len(), names.energy_kind.len());
     let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
     let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
-    let all: [(&str, Vec<f64>, Vec<usize>); 24] = [
+    let all: [(&str, Vec<f64>, Vec<usize>); 25] = [
         ("time", samples.time.clone(), vec![count]),
         ("rope_tension", columns.rope_tension, vec![count, ropes]),
         ("rope_lengthening", columns.rope_lengthening, vec![count, adjusted]),
@@ -223,6 +223,7 @@ fn column_arrays<'py>(
         ("pin_force", columns.pin_force, vec![count, names.pin.len()]),
         ("clearance", columns.clearance, vec![count, names.pair.len()]),
         ("displaced_volume", columns.displaced_volume, vec![count, names.hull.len()]),
+        ("clearance_point", columns.clearance_point, vec![count, names.pair.len(), 2, 3]),
         ("energy", columns.energy, vec![count, kinds]),
         ("constraint_residual", columns.constraint_residual, vec![count]),
         ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),

@@ -28,7 +28,7 @@ from gantline.assembly.shapes import members, watch_name
 from gantline.assembly.sheave import spin_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
-from gantline.assembly.vessels import vessel_rig, vessel_shape, water_surface
+from gantline.assembly.vessels import vessel_rig, vessel_shape
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.crane_parts import crane_bodies
@@ -44,7 +44,8 @@ from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import RopeWeight, rope_weight
 from gantline.scenario.structures import Dock, dock_of
-from gantline.scenario.tanks import ends_of_pump, tanks_of
+from gantline.scenario.tanks import bodies_afloat, ends_of_pump, tanks_of
+from gantline.scenario.water import Water
 
 __all__ = ["rig", "rope_kinds", "scene"]
 
@@ -416,6 +417,7 @@ def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts
         "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.all_ropes],
         "contacts": [{key: one[key] for key in ("name", "body", "at")} for one in parts.contacts],
         "ground": _ground(scenario),
+        **({"water": {"level": level}} if (level := _water_level(scenario)) is not None else {}),
         **({"structures": structures} if (structures := _structures(scenario, parts)) else {}),
         "axes": None,
     }
@@ -431,9 +433,15 @@ def _ground(scenario: Scenario) -> Json | None:
     return {"level": level, "holes": [{"x": list(dock.x), "y": list(dock.y), "floor": dock.floor}]}
 
 
+def _water_level(scenario: Scenario) -> float | None:
+    """Level of the water [m]; None in a lift on dry land."""
+    if scenario.water is None and all(body.hull is None for body in bodies_afloat(scenario).values()):
+        return None
+    return (scenario.water or Water()).level
+
+
 def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
-    """What stands in the world, of boxes: supports by their contacts, what is no hole, water."""
-    water = water_surface(scenario, parts)
+    """What stands in the world, of boxes: supports by their contacts, and what is no hole in the ground."""
     shapes = {
         (name, "structure"): [parts.shapes[shape] for shape in members(parts.shapes, name)]
         for name, structure in (scenario.structures or {}).items()
@@ -446,7 +454,7 @@ def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
     return [
         {"name": name, "kind": kind, "boxes": [box for one in given for box in one["parts"]]}
         for (name, kind), given in shapes.items()
-    ] + ([{"name": "water", "kind": "water", "boxes": [water]}] if water is not None else [])
+    ]
 
 
 def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body: Json) -> Json:
@@ -471,14 +479,14 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif name in crane_bodies(scenario.cranes or {}):
         shape = crane_shape(scenario, name) or crawler_shape(scenario, name) or boom_shape(scenario, name)
     elif name in (scenario.vessels or {}):
-        kind, shape = "vessel", vessel_shape(scenario, name)
+        kind, shape = "hull", vessel_shape(scenario, name)
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:
         shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
-    elif plain.hull is not None and plain.hull.mesh is not None:
+    elif plain.hull is not None:
         hull = hull_mesh(scenario, name, plain)
-        shape = None if hull is None else hull_shape(hull)
+        kind, shape = "hull", None if hull is None else hull_shape(hull)
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
 
 

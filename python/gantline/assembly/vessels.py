@@ -23,13 +23,10 @@ __all__ = [
     "vessel_rig",
     "vessel_shape",
     "watch_vessels",
-    "water_surface",
 ]
 
 #: A triangle of a hull is part of its deck where the cosine of its slope is more than this.
 _DECK = 0.5
-#: How much longer and broader than vessels the drawn water is, of their length, and how thick [m].
-_WATER_AROUND, _WATER_THICK = 0.6, 0.02
 
 
 def add_vessels(parts: Parts, scenario: Scenario) -> None:
@@ -124,21 +121,6 @@ def vessel_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             }
         )
     return found
-
-
-def water_surface(scenario: Scenario, parts: Parts) -> Json | None:
-    """The water around all vessels where they start, as a thin box to draw; None without vessels."""
-    corners = [
-        parts.place(name, corner)[:2]
-        for name, vessel in (scenario.vessels or {}).items()
-        for corner in vessel_hull(scenario, name, vessel).vertices.tolist()
-    ]
-    if not corners:
-        return None
-    low, high = np.min(corners, axis=0), np.max(corners, axis=0)
-    size = [*(high - low + _WATER_AROUND * np.max(high - low)).tolist(), _WATER_THICK]
-    level = (scenario.water or Water()).level
-    return {"size": size, "centre": [*((low + high) / 2).tolist(), level - _WATER_THICK / 2]}
 
 
 def _marks(scenario: Scenario, name: str) -> dict[str, list[list[float]]]:

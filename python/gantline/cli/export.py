@@ -3,48 +3,94 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import opened
+from gantline.cli.lift import opened, quantity_of
 from gantline.cli.messages import stop, writing
 from gantline.cli.report import Recorded, asked_for
 
-_KINDS = (".glb", ".csv", ".parquet")
+if TYPE_CHECKING:
+    from gantline.results.recording import Recording
+
+_SCENES = (".glb", ".rrd")
+_TABLES = (".csv", ".parquet")
+_STILLS = (".png",)
+_FILMS = (".mp4", ".gif")
+_KINDS = (*_SCENES, *_TABLES, *_STILLS, *_FILMS)
 
 
 def export(
     recording: Recorded,
     output: Annotated[
         Path,
-        typer.Argument(metavar="FILE", help="File to write, by its ending: .glb, .csv, .parquet."),
+        typer.Argument(metavar="FILE", help=f"File to write, by its ending: {', '.join(_KINDS)}."),
     ],
     variable: Annotated[
         list[str] | None,
         typer.Option("--variable", metavar="NAME", help="Variable of a table, several times for several."),
     ] = None,
+    time: Annotated[
+        str | None,
+        typer.Option("--time", metavar="TIME", help="Moment of a picture: '12 s'.  [default: the end]"),
+    ] = None,
+    speed: Annotated[
+        float | None,
+        typer.Option(metavar="FACTOR", help="Speed of a film, of real time.  [default: a film of 20 s]"),
+    ] = None,
 ) -> None:
-    """Write a recording for another program: an animated scene (.glb) or a table (.csv, .parquet).
+    """Write a recording for another program: a scene that moves, a table, a picture or a film.
 
-    Blender, Windows and browsers show .glb files; spreadsheets and data tools read tables.
+    Blender, Windows and browsers show .glb files, the Rerun viewer .rrd files (by the package rerun-sdk);
+    spreadsheets and data tools read .csv and .parquet. A .png shows one moment, .gif and .mp4 (ffmpeg) all.
     """
-    from gantline.export import TableError, gltf_binary, write_csv, write_parquet
-
     kind = output.suffix.lower()
     if kind not in _KINDS:
         stop(f"{output}: ends with '{output.suffix}'; right would be one of {', '.join(_KINDS)}")
-    if variable and kind == ".glb":
-        stop("--variable is about tables; a .glb holds the motion of everything")
+    for option, given, kinds, what in (
+        ("--variable", variable, _TABLES, "tables"),
+        ("--time", time, _STILLS, "pictures"),
+        ("--speed", speed, _FILMS, "films"),
+    ):
+        if given and kind not in kinds:
+            stop(f"{option} is about {what} ({', '.join(kinds)}); {output} is none")
+    moment = quantity_of("--time", time, "time")
+    if speed is not None and not speed > 0.0:
+        stop(f"--speed: {speed:g} is not above zero")
     file = asked_for(recording)
     found = opened(file)
     try:
         with writing(output):
-            if kind == ".glb":
-                output.write_bytes(gltf_binary(found))
-            else:
-                write = write_csv if kind == ".csv" else write_parquet
-                write(found, output, variable or ())
-    except (TableError, ValueError) as problem:
+            _write(found, output, kind, variable or [], moment, speed)
+    except ValueError as problem:
         stop(f"{file}: {problem}")
     typer.echo(f"Written     {output}")
+
+
+def _write(
+    recording: Recording,
+    output: Path,
+    kind: str,
+    variables: list[str],
+    moment: float | None,
+    speed: float | None,
+) -> None:
+    from gantline import export
+
+    if kind == ".glb":
+        output.write_bytes(export.gltf_binary(recording))
+    elif kind == ".rrd":
+        export.write_rerun(recording, output)
+    elif kind == ".csv":
+        export.write_csv(recording, output, variables)
+    elif kind == ".parquet":
+        export.write_parquet(recording, output, variables)
+    elif kind in _STILLS:
+        from gantline.export.video import write_still
+
+        write_still(recording, output, moment)
+    else:
+        from gantline.export.video import write_video
+
+        write_video(recording, output, speed)

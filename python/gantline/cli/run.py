@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import time
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
 from gantline.cli.lift import RECORDING, Lift, Setting, name_of, output_folder, prepare, quantity_of
+from gantline.cli.live import live_view
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
 from gantline.cli.report import REPORT, write_beside
@@ -16,6 +18,7 @@ from gantline.cli.report import REPORT, write_beside
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
     from gantline.simulation import Simulation, SimulationError
+    from gantline.viewer.live import LiveView
 
 
 def run(
@@ -49,6 +52,12 @@ def run(
     report: Annotated[
         bool, typer.Option("--report/--no-report", help="Write a report that any browser opens.")
     ] = True,
+    live: Annotated[
+        bool, typer.Option("--live", help="Show the lift in the browser of this machine while it runs.")
+    ] = False,
+    browser: Annotated[
+        bool, typer.Option("--browser/--no-browser", help="With --live: open a browser.")
+    ] = True,
     profile: Annotated[bool, typer.Option("--profile", help="Show where the time went.")] = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print the checks as JSON, and nothing else to standard output.")
@@ -71,22 +80,23 @@ def run(
         simulation.measure()
     folder = output_folder(output if output is not None else Path("results") / name_of(lift))
     clock.lap("prepare")
-    recording = _simulate(simulation, folder)
-    clock.lap("simulate")
-    with writing(folder):
-        written = recording.save(folder / RECORDING)
-    clock.lap("save")
-    failed = _print_json(recording) if as_json else _print_table(recording, simulation)
-    clock.lap("table")
-    typer.echo(f"Recording   {written}", err=as_json)
-    if plots:
-        _draw(recording, folder, aside=as_json)
-        clock.lap("pictures")
-    if report:
-        write_beside(recording, folder / REPORT, aside=as_json)
-        clock.lap("report")
-    if profile:
-        _print_profile(clock, simulation.stages(), recording, aside=as_json)
+    with live_view(simulation, browser=browser, aside=as_json) if live else nullcontext() as view:
+        recording = _simulate(simulation, folder, view)
+        clock.lap("simulate")
+        with writing(folder):
+            written = recording.save(folder / RECORDING)
+        clock.lap("save")
+        failed = _print_json(recording) if as_json else _print_table(recording, simulation)
+        clock.lap("table")
+        typer.echo(f"Recording   {written}", err=as_json)
+        if plots:
+            _draw(recording, folder, aside=as_json)
+            clock.lap("pictures")
+        if report:
+            write_beside(recording, folder / REPORT, aside=as_json)
+            clock.lap("report")
+        if profile:
+            _print_profile(clock, simulation.stages(), recording, aside=as_json)
     if recording.attributes["status"] == "stopped":
         warn(f"stopped at {recording.time[-1]:.2f} s of {simulation.duration:g} s")
         raise typer.Exit(INTERRUPTED)
@@ -106,14 +116,25 @@ class _Clock:
         self._last = now
 
 
-def _simulate(simulation: Simulation, folder: Path) -> Recording:
+def _simulate(simulation: Simulation, folder: Path, view: LiveView | None) -> Recording:
     from gantline.simulation import SimulationError
 
     try:
         with progress(simulation) as report:
-            return simulation.run(on_progress=report)
+
+            def tell(now: float) -> None:
+                report(now)
+                if view is not None:
+                    view.offer()
+
+            recording = simulation.run(on_progress=tell)
     except SimulationError as problem:
+        if view is not None:
+            view.finish(problem.recording, "failed")
         _save_failure(problem, folder)
+    if view is not None:
+        view.finish(recording, str(recording.attributes["status"]))
+    return recording
 
 
 def _save_failure(problem: SimulationError, folder: Path) -> NoReturn:

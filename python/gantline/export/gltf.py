@@ -2,8 +2,9 @@
 
 A node below the root `lift` stands for each body, its frame at the centre of gravity, its poses those of the
 recording in metres and in the recording's axes; the root turns z up into the y up of glTF. Sheaves are nodes
-below their bodies. Each straight piece of a rope is a node with a rod of length 1 along z, placed at its
-beginning, turned and stretched.
+below their bodies. What stands in the world, ground and water are nodes below `surroundings`; a support that
+is taken away shrinks to nothing. Each straight piece of a rope is a node with a rod of length 1 along z,
+placed at its beginning, turned and stretched.
 """
 
 from __future__ import annotations
@@ -12,16 +13,14 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from gantline.export.glb import Document
+from gantline.export.surroundings import Indices, box_faces, surroundings
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 from gantline.viewer.decimate import Places, frames
 from gantline.viewer.shapes import vector
 from gantline.viewer.turning import sheave_angles
-
-Indices = npt.NDArray[np.int64]
 
 #: Numbers that all poses together may have, and times.
 _NUMBERS = 6_000_000
@@ -37,14 +36,19 @@ _COLOURS = {
     "sheave": (0.25, 0.31, 0.37),
     "other": (0.45, 0.51, 0.57),
     "rope": (0.06, 0.18, 0.40),
+    "hull": (0.30, 0.42, 0.52),
+    "support": (0.62, 0.56, 0.47),
+    "structure": (0.70, 0.71, 0.72),
+    "ground": (0.78, 0.79, 0.75),
+    "quay": (0.78, 0.79, 0.75),
+    "water": (0.16, 0.42, 0.60),
 }
+_OPACITY = {
+    "frame": 0.6,
+    "quay": 0.35,
+    "water": 0.45,
+}  # ropes and sheaves run inside of frames, hulls lie in water
 _CORNERS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64) / 2
-_BOX: Indices = np.array(
-    [
-        *[(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1)],
-        *[(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)],
-    ]
-)
 
 
 def gltf_binary(recording: Recording) -> bytes:
@@ -69,6 +73,14 @@ def gltf_binary(recording: Recording) -> bytes:
     nodes = {entry["name"]: _body(document, recording, entry, root, materials, at, times) for entry in bodies}
     _sheaves(document, recording, scene, nodes, materials, at, times)
     _ropes(document, recording, root, materials.of("rope"), at, times)
+    if at_rest := surroundings(recording, at):
+        world = document.node("surroundings", root)
+        for one in at_rest:
+            node = document.node(
+                one.name, world, mesh=document.mesh(one.name, one.vertices, one.faces, materials.of(one.kind))
+            )
+            if one.size is not None and len(at) > 1:
+                document.animate(node, "scale", times, np.repeat(one.size[:, None], 3, axis=1))
     return document.binary(recording.rig.title, str(recording.attributes.get("gantline_version", "")))
 
 
@@ -82,8 +94,7 @@ class _Materials:
     def of(self, kind: str) -> int:
         name = kind if kind in _COLOURS else "other"
         if name not in self._made:
-            alpha = 0.6 if name == "frame" else 1.0  # ropes and sheaves run inside
-            self._made[name] = self._document.material(name, _COLOURS[name], alpha)
+            self._made[name] = self._document.material(name, _COLOURS[name], _OPACITY.get(name, 1.0))
         return self._made[name]
 
 
@@ -109,7 +120,7 @@ def _body(
     place = recording.column("body_position", name)[at]
     turn = _continuous(recording.column("body_orientation", name)[at][:, [1, 2, 3, 0]])
     node = document.node(name, root, translation=place[0].tolist(), rotation=turn[0].tolist())
-    solid = _solid(entry.get("shape"))
+    solid = solid_of(entry.get("shape"))
     if solid is not None:
         vertices = solid[0] - np.asarray(vector(entry.get("centre_of_gravity")))
         document.nodes[node]["mesh"] = document.mesh(name, vertices, solid[1], materials.of(kind))
@@ -127,7 +138,7 @@ def _continuous(turns: FloatArray) -> FloatArray:
     return unit
 
 
-def _solid(shape: Mapping[str, Any] | None) -> tuple[FloatArray, Indices] | None:
+def solid_of(shape: Mapping[str, Any] | None) -> tuple[FloatArray, Indices] | None:
     """Vertices and triangles of a shape; None for one that is not known, or a bare set of points."""
     kind = (shape or {}).get("type")
     if shape is None or kind not in ("box", "boxes", "mesh"):
@@ -142,7 +153,7 @@ def _solid(shape: Mapping[str, Any] | None) -> tuple[FloatArray, Indices] | None
         return vertices, faces
     boxes = shape["boxes"] if kind == "boxes" else [shape]
     corners = [np.asarray(vector(box.get("centre"))) + _CORNERS * vector(box["size"]) for box in boxes]
-    return np.concatenate(corners), np.concatenate([_BOX + 8 * place for place in range(len(boxes))])
+    return np.concatenate(corners), box_faces(len(boxes))
 
 
 def _sheaves(

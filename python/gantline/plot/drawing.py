@@ -21,7 +21,7 @@ from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
 from gantline.plot.style import FAINT, INK, KILO, QUIET, force_unit, shortened
 from gantline.results.recording import Recording
 from gantline.results.rig import Equalizer
-from gantline.results.surroundings import Ground, ground_of
+from gantline.results.surroundings import Ground, ground_of, water_level
 from gantline.results.variable import FloatArray
 
 _TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
@@ -30,13 +30,13 @@ _MOST_LUGS = 10  # that are labelled one by one
 _TITLES = 0.9  # height of the titles of a further row [inch]
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _EARTH, _EARTH_EDGE = "#ECE7DF", "#8C7B62"
+_WATER = "#3C86B0"
 _FILL = {
     "load": "#C9D6E2",
     "frame": "#8FA3B5",
     "support": "#CFC6B8",
     "structure": "#E6E6E6",
-    "vessel": "#D5D2C8",
-    "water": "#DCEBF5",
+    "hull": "#D5D2C8",
 }
 # Directions in which a label may stand, the preferred ones first.
 _AROUND = np.array([(np.cos(a), np.sin(a)) for a in np.deg2rad([45, -45, 135, -135, *range(0, 360, 15)])])
@@ -45,8 +45,7 @@ _EDGE = {
     "frame": "#4A5F73",
     "support": _EARTH_EDGE,
     "structure": "#A3A3A3",
-    "vessel": "#6B665A",
-    "water": "#3F86B5",
+    "hull": "#6B665A",
 }
 
 
@@ -77,10 +76,10 @@ def system(recording: Recording) -> Figure | None:
     lift = extent
     if ground is not None:
         extent = np.concatenate([extent, ground.near(lift)])
-    norm = _norm(shown)
+    norm = norm_of(shown)
     windows = [
-        _window(SIDE.project(extent), below=max(0.8, _room_below(ground, lift))),
-        _window(TOP.project(extent)),
+        window_of(SIDE.project(extent), below=max(0.8, room_below(ground, lift))),
+        window_of(TOP.project(extent)),
     ]
     windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
     windows[1][0] = windows[0][0] = _hull(windows[0][0], windows[1][0])
@@ -89,14 +88,15 @@ def system(recording: Recording) -> Figure | None:
         for view, row in ((SIDE, panels[0]), (TOP, panels[1])):
             draw(row[column], snap, view, norm)
         if ground is not None:
-            _draw_ground(panels[0][column], ground, lift)
-            _draw_holes(panels[1][column], ground)
+            draw_ground(panels[0][column], ground, lift)
+            draw_holes(panels[1][column], ground)
+        draw_water(panels[0][column], recording)
         _title(panels[0][column], name, snap.time)
         _label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
     panels[1][0].set_ylabel("top view (x, y)", fontsize=8, color=QUIET)
-    _scale_bar(panels[0][-1], 0.03)
-    _tension_bar(figure, [panel for row in panels for panel in row], norm)
+    scale_bar(panels[0][-1], 0.03)
+    tension_bar(figure, [panel for row in panels for panel in row], norm)
     return figure
 
 
@@ -106,23 +106,24 @@ def stages(recording: Recording) -> Figure | None:
     if not recording.rig.cranes or len(found) < 4:
         return None
     shown = [(name, snapshot(recording, sample)) for name, sample in found]
-    norm = _norm(shown)
+    norm = norm_of(shown)
     extent = lift = np.concatenate([snap.extent() for _, snap in shown])
     ground = ground_of(recording)
     if ground is not None:
         extent = np.concatenate([lift, ground.near(lift)])
-    window = _window(SIDE.project(extent), below=_room_below(ground, lift))
+    window = window_of(SIDE.project(extent), below=room_below(ground, lift))
     figure, rows = _strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
     panels = [panel for row in rows for panel in row]
     for panel, (name, snap) in zip(panels, shown, strict=False):
         if ground is not None:
-            _draw_ground(panel, ground, lift)
+            draw_ground(panel, ground, lift)
         draw(panel, snap, SIDE, norm)
+        draw_water(panel, recording)
         _title(panel, name, snap.time)
     for panel in panels[len(shown) :]:
         panel.set_visible(False)
-    _scale_bar(panels[min(len(shown), 6) - 1], 0.03)
-    _tension_bar(figure, panels, norm)
+    scale_bar(panels[min(len(shown), 6) - 1], 0.03)
+    tension_bar(figure, panels, norm)
     return figure
 
 
@@ -132,7 +133,7 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
     has_sheaves = which.moving_sheaves and which.mechanism == "sheaves"
     if not has_sheaves or which.name not in shown[0][1].frame_axes:
         return None
-    norm = _norm(shown)
+    norm = norm_of(shown)
     views = [_across(snap.frame_axes[which.name]) for _, snap in shown]
     origins = [
         view.project(snap.frame_origin[which.name]) for view, (_, snap) in zip(views, shown, strict=True)
@@ -142,7 +143,7 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
         for view, origin, (_, snap) in zip(views, origins, shown, strict=True)
         for part in _of_equalizer(snap, which)
     ]
-    window = _window(np.concatenate(paths), below=1.2, above=0.6)
+    window = window_of(np.concatenate(paths), below=1.2, above=0.6)
     figure, (row,) = _strip(recording, f"Equalizer {which.name}", len(shown), [window])
     for panel, view, origin, (name, snap) in zip(row, views, origins, shown, strict=True):
         panel.set_xlim(*(window[0] + origin[0]))
@@ -152,8 +153,8 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
         _title(panel, name, snap.time)
         _label_sheaves(panel, snap, view, which)
     row[0].set_ylabel("seen across the frame\n(ticks: ends of stroke)", fontsize=7.5, color=QUIET)
-    _scale_bar(row[-1], 0.925)
-    _tension_bar(figure, list(row), norm)
+    scale_bar(row[-1], 0.925)
+    tension_bar(figure, list(row), norm)
     return figure
 
 
@@ -267,7 +268,8 @@ def _draw_rope(panel: Axes, rope: RopePath, view: View, norm: Normalize, width: 
     )
 
 
-def _norm(shown: Sequence[tuple[str, Snapshot]]) -> Normalize:
+def norm_of(shown: Sequence[tuple[str, Snapshot]]) -> Normalize:
+    """From tensions [N] to the colour scale of all that is shown."""
     highest = max((rope.tension for _, snap in shown for rope in snap.ropes), default=0.0)
     return Normalize(0.0, highest if highest > 0.0 else 1.0)
 
@@ -294,7 +296,7 @@ def _at_least(limits: FloatArray, span: float) -> FloatArray:
     return wider
 
 
-def _window(points: FloatArray, below: float = 0.0, above: float = 0.0) -> FloatArray:
+def window_of(points: FloatArray, below: float = 0.0, above: float = 0.0) -> FloatArray:
     """Limits ((left, right), (low, high)) that hold points on paper with a margin."""
     low, high = points.min(axis=0), points.max(axis=0)
     margin = 0.05 * float(np.max(high - low)) + 1e-3
@@ -347,7 +349,21 @@ def _strip(
     return figure, rows
 
 
-def _draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
+def draw_water(panel: Axes, recording: Recording) -> None:
+    """The water in a side view: what is below its level is tinted."""
+    level = water_level(recording)
+    if level is None:
+        return
+    left, right = panel.get_xlim()
+    low, high = panel.get_ylim()
+    if level > low:
+        panel.add_patch(
+            Rectangle((left, low), right - left, min(level, high) - low, color=_WATER, alpha=0.25, zorder=3.8)
+        )
+        panel.plot([left, right], [level, level], color=_WATER, linewidth=1.0, zorder=3.9)
+
+
+def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
     """The ground in a side view, cut where the lift is."""
     left, right = panel.get_xlim()
     low, _ = panel.get_ylim()
@@ -357,12 +373,12 @@ def _draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
     panel.plot(*line.T, color=_EARTH_EDGE, linewidth=1.0, zorder=0.5)
 
 
-def _room_below(ground: Ground | None, lift: FloatArray) -> float:
+def room_below(ground: Ground | None, lift: FloatArray) -> float:
     """What the scale bar takes below the floor of a hole [m]."""
     return 0.05 * float(np.ptp(lift[:, 0])) if ground is not None and ground.holes else 0.0
 
 
-def _draw_holes(panel: Axes, ground: Ground) -> None:
+def draw_holes(panel: Axes, ground: Ground) -> None:
     """Holes of the ground in a top view."""
     for hole in ground.holes:
         (x0, x1), (y0, y1) = hole.x, hole.y
@@ -445,7 +461,7 @@ def _label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) ->
         )
 
 
-def _scale_bar(panel: Axes, height_fraction: float) -> None:
+def scale_bar(panel: Axes, height_fraction: float) -> None:
     """A bar of a round length at the right of a panel, at this fraction of its height."""
     (left, right), (low, high) = panel.get_xlim(), panel.get_ylim()
     target = 0.3 * (right - left)
@@ -468,7 +484,8 @@ def _scale_bar(panel: Axes, height_fraction: float) -> None:
     )
 
 
-def _tension_bar(figure: Figure, panels: list[Axes], norm: Normalize) -> None:
+def tension_bar(figure: Figure, panels: list[Axes], norm: Normalize) -> None:
+    """The colour scale of tensions, below panels."""
     scale, unit = force_unit(float(norm.vmax or 1.0))
     bar = figure.colorbar(
         ScalarMappable(Normalize(0.0, float(norm.vmax or 1.0) / scale), _TENSION),

@@ -10,7 +10,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from gantline.report.first_page import FirstPage
-from gantline.report.plots import Attitude, HookLoads, Player, Tensions, Vessels
+from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tensions, Vessels
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.section import Section
 from gantline.report.subject import Subject
@@ -29,6 +29,7 @@ SECTIONS: tuple[Section, ...] = (
     HookLoads(),
     Attitude(),
     Vessels(),
+    Clearances(),
     Checks(),
     Rest(),
     Modes(),
@@ -37,6 +38,9 @@ SECTIONS: tuple[Section, ...] = (
     Energy(),
     LiftFile(),
 )
+
+#: Those of a lift that is still running.
+LIVE_SECTIONS: tuple[Section, ...] = (Player(), Tensions(), HookLoads(), Attitude(), Clearances())
 
 _STYLES = ("report.css", "first_page.css", "narrow.css", "print.css")
 
@@ -56,14 +60,32 @@ def render_report(recording: Recording, *, beside: Beside | None = None, reload_
         BundleMissing: If the player is not built in this installation.
         ValueError: If the recording cannot be drawn.
     """
+    return _rendered(Subject(recording, beside), SECTIONS, reload_from=reload_from)
+
+
+def render_live(recording: Recording) -> str:
+    """A page that shows a lift while it runs, as HTML; it asks at `live/` for what is new.
+
+    Args:
+        recording: What has been recorded so far.
+
+    Raises:
+        BundleMissing: If the player is not built in this installation.
+        ValueError: If the recording cannot be drawn.
+    """
+    return _rendered(Subject(recording), LIVE_SECTIONS, live_from="live/")
+
+
+def _rendered(
+    subject: Subject, wanted: tuple[Section, ...], *, reload_from: str = "", live_from: str = ""
+) -> str:
     program = bundle()
     if not script_is_safe(program.script):
         raise ValueError("the player's program holds an end of a script element")
-    subject = Subject(recording, beside)
-    packed = pack(recording)
+    packed = pack(subject.recording)
     environment = _environment()
     sections = []
-    for section in SECTIONS:
+    for section in wanted:
         content = section.content(subject)
         if content is not None:
             html = environment.get_template(section.template).render(section=section, **content)
@@ -72,13 +94,14 @@ def render_report(recording: Recording, *, beside: Beside | None = None, reload_
     return environment.get_template("page.html").render(
         title=_title(subject),
         rig=subject.rig,
-        policy=policy([program.script], [style], connect="'self'" if reload_from else "'none'"),
+        policy=policy([program.script], [style], connect="'self'" if reload_from or live_from else "'none'"),
         style=Markup(style),
         script=Markup(program.script),
         header=Markup(json_for_script(packed.header_text())),
         data=Markup(packed.data_text()),
         sections=sections,
         reload_from=reload_from,
+        live_from=live_from,
     )
 
 

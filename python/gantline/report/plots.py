@@ -142,6 +142,33 @@ class Vessels(_Plots):
         ]
 
 
+class Clearances(_Plots):
+    """How near watched pairs come to each other."""
+
+    anchor = "clearance"
+    title = "Clearances"
+
+    def plots(self, subject: Subject) -> list[Plot]:
+        """Smallest distances."""
+        if "clearance" not in subject.recording:
+            return []
+        limits = [
+            {"value": watch.smallest, "label": f"{watch.name} at least {watch.smallest:g} m"}
+            for watch in subject.rig.watches
+            if watch.smallest > 0.0
+        ]
+        return [
+            _plot(
+                "Smallest distances of watched pairs",
+                "clearance",
+                "m",
+                height=240,
+                smallest=0.1,
+                limits=limits,
+            )
+        ]
+
+
 def _strokes(subject: Subject) -> list[dict[str, Any]]:
     """Ends of the strokes, where all equalizers have the same."""
     found = []

@@ -97,6 +97,12 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "m^3",
         "volume of a hull below the water",
     ),
+    "clearance_point": (
+        "clearance_point",
+        ("time", "pair", "pair_side", "xyz"),
+        "m",
+        "where a watched pair is nearest: a point of each side, of a rope on its centre line",
+    ),
     "energy": (
         "energy",
         ("time", "energy_kind"),
@@ -163,6 +169,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     coordinates: dict[str, Sequence[str]] = {kind: names[kind] for kind in _NAMED if len(names[kind])}
     coordinates |= {"xyz": ("x", "y", "z"), "wxyz": ("w", "x", "y", "z")}
     coordinates["sheave_side"] = ("arriving", "leaving")
+    coordinates["pair_side"] = ("first", "second")
     if of_nodes:
         variables |= of_nodes
         coordinates["rope_end"] = ("first", "last")

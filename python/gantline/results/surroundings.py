@@ -1,4 +1,4 @@
-"""What stands in the world of a recording, for drawings: the ground with its holes, supports, structures."""
+"""What the world of a recording has, for drawings: ground with its holes, water, supports, structures."""
 
 from __future__ import annotations
 
@@ -109,6 +109,12 @@ def ground_of(recording: Recording) -> Ground | None:
         return None
     holes = [Hole(_pair(one["x"]), _pair(one["y"]), float(one["floor"])) for one in given.get("holes") or ()]
     return Ground(float(given["level"]), tuple(holes))
+
+
+def water_level(recording: Recording) -> float | None:
+    """Level of the water of a recording [m]; None if it has none."""
+    given = _scene(recording).get("water")
+    return None if not given else float(given["level"])
 
 
 def structures_of(recording: Recording) -> list[Structure]:

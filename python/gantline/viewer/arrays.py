@@ -10,6 +10,7 @@ Two ways of writing, both little-endian:
 
 from __future__ import annotations
 
+import math
 import zlib
 from dataclasses import dataclass, field
 from typing import Any
@@ -59,7 +60,7 @@ class Arrays:
             raise ValueError(f"{name} holds a value that is no number")
         largest = float(np.abs(values).max(initial=0.0))
         step = max(step, largest / (_LARGEST // 2))
-        rows = np.rint(values.reshape(len(values), -1) / step).astype(np.int64)
+        rows = np.rint(values.reshape(len(values), math.prod(values.shape[1:])) / step).astype(np.int64)
         change = np.diff(rows, axis=0, prepend=np.zeros((1, rows.shape[1]), dtype=np.int64))
         planes = np.ascontiguousarray(change.astype("<i4")).view(np.uint8).reshape(-1, 4).T
         about = {"type": "steps", "shape": list(values.shape), "step": step}

@@ -16,7 +16,7 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.surroundings import ground_of, structures_of
+from gantline.results.surroundings import ground_of, structures_of, water_level
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
 from gantline.viewer.decimate import Places, frames, peaks
@@ -52,11 +52,12 @@ class Packed:
         return base64.b64encode(self.data).decode("ascii")
 
 
-def pack(recording: Recording) -> Packed:
+def pack(recording: Recording, *, since: int = 0) -> Packed:
     """Pack a recording for a browser.
 
     Args:
         recording: Any recording.
+        since: First sample that is packed, of a page that has those before it.
 
     Raises:
         ValueError: If its scene is none that can be drawn.
@@ -65,12 +66,14 @@ def pack(recording: Recording) -> Packed:
     scene: Mapping[str, Any] = recording.attributes.get("scene") or {}
     bodies = _bodies(recording, scene, arrays)
     sheaves = [entry for entry in scene.get("sheaves") or () if entry["body"] in bodies]
-    at = _frames(recording, len(bodies), len(sheaves))
-    arrays.plain("time", recording.time, "f8")
-    arrays.plain("frames", at, "u4")
+    whole = _frames(recording, len(bodies), len(sheaves))
+    at = whole[whole >= since]
+    arrays.plain("time", recording.time[since:], "f8")
+    arrays.plain("frames", at - since, "u4")
     _motion(recording, at, bodies, arrays)
     poses = {name: np.asarray(body["cog"]) for name, body in bodies.items()}
-    arrays.steps("sheave_angle", sheave_angles(recording, list(at), sheaves, poses), 1e-4)
+    turned = sheave_angles(recording, list(whole), sheaves, poses)[whole >= since]
+    arrays.steps("sheave_angle", turned, 1e-4)
     lift_off = series.lift_off_time(recording) if len(recording.time) else None
     header = {
         "format": 1,
@@ -79,13 +82,14 @@ def pack(recording: Recording) -> Packed:
         "liftOff": lift_off,
         "bodies": list(bodies.values()),
         "sheaves": [_sheave(entry, list(bodies)) for entry in sheaves],
-        "ropes": _ropes(recording, scene, at),
+        "ropes": _ropes(recording, scene, whole),
         "lugs": _lugs(recording, list(bodies)),
         "contacts": _contacts(recording, scene, list(bodies), at, arrays),
+        "pairs": _pairs(recording, at, arrays),
         **_surroundings(recording),
         "events": [list(event) for event in recording.events()],
         "strokes": _strokes(recording),
-        "curves": _curves(recording, arrays),
+        "curves": _curves(recording, since, arrays),
         "arrays": arrays.index,
     }
     return Packed(header, arrays.packed())
@@ -197,13 +201,26 @@ def _contacts(
     ]
 
 
+def _pairs(recording: Recording, at: Places, arrays: Arrays) -> list[dict[str, Any]]:
+    """Watched pairs whose nearest points are recorded, and these points at the frames."""
+    if "clearance_point" not in recording:
+        return []
+    points = recording["clearance_point"].values[at]
+    arrays.steps("clearance_point", points, _MICROMETRE)
+    smallest = {watch.name: watch.smallest for watch in recording.rig.watches}
+    return [
+        {"name": name, "smallest": smallest.get(name, 0.0)} for name in recording.coordinates.get("pair", ())
+    ]
+
+
 def _surroundings(recording: Recording) -> dict[str, Any]:
-    """Level of the ground, its holes, and what stands on it; times at which supports are taken away."""
+    """Levels of ground and water, holes, and what stands there; times at which supports are taken away."""
     ground = ground_of(recording)
     holes = () if ground is None else ground.holes
     return {
         "ground": None if ground is None else ground.level,
         "holes": [{"x": list(one.x), "y": list(one.y), "floor": one.floor} for one in holes],
+        "water": water_level(recording),
         "structures": [
             {"name": one.name, "kind": one.kind, "boxes": one.boxes.tolist(), "removedAt": one.removed_at}
             for one in structures_of(recording)
@@ -220,15 +237,17 @@ def _strokes(recording: Recording) -> dict[str, list[float | None]]:
     }
 
 
-def _curves(recording: Recording, arrays: Arrays) -> list[dict[str, Any]]:
+def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, Any]]:
     if not len(recording.time):
         return []
     every = list(curves(recording))
     buckets = int(np.clip(_CURVE_POINTS // (4 * max(len(every), 1)), 100, 500))
-    places = [peaks(curve.values, buckets) for curve in every]
+    values = [curve.values[since:] for curve in every]
+    # A distance ends where the ropes that it is about have parted.
+    places = [at[np.isfinite(one[at])] for one in values for at in [peaks(one, buckets)]]
     bounds = np.concatenate([[0], np.cumsum([len(one) for one in places])])
     arrays.plain("curve_sample", np.concatenate(places) if places else [], "u4")
-    kept = [curve.values[one] * curve.factor for curve, one in zip(every, places, strict=True)]
+    kept = [one[at] * curve.factor for curve, one, at in zip(every, values, places, strict=True)]
     arrays.plain("curve_value", np.concatenate(kept) if kept else [], "f4")
     return [
         {

@@ -2,7 +2,8 @@
 
 Any program of this machine, and any page that a browser has open, can send requests to a local server. So the
 address holds a random token, requests must name this very host (which stops a foreign name that was made to
-lead here), nothing is ever looked up among files, and everything else than the page and its state is refused.
+lead here), nothing is ever looked up among files, and everything else than the page, its state and, of a
+lift that runs, what is new of it is refused.
 """
 
 from __future__ import annotations
@@ -10,12 +11,14 @@ from __future__ import annotations
 import re
 import secrets
 from collections.abc import Callable
+from contextlib import suppress
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import ClassVar
 
 _LARGEST_PAGE = 100_000_000  # bytes
 _PATIENCE = 15.0  # s that a request may take to arrive
+_LIVE = re.compile(r"/[A-Za-z0-9_-]+/live/(0|[1-9][0-9]{0,8})")
 _POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy" content="([^"]*)">')
 
 
@@ -26,6 +29,7 @@ class PageServer(ThreadingHTTPServer):
         page: Gives the page as HTML, made anew for each request.
         state: Gives a text that changes whenever the page does.
         port: Port; 0 takes a free one.
+        since: Of a lift that runs: what a page that has so many samples has not got yet, see `LiveView`.
 
     Raises:
         OSError: If the port cannot be used.
@@ -33,10 +37,18 @@ class PageServer(ThreadingHTTPServer):
 
     daemon_threads = True
 
-    def __init__(self, page: Callable[[], str], state: Callable[[], str], port: int = 0) -> None:
+    def __init__(
+        self,
+        page: Callable[[], str],
+        state: Callable[[], str],
+        port: int = 0,
+        *,
+        since: Callable[[int], str] | None = None,
+    ) -> None:
         super().__init__(("127.0.0.1", port), _Handler)
         self.page = page
         self.state = state
+        self.since = since
         self.token = secrets.token_urlsafe(24)
 
     @property
@@ -63,16 +75,26 @@ class _Handler(BaseHTTPRequestHandler):
         if refused is not None:
             self._send(refused, refused.phrase, "text/plain", with_body=with_body)
             return
-        if self.path == f"/{self.server.token}/version":
-            self._send(HTTPStatus.OK, self.server.state(), "text/plain", with_body=with_body)
-            return
+        is_page = self.path == f"/{self.server.token}/"
         try:
-            page = self.server.page()
+            text = self.server.page() if is_page else self._told()
         except (OSError, ValueError) as problem:
             # While a recording is written anew, it is none for a moment.
             self._send(HTTPStatus.SERVICE_UNAVAILABLE, str(problem), "text/plain", with_body=with_body)
             return
-        self._send(HTTPStatus.OK, page, "text/html", with_body=with_body)
+        self._send(HTTPStatus.OK, text, "text/html" if is_page else "text/plain", with_body=with_body)
+
+    def _told(self) -> str:
+        """What a page asks about its recording."""
+        samples = self._samples()
+        if samples is None or self.server.since is None:
+            return self.server.state()
+        return self.server.since(samples)
+
+    def _samples(self) -> int | None:
+        """How many samples a page has that asks for more of a lift that runs; None if it does not."""
+        match = _LIVE.fullmatch(self.path)
+        return int(match.group(1)) if match and self.server.since is not None else None
 
     def _refused(self) -> HTTPStatus | None:
         """Why a request gets nothing; None if it does."""
@@ -83,7 +105,11 @@ class _Handler(BaseHTTPRequestHandler):
             return HTTPStatus.FORBIDDEN
         if self.headers.get("Content-Length", "0") != "0" or "Transfer-Encoding" in self.headers:
             return HTTPStatus(413)
-        known = (f"/{self.server.token}/", f"/{self.server.token}/version")
+        own = f"/{self.server.token}/"
+        known = [own, f"{own}version"]
+        samples = self._samples()
+        if samples is not None:
+            known.append(f"{own}live/{samples}")
         if not any(secrets.compare_digest(self.path.encode(), one.encode()) for one in known):
             return HTTPStatus.NOT_FOUND
         return None
@@ -106,7 +132,9 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_header("Content-Security-Policy", f"{said}; frame-ancestors 'none'")
         self.end_headers()
         if with_body:
-            self.wfile.write(body)
+            # A page that was closed meanwhile needs no answer.
+            with suppress(ConnectionError):
+                self.wfile.write(body)
         self.close_connection = True
 
     def log_message(self, format: str, *args: object) -> None:

@@ -26,7 +26,7 @@ export class Chart {
   private readonly legend: Legend;
   private scale: Scale = { low: 0, high: 1, ticks: [], digits: 0 };
   private area: Area = areaOf(720, 260, {});
-  private width = 720;
+  private width = 0;
   private readonly height: number;
   private press: number | null = null;
   private isOnScreen = true;
@@ -96,7 +96,8 @@ export class Chart {
   }
 
   private fit(): void {
-    const width = Math.max(260, Math.round(this.root.clientWidth || this.width));
+    const width = Math.max(260, Math.round(this.root.clientWidth || 720));
+    if (width === this.width) return; // an observer tells of the first size too
     this.width = width;
     this.area = areaOf(width, this.height, this.spec);
     set(this.svg, { viewBox: `0 0 ${width} ${this.height}`, width, height: this.height });
@@ -198,7 +199,7 @@ export class Chart {
 
   private listen(): void {
     for (const topic of ["time", "hover"] as const) this.ends.push(this.session.on(topic, () => this.mark()));
-    for (const topic of ["span", "pin", "hidden"] as const)
+    for (const topic of ["span", "pin", "hidden", "data"] as const)
       this.ends.push(this.session.on(topic, () => this.draw()));
     this.svg.addEventListener("pointermove", (event) => this.onMove(event));
     this.svg.addEventListener("pointerleave", () => this.leave());

@@ -3,10 +3,10 @@
 import type { CurveEntry } from "./format";
 
 export class Curve {
-  readonly times: Float64Array;
-  readonly values: Float32Array;
-  readonly least: number;
-  readonly largest: number;
+  times = new Float64Array();
+  values = new Float32Array();
+  least = Number.POSITIVE_INFINITY;
+  largest = Number.NEGATIVE_INFINITY;
 
   constructor(
     readonly entry: CurveEntry,
@@ -14,17 +14,19 @@ export class Curve {
     samples: Uint32Array,
     values: Float32Array,
   ) {
-    const { first, count } = entry;
-    this.times = Float64Array.from(samples.subarray(first, first + count), (sample) => time[sample]!);
-    this.values = values.subarray(first, first + count);
-    let least = Number.POSITIVE_INFINITY;
-    let largest = Number.NEGATIVE_INFINITY;
-    for (const value of this.values) {
-      least = Math.min(least, value);
-      largest = Math.max(largest, value);
+    this.append(entry, time, samples, values);
+  }
+
+  /** Go on with what was recorded later; arguments as those of the constructor. */
+  append({ first, count }: CurveEntry, time: Float64Array, samples: Uint32Array, values: Float32Array): void {
+    const times = Float64Array.from(samples.subarray(first, first + count), (sample) => time[sample]!);
+    const more = values.subarray(first, first + count);
+    this.times = joined(Float64Array, this.times, times);
+    this.values = joined(Float32Array, this.values, more);
+    for (const value of more) {
+      this.least = Math.min(this.least, value);
+      this.largest = Math.max(this.largest, value);
     }
-    this.least = least;
-    this.largest = largest;
   }
 
   /** Index of the last kept sample that is not after a time; the first one before the start. */
@@ -41,6 +43,18 @@ export class Curve {
     const share = (time - from) / (this.times[place + 1]! - from);
     return share <= 0 ? begin : begin + share * (this.values[place + 1]! - begin);
   }
+}
+
+/** One array after another. */
+export function joined<Numbers extends Float64Array | Float32Array>(
+  Kind: new (size: number) => Numbers,
+  one: ArrayLike<number>,
+  other: ArrayLike<number>,
+): Numbers {
+  const all = new Kind(one.length + other.length);
+  all.set(one);
+  all.set(other, one.length);
+  return all;
 }
 
 /** Index of the last of increasing numbers that is not above a bound; 0 if all are. */

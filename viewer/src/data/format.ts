@@ -63,10 +63,16 @@ export interface Hole {
   floor: number;
 }
 
+/** Two things whose distance is watched, and what it must not go below [m]. */
+export interface Pair {
+  name: string;
+  smallest: number;
+}
+
 /** What stands in the world: the eight corners of each of its boxes, z fastest; when it is taken away [s]. */
 export interface Structure {
   name: string;
-  kind: "support" | "structure" | "water";
+  kind: "support" | "structure";
   boxes: Vector[][];
   removedAt: number | null;
 }
@@ -100,6 +106,9 @@ export interface Header {
   /** Level of the ground [m]. */
   ground: number | null;
   holes: Hole[];
+  /** Level of the water [m]. */
+  water: number | null;
+  pairs: Pair[];
   structures: Structure[];
   /** Time [s], kind and name. */
   events: [number, string, string][];

@@ -1,6 +1,6 @@
 /** A recorded lift: where everything is at a time, what every rope carries, what happens when. */
 
-import { Curve, lastNotAfter } from "./curve";
+import { Curve, joined, lastNotAfter } from "./curve";
 import type { Header, Rope } from "./format";
 import { hang } from "./hanging";
 import type { Numbers, Unpacked } from "./unpack";
@@ -19,23 +19,30 @@ const HANGING_FROM = 0.3;
 export class Lift {
   readonly header: Header;
   readonly curves: Curve[];
-  readonly steps: Step[];
+  steps: Step[];
   readonly begin: number;
-  readonly end: number;
+  end: number;
   /** The present time [s]. */
   now = 0;
   /** Times of the frames [s]. */
-  readonly frameTimes: Float64Array;
+  frameTimes: Float64Array;
   /** Pose of each body at the present time: x y z, then w x y z. */
   readonly poses: Float64Array;
   readonly sheaveAngles: Float64Array;
   readonly contactForces: Float64Array;
+  /** Where each watched pair is nearest at the present time: a point of each side [m]. */
+  readonly nearest: Float64Array;
   /** All points of the recorded paths at the present time [m]. */
   readonly path: Float64Array;
   readonly tensions: Float64Array;
+  /** The part of `path` of each rope. */
+  private readonly recorded: Float64Array[];
   private readonly arrays: Map<string, Numbers>;
   private readonly tensionCurves: Curve[];
+  private readonly clearanceCurves: Curve[];
   private readonly chord = new Float64Array(4096);
+  private readonly places: Float64Array;
+  private readonly turns: Float64Array;
 
   constructor({ header, arrays }: Unpacked) {
     this.header = header;
@@ -44,18 +51,51 @@ export class Lift {
     this.begin = time[0] ?? 0;
     this.end = time[time.length - 1] ?? 0;
     this.frameTimes = Float64Array.from(arrays.get("frames") as Uint32Array, (sample) => time[sample]!);
-    const samples = (arrays.get("curve_sample") as Uint32Array | undefined) ?? new Uint32Array();
-    const values = (arrays.get("curve_value") as Float32Array | undefined) ?? new Float32Array();
-    this.curves = header.curves.map((entry) => new Curve(entry, time, samples, values));
+    this.curves = header.curves.map((entry) => new Curve(entry, time, ...kept(arrays)));
     this.steps = stepsOf(header, this.end);
     const byName = new Map(this.group("tension").map((curve) => [curve.entry.name, curve]));
     this.tensionCurves = header.ropes.map((rope) => byName.get(rope.name)!);
+    const distances = new Map(this.group("clearance").map((curve) => [curve.entry.name, curve]));
+    this.clearanceCurves = header.pairs.map((pair) => distances.get(pair.name)!);
     this.poses = new Float64Array(7 * header.bodies.length);
+    this.places = new Float64Array(3 * header.bodies.length);
+    this.turns = new Float64Array(4 * header.bodies.length);
     this.sheaveAngles = new Float64Array(header.sheaves.length);
     this.contactForces = new Float64Array(header.contacts.length);
+    this.nearest = new Float64Array(6 * header.pairs.length);
     this.path = new Float64Array(3 * (header.arrays.path?.shape[1] ?? 0));
+    this.recorded = header.ropes.map(({ first, count }) =>
+      this.path.subarray(3 * first, 3 * (first + count)),
+    );
     this.tensions = new Float64Array(header.ropes.length);
     this.seek(this.begin);
+  }
+
+  /** Go on with what was recorded later, of the same lift. */
+  append({ header, arrays }: Unpacked): void {
+    const time = arrays.get("time") as Float64Array;
+    const frames = Float64Array.from(arrays.get("frames") as Uint32Array, (sample) => time[sample]!);
+    this.frameTimes = joined(Float64Array, this.frameTimes, frames);
+    this.end = time[time.length - 1] ?? this.end;
+    for (const [name, about] of Object.entries(this.header.arrays)) {
+      const more = arrays.get(name);
+      // Shapes of bodies, which do not change, come again.
+      if (!more || !MOVING.includes(name)) continue;
+      const step = about.step ?? 1;
+      const scale = (header.arrays[name]!.step ?? 1) / step;
+      const scaled = scale === 1 ? more : Float64Array.from(more, (value) => scale * value);
+      this.arrays.set(name, joined(Float64Array, this.arrays.get(name)!, scaled));
+    }
+    this.curves.forEach((curve, place) => {
+      curve.append(header.curves[place]!, time, ...kept(arrays));
+    });
+    const { samples, liftOff, events } = header;
+    Object.assign(this.header, { samples, liftOff, events });
+    for (const list of ["ropes", "structures"] as const)
+      this.header[list].forEach((one, place) => {
+        Object.assign(one, header[list][place]);
+      });
+    this.steps = stepsOf(this.header, this.end);
   }
 
   /** Curves of a plot. */
@@ -83,29 +123,43 @@ export class Lift {
     this.between("path", frame, next, share, this.path);
     this.between("sheave_angle", frame, next, share, this.sheaveAngles);
     this.between("contact_force", frame, next, share, this.contactForces);
-    const bodies = this.header.bodies.length;
-    const places = this.between("position", frame, next, share, new Float64Array(3 * bodies));
-    const turns = this.between("turn", frame, next, share, new Float64Array(4 * bodies));
-    for (let body = 0; body < bodies; body++) {
-      this.poses.set(places.subarray(3 * body, 3 * body + 3), 7 * body);
-      const turn = turns.subarray(4 * body, 4 * body + 4);
-      const size = Math.hypot(...turn) || 1;
-      for (let part = 0; part < 4; part++) this.poses[7 * body + 3 + part] = turn[part]! / size;
+    this.between("clearance_point", frame, next, share, this.nearest);
+    const { places, turns, poses } = this;
+    this.between("position", frame, next, share, places);
+    this.between("turn", frame, next, share, turns);
+    for (let body = 0; body < this.header.bodies.length; body++) {
+      const [from3, from4, to] = [3 * body, 4 * body, 7 * body];
+      const size = Math.hypot(turns[from4]!, turns[from4 + 1]!, turns[from4 + 2]!, turns[from4 + 3]!) || 1;
+      for (let part = 0; part < 3; part++) poses[to + part] = places[from3 + part]!;
+      for (let part = 0; part < 4; part++) poses[to + 3 + part] = turns[from4 + part]! / size;
     }
     for (let rope = 0; rope < this.tensions.length; rope++)
       this.tensions[rope] = 1e3 * this.tensionCurves[rope]!.at(time);
   }
 
-  private between(name: string, frame: number, next: number, share: number, out: Float64Array): Float64Array {
+  private between(name: string, frame: number, next: number, share: number, out: Float64Array): void {
     const array = this.arrays.get(name);
-    if (!array) return out;
+    if (!array) return;
     const step = this.header.arrays[name]!.step ?? 1;
     const width = out.length;
     for (let place = 0; place < width; place++) {
       const begin = array[frame * width + place]!;
       out[place] = step * (begin + share * (array[next * width + place]! - begin));
     }
-    return out;
+  }
+
+  /** Distance of a watched pair at the present time [m]; 0 where it has none, or touches. */
+  distance(pair: number): number {
+    const [at, { nearest }] = [6 * pair, this];
+    return Math.hypot(
+      nearest[at + 3]! - nearest[at]!,
+      nearest[at + 4]! - nearest[at + 1]!,
+      nearest[at + 5]! - nearest[at + 2]!,
+    );
+  }
+
+  isTooClose(pair: number): boolean {
+    return this.clearanceCurves[pair]!.at(this.now) < this.header.pairs[pair]!.smallest;
   }
 
   /** Whether a rope is drawn hanging: it carries nothing and is longer than its way. */
@@ -131,8 +185,7 @@ export class Lift {
    */
   drawnPath(index: number): Float64Array {
     const rope = this.header.ropes[index]!;
-    const recorded = this.path.subarray(3 * rope.first, 3 * (rope.first + rope.count));
-    if (!this.hangs(index)) return recorded;
+    if (!this.hangs(index)) return this.recorded[index]!;
     let longest = 0;
     for (let piece = 0; piece + 1 < rope.count; piece++)
       longest = Math.max(longest, this.pieceLength(rope.first + piece));
@@ -176,6 +229,16 @@ export class Lift {
       this.path[at + 5]! - this.path[at + 2]!,
     );
   }
+}
+
+/** Arrays with a row for each frame. */
+const MOVING = ["path", "sheave_angle", "contact_force", "clearance_point", "position", "turn"];
+
+/** Samples and values of all curves. */
+function kept(arrays: Map<string, Numbers>): [Uint32Array, Float32Array] {
+  const samples = arrays.get("curve_sample") as Uint32Array | undefined;
+  const values = arrays.get("curve_value") as Float32Array | undefined;
+  return [samples ?? new Uint32Array(), values ?? new Float32Array()];
 }
 
 function stepsOf(header: Header, end: number): Step[] {

@@ -40,7 +40,14 @@ export class Bar {
     for (const speed of SPEEDS) this.speed.append(element("option", { value: speed }, `${speed}×`));
     this.speed.addEventListener("change", () => session.setSpeed(Number(this.speed.value)));
     this.loop = button("Play again and again", ICONS.loop, () => session.setLoop(!session.loop));
-    const track = element("div", { class: "gl-track" }, this.marks(), this.slider);
+    const marks = element("div", { class: "gl-marks", "aria-hidden": "true" });
+    marks.append(...this.marks());
+    session.on("data", () => {
+      marks.replaceChildren(...this.marks());
+      set(this.slider, { max: lift.end });
+      this.showTime();
+    });
+    const track = element("div", { class: "gl-track" }, marks, this.slider);
     this.root.append(previous, this.playButton, next, track, this.clock, this.speed, this.loop);
     session.on("time", () => this.showTime());
     session.on("play", () => this.showState());
@@ -49,10 +56,10 @@ export class Bar {
   }
 
   /** Steps and events along the slider. */
-  private marks(): HTMLElement {
+  private marks(): HTMLElement[] {
     const { lift } = this.session;
     const span = lift.end - lift.begin || 1;
-    const holder = element("div", { class: "gl-marks", "aria-hidden": "true" });
+    const marks: HTMLElement[] = [];
     const place = (time: number) => `${(100 * (time - lift.begin)) / span}%`;
     lift.steps.forEach((step, index) => {
       const strip = element("span", {
@@ -61,14 +68,14 @@ export class Bar {
       });
       strip.style.left = place(step.begin);
       strip.style.width = `${(100 * (step.end - step.begin)) / span}%`;
-      holder.append(strip);
+      marks.push(strip);
     });
     for (const event of this.session.notable()) {
       const tick = element("span", { class: "gl-mark", title: event.text });
       tick.style.left = place(event.time);
-      holder.append(tick);
+      marks.push(tick);
     }
-    return holder;
+    return marks;
   }
 
   private showTime(): void {

@@ -1,8 +1,10 @@
 /** What the player and all plots of a page share: time, playing, the pinned rope, the span that is shown. */
 
 import type { Lift } from "../data/lift";
+import type { Unpacked } from "../data/unpack";
 
-export type Topic = "time" | "play" | "pin" | "span" | "hover" | "hidden";
+/** `data`: more has been recorded, of a lift that runs. */
+export type Topic = "time" | "play" | "pin" | "span" | "hover" | "hidden" | "data";
 
 /** Speeds that can be chosen, of real time. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20] as const;
@@ -52,6 +54,15 @@ export class Session {
 
   private tell(topic: Topic): void {
     for (const listener of this.listeners.get(topic) ?? []) listener();
+  }
+
+  /** Go on with what was recorded later; who looks at the end goes on doing so. */
+  append(more: Unpacked): void {
+    const { end } = this.lift;
+    this.lift.append(more);
+    if (this.span[1] >= end) this.span = [this.span[0], this.lift.end];
+    this.tell("data");
+    if (this.time >= end && !this.playing) this.seek(this.lift.end);
   }
 
   seek(time: number): void {

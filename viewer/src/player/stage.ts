@@ -10,6 +10,7 @@ import { onTheme, paletteOf, rampGradient } from "../theme";
 import type { Session } from "./session";
 
 const SLOW = 60; // ms between frames from which ropes are drawn in the cheap style
+const STILL = 250; // ms without a change from which nothing moves
 const TITLES: Record<View, string> = {
   orbit: "Whole lift (1)",
   side: "From the side (2)",
@@ -37,6 +38,9 @@ export class Stage {
   private width = 640;
   private height = 360;
   private lastFrame = 0;
+  private drawnAt = 0;
+  /** Whether what is shown was drawn while something moved. */
+  private isRough = true;
   private frameTimes: number[] = [];
   /** Frames drawn so far, and the mean time between the last ones while playing [ms]. */
   readonly measured = { count: 0, frame: 0 };
@@ -48,8 +52,11 @@ export class Stage {
     this.world = new World(lift, this.canvas, palette);
     this.cameras = new Cameras(this.world, lift, this.canvas, () => this.redraw());
     this.labels = new Labels(lift, this.world);
-    this.cheapSign = this.toggle("Lines", "Thin ropes, faster to draw", this.world.isCheap, (on) =>
-      this.setCheap(on),
+    this.cheapSign = this.toggle(
+      "Lines",
+      "Thin ropes while something moves, faster to draw",
+      this.world.isCheap,
+      (on) => this.setCheap(on),
     );
     this.root.append(this.labels.root, this.viewButtons(), this.legend(), this.step, this.switches());
     set(this.canvas, { tabindex: 0 });
@@ -79,6 +86,7 @@ export class Stage {
 
   /** A picture of what is drawn now, as PNG. */
   picture(): string {
+    this.world.setStill(true);
     this.draw();
     return this.canvas.toDataURL("image/png");
   }
@@ -95,21 +103,22 @@ export class Stage {
   }
 
   private legend(): HTMLElement {
-    const most = this.session.lift.largestTension / 1e3;
-    const scale = element(
-      "div",
-      { class: "gl-scale" },
-      "0",
-      element("span", {}, `${shown(most / 2, 0)}`),
-      `${shown(most, 0)} kN`,
-    );
+    const half = element("span", {});
+    const whole = element("span", {});
+    const show = () => {
+      const most = this.session.lift.largestTension / 1e3;
+      half.textContent = shown(most / 2, 0);
+      whole.textContent = `${shown(most, 0)} kN`;
+    };
+    show();
+    this.session.on("data", show);
     const slack = element("div", { class: "gl-slack" }, element("span", { class: "gl-slack-line" }), "slack");
     return element(
       "div",
       { class: "gl-ramp-box" },
       element("div", { class: "gl-ramp-title" }, "Rope tension"),
       this.ramp,
-      scale,
+      element("div", { class: "gl-scale" }, "0", half, whole),
       slack,
     );
   }
@@ -122,9 +131,13 @@ export class Stage {
     const arrows = this.toggle("Forces", "Arrows of tensions and of support forces (F)", true, (on) => {
       this.world.arrows.mesh.visible = on;
     });
-    holder.append(names, arrows, this.cheapSign);
+    const distances = this.toggle("Distances", "Smallest distances of watched pairs (D)", true, (on) => {
+      this.world.clearances.lines.visible = on;
+    });
+    distances.hidden = this.session.lift.header.pairs.length === 0;
+    holder.append(names, arrows, distances, this.cheapSign);
     this.root.addEventListener("keydown", (event) => {
-      const made = { n: names, f: arrows }[event.key.toLowerCase()];
+      const made = { n: names, f: arrows, d: distances }[event.key.toLowerCase()];
       if (made && !event.ctrlKey && !event.metaKey) made.click();
     });
     return holder;
@@ -162,6 +175,10 @@ export class Stage {
 
   private listen(): void {
     this.session.on("time", () => this.redraw());
+    this.session.on("data", () => {
+      this.world.takeMore();
+      this.redraw();
+    });
     this.session.on("pin", () => this.redraw());
     let pressed: [number, number] | null = null;
     this.canvas.addEventListener("pointerdown", (event) => {
@@ -193,11 +210,25 @@ export class Stage {
   private tick(now: number): void {
     requestAnimationFrame((next) => this.tick(next));
     this.session.advance(now);
-    if (!this.needsDrawing) return;
+    if (!this.needsDrawing) {
+      if (!this.session.playing && now - this.drawnAt > STILL && this.isRough) this.drawStill();
+      return;
+    }
     this.needsDrawing = false;
+    this.drawnAt = now;
+    this.isRough = true;
+    this.world.setStill(false);
     this.draw();
     if (this.session.playing) this.measure(now);
     else this.lastFrame = 0;
+  }
+
+  /** Once more, finely, where what moved was drawn in the cheap style. */
+  private drawStill(): void {
+    this.isRough = false;
+    if (!this.world.isCheap) return;
+    this.world.setStill(true);
+    this.draw();
   }
 
   private draw(): void {

@@ -32,12 +32,13 @@ export class Arrows {
   update(palette: Palette, tensionScale: number): void {
     this.mesh.count = 0;
     COLOUR.set(palette.contact);
+    const { poses } = this.lift;
     this.lift.header.contacts.forEach((contact, index) => {
-      const body = this.lift.header.bodies[contact.body]!;
-      const pose = this.lift.poses.subarray(7 * contact.body, 7 * contact.body + 7);
-      FROM.set(contact.at[0] - body.cog[0], contact.at[1] - body.cog[1], contact.at[2] - body.cog[2]);
-      FROM.applyQuaternion(TURN.set(pose[4]!, pose[5]!, pose[6]!, pose[3]!));
-      FROM.set(FROM.x + pose[0]!, FROM.y + pose[1]!, FROM.z + pose[2]!);
+      const { cog } = this.lift.header.bodies[contact.body]!;
+      const at = 7 * contact.body;
+      FROM.set(contact.at[0] - cog[0], contact.at[1] - cog[1], contact.at[2] - cog[2]);
+      FROM.applyQuaternion(TURN.set(poses[at + 4]!, poses[at + 5]!, poses[at + 6]!, poses[at + 3]!));
+      FROM.set(FROM.x + poses[at]!, FROM.y + poses[at + 1]!, FROM.z + poses[at + 2]!);
       WAY.copy(Z);
       // It ends where it pushes.
       this.add(this.lift.contactForces[index]!, true, LENGTH * this.size);

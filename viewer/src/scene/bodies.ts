@@ -24,10 +24,10 @@ import type { Body } from "../data/format";
 import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
 import { type Clipping, insideOf, outsideOf } from "./ground";
-import { geometryOf, hookGeometry, sheaveGeometry } from "./solids";
+import { geometryOf, hookGeometry, hullOf, plainSheaveGeometry, sheaveGeometry } from "./solids";
 
+const MANY_LUGS = 40; // from which each is drawn with few triangles
 const CREASE = 25; // degrees between faces from which an edge is drawn
-const MANY_SHEAVES = 40;
 const Z = new Vector3(0, 0, 1);
 
 /** Frames are seen through: ropes and sheaves run inside. */
@@ -41,8 +41,11 @@ export class Bodies {
   private readonly edges = new LineBasicMaterial({ transparent: true, opacity: 0.75 });
   /** Of the shadows on the ground, and on the floor of each hole, with their levels. */
   private readonly shadowOn: { material: MeshBasicMaterial; level: number }[];
-  private readonly shadows: { mesh: Mesh; body: number; level: number }[] = [];
+  private readonly shadows: Shadow[] = [];
   private readonly sheaves: InstancedMesh | null;
+  private readonly sheaveShapes: Choice;
+  /** Each sheave in the frame of its body, before it has turned. */
+  private readonly upright: Matrix4[];
 
   constructor(
     private readonly lift: Lift,
@@ -53,17 +56,32 @@ export class Bodies {
     this.shadowOn = ground === null ? [] : [shadowOn(ground, outsideOf(holes, origin))];
     for (const hole of holes) this.shadowOn.push(shadowOn(hole.floor, insideOf(hole, origin)));
     this.holders = lift.header.bodies.map((body, index) => this.holder(body, index));
-    this.group.add(...this.holders);
-    const count = lift.header.sheaves.length;
+    const { sheaves } = lift.header;
+    this.sheaveShapes = [sheaveGeometry(), plainSheaveGeometry()];
     this.sheaves =
-      count > 0
-        ? new InstancedMesh(sheaveGeometry(count > MANY_SHEAVES), this.material("sheave"), count)
+      sheaves.length > 0
+        ? new InstancedMesh(this.sheaveShapes[0], this.material("sheave"), sheaves.length)
         : null;
+    this.upright = sheaves.map((sheave) => {
+      const { cog } = lift.header.bodies[sheave.body]!;
+      PLACE.set(sheave.centre[0] - cog[0], sheave.centre[1] - cog[1], sheave.centre[2] - cog[2]);
+      TURN.setFromUnitVectors(Z, AXIS.fromArray(sheave.axis).normalize());
+      return new Matrix4().compose(PLACE, TURN, SCALE.setScalar(sheave.radius));
+    });
     if (this.sheaves) {
       this.sheaves.frustumCulled = false;
       this.group.add(this.sheaves);
     }
     this.addLugs();
+    // A holder is put in place at every frame; what it holds stays where it is in it.
+    for (const holder of this.holders) {
+      holder.matrixAutoUpdate = false;
+      for (const part of holder.children) {
+        part.updateMatrix();
+        part.matrixAutoUpdate = false;
+      }
+      if (holder.children.length > 0) this.group.add(holder);
+    }
   }
 
   private material(kind: string): MeshLambertMaterial {
@@ -99,11 +117,12 @@ export class Bodies {
   }
 
   private addShadows(geometry: BufferGeometry, body: number): void {
+    const shapes: Shadow["shapes"] = [geometry, null];
     for (const { material, level } of this.shadowOn) {
       const mesh = new Mesh(geometry, material);
       mesh.matrixAutoUpdate = false;
       mesh.frustumCulled = false;
-      this.shadows.push({ mesh, body, level });
+      this.shadows.push({ mesh, body, level, shapes });
       this.group.add(mesh);
     }
   }
@@ -131,13 +150,18 @@ export class Bodies {
   }
 
   private addLugs(): void {
-    const radius = 0.0055 * this.size;
-    const geometry = new SphereGeometry(radius, 14, 10);
-    for (const lug of this.lift.header.lugs) {
-      const mesh = new Mesh(geometry, this.material("lug"));
-      const cog = this.lift.header.bodies[lug.body]!.cog;
-      mesh.position.set(lug.at[0] - cog[0], lug.at[1] - cog[1], lug.at[2] - cog[2]);
-      this.holders[lug.body]!.add(mesh);
+    const { lugs, bodies } = this.lift.header;
+    const [around, up] = lugs.length > MANY_LUGS ? [6, 4] : [12, 8];
+    const geometry = new SphereGeometry(0.0055 * this.size, around, up);
+    for (const body of new Set(lugs.map((lug) => lug.body))) {
+      const own = lugs.filter((lug) => lug.body === body);
+      const mesh = new InstancedMesh(geometry, this.material("lug"), own.length);
+      const { cog } = bodies[body]!;
+      own.forEach(({ at }, index) => {
+        mesh.setMatrixAt(index, LOCAL.makeTranslation(at[0] - cog[0], at[1] - cog[1], at[2] - cog[2]));
+      });
+      mesh.frustumCulled = false;
+      this.holders[body]!.add(mesh);
     }
   }
 
@@ -148,21 +172,29 @@ export class Bodies {
     for (const { material } of this.shadowOn) material.color.set(palette.shadow);
   }
 
-  /** Cheap: without edges and seen-through faces. */
+  /** Cheap: sheaves without holes, shadows of convex outlines, edges that hide what is behind them. */
   setCheap(isCheap: boolean): void {
     this.edges.opacity = isCheap ? 1 : 0.75;
     this.edges.transparent = !isCheap;
+    const which = isCheap ? 1 : 0;
+    if (this.sheaves) this.sheaves.geometry = this.sheaveShapes[which];
+    for (const { mesh, shapes } of this.shadows) {
+      if (isCheap) shapes[1] ??= hullOf(shapes[0]);
+      mesh.geometry = shapes[which] ?? shapes[0];
+    }
   }
 
   update(): void {
     const poses = this.lift.poses;
     const [ox, oy, oz] = this.origin;
-    this.holders.forEach((holder, body) => {
+    for (let body = 0; body < this.holders.length; body++) {
       const at = 7 * body;
+      const holder = this.holders[body]!;
       holder.position.set(poses[at]! - ox, poses[at + 1]! - oy, poses[at + 2]! - oz);
       holder.quaternion.set(poses[at + 4]!, poses[at + 5]!, poses[at + 6]!, poses[at + 3]!);
       holder.updateMatrix();
-    });
+      holder.matrixWorldNeedsUpdate = true;
+    }
     this.turnSheaves();
     for (const { mesh, body, level } of this.shadows) {
       FLAT.makeScale(1, 1, 0).setPosition(0, 0, level - oz + 0.0008 * this.size);
@@ -173,18 +205,25 @@ export class Bodies {
 
   private turnSheaves(): void {
     if (!this.sheaves) return;
-    this.lift.header.sheaves.forEach((sheave, index) => {
-      const cog = this.lift.header.bodies[sheave.body]!.cog;
-      PLACE.set(sheave.centre[0] - cog[0], sheave.centre[1] - cog[1], sheave.centre[2] - cog[2]);
-      AXIS.fromArray(sheave.axis).normalize();
-      TURN.setFromUnitVectors(Z, AXIS);
-      SPIN.setFromAxisAngle(Z, this.lift.sheaveAngles[index]!);
-      LOCAL.compose(PLACE, TURN.multiply(SPIN), SCALE.setScalar(sheave.radius));
-      LOCAL.premultiply(this.holders[sheave.body]!.matrix);
-      this.sheaves!.setMatrixAt(index, LOCAL);
-    });
+    const { sheaves } = this.lift.header;
+    for (let index = 0; index < sheaves.length; index++) {
+      LOCAL.makeRotationZ(this.lift.sheaveAngles[index]!).premultiply(this.upright[index]!);
+      LOCAL.premultiply(this.holders[sheaves[index]!.body]!.matrix);
+      this.sheaves.setMatrixAt(index, LOCAL);
+    }
     this.sheaves.instanceMatrix.needsUpdate = true;
   }
+}
+
+/** Two geometries of one thing: the usual one, and that of the cheap style. */
+type Choice = [BufferGeometry, BufferGeometry];
+
+interface Shadow {
+  mesh: Mesh;
+  body: number;
+  level: number;
+  /** As in `Choice`; the second is made when it is first needed. */
+  shapes: [BufferGeometry, BufferGeometry | null];
 }
 
 const FLAT = new Matrix4();
@@ -193,7 +232,6 @@ const PLACE = new Vector3();
 const AXIS = new Vector3();
 const SCALE = new Vector3();
 const TURN = new Quaternion();
-const SPIN = new Quaternion();
 
 /** A shadow is as dark where several faces of a load lie over each other as where there is one. */
 function shadowOn(level: number, clipping: Clipping): { material: MeshBasicMaterial; level: number } {
@@ -212,7 +250,7 @@ function shadowOn(level: number, clipping: Clipping): { material: MeshBasicMater
 }
 
 function kindOf(body: Body): string {
-  return ["load", "frame", "hook"].includes(body.kind) ? body.kind : "other";
+  return ["load", "frame", "hook", "hull"].includes(body.kind) ? body.kind : "other";
 }
 
 function cube(size: number): [number, number, number] {

@@ -1,10 +1,11 @@
-/** The ground: a disc with a grid that fades away, and the pit of each hole in it. */
+/** The ground: a disc with a grid that fades away, and the pit of each hole in it; the surface of water. */
 
 import {
   BufferAttribute,
   BufferGeometry,
   CircleGeometry,
   Color,
+  DoubleSide,
   FrontSide,
   Group,
   LineBasicMaterial,
@@ -19,7 +20,7 @@ import type { Palette } from "../theme";
 import type { Extent } from "./world";
 
 /** Pieces of a wall or floor along each side, so that each can fade. */
-const PIECES = 40;
+const PIECES = 16;
 
 export class Ground {
   readonly group = new Group();
@@ -27,7 +28,7 @@ export class Ground {
   private readonly half: number;
 
   constructor(
-    private readonly header: Pick<Header, "ground" | "holes">,
+    private readonly header: Pick<Header, "ground" | "holes" | "water">,
     private readonly extent: Extent,
   ) {
     const { size, low, high } = extent;
@@ -36,16 +37,44 @@ export class Ground {
     this.half = Math.ceil(wide / this.cell) * this.cell * 1.3;
   }
 
-  /** Lay it in the colours of a palette. */
+  /** Lay it in the colours of a palette, and water beside it. */
   lay(palette: Palette): void {
     this.group.clear();
-    const { ground: level, holes } = this.header;
-    if (level === null) return;
+    const { ground, water } = this.header;
+    if (ground !== null) this.layGround(ground, palette);
+    if (water !== null) this.layWater(water, palette);
+  }
+
+  /** The surface of the water, through which one sees what is below. */
+  private layWater(level: number, palette: Palette): void {
+    const { half, extent } = this;
+    const surface = new Mesh(
+      faded(new CircleGeometry(half, 48, 0, 2 * Math.PI).toNonIndexed(), palette.water, half, 0.75),
+      new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false, side: DoubleSide }),
+    );
+    // After all that is solid.
+    surface.renderOrder = 1;
+    surface.position.z = level - extent.middle[2];
+    this.group.add(surface);
+    if (this.header.ground !== null) return;
+    const grid = new LineSegments(
+      faded(gridGeometry(half, this.cell), palette.grid, half, 0.6),
+      new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
+    );
+    grid.renderOrder = 1;
+    grid.position.copy(surface.position);
+    this.group.add(grid);
+  }
+
+  private layGround(level: number, palette: Palette): void {
+    const { holes } = this.header;
     const { size, middle } = this.extent;
     const { cell, half } = this;
     // On whole multiples of the grid, so that its lines are at round numbers.
     const snap = (value: number) => Math.round(value / cell) * cell - value;
-    this.group.position.set(snap(middle[0]), snap(middle[1]), level - middle[2]);
+    const ground = new Group();
+    ground.position.set(snap(middle[0]), snap(middle[1]), level - middle[2]);
+    this.group.add(ground);
     const outside = outsideOf(holes, middle);
     const disc = new Mesh(
       faded(new CircleGeometry(half, 48).toNonIndexed(), palette.ground, half, 0.9),
@@ -64,9 +93,9 @@ export class Ground {
       new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false, ...outside }),
     );
     grid.renderOrder = -1;
-    this.group.add(disc, grid);
+    ground.add(disc, grid);
     const origin: Vector = [Math.round(middle[0] / cell) * cell, Math.round(middle[1] / cell) * cell, level];
-    for (const hole of holes) this.group.add(...this.pit(pitOf(hole, level), origin, palette));
+    for (const hole of holes) ground.add(...this.pit(pitOf(hole, level), origin, palette));
   }
 
   /** Walls, floor and edges of a hole. */

@@ -1,19 +1,22 @@
 /** Names beside what they name, as text above the drawing. */
 
 import type { Lift } from "../data/lift";
-import { element } from "../dom";
+import { element, set } from "../dom";
+import { TOUCHING } from "./clearances";
 import type { World } from "./world";
 
 /** Slings up to which each has its name; more of them would hide the lift. */
 const MOST_SLINGS = 24;
 const MOST_WITH_VALUES = 8;
 const MOST_BODIES = 20;
+const MOST_PAIRS = 8;
 
 interface Label {
   root: HTMLElement;
   value: HTMLElement;
   rope: number;
   body: number;
+  pair: number;
   text: string;
 }
 
@@ -26,22 +29,25 @@ export class Labels {
     private readonly lift: Lift,
     private readonly world: World,
   ) {
-    const { ropes, bodies } = lift.header;
+    const { ropes, bodies, pairs } = lift.header;
     this.slings = ropes.filter((rope) => rope.kind === "sling").length;
     ropes.forEach((rope, index) => {
       if (rope.kind === "sling" && rope.count > 1 && this.slings <= MOST_SLINGS)
-        this.add(rope.label, index, -1);
+        this.add(rope.label, "gl-label", { rope: index });
     });
     bodies.forEach((body, index) => {
       if (["load", "hook", "frame"].includes(body.kind) && this.labels.length < MOST_SLINGS + MOST_BODIES)
-        this.add(body.name, -1, index);
+        this.add(body.name, "gl-label gl-label-body", { body: index });
+    });
+    pairs.slice(0, MOST_PAIRS).forEach((_, pair) => {
+      this.add("", "gl-label gl-label-pair", { pair });
     });
   }
 
-  private add(name: string, rope: number, body: number): void {
+  private add(name: string, kind: string, of: Partial<Pick<Label, "rope" | "body" | "pair">>): void {
     const value = element("span", { class: "gl-label-value" });
-    const root = element("div", { class: rope >= 0 ? "gl-label" : "gl-label gl-label-body" }, name, value);
-    this.labels.push({ root, value, rope, body, text: "" });
+    const root = element("div", { class: kind }, name, value);
+    this.labels.push({ root, value, rope: -1, body: -1, pair: -1, text: "", ...of });
     this.root.append(root);
   }
 
@@ -58,9 +64,7 @@ export class Labels {
       if (label.root.hidden) continue;
       placed.push(place);
       label.root.style.transform = `translate(${place[0].toFixed(1)}px, ${place[1].toFixed(1)}px) translate(-50%, -50%)`;
-      const tension = label.rope >= 0 ? this.lift.tensions[label.rope]! : -1;
-      const text =
-        hasValues && tension >= 0 ? (tension > 0 ? ` ${Math.round(tension / 1e3)} kN` : " slack") : "";
+      const text = this.textOf(label, hasValues);
       if (text !== label.text) {
         label.text = text;
         label.value.textContent = text;
@@ -68,7 +72,24 @@ export class Labels {
     }
   }
 
+  private textOf(label: Label, hasValues: boolean): string {
+    if (label.pair >= 0) {
+      set(label.root, { "data-close": this.lift.isTooClose(label.pair) ? "" : undefined });
+      return `${this.lift.distance(label.pair).toFixed(2)} m`;
+    }
+    const tension = label.rope >= 0 ? this.lift.tensions[label.rope]! : -1;
+    if (!hasValues || tension < 0) return "";
+    return tension > 0 ? ` ${Math.round(tension / 1e3)} kN` : " slack";
+  }
+
   private placeOf(label: Label, width: number, height: number): [number, number] | null {
+    if (label.pair >= 0) {
+      const { nearest } = this.lift;
+      const at = 6 * label.pair;
+      if (!this.world.clearances.lines.visible || this.lift.distance(label.pair) < TOUCHING) return null;
+      const middle = (axis: number) => (nearest[at + axis]! + nearest[at + 3 + axis]!) / 2;
+      return this.world.project(middle(0), middle(1), middle(2), width, height);
+    }
     if (label.body >= 0) {
       const at = 7 * label.body;
       const { poses } = this.lift;

@@ -64,8 +64,8 @@ function boxGeometry(box: Box): BufferGeometry {
   return new BoxGeometry(...box.size).translate(...box.centre);
 }
 
-/** A sheave of radius 1 about z, with five holes that show how it turns; of many each is drawn plainly. */
-export function sheaveGeometry(isOneOfMany: boolean): BufferGeometry {
+/** A sheave of radius 1 about z, with five holes that show how it turns. */
+export function sheaveGeometry(): BufferGeometry {
   const rim = new Outline().absarc(0, 0, 0.98, 0, 2 * Math.PI, false);
   for (let hole = 0; hole < 5; hole++) {
     const angle = (2 * Math.PI * hole) / 5;
@@ -73,12 +73,37 @@ export function sheaveGeometry(isOneOfMany: boolean): BufferGeometry {
     opening.absarc(0.57 * Math.cos(angle), 0.57 * Math.sin(angle), 0.21, 0, 2 * Math.PI, true);
     rim.holes.push(opening);
   }
-  const depth = 0.22;
-  const disc = new ExtrudeGeometry(rim, { depth, bevelEnabled: false, curveSegments: isOneOfMany ? 4 : 20 });
-  disc.translate(0, 0, -depth / 2);
-  if (isOneOfMany) return disc;
+  const disc = new ExtrudeGeometry(rim, { depth: SHEAVE_DEPTH, bevelEnabled: false, curveSegments: 20 });
+  disc.translate(0, 0, -SHEAVE_DEPTH / 2);
   const pin = new CylinderGeometry(0.14, 0.14, 0.5, 16).rotateX(Math.PI / 2);
   return merged([disc, pin]);
+}
+
+/** The same of few triangles: a rim that is cut square shows how it turns. */
+export function plainSheaveGeometry(): BufferGeometry {
+  const rim = new Outline();
+  for (let corner = 0; corner < 12; corner++) {
+    const radius = corner % 4 === 0 ? 0.8 : 0.98;
+    const angle = (2 * Math.PI * corner) / 12;
+    rim.lineTo(radius * Math.cos(angle), radius * Math.sin(angle));
+  }
+  const disc = new ExtrudeGeometry(rim, { depth: SHEAVE_DEPTH, bevelEnabled: false });
+  return disc.translate(0, 0, -SHEAVE_DEPTH / 2);
+}
+
+const SHEAVE_DEPTH = 0.22; // of the radius
+
+/** The convex hull of a geometry; the geometry itself where it is flat. */
+export function hullOf(geometry: BufferGeometry): BufferGeometry {
+  const places = geometry.attributes.position!;
+  const known = new Map<string, Vector3>();
+  for (let at = 0; at < places.count; at++)
+    known.set(
+      `${places.getX(at)},${places.getY(at)},${places.getZ(at)}`,
+      new Vector3().fromBufferAttribute(places, at),
+    );
+  const hull = new ConvexGeometry([...known.values()]);
+  return hull.attributes.position!.count > 0 ? hull : geometry;
 }
 
 /** A hook block of height 1 whose hook bears at the origin. */

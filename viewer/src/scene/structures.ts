@@ -1,4 +1,4 @@
-/** Supports, structures and the surface of water: boxes that stand in the world, until they are taken away. */
+/** Supports and structures: boxes that stand in the world, until they are taken away. */
 
 import {
   BufferAttribute,
@@ -10,7 +10,8 @@ import {
   Mesh,
   MeshLambertMaterial,
 } from "three";
-import type { Structure, Vector } from "../data/format";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import type { Vector } from "../data/format";
 import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
 
@@ -31,41 +32,43 @@ export class Structures {
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
   });
-  /** What lies under it shows through. */
-  private readonly water = new MeshLambertMaterial({
-    transparent: true,
-    opacity: 0.55,
-    depthWrite: false,
-  });
   private readonly edges = new LineBasicMaterial({ transparent: true, opacity: 0.5 });
-  private readonly holders: { holder: Group; removedAt: number | null }[];
+  private holders: { holder: Group; removedAt: number | null }[] = [];
 
   constructor(
     private readonly lift: Lift,
-    origin: readonly [number, number, number],
+    private readonly origin: readonly [number, number, number],
   ) {
-    this.holders = lift.header.structures.map((one) => ({
-      holder: this.holder(one, origin),
-      removedAt: one.removedAt,
-    }));
+    this.build();
+  }
+
+  /** Make what is drawn from what the lift knows now. */
+  build(): void {
+    const { lift, origin } = this;
+    this.group.clear();
+    // Those that stand equally long are one thing to draw.
+    const times = new Set(lift.header.structures.map((one) => one.removedAt));
+    this.holders = [...times].map((removedAt) => {
+      const own = lift.header.structures.filter((one) => one.removedAt === removedAt);
+      const boxes = own.flatMap((one) => one.boxes.map((corners) => boxOf(corners, origin)));
+      return { holder: this.holder(boxes), removedAt };
+    });
     for (const { holder } of this.holders) this.group.add(holder);
   }
 
-  private holder(structure: Structure, origin: readonly [number, number, number]): Group {
+  private holder(boxes: BufferGeometry[]): Group {
     const holder = new Group();
-    for (const corners of structure.boxes) {
-      const geometry = boxOf(corners, origin);
-      holder.add(
-        new Mesh(geometry, structure.kind === "water" ? this.water : this.material),
-        new LineSegments(new EdgesGeometry(geometry), this.edges),
-      );
-    }
+    if (boxes.length === 0) return holder;
+    const edges = boxes.map((box) => new EdgesGeometry(box));
+    holder.add(
+      new Mesh(mergeGeometries(boxes), this.material),
+      new LineSegments(mergeGeometries(edges), this.edges),
+    );
     return holder;
   }
 
   setPalette(palette: Palette): void {
     this.material.color.set(palette.other);
-    this.water.color.set(palette.water);
     this.edges.color.set(palette.edge);
   }
 

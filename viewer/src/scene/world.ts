@@ -15,13 +15,14 @@ import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
 import { Arrows } from "./arrows";
 import { Bodies } from "./bodies";
+import { Clearances } from "./clearances";
 import { Ground, holesUnder } from "./ground";
 import { Ropes } from "./ropes";
 import { cornersOf } from "./solids";
 import { Structures } from "./structures";
 
 /** Points of ropes from which software begins with the cheap style. */
-const MANY_POINTS = 1500;
+const MANY_POINTS = 800;
 
 export interface Extent {
   middle: [number, number, number];
@@ -36,6 +37,7 @@ export class World {
   readonly extent: Extent;
   readonly bodies: Bodies;
   readonly arrows: Arrows;
+  readonly clearances: Clearances;
   readonly isSoftware: boolean;
   private readonly renderer: WebGLRenderer;
   private readonly ropes: Ropes;
@@ -45,6 +47,11 @@ export class World {
   private readonly structures: Structures;
   private palette: Palette;
   private cheap = false;
+  private still = false;
+  private width = 640;
+  private height = 360;
+  /** Whether edges are smoothed by the graphics card; software does without while much moves. */
+  private readonly antialias: boolean;
 
   /** Throws where the browser cannot draw in three dimensions. */
   constructor(
@@ -53,7 +60,9 @@ export class World {
     palette: Palette,
   ) {
     this.isSoftware = rendersInSoftware();
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
+    const isSlow = this.isSoftware && lift.path.length / 3 > MANY_POINTS;
+    this.antialias = !isSlow;
+    this.renderer = new WebGLRenderer({ canvas, antialias: this.antialias, alpha: true, stencil: true });
     // Colours are those of the page, and shall look like them.
     ColorManagement.enabled = false;
     this.renderer.localClippingEnabled = lift.header.holes.length > 0;
@@ -64,6 +73,7 @@ export class World {
     this.bodies = new Bodies(lift, middle, size);
     this.ropes = new Ropes(lift, middle);
     this.arrows = new Arrows(lift, middle, size);
+    this.clearances = new Clearances(lift, middle);
     this.ground = new Ground(lift.header, this.extent);
     this.structures = new Structures(lift, middle);
     this.camera.up.set(0, 0, 1);
@@ -74,13 +84,14 @@ export class World {
       this.bodies.group,
       this.ropes.group,
       this.arrows.mesh,
+      this.clearances.lines,
       this.ground.group,
       this.structures.group,
       this.ambient,
       this.sun,
     );
     this.setPalette(palette);
-    this.setCheap(this.isSoftware && lift.path.length / 3 > MANY_POINTS);
+    this.setCheap(isSlow);
   }
 
   setPalette(palette: Palette): void {
@@ -92,18 +103,40 @@ export class World {
     this.ground.lay(palette);
   }
 
+  /** More has been recorded: supports may have been taken away meanwhile. */
+  takeMore(): void {
+    this.structures.build();
+  }
+
   get isCheap(): boolean {
     return this.cheap;
   }
 
+  /** The cheap style, which holds while something moves. */
   setCheap(isCheap: boolean): void {
     this.cheap = isCheap;
-    this.ropes.setThin(isCheap);
-    this.bodies.setCheap(isCheap);
+    this.style();
+  }
+
+  /** Whether nothing moves for the moment: then even slow machines have time for a fine drawing. */
+  setStill(isStill: boolean): void {
+    if (isStill === this.still) return;
+    this.still = isStill;
+    if (this.cheap) this.style();
+  }
+
+  private style(): void {
+    const isPlain = this.cheap && !this.still;
+    this.ropes.setThin(isPlain);
+    this.bodies.setCheap(isPlain);
+    this.resize(this.width, this.height);
   }
 
   resize(width: number, height: number): void {
-    const ratio = this.cheap ? 1 : Math.min(2, globalThis.devicePixelRatio || 1);
+    [this.width, this.height] = [width, height];
+    const fine = Math.min(2, globalThis.devicePixelRatio || 1);
+    // Where edges are not smoothed, twice the pixels smooth them.
+    const ratio = this.cheap && !this.still ? 1 : this.antialias ? fine : 2;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -117,6 +150,7 @@ export class World {
     this.structures.update();
     this.ropes.update(this.palette, largest, pinned);
     if (this.arrows.mesh.visible) this.arrows.update(this.palette, largest);
+    if (this.clearances.lines.visible) this.clearances.update(this.palette);
     this.renderer.render(this.scene, this.camera);
   }
 
@@ -163,7 +197,8 @@ export function extentOf(lift: Lift): Extent {
   }
   lift.seek(lift.begin);
   if (low[0] > high[0]) return { middle: [0, 0, 0], size: 10, low: [-5, -5, -5], high: [5, 5, 5] };
-  if (lift.header.ground !== null) {
+  if (lift.header.water !== null) low[2] = Math.min(low[2], lift.header.water);
+  else if (lift.header.ground !== null) {
     low[2] = Math.max(low[2], lift.header.ground);
     for (const hole of holesUnder(lift.header, low, high)) low[2] = Math.min(low[2], hole.floor);
   }

@@ -63,6 +63,18 @@ pub struct Meeting {
     pub gap: f64,
 }
 
+/// How far apart two shapes are, and where they are nearest to each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Apart {
+    /// Distance [m], as [`Shape::distance`] has it.
+    pub distance: f64,
+    /// A point of each in the world; where they overlap one of each at the place where they do so most.
+    pub points: [DVec3; 2],
+}
+
+/// A part of a shape, and where it is in the world.
+type Placed<'a> = (ParryPose, &'a SharedShape);
+
 fn given(vector: DVec3) -> Vector {
     Vector::new(vector.x, vector.y, vector.z)
 }
@@ -121,26 +133,24 @@ impl Shape {
     /// Distance of two shapes on bodies at `poses` [m]; where they overlap minus how deep, as far as that has a
     /// meaning: triangle meshes are skins without an inside, whose distance is then 0.
     pub fn distance(&self, other: &Self, poses: [&Pose; 2]) -> f64 {
-        let [own, its] = poses.map(placed);
-        let mut least = f64::INFINITY;
-        for (local, part) in &self.parts {
-            let pose = own * *local;
-            for (other_local, other_part) in &other.parts {
-                let other_pose = its * *other_local;
-                least = least.min(distance((&pose, part), (&other_pose, other_part)));
-            }
-        }
-        least
+        nearest_parts(self.placed(poses[0]), || other.placed(poses[1])).0
     }
 
-    /// Distance to the straight line between two world points [m].
-    pub fn distance_to_line(&self, pose: &Pose, [from, to]: [DVec3; 2]) -> f64 {
-        let own = placed(pose);
+    /// The same with the points that are nearest.
+    pub fn apart(&self, other: &Self, poses: [&Pose; 2]) -> Apart {
+        apart(nearest_parts(self.placed(poses[0]), || other.placed(poses[1])))
+    }
+
+    /// The same of this shape and the straight line between two world points.
+    pub fn apart_from_line(&self, pose: &Pose, [from, to]: [DVec3; 2]) -> Apart {
         let line = SharedShape::segment(given(from), given(to));
-        let there = ParryPose::identity();
-        let distances =
-            self.parts.iter().map(|(local, part)| distance((&(own * *local), part), (&there, &line)));
-        distances.fold(f64::INFINITY, f64::min)
+        apart(nearest_parts(self.placed(pose), || std::iter::once((ParryPose::identity(), &line))))
+    }
+
+    /// The parts where they are when the body is at a pose.
+    fn placed(&self, pose: &Pose) -> impl Iterator<Item = Placed<'_>> {
+        let body = placed(pose);
+        self.parts.iter().map(move |(local, part)| (body * *local, part))
     }
 
     /// True where a world point is in the shape or within a millimetre of it.
@@ -189,14 +199,45 @@ impl Shape {
     }
 }
 
-fn distance(one: (&ParryPose, &SharedShape), other: (&ParryPose, &SharedShape)) -> f64 {
-    let apart = query::distance(one.0, one.1.as_ref(), other.0, other.1.as_ref())
+/// The smallest distance of parts of two shapes [m], and which two have it.
+fn nearest_parts<'a, Others: Iterator<Item = Placed<'a>>>(
+    own: impl Iterator<Item = Placed<'a>>,
+    others: impl Fn() -> Others,
+) -> (f64, Option<[Placed<'a>; 2]>) {
+    let mut least = (f64::INFINITY, None);
+    for one in own {
+        for other in others() {
+            let apart = distance(one, other);
+            if apart < least.0 {
+                least = (apart, Some([one, other]));
+            }
+        }
+    }
+    least
+}
+
+fn distance(one: Placed, other: Placed) -> f64 {
+    let apart = query::distance(&one.0, one.1.as_ref(), &other.0, other.1.as_ref())
         .map_or(f64::NAN, |found| found.distance);
     if apart > 0.0 {
         return apart;
     }
-    let overlap = query::contact(one.0, one.1.as_ref(), other.0, other.1.as_ref(), 0.0);
-    overlap.ok().flatten().map_or(apart, |contact| contact.dist.min(0.0))
+    deepest(one, other).map_or(apart, |contact| contact.dist.min(0.0))
+}
+
+/// Where two parts that meet do so most.
+fn deepest(one: Placed, other: Placed) -> Option<query::Contact> {
+    query::contact(&one.0, one.1.as_ref(), &other.0, other.1.as_ref(), 0.0).ok().flatten()
+}
+
+fn apart((distance, parts): (f64, Option<[Placed; 2]>)) -> Apart {
+    let found = parts.and_then(|[one, other]| {
+        match query::closest_points(&one.0, one.1.as_ref(), &other.0, other.1.as_ref(), f64::MAX) {
+            Ok(query::ClosestPoints::WithinMargin(first, second)) => Some([first, second]),
+            _ => deepest(one, other).map(|contact| [contact.point1, contact.point2]),
+        }
+    });
+    Apart { distance, points: found.map_or([DVec3::ZERO; 2], |points| points.map(taken)) }
 }
 
 /// A part of a shape where it is: its frame in the body, the body in the world, and itself.

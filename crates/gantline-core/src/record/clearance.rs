@@ -3,40 +3,49 @@
 use glam::DVec3;
 
 use crate::constraint::AnyConstraint;
+use crate::contact::shape::Apart;
 use crate::rope::seat::Seat;
 use crate::system::{System, Watch, Watched, WatchedRope};
 use crate::tree::kinematics::Kinematics;
 use crate::tree::pose::Pose;
 
-/// Distance of a pair [m], not positive where they touch; `is_whole` says whether a rope has not parted. Infinite where all
-/// ropes of a side have.
+/// Distance of a pair, not positive where they touch, and a point of each side where they are nearest, of a rope on its
+/// centre line; `is_whole` says whether a rope has not parted. Infinite, between points at 0, where all ropes of a side
+/// have.
 pub fn clearance(
     system: &System,
     kinematics: &Kinematics,
     seats: &[Seat],
     watch: &Watch,
     is_whole: impl Fn(usize) -> bool,
-) -> f64 {
+) -> Apart {
     let pose = |body: Option<usize>| body.map_or(Pose::IDENTITY, |body| kinematics.pose[body]);
     let [one, other] = &watch.between;
-    let mut least = f64::INFINITY;
+    let mut least = Apart { distance: f64::INFINITY, points: [DVec3::ZERO; 2] };
+    let mut hold = |found: Apart| {
+        if found.distance < least.distance {
+            least = found;
+        }
+    };
     for own in one.shapes.iter().map(|&shape| &system.shapes[shape]) {
         for its in other.shapes.iter().map(|&shape| &system.shapes[shape]) {
-            least = least.min(own.shape.distance(&its.shape, [&pose(own.body), &pose(its.body)]));
+            hold(own.shape.apart(&its.shape, [&pose(own.body), &pose(its.body)]));
         }
     }
-    let mut ropes = |with: &Watched, against: &Watched| {
+    let mut ropes = |with: &Watched, against: &Watched, is_first: bool| {
         for rope in with.ropes.iter().filter(|rope| is_whole(rope.rope)) {
             for line in lines(system, kinematics, seats, rope) {
                 for shape in against.shapes.iter().map(|&shape| &system.shapes[shape]) {
-                    let apart = shape.shape.distance_to_line(&pose(shape.body), line);
-                    least = least.min(apart - rope.radius);
+                    let Apart { distance, points: [on_shape, on_rope] } =
+                        shape.shape.apart_from_line(&pose(shape.body), line);
+                    let points = if is_first { [on_rope, on_shape] } else { [on_shape, on_rope] };
+                    hold(Apart { distance: distance - rope.radius, points });
                 }
             }
         }
     };
-    ropes(one, other);
-    ropes(other, one);
+    ropes(one, other, true);
+    ropes(other, one, false);
     least
 }
 

@@ -59,6 +59,8 @@ pub struct Columns {
     pub clearance: Vec<f64>,
     /// (hull) volume below the water [m³].
     pub displaced_volume: Vec<f64>,
+    /// (pair, side, xyz) where the two are nearest to each other [m].
+    pub clearance_point: Vec<f64>,
     /// (energy kind) [J].
     pub energy: Vec<f64>,
     /// Largest e of an inextensible rope beyond its length [m].
@@ -129,6 +131,7 @@ impl Columns {
             pin_force: room(names.pin.len()),
             clearance: room(names.pair.len()),
             displaced_volume: room(names.hull.len()),
+            clearance_point: room(6 * names.pair.len()),
             energy: Vec::new(),
             constraint_residual: room(1),
         }
@@ -327,9 +330,11 @@ impl Sampled {
 
     fn add_clearances(&mut self, system: &System, time: f64, seats: &[Seat], columns: &mut Columns) {
         let is_whole = |rope: usize| time <= self.whole_until[rope];
-        let all =
-            system.watches.iter().map(|watch| clearance(system, &self.kinematics, seats, watch, is_whole));
-        columns.clearance.extend(all);
+        for watch in &system.watches {
+            let found = clearance(system, &self.kinematics, seats, watch, is_whole);
+            columns.clearance.push(found.distance);
+            columns.clearance_point.extend(found.points.iter().flat_map(|point| point.to_array()));
+        }
     }
 
     fn add_hulls(&self, tree: &Tree, columns: &mut Columns) {

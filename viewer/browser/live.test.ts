@@ -1,0 +1,55 @@
+import type { Browser } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { expected, start } from "./chromium";
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await start();
+});
+afterAll(() => browser.close());
+
+describe("a lift that runs", () => {
+  it("is followed to its end, and then is what the recording has", async () => {
+    const page = await browser.newPage();
+    const troubles: string[] = [];
+    page.on("pageerror", (problem) => troubles.push(problem.message));
+    await page.goto(process.env.GANTLINE_LIVE!);
+    await page.waitForSelector("html[data-ready]", { timeout: 40_000 });
+    const state = () =>
+      page.evaluate(() => {
+        const { session } = globalThis.gantlinePage!;
+        return { end: session.lift.end, time: session.time, samples: session.lift.header.samples };
+      });
+    // Who looks at the end stays there.
+    await page.keyboard.press("End");
+    await page.evaluate(() =>
+      globalThis.gantlinePage!.session.seek(globalThis.gantlinePage!.session.lift.end),
+    );
+    const ends = new Set<number>([(await state()).end]);
+    await page.waitForFunction(
+      () => document.querySelector(".gl-live")?.getAttribute("data-ended") === "done",
+      undefined,
+      { timeout: 40_000 },
+    );
+    ends.add((await state()).end);
+    const found = await state();
+    const { times, ropes, paths, frames } = expected();
+    expect(ends.size).toBe(2); // it grew while the page was open
+    expect(found.samples).toBe(times.length);
+    expect(found.end).toBeCloseTo(40, 9);
+    expect(found.time).toBe(found.end);
+    const last = await page.evaluate(() => {
+      const { lift } = globalThis.gantlinePage!.session;
+      lift.seek(lift.end);
+      const index = lift.header.ropes.findIndex((rope) => rope.name === "sling.S1");
+      return { path: [...lift.drawnPath(index)], tension: lift.tensions[index]! };
+    });
+    expect(last.tension).toBeCloseTo(ropes["sling.S1"]!.at(-1)!, -1);
+    const recorded = paths["sling.S1"]![frames.length - 1]!.flat();
+    for (const [place, part] of last.path.entries())
+      expect(Math.abs(part - recorded[place]!)).toBeLessThan(1e-6);
+    expect(await page.locator(".gl-slider").getAttribute("max")).toBe(String(found.end));
+    expect(troubles).toEqual([]);
+    await page.close();
+  });
+});
