@@ -107,6 +107,7 @@ def test_an_open_mesh_floats_with_a_warning(tmp_path: Path) -> None:
 def test_what_is_no_hull_is_refused(
     hull: dict[str, Any], content: str | None, says: str, tmp_path: Path
 ) -> None:
+    """One sentence, at the path of what is wrong."""
     if content == "box":
         write_obj(tmp_path / "hull.obj", HULL)
     elif content is not None:
@@ -164,6 +165,7 @@ def rows(matrix: Any, units: tuple[str, str, str]) -> list[list[str]]:
 
 
 def test_matrices_written_by_hand(tmp_path: Path) -> None:
+    """The numbers of the file, in SI units."""
     added = rows(databases.ADDED[0], ("kg", "kg m", "kg m^2"))
     damping = rows(databases.DAMPING[0], ("N s/m", "N s", "N m s"))
     given = {"added_mass": {"matrix": added, "at": [0, 0, "1 m"]}, "water_damping": {"matrix": damping}}
@@ -204,6 +206,7 @@ DRIVEN[0, 4] = DRIVEN[4, 0] = 1e6
     ],
 )
 def test_what_is_no_added_mass_is_refused(given: dict[str, Any], says: str, tmp_path: Path) -> None:
+    """One sentence, at the path of what is wrong."""
     databases.bemio(tmp_path / "a.h5")
     path = afloat(tmp_path, {"box": [f"{size} m" for size in SIZE]}, added_mass=given)
     with pytest.raises(ScenarioError) as caught:
@@ -213,6 +216,7 @@ def test_what_is_no_added_mass_is_refused(given: dict[str, Any], says: str, tmp_
 
 
 def test_nothing_damps_at_infinite_frequency(tmp_path: Path) -> None:
+    """B(∞) = 0: no waves are made."""
     given = {"database": "a.h5", "at": [0, 0, 0], "period": "infinite_frequency"}
     path = afloat(tmp_path, {"box": [f"{size} m" for size in SIZE]}, water_damping=given)
     with pytest.raises(ScenarioError, match="at infinite frequency no waves are made and nothing damps"):

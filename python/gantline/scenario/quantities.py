@@ -295,7 +295,7 @@ class ListOf(Reader):
 class SymmetricMatrix(Reader):
     """Six rows of six quantities over shifts and turns along x, y, z; symmetric."""
 
-    shifts: str  # dimension of the upper left block
+    shifts: str  # dimension of shifts over shifts
     mixed: str
     turns: str
 

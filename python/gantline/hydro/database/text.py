@@ -21,7 +21,7 @@ _TONNES = 1000.0
 def read_text(path: Path) -> list[HydrodynamicDatabase]:
     """The body of a file."""
     text = path.read_bytes().decode("utf-8", errors="replace")
-    blocks: list[tuple[float, dict[str, list[list[float]]]]] = []
+    tables_at: list[tuple[float, dict[str, list[list[float]]]]] = []
     announced = None
     reference: npt.NDArray[np.float64] | None = None
     for number, line in enumerate(text.splitlines(), 1):
@@ -31,30 +31,30 @@ def read_text(path: Path) -> list[HydrodynamicDatabase]:
         elif key == "REFS":
             reference = np.array(_columns(path, number, line, 3)[:3])
         elif key == "OMEGA":
-            blocks.append((_columns(path, number, line, 1)[0], {"ADMAS": [], "BDAMP": []}))
+            tables_at.append((_columns(path, number, line, 1)[0], {"ADMAS": [], "BDAMP": []}))
         elif key in ("ADMAS", "BDAMP"):
-            if not blocks:
+            if not tables_at:
                 raise DatabaseError(f"{path}:{number}: '{key}' stands before the first 'OMEGA'")
-            blocks[-1][1][key].append(_columns(path, number, line, 6)[:6])
-    if not blocks:
+            tables_at[-1][1][key].append(_columns(path, number, line, 6)[:6])
+    if not tables_at:
         raise DatabaseError(f"{path}: there is no line 'OMEGA' in it, as .hyd files have")
-    if announced is not None and announced != len(blocks):
+    if announced is not None and announced != len(tables_at):
         raise DatabaseError(
-            f"{path}: is cut off: {announced} frequencies are announced, {len(blocks)} are there"
+            f"{path}: is cut off: {announced} frequencies are announced, {len(tables_at)} are there"
         )
-    for omega, tables in blocks:
+    for omega, tables in tables_at:
         for key, rows in tables.items():
             if len(rows) != 6:
                 raise DatabaseError(
                     f"{path}: at {omega:g} rad/s '{key}' has {len(rows)} rows; six are needed"
                 )
-    blocks.sort(key=lambda block: block[0])
-    mass, damping = (np.array([tables[key] for _, tables in blocks]) for key in ("ADMAS", "BDAMP"))
+    tables_at.sort(key=lambda one: one[0])
+    mass, damping = (np.array([tables[key] for _, tables in tables_at]) for key in ("ADMAS", "BDAMP"))
     return [
         HydrodynamicDatabase(
             name=path.stem,
             source=f"{path.name} (text)",
-            frequencies=np.array([omega for omega, _ in blocks]),
+            frequencies=np.array([omega for omega, _ in tables_at]),
             added_mass=mass * _TONNES,
             damping=damping * _TONNES,
             reference=reference,
