@@ -31,6 +31,7 @@ from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.vessels import vessel_rig, vessel_shape
 from gantline.assembly.yard import upper_lump
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.bounds import Bound
 from gantline.scenario.crane_parts import crane_bodies
 from gantline.scenario.drum import Drum
 from gantline.scenario.extension import lugs_below
@@ -39,10 +40,10 @@ from gantline.scenario.load import PLATE_NORMALS
 from gantline.scenario.mechanics import RopeEnd
 from gantline.scenario.mooring import line_rope
 from gantline.scenario.parting import partings
-from gantline.scenario.plan import Bound, HoldStep, MovingStep, PumpStep
 from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.rope_weight import RopeWeight, rope_weight
+from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
 from gantline.scenario.structures import Dock, dock_of
 from gantline.scenario.tanks import bodies_afloat, ends_of_pump, tanks_of
 from gantline.scenario.water import Water

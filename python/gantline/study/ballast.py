@@ -24,7 +24,7 @@ from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.edit import text_with
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.hooks import full_name
-from gantline.scenario.plan import PumpStep
+from gantline.scenario.steps import PumpStep
 from gantline.scenario.tanks import bodies_afloat, pumped_at_most, sea_density
 from gantline.scenario.variants import with_values, without_cases
 from gantline.scenario.water import BallastTank, Water
