@@ -19,6 +19,7 @@ from gantline.assembly.hulls import hull_mesh
 from gantline.assembly.water import hull_name
 from gantline.hydro import Hull
 from gantline.hydro.tank import Tank, free_surface_correction
+from gantline.results.attitude import Lie
 from gantline.results.rotation import axes
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.edit import text_with
@@ -249,11 +250,8 @@ class _Afloat:
         return float(self.rest.recording.column("tank_content", f"{self.vessel}.{tank}")[-1])
 
     def _attitude(self) -> VesselAttitude:
-        origin = self._origin()
-        trim = math.asin(self.turn[2, 0])
-        heel = math.atan2(self.turn[2, 1], self.turn[2, 2])
-        draft = (self._level - origin[2] - self.turn[2, 0] * self._middle) / self.turn[2, 2]
-        return VesselAttitude(heel, trim, float(draft))
+        lie = Lie(self.turn, self._origin()[2] - self._level)
+        return VesselAttitude(float(lie.heel), float(lie.trim), float(lie.draft(self._middle)))
 
     def _origin(self) -> Floats:
         centre = self.rest.recording.column("body_position", self.vessel)[-1]
