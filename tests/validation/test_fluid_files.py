@@ -61,9 +61,9 @@ def test_waves_push_a_barge_with_its_waterplane_at_long_periods() -> None:
 
 
 def amplitudes(path: Path) -> np.ndarray:
-    """Wave forces of a text database, which gives each for all round, shape (frequency, direction, 6) [N, N m].
+    """Wave forces of a text database, in 24 directions all round; largest frequency last, as elsewhere.
 
-    Largest frequency last, as `read_database` has them.
+    Shape (frequency, direction, 6) [N, N m].
     """
     lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("FAMP")]
     rows = [[float(line[10 * part : 10 * part + 10]) * 1e3 for part in range(1, 7)] for line in lines]
@@ -73,8 +73,7 @@ def amplitudes(path: Path) -> np.ndarray:
 def water_of(omega: np.ndarray, forces: np.ndarray, damping: np.ndarray) -> np.ndarray:
     """Density of deep water with which wave forces X and damping B agree [kg/m^3].
 
-    Haskind, in Newman's form: B = ω³/(4πρg³) ∫|X|² dβ over all directions β, here the mean of directions evenly
-    all round.
+    Haskind, in Newman's form: B = ω³/(4πρg³) ∫|X|² dβ over all directions β, which stand evenly all round.
     """
     round_about: np.ndarray = 2 * math.pi * (forces**2).mean(axis=1)
     return omega**3 / (4 * math.pi * G**3) * round_about / damping

@@ -101,7 +101,11 @@ def test_an_open_mesh_floats_with_a_warning(tmp_path: Path) -> None:
         ({"box": ["60 m", "16 m", "6 m"], "scale": 2}, "", "'scale' is for a hull from a 'mesh'"),
         ({"mesh": "hull.obj", "keel": [0, 0, 0]}, "", "'keel' is for a hull that is a 'box'"),
         ({"mesh": "hull.obj", "scale": 0}, "", "'0' is out of range; from 0.001 to 1000 is right"),
-        ({"mesh": "hull.obj", "units": "mm"}, "box", "vessels.barge.draft: 2.2 m is not between the keel at 0 m"),
+        (
+            {"mesh": "hull.obj", "units": "mm"},
+            "box",
+            "barge.draft: 2.2 m is not between the keel at 0 m",
+        ),
     ],
 )
 def test_what_is_no_hull_is_refused(
