@@ -336,17 +336,22 @@ def _strip(
     ]
     for row, window in zip(rows, windows, strict=True):
         for panel in row:
-            panel.set_aspect("equal")
-            panel.set_xlim(*window[0])
-            panel.set_ylim(*window[1])
-            panel.grid(visible=False)
-            panel.set_xticks([])
-            panel.set_yticks([])
-            for spine in panel.spines.values():
-                spine.set_visible(True)
-                spine.set_color(FAINT)
-                spine.set_zorder(6)  # above the ground that labels stand on
+            bare(panel, window)
     return figure, rows
+
+
+def bare(panel: Axes, window: FloatArray) -> None:
+    """A panel to scale, of these limits on paper, with nothing but its frame."""
+    panel.set_aspect("equal")
+    panel.set_xlim(*window[0])
+    panel.set_ylim(*window[1])
+    panel.grid(visible=False)
+    panel.set_xticks([])
+    panel.set_yticks([])
+    for spine in panel.spines.values():
+        spine.set_visible(True)
+        spine.set_color(FAINT)
+        spine.set_zorder(6)  # above the ground that labels stand on
 
 
 def draw_water(panel: Axes, recording: Recording) -> None:

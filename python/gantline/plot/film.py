@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from gantline.plot import drawing
 from gantline.plot.scene import snapshot
-from gantline.plot.style import FAINT, INK, QUIET, RC, colour, force_unit, shortened
+from gantline.plot.style import INK, QUIET, RC, colour, force_unit, shortened
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.surroundings import ground_of
@@ -66,7 +66,7 @@ class Film:
             for panel, view in ((self._side, drawing.SIDE), (self._top, drawing.TOP)):
                 panel.cla()
                 window = self._windows[panel]
-                _bare(panel, window)
+                drawing.bare(panel, window)
                 drawing.draw(panel, snap, view, self._norm)
             if self._ground is not None:
                 drawing.draw_ground(self._side, self._ground, self._lift)
@@ -159,15 +159,3 @@ def _filled(panel: Axes, window: FloatArray) -> FloatArray:
     more = np.maximum([high * ratio - wide, wide / ratio - high], 0.0) / 2
     filled: FloatArray = window + np.outer(more, [-1.0, 1.0])
     return filled
-
-
-def _bare(panel: Axes, window: FloatArray) -> None:
-    panel.set_aspect("equal")
-    panel.set_xlim(*window[0])
-    panel.set_ylim(*window[1])
-    panel.grid(visible=False)
-    panel.set_xticks([])
-    panel.set_yticks([])
-    for spine in panel.spines.values():
-        spine.set_visible(True)
-        spine.set_color(FAINT)
