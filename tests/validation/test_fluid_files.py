@@ -76,7 +76,8 @@ def water_of(omega: np.ndarray, forces: np.ndarray, damping: np.ndarray) -> np.n
     Haskind, in Newman's form: B = ω³/(4πρg³) ∫|X|² dβ over all directions β, which stand evenly all round.
     """
     round_about: np.ndarray = 2 * math.pi * (forces**2).mean(axis=1)
-    return omega**3 / (4 * math.pi * G**3) * round_about / damping
+    density: np.ndarray = omega**3 / (4 * math.pi * G**3) * round_about / damping
+    return density
 
 
 def test_two_programs_agree_about_a_barge() -> None:

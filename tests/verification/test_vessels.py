@@ -326,8 +326,8 @@ def test_flooding_is_told_and_the_run_goes_on(tmp_path: Path, integrator: str) -
 )
 def test_energy_balances_where_edges_go_under_and_come_out(tmp_path: Path, heel: str, depth: str) -> None:
     """A barge that rolls its deck edges under, its bottom's edges out, or both at once, for a minute. Forces
-    between these times are smooth, and Gauss points of order 8 along steps of order 5 leave 1e-6 of the energy
-    at most; steps across them left 2e-5 to 2e-4.
+    between these times are smooth, and Gauss points of order 8 along steps of order 5 leave 1e-6 of the
+    energy at most; steps across them left 2e-5 to 2e-4.
     """
     given = barge(heel=heel, hull={"box": ["100 m", "30 m", depth]})
     run = simulate(written(tmp_path, lift_of(given, start="as_given", duration="60 s")))
