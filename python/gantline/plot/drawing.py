@@ -28,8 +28,8 @@ from gantline.plot.panels import (
 )
 from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
 from gantline.plot.style import INK, KILO, QUIET
+from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer
 from gantline.results.surroundings import ground_of
 from gantline.results.variable import FloatArray
 
