@@ -30,7 +30,7 @@ _MOST_LUGS = 10  # that are labelled one by one
 _TITLES = 0.9  # height of the titles of a further row [inch]
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _EARTH, _EARTH_EDGE = "#ECE7DF", "#8C7B62"
-_WATER = "#3C86B0"
+_WATER, _WATER_SEEN = "#3C86B0", "#D3E4EE"
 _FILL = {
     "load": "#C9D6E2",
     "frame": "#8FA3B5",
@@ -89,8 +89,8 @@ def system(recording: Recording) -> Figure | None:
             draw(row[column], snap, view, norm)
         if ground is not None:
             draw_ground(panels[0][column], ground, lift)
-            draw_holes(panels[1][column], ground)
-        draw_water(panels[0][column], recording)
+            draw_holes(panels[1][column], ground, water_level(recording))
+        draw_water(panels[0][column], recording, lift)
         _title(panels[0][column], name, snap.time)
         _label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
@@ -103,7 +103,7 @@ def system(recording: Recording) -> Figure | None:
 def stages(recording: Recording) -> Figure | None:
     """Side views of the stages of a lift under a crane that goes somewhere, two rows of three; else None."""
     found = stages_of(recording)
-    if not recording.rig.cranes or len(found) < 4:
+    if not (recording.rig.cranes or recording.rig.booms) or len(found) < 4:
         return None
     shown = [(name, snapshot(recording, sample)) for name, sample in found]
     norm = norm_of(shown)
@@ -118,7 +118,7 @@ def stages(recording: Recording) -> Figure | None:
         if ground is not None:
             draw_ground(panel, ground, lift)
         draw(panel, snap, SIDE, norm)
-        draw_water(panel, recording)
+        draw_water(panel, recording, lift)
         _title(panel, name, snap.time)
     for panel in panels[len(shown) :]:
         panel.set_visible(False)
@@ -349,18 +349,27 @@ def _strip(
     return figure, rows
 
 
-def draw_water(panel: Axes, recording: Recording) -> None:
-    """The water in a side view: what is below its level is tinted."""
+def draw_water(panel: Axes, recording: Recording, lift: FloatArray) -> None:
+    """The water in a side view: what is below its level is tinted, down to the ground where the lift is."""
     level = water_level(recording)
     if level is None:
         return
     left, right = panel.get_xlim()
     low, high = panel.get_ylim()
-    if level > low:
-        panel.add_patch(
-            Rectangle((left, low), right - left, min(level, high) - low, color=_WATER, alpha=0.25, zorder=3.8)
-        )
-        panel.plot([left, right], [level, level], color=_WATER, linewidth=1.0, zorder=3.9)
+    if level <= low:
+        return
+    ground = ground_of(recording)
+    bed = np.array([(left, low), (right, low)])
+    if ground is not None:
+        bed = ground.profile(0, (left, right), lift)
+    # Between two corners the ground is level or plumb, so a corner above the water stands in its surface.
+    bed = np.stack([bed[:, 0], np.minimum(bed[:, 1], min(level, high))], axis=1)
+    above = [(right, min(level, high)), (left, min(level, high))]
+    panel.add_patch(Polygon([*bed, *above], facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
+    wet = bed[:, 1] < level
+    for one, other, is_wet in zip(bed[:-1], bed[1:], wet[:-1] & wet[1:], strict=True):
+        if is_wet:
+            panel.plot([one[0], other[0]], [level, level], color=_WATER, linewidth=1.0, zorder=3.9)
 
 
 def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
@@ -378,13 +387,14 @@ def room_below(ground: Ground | None, lift: FloatArray) -> float:
     return 0.05 * float(np.ptp(lift[:, 0])) if ground is not None and ground.holes else 0.0
 
 
-def draw_holes(panel: Axes, ground: Ground) -> None:
-    """Holes of the ground in a top view."""
+def draw_holes(panel: Axes, ground: Ground, water: float | None) -> None:
+    """Holes of the ground in a top view, and the level [m] of the water in them, if there is any."""
     for hole in ground.holes:
         (x0, x1), (y0, y1) = hole.x, hole.y
+        fill = _EARTH if water is None or water <= hole.floor else _WATER_SEEN
         panel.add_artist(
             Rectangle(
-                (x0, y0), x1 - x0, y1 - y0, facecolor=_EARTH, edgecolor=_EARTH_EDGE, linewidth=1.0, zorder=0
+                (x0, y0), x1 - x0, y1 - y0, facecolor=fill, edgecolor=_EARTH_EDGE, linewidth=1.0, zorder=0
             )
         )
 
