@@ -30,7 +30,7 @@ from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
 from gantline.plot.style import INK, KILO, QUIET
 from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
-from gantline.results.surroundings import ground_of
+from gantline.results.surroundings import ground_of, water_level
 from gantline.results.variable import FloatArray
 
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
@@ -94,8 +94,8 @@ def system(recording: Recording) -> Figure | None:
             draw(row[column], snap, view, norm)
         if ground is not None:
             draw_ground(panels[0][column], ground, lift)
-            draw_holes(panels[1][column], ground)
-        draw_water(panels[0][column], recording)
+            draw_holes(panels[1][column], ground, water_level(recording))
+        draw_water(panels[0][column], recording, lift)
         _title(panels[0][column], name, snap.time)
         _label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
@@ -108,7 +108,7 @@ def system(recording: Recording) -> Figure | None:
 def stages(recording: Recording) -> Figure | None:
     """Side views of the stages of a lift under a crane that goes somewhere, two rows of three; else None."""
     found = stages_of(recording)
-    if not recording.rig.cranes or len(found) < 4:
+    if not (recording.rig.cranes or recording.rig.booms) or len(found) < 4:
         return None
     shown = [(name, snapshot(recording, sample)) for name, sample in found]
     norm = norm_of(shown)
@@ -123,7 +123,7 @@ def stages(recording: Recording) -> Figure | None:
         if ground is not None:
             draw_ground(panel, ground, lift)
         draw(panel, snap, SIDE, norm)
-        draw_water(panel, recording)
+        draw_water(panel, recording, lift)
         _title(panel, name, snap.time)
     for panel in panels[len(shown) :]:
         panel.set_visible(False)

@@ -16,7 +16,7 @@ from gantline.plot.scene import snapshot
 from gantline.plot.style import INK, QUIET, RC, colour, force_unit, shortened
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.surroundings import ground_of
+from gantline.results.surroundings import ground_of, water_level
 from gantline.results.variable import FloatArray
 
 Image = npt.NDArray[np.uint8]
@@ -70,8 +70,8 @@ class Film:
                 drawing.draw(panel, snap, view, self._norm)
             if self._ground is not None:
                 panels.draw_ground(self._side, self._ground, self._lift)
-                panels.draw_holes(self._top, self._ground)
-            panels.draw_water(self._side, recording)
+                panels.draw_holes(self._top, self._ground, water_level(recording))
+            panels.draw_water(self._side, recording, self._lift)
             panels.scale_bar(self._side, 0.03)
             self._caption.set_text(self._said(snap.time))
             self._cursor.set_xdata([snap.time, snap.time])
