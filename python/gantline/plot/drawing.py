@@ -21,7 +21,7 @@ from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
 from gantline.plot.style import FAINT, INK, KILO, QUIET, force_unit, shortened
 from gantline.results.recording import Recording
 from gantline.results.rig import Equalizer
-from gantline.results.surroundings import Ground, ground_of, water_level
+from gantline.results.surroundings import Ground, ground_of, water_cut, water_level
 from gantline.results.variable import FloatArray
 
 _TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
@@ -89,8 +89,8 @@ def system(recording: Recording) -> Figure | None:
             draw(row[column], snap, view, norm)
         if ground is not None:
             draw_ground(panels[0][column], ground, lift)
-            draw_holes(panels[1][column], ground)
-        draw_water(panels[0][column], recording)
+            draw_holes(panels[1][column], ground, water_level(recording))
+        draw_water(panels[0][column], recording, lift)
         _title(panels[0][column], name, snap.time)
         _label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
@@ -118,7 +118,7 @@ def stages(recording: Recording) -> Figure | None:
         if ground is not None:
             draw_ground(panel, ground, lift)
         draw(panel, snap, SIDE, norm)
-        draw_water(panel, recording)
+        draw_water(panel, recording, lift)
         _title(panel, name, snap.time)
     for panel in panels[len(shown) :]:
         panel.set_visible(False)
@@ -349,18 +349,16 @@ def _strip(
     return figure, rows
 
 
-def draw_water(panel: Axes, recording: Recording) -> None:
-    """The water in a side view: what is below its level is tinted."""
+def draw_water(panel: Axes, recording: Recording, lift: FloatArray) -> None:
+    """The water in a side view, cut where the lift is: what it fills is tinted."""
     level = water_level(recording)
     if level is None:
         return
     left, right = panel.get_xlim()
-    low, high = panel.get_ylim()
-    if level > low:
-        panel.add_patch(
-            Rectangle((left, low), right - left, min(level, high) - low, color=_WATER, alpha=0.25, zorder=3.8)
-        )
-        panel.plot([left, right], [level, level], color=_WATER, linewidth=1.0, zorder=3.9)
+    low, _ = panel.get_ylim()
+    for corners in water_cut(ground_of(recording), level, 0, ((left, right), low), lift):
+        panel.add_artist(Polygon(corners, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
+        panel.plot(*corners[2:].T, color=_WATER, linewidth=1.0, zorder=3.9)
 
 
 def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
@@ -378,15 +376,14 @@ def room_below(ground: Ground | None, lift: FloatArray) -> float:
     return 0.05 * float(np.ptp(lift[:, 0])) if ground is not None and ground.holes else 0.0
 
 
-def draw_holes(panel: Axes, ground: Ground) -> None:
-    """Holes of the ground in a top view."""
+def draw_holes(panel: Axes, ground: Ground, water: float | None) -> None:
+    """Holes of the ground in a top view, with water in those whose floor is below its level [m]."""
     for hole in ground.holes:
         (x0, x1), (y0, y1) = hole.x, hole.y
-        panel.add_artist(
-            Rectangle(
-                (x0, y0), x1 - x0, y1 - y0, facecolor=_EARTH, edgecolor=_EARTH_EDGE, linewidth=1.0, zorder=0
-            )
-        )
+        place = ((x0, y0), x1 - x0, y1 - y0)
+        panel.add_artist(Rectangle(*place, facecolor=_EARTH, edgecolor=_EARTH_EDGE, linewidth=1.0, zorder=0))
+        if water is not None and hole.floor < water:
+            panel.add_artist(Rectangle(*place, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=0))
 
 
 def _title(panel: Axes, name: str, time: float) -> None:

@@ -16,7 +16,7 @@ from gantline.plot.scene import snapshot
 from gantline.plot.style import FAINT, INK, QUIET, RC, colour, force_unit, shortened
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.surroundings import ground_of
+from gantline.results.surroundings import ground_of, water_level
 from gantline.results.variable import FloatArray
 
 Image = npt.NDArray[np.uint8]
@@ -70,8 +70,8 @@ class Film:
                 drawing.draw(panel, snap, view, self._norm)
             if self._ground is not None:
                 drawing.draw_ground(self._side, self._ground, self._lift)
-                drawing.draw_holes(self._top, self._ground)
-            drawing.draw_water(self._side, recording)
+                drawing.draw_holes(self._top, self._ground, water_level(recording))
+            drawing.draw_water(self._side, recording, self._lift)
             drawing.scale_bar(self._side, 0.03)
             self._caption.set_text(self._said(snap.time))
             self._cursor.set_xdata([snap.time, snap.time])

@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 
 from gantline.checks import LIMITS, Check, Verdict, past_limits, verdict_of
+from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
+from gantline.report.booms import boom_rows
 from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
 from gantline.report.rest import what_if
 from gantline.report.section import Section
@@ -53,6 +55,10 @@ class FirstPage(Section):
             "slings_left_out": max(0, len(subject.rig.slings) - _MOST_SLINGS),
             "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
             "attitude": attitude(subject),
+            "vessels": vessel_tables(subject),
+            "afloat": afloat_facts(subject),
+            "booms": boom_rows(subject),
+            "stands_on_tracks": bool(subject.rig.crawlers),
             "steps": _steps(subject),
             "stop_if": _stop_if(subject),
             "what_if": what_if(subject),
