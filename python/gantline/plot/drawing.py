@@ -30,7 +30,7 @@ _MOST_LUGS = 10  # that are labelled one by one
 _TITLES = 0.9  # height of the titles of a further row [inch]
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _EARTH, _EARTH_EDGE = "#ECE7DF", "#8C7B62"
-_WATER = "#3C86B0"
+_WATER, _WATER_SEEN = "#3C86B0", "#D3E4EE"
 _FILL = {
     "load": "#C9D6E2",
     "frame": "#8FA3B5",
@@ -103,7 +103,7 @@ def system(recording: Recording) -> Figure | None:
 def stages(recording: Recording) -> Figure | None:
     """Side views of the stages of a lift under a crane that goes somewhere, two rows of three; else None."""
     found = stages_of(recording)
-    if not recording.rig.cranes or len(found) < 4:
+    if not (recording.rig.cranes or recording.rig.booms) or len(found) < 4:
         return None
     shown = [(name, snapshot(recording, sample)) for name, sample in found]
     norm = norm_of(shown)

@@ -48,21 +48,38 @@ def moments(recording: Recording) -> list[tuple[str, int]]:
 def stages(recording: Recording) -> list[tuple[str, int]]:
     """Up to six stages: start, slings taut, lift-off, ends of the last steps that move something.
 
+    Steps side by side are one stage, under the name of the first of them.
+
     Args:
         recording: Any recording.
 
     Returns:
         Name and sample of each; fewer than four where the plan does little after the load is clear.
     """
-    moving = {step.step for step in recording.rig.plan if step.kind != "hold"}
     lift_off = series.lift_off_time(recording)
     known = [(name, sample) for name, sample in moments(recording) if name not in ("peak tension", "end")]
     after = [
         (f"end of '{name}'", _sample(recording, time))
-        for time, _, name in recording.events("step_end")
-        if name in moving and lift_off is not None and time > lift_off
+        for time, name in _motions(recording)
+        if lift_off is not None and time > lift_off
     ]
     return known + after[-(_STAGES - len(known)) :]
+
+
+def _motions(recording: Recording) -> list[tuple[float, str]]:
+    """When each motion of the plan ends [s], with all steps side by side, and the name of its first step."""
+    moving = {step.step for step in recording.rig.plan if step.kind != "hold"}
+    begun = [(time, 1, name) for time, _, name in recording.events("step_begin") if name in moving]
+    done = [(time, 0, name) for time, _, name in recording.events("step_end") if name in moving]
+    found: list[tuple[float, str]] = []
+    first, going = "", 0
+    for time, begins, name in sorted(begun + done, key=lambda one: one[:2]):
+        if not going:
+            first = name
+        going += 1 if begins else -1
+        if not going:
+            found.append((time, first))
+    return found
 
 
 def _all_taut(recording: Recording, slings: set[str], peak: float) -> float | None:

@@ -226,6 +226,7 @@ def _trust(subject: Subject) -> str:
     head = f"Method {method}: " if method else ""
     if remainder is not None and bound is not None:
         closes = "closes" if remainder <= bound else "DOES NOT CLOSE"
-        head += f"the energy balance {closes} to {remainder:.1e} of the largest energy (bound {bound:.0e}); "
+        rest_of = f"{remainder:.1e} of the largest energy" if remainder else "rounding"
+        head += f"the energy balance {closes} to {rest_of} (bound {bound:.0e}); "
     rest = [one for one in parts if not one.startswith("energy remainder")]
     return head + "; ".join(rest)

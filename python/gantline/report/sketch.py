@@ -36,11 +36,8 @@ _ORDER = {
 _ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)  # m, lengths of a scale bar
 
 
-_WIDTH, _HEIGHT, _MARGIN = (
-    92.0,
-    84.0,
-    2.0,
-)  # of the paper [mm]; no world is drawn beyond the margin
+#: Of the paper [mm]; no world is drawn beyond the margin.
+_WIDTH, _HEIGHT, _MARGIN = 92.0, 62.0, 2.0
 
 #: Corners of a box of half sizes 1.
 _SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
