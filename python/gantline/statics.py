@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -120,10 +120,16 @@ class Equilibrium:
             "lossy_sheaves": list(self.lossy),
         }
 
-    def with_modes(self, modes: Sequence[Mode]) -> Recording:
-        """Its recording with the attributes `statics` and `modes`: what it is like, how it swings."""
+    def with_modes(self, modes: Sequence[Mode], heights: Mapping[str, Sequence[float]]) -> Recording:
+        """Its recording with the attributes `statics` and `modes`: what it is like, how it swings.
+
+        Args:
+            modes: Its natural motions.
+            heights: Metacentric heights of its vessels for heel and trim by their names [m].
+        """
         one = self.recording
-        said = {"statics": self.to_json(), "modes": [mode.to_json() for mode in modes]}
+        more = {"metacentric_heights": {name: list(both) for name, both in heights.items()}}
+        said = {"statics": self.to_json() | more, "modes": [mode.to_json() for mode in modes]}
         return Recording(one.variables, one.coordinates, {**one.attributes, **said})
 
     def tension(self, rope: str) -> float:

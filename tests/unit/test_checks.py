@@ -68,6 +68,31 @@ def test_travel_past_the_stroke_before_the_load_is_clear_is_a_warning() -> None:
     assert metrics["travel_used_up_when_clear"] == pytest.approx(0.5)
 
 
+def test_no_limit_allows_travel_beyond_the_stroke_of_a_load_that_hangs() -> None:
+    travel = np.zeros((3, 5))
+    travel[1, 0] = 1.05 * 1.9
+    rig = sample_rig(equalizer_travel_used=1.2)
+    recording = sample_recording(np.arange(3.0), tension=np.full((3, 5), 1e5), travel=travel, rig=rig)
+    assert only(recording).verdict is Verdict.FAILED
+
+
+@pytest.mark.parametrize(("time", "verdict"), [(0.5, Verdict.WARNING), (2.5, Verdict.FAILED)])
+def test_a_stop_that_is_met_warns_before_lift_off_and_fails_after_it(time: float, verdict: Verdict) -> None:
+    contact = np.array([[1.0] * 4, [1.0] * 4, [0.0] * 4, [0.0] * 4])
+    check = only(
+        sample_recording(
+            np.arange(4.0),
+            tension=np.full((4, 5), 1e5),
+            contact=contact,
+            events=[(time, "stop_hit", "e1.2")],
+            rig=sample_rig(equalizer_travel_used=0.9),
+        )
+    )
+    assert check.verdict is verdict
+    assert f"met its stop at {time:.2f} s" in check.remark
+    assert "e1.2" in check.remark
+
+
 def test_travel_required_at_the_end_of_a_step_warns_up_to_the_whole_stroke() -> None:
     travel = np.full((2001, 5), 0.0)
     travel[1:, 0] = 0.93 * 1.9

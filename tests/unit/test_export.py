@@ -254,7 +254,29 @@ def test_ground_has_holes_floors_and_walls_in_gltf() -> None:
     floor, walls = (levels == -4.0).all(axis=1), np.ptp(levels, axis=1) > 0.0
     assert areas[floor].sum() == pytest.approx(5.0 * 2.0)
     assert areas[walls].sum() == pytest.approx(4.0 * 2 * (5.0 + 2.0))
-    whole = np.prod(np.ptp(water.vertices, axis=0)[:2])
-    assert areas[~floor & ~walls].sum() == pytest.approx(whole - 10.0)
+    x, y = np.ptp(ground.vertices, axis=0)[:2]
+    assert areas[~floor & ~walls].sum() == pytest.approx(x * y - 10.0)
+    # Ground above the water: there is water in the hole alone, and nothing is seen through the ground.
+    np.testing.assert_array_equal(water.vertices[:, :2], [(-2, -1), (3, -1), (3, 1), (-2, 1)])
     assert set(water.vertices[:, 2]) == {-1.5}
-    assert (ground.kind, water.kind) == ("quay", "water")
+    assert (ground.kind, water.kind) == ("ground", "water")
+
+
+@pytest.mark.parametrize(
+    ("ground", "kinds", "covers"),
+    [
+        ({"level": 0.0}, ["quay", "water"], True),  # nobody says where it ends
+        ({"level": -9.0}, ["ground", "water"], True),  # the bed of the sea
+        ({"level": 0.0, "holes": [{"x": [-2.0, 3.0], "y": [-1.0, 1.0], "floor": -1.0}]}, ["ground"], False),
+    ],
+)
+def test_water_is_where_the_ground_leaves_room(ground: object, kinds: list[str], *, covers: bool) -> None:
+    recording = ringing_lift()
+    scene = {**recording.attributes["scene"], "ground": ground, "water": {"level": -1.5}}
+    changed = Recording(recording.variables, recording.coordinates, {**recording.attributes, "scene": scene})
+    found = surroundings(changed, np.array([0]))
+    assert [one.kind for one in found] == kinds
+    if covers:
+        np.testing.assert_array_equal(
+            np.ptp(found[1].vertices, axis=0)[:2], np.ptp(found[0].vertices, axis=0)[:2]
+        )

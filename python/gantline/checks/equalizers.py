@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gantline.checks.forces import NO_STATIC, kilonewton, sum_force
-from gantline.checks.measure import Caution, Finding, Found, Missing, everywhere, extreme
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, everywhere, extreme
 from gantline.results import series
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
@@ -50,9 +50,21 @@ def travel_used(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Travel of a moving sheave over its stroke that way, once the load is clear."""
     clear = during & series.is_clear(recording)
     yield from _travel(recording, clear if clear.any() else during)
+    if during.all():
+        yield from _stopped(recording, clear)
     past = _past_stroke(recording)
     if past:
         yield Caution(past)
+
+
+def _stopped(recording: Recording, clear: BoolArray) -> Iterator[Refused]:
+    """Sheaves that met a stop while the load hung: between samples they may have been there and back."""
+    sheaves = {sheave for equalizer in recording.rig.equalizers for sheave in equalizer.moving_sheaves}
+    hung = recording.time[clear]
+    for time, kind, joint in recording.events():
+        if kind == "stop_hit" and joint in sheaves and hung.size and hung[0] <= time <= hung[-1]:
+            yield Refused(joint, f"met its stop at {time:.2f} s, with the load hanging")
+            return
 
 
 def travel_at_any_time(recording: Recording, during: BoolArray) -> Iterator[Finding]:

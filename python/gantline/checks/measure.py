@@ -83,7 +83,8 @@ class Measure:
         findings: Gives the values within a mask of samples.
         at_least: Whether the limit is the smallest allowed value, not the largest.
         when_clear: Whether only samples count at which the loads are clear of their supports.
-        warns_up_to: A value over the limit but not over this one is a warning, not a failure.
+        warns_up_to: A value over the limit but not over this one is a warning; over this one it
+            fails, whatever the limit. None of what `at_least` is asked for.
         by_definition: Limit that holds where nobody sets one, such as all of a rated capacity.
         definition: Where that limit comes from.
         is_listed: Whether it stands in the table without a limit too.

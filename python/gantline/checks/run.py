@@ -235,8 +235,8 @@ def end_of_step(recording: Recording, step: str) -> BoolArray | None:
 
 
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:
+    if measure.warns_up_to is not None and value > measure.warns_up_to:
+        return Verdict.FAILED
     if value >= limit if measure.at_least else value <= limit:
         return Verdict.OK
-    if not measure.at_least and measure.warns_up_to is not None and value <= measure.warns_up_to:
-        return Verdict.WARNING
-    return Verdict.FAILED
+    return Verdict.FAILED if measure.warns_up_to is None else Verdict.WARNING

@@ -351,10 +351,13 @@ def _sensitivities(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[st
 
 def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path, *, aside: bool) -> None:
     from gantline.results.saved import EQUILIBRIUM
+    from gantline.study.inclining import metacentric_heights
 
     place = output_folder(folder)
+    found = metacentric_heights(question, rest)
+    heights = {name: (one.transverse, one.longitudinal) for name, one in found.items()}
     with writing(place):
-        written = [rest.with_modes(modes).save(place / EQUILIBRIUM)]
+        written = [rest.with_modes(modes, heights).save(place / EQUILIBRIUM)]
         for mode in modes:
             written.append(question.swing(mode).save(place / f"motion_{mode.number + 1}.nc"))
     typer.echo("\n".join(f"Recording   {path}" for path in written), err=aside)

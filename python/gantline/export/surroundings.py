@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results.recording import Recording
-from gantline.results.surroundings import Ground, ground_of, structures_of, water_level
+from gantline.results.surroundings import Ground, Hole, ground_of, is_cut, structures_of, water_level
 from gantline.results.variable import FloatArray
 from gantline.viewer.decimate import Places
 
@@ -32,7 +32,7 @@ class Standing:
 
     Attributes:
         name: What a program calls it.
-        kind: `support`, `structure`, `ground`, `quay` (ground where there is water too) or `water`.
+        kind: `support`, `structure`, `ground`, `quay` (ground without an end beside water) or `water`.
         vertices: Corners in the world [m], shape (n, 3).
         faces: Three corners of each triangle, shape (m, 3).
         size: 1 while it is there and 0 once it is taken away, at each time; None if it stays.
@@ -66,12 +66,30 @@ def surroundings(recording: Recording, at: Places) -> list[Standing]:
     ground, level = ground_of(recording), water_level(recording)
     x, y = _window(recording, [one.vertices for one in found])
     if ground is not None:
-        # Where there is water too, one sees through the ground what lies in it.
-        kind = "ground" if level is None else "quay"
+        # Where nobody says where the quay ends, one sees through it what lies in the water.
+        kind = "ground" if level is None or is_cut(ground, level) else "quay"
         found.append(_of_squares("ground", kind, _ground(ground, x, y)))
-    if level is not None:
-        found.append(_of_squares("water", "water", [_flat(x, y, level)]))
+    if level is not None and (squares := _water(ground, level, x, y)):
+        found.append(_of_squares("water", "water", squares))
     return found
+
+
+def _water(
+    ground: Ground | None, level: float, x: tuple[float, float], y: tuple[float, float]
+) -> list[FloatArray]:
+    """The surface of the water: everywhere, or in the holes of ground that lies above it."""
+    if ground is None or not ground.holes or ground.level < level:
+        return [_flat(x, y, level)]
+    wet = [_within(hole, x, y) for hole in ground.holes if hole.floor < level]
+    return [_flat(*sides, level) for sides in wet if all(begin < end for begin, end in sides)]
+
+
+def _within(
+    hole: Hole, x: tuple[float, float], y: tuple[float, float]
+) -> tuple[tuple[float, float], tuple[float, float]]:
+    """What a window shows of a hole: its sides along x and y [m]."""
+    (x0, x1), (y0, y1) = hole.x, hole.y
+    return (max(x0, x[0]), min(x1, x[1])), (max(y0, y[0]), min(y1, y[1]))
 
 
 def box_faces(count: int) -> Indices:
@@ -116,10 +134,7 @@ def _ground(ground: Ground, x: tuple[float, float], y: tuple[float, float]) -> l
             ]
             found.append(_flat(column, row, inside[0].floor if inside else ground.level))
     for hole in ground.holes:
-        sides = [
-            (max(hole.side(axis)[0], ends[0]), min(hole.side(axis)[1], ends[1]))
-            for axis, ends in enumerate((x, y))
-        ]
+        sides = _within(hole, x, y)
         if all(begin < end for begin, end in sides):
             found += _walls(sides[0], sides[1], hole.floor, ground.level)
     return found

@@ -15,14 +15,14 @@ from matplotlib.patches import Polygon, Rectangle
 
 from gantline.plot.style import FAINT, INK, force_unit, shortened
 from gantline.results.recording import Recording
-from gantline.results.surroundings import Ground, ground_of, water_level
+from gantline.results.surroundings import Ground, ground_of, water_cut, water_level
 from gantline.results.variable import FloatArray
 
 #: Colours of tensions.
 TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
 _TITLES = 0.9  # height of the titles of a further row [inch]
 _EARTH, EARTH_EDGE = "#ECE7DF", "#8C7B62"
-_WATER, _WATER_SEEN = "#3C86B0", "#D3E4EE"
+_WATER = "#3C86B0"
 
 
 def window_of(points: FloatArray, below: float = 0.0, above: float = 0.0) -> FloatArray:
@@ -84,26 +84,15 @@ def bare(panel: Axes, window: FloatArray) -> None:
 
 
 def draw_water(panel: Axes, recording: Recording, lift: FloatArray) -> None:
-    """The water in a side view: what is below its level is tinted, down to the ground where the lift is."""
+    """The water in a side view, cut where the lift is: what it fills is tinted."""
     level = water_level(recording)
     if level is None:
         return
     left, right = panel.get_xlim()
-    low, high = panel.get_ylim()
-    if level <= low:
-        return
-    ground = ground_of(recording)
-    bed = np.array([(left, low), (right, low)])
-    if ground is not None:
-        bed = ground.profile(0, (left, right), lift)
-    # Between two corners the ground is level or plumb, so a corner above the water stands in its surface.
-    bed = np.stack([bed[:, 0], np.minimum(bed[:, 1], min(level, high))], axis=1)
-    above = [(right, min(level, high)), (left, min(level, high))]
-    panel.add_patch(Polygon([*bed, *above], facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
-    wet = bed[:, 1] < level
-    for one, other, is_wet in zip(bed[:-1], bed[1:], wet[:-1] & wet[1:], strict=True):
-        if is_wet:
-            panel.plot([one[0], other[0]], [level, level], color=_WATER, linewidth=1.0, zorder=3.9)
+    low, _ = panel.get_ylim()
+    for corners in water_cut(ground_of(recording), level, 0, ((left, right), low), lift):
+        panel.add_artist(Polygon(corners, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
+        panel.plot(*corners[2:].T, color=_WATER, linewidth=1.0, zorder=3.9)
 
 
 def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
@@ -122,15 +111,13 @@ def room_below(ground: Ground | None, lift: FloatArray) -> float:
 
 
 def draw_holes(panel: Axes, ground: Ground, water: float | None) -> None:
-    """Holes of the ground in a top view, and the level [m] of the water in them, if there is any."""
+    """Holes of the ground in a top view, with water in those whose floor is below its level [m]."""
     for hole in ground.holes:
         (x0, x1), (y0, y1) = hole.x, hole.y
-        fill = _EARTH if water is None or water <= hole.floor else _WATER_SEEN
-        panel.add_artist(
-            Rectangle(
-                (x0, y0), x1 - x0, y1 - y0, facecolor=fill, edgecolor=EARTH_EDGE, linewidth=1.0, zorder=0
-            )
-        )
+        place = ((x0, y0), x1 - x0, y1 - y0)
+        panel.add_artist(Rectangle(*place, facecolor=_EARTH, edgecolor=EARTH_EDGE, linewidth=1.0, zorder=0))
+        if water is not None and hole.floor < water:
+            panel.add_artist(Rectangle(*place, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=0))
 
 
 def scale_bar(panel: Axes, height_fraction: float) -> None:

@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 
 from gantline.checks import LIMITS, Check, Verdict, past_limits, verdict_of
+from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
+from gantline.report.booms import boom_rows
 from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
 from gantline.report.rest import what_if
 from gantline.report.section import Section
@@ -53,6 +55,10 @@ class FirstPage(Section):
             "slings_left_out": max(0, len(subject.rig.slings) - _MOST_SLINGS),
             "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
             "attitude": attitude(subject),
+            "vessels": vessel_tables(subject),
+            "afloat": afloat_facts(subject),
+            "booms": boom_rows(subject),
+            "stands_on_tracks": bool(subject.rig.crawlers),
             "steps": _steps(subject),
             "stop_if": _stop_if(subject),
             "what_if": what_if(subject),
@@ -220,6 +226,7 @@ def _trust(subject: Subject) -> str:
     head = f"Method {method}: " if method else ""
     if remainder is not None and bound is not None:
         closes = "closes" if remainder <= bound else "DOES NOT CLOSE"
-        head += f"the energy balance {closes} to {remainder:.1e} of the largest energy (bound {bound:.0e}); "
+        rest_of = f"{remainder:.1e} of the largest energy" if remainder else "rounding"
+        head += f"the energy balance {closes} to {rest_of} (bound {bound:.0e}); "
     rest = [one for one in parts if not one.startswith("energy remainder")]
     return head + "; ".join(rest)

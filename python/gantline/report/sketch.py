@@ -8,9 +8,17 @@ from typing import Any
 
 import numpy as np
 
+from gantline.report.sketch_names import names_beside
 from gantline.report.subject import Subject
 from gantline.results.rotation import axes
-from gantline.results.surroundings import Ground, Structure, ground_of, structures_of
+from gantline.results.surroundings import (
+    Ground,
+    Structure,
+    ground_of,
+    structures_of,
+    water_cut,
+    water_level,
+)
 from gantline.results.variable import FloatArray
 from gantline.viewer.shapes import vector
 
@@ -19,15 +27,17 @@ _SIDES = {
     "y": np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
 }
 _PLAN = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-_ORDER = {"load": 1, "frame": 2, "hook": 3}  # what is drawn upon what; cranes and supports lie below
+_ORDER = {
+    "hull": 0,
+    "load": 1,
+    "frame": 2,
+    "hook": 3,
+}  # what is drawn upon what; cranes and supports lie below
 _ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)  # m, lengths of a scale bar
 
 
-_WIDTH, _HEIGHT, _MARGIN = (
-    92.0,
-    84.0,
-    2.0,
-)  # of the paper [mm]; no world is drawn beyond the margin
+#: Of the paper [mm]; no world is drawn beyond the margin.
+_WIDTH, _HEIGHT, _MARGIN = 92.0, 62.0, 2.0
 
 #: Corners of a box of half sizes 1.
 _SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
@@ -113,6 +123,11 @@ class _Paper:
         half = (_WIDTH / 2 - _MARGIN) * self.scale
         return float(self._middle[0]) - half, float(self._middle[0]) + half
 
+    def lowest(self) -> float:
+        """The height at the lower end of what the paper shows [m]."""
+        below = _HEIGHT - _MARGIN - float(self._centre[1])
+        return float(self._middle[1]) - below * self.scale
+
     def area(self, points: FloatArray, style: str) -> list[Mark]:
         """The outline of something of the world as far as it is on the paper; none if it is beside it."""
         shown = self.shown(points)
@@ -145,10 +160,12 @@ def sketches(subject: Subject) -> list[Sketch]:
     along = "x" if wide[0] >= wide[1] else "y"
     view = _SIDES[along]
     paper = _Paper(view, extent)
-    behind = _standing(paper, around) + _ground_line(paper, ground, "xy".index(along), lift)
+    axis = "xy".index(along)
+    behind = _water(paper, subject, axis, lift) + _standing(paper, around)
+    behind += _ground_line(paper, ground, axis, lift)
     side = _draw(subject, f"side view, {along} to the right", view, paper, solids, ropes, behind)
     paper = _Paper(_PLAN, np.concatenate(carried) if carried else extent)
-    behind = _holes(paper, ground) + _standing(paper, around)
+    behind = _holes(paper, ground, water_level(recording)) + _standing(paper, around)
     plan = _draw(subject, "plan, x to the right", _PLAN, paper, solids, ropes, behind)
     return [side, plan]
 
@@ -209,16 +226,19 @@ def _draw(
 ) -> Sketch:
     marks = list(behind)
     order = sorted(solids.items(), key=lambda item: _ORDER.get(item[1][0], 0))
+    plan = view is _PLAN
     for _, (kind, pieces) in order:
         style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
         marks += [Mark("area", style, _text(_hull(paper.place(points)))) for points in pieces]
     slings = {sling.rope for sling in subject.rig.slings}
     for name, path in ropes.items():
+        if plan and slings and name not in slings:
+            continue  # what hangs above would cover where slings are
         marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", _text(paper.place(path))))
-    marks += _hangers(subject, paper, solids) if view is not _PLAN else []
-    marks += _numbers(subject, paper, ropes, plan=view is _PLAN)
+    marks += _hangers(subject, paper, solids) if not plan else []
+    marks += _numbers(subject, paper, ropes, plan=plan)
     marks += _centres(subject, paper)
-    marks += _hooks(subject, paper, plan=view is _PLAN)
+    marks += _hooks(subject, paper, plan=plan)
     bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * _WIDTH), default=_ROUND[0])
     return Sketch(title, _WIDTH, _HEIGHT, paper.scale, bar, marks)
 
@@ -239,7 +259,22 @@ def _ground_line(paper: _Paper, ground: Ground | None, axis: int, lift: FloatArr
     return [Mark("line", "sk-ground", _text(paper.place(points)))]
 
 
-def _holes(paper: _Paper, ground: Ground | None) -> list[Mark]:
+def _water(paper: _Paper, subject: Subject, axis: int, lift: FloatArray) -> list[Mark]:
+    """The water in a side view, cut where the lift is."""
+    level = water_level(subject.recording)
+    if level is None:
+        return []
+    low = float(paper.lowest())
+    marks = []
+    for corners in water_cut(ground_of(subject.recording), level, axis, (paper.ends(), low), lift):
+        points = np.zeros((4, 3))
+        points[:, axis], points[:, 2] = corners.T
+        marks += paper.area(points, "sk-water")
+        marks.append(Mark("line", "sk-surface", _text(paper.place(points[2:]))))
+    return marks
+
+
+def _holes(paper: _Paper, ground: Ground | None, water: float | None) -> list[Mark]:
     """Holes of the ground in a plan; none that goes on beyond the paper on all sides."""
     if ground is None:
         return []
@@ -248,7 +283,8 @@ def _holes(paper: _Paper, ground: Ground | None) -> list[Mark]:
     for hole in ground.holes:
         rim = np.array([(x, y, ground.level) for x in hole.x for y in hole.y])
         if (np.ptp(paper.shown(rim), axis=0) < whole - 1e-9).any():
-            marks += paper.area(rim, "sk-hole")
+            is_wet = water is not None and hole.floor < water
+            marks += paper.area(rim, "sk-water" if is_wet else "sk-hole")
     return marks
 
 
@@ -312,13 +348,21 @@ def _centres(subject: Subject, paper: _Paper) -> list[Mark]:
 
 
 def _hooks(subject: Subject, paper: _Paper, *, plan: bool) -> list[Mark]:
-    marks = []
-    for name in _hook_bodies(subject):
-        x, y = (float(part) for part in paper.place(subject.recording.column("body_position", name)[-1]))
-        marks.append(Mark("dot", "sk-hook", x=x, y=y))
-        if not plan:
-            marks.append(Mark("text", "sk-name", x=x + 2.5, y=y + 1.0, text=name, anchor="start"))
-    return marks
+    """Hooks as dots; in a side view with their names, where these do not lie on each other."""
+    names = _hook_bodies(subject)
+    places = [paper.place(subject.recording.column("body_position", name)[-1]) for name in names]
+    marks = [Mark("dot", "sk-hook", x=float(x), y=float(y)) for x, y in places]
+    if plan:
+        return marks
+    placed = names_beside(places, _short(subject, names), _WIDTH - _MARGIN)
+    return marks + [Mark("text", "sk-name", x=x, y=y, text=text, anchor=side) for x, y, text, side in placed]
+
+
+def _short(subject: Subject, names: list[str]) -> list[str]:
+    """Names of hooks without that of their crane, where there is one crane."""
+    cranes = {hook.crane for hook in subject.rig.hooks}
+    crane = next(iter(cranes)) if len(cranes) == 1 else ""
+    return [name.removeprefix(f"{crane}.") if crane else name for name in names]
 
 
 def _hook_bodies(subject: Subject) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -79,6 +80,47 @@ class Ground:
             else:
                 after = [(right, hole.floor)]
         return np.array([*before, *within, *after])
+
+
+def water_cut(
+    ground: Ground | None,
+    level: float,
+    axis: int,
+    window: tuple[tuple[float, float], float],
+    points: FloatArray,
+) -> list[FloatArray]:
+    """The water cut along world x (0) or y (1) where the lift is.
+
+    Where the ground has holes, or lies below the water, that is what stands above it. Ground without a hole
+    above the water is a quay whose edge nobody has told: water is everywhere then.
+
+    Args:
+        ground: The ground, if there is some.
+        level: Of the water [m].
+        axis: Along which it is cut.
+        window: From where to where along it, and the lowest that is drawn [m].
+        points: Of the lift [m], shape (points, 3); holes beside them are not cut.
+
+    Returns:
+        Corners of each rectangle, the two of the surface last: place along the axis and height [m], shape
+        (4, 2).
+    """
+    ends, low = window
+    if not is_cut(ground, level):
+        floor = [(np.array([ends[0], low]), np.array([ends[1], low]))]
+    else:
+        assert ground is not None
+        floor = list(pairwise(ground.profile(axis, ends, points)))
+    return [
+        np.array([(one[0], one[1]), (other[0], other[1]), (other[0], level), (one[0], level)])
+        for one, other in floor
+        if one[1] == other[1] < level and other[0] > one[0]
+    ]
+
+
+def is_cut(ground: Ground | None, level: float) -> bool:
+    """Whether the ground says where there is water of a level [m]: it has holes, or lies below the water."""
+    return ground is not None and (bool(ground.holes) or ground.level < level)
 
 
 @dataclass(frozen=True, eq=False)

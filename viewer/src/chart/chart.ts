@@ -3,6 +3,7 @@
 import type { Curve } from "../data/curve";
 import { element, set, svg } from "../dom";
 import type { Session } from "../player/session";
+import { Cursors } from "./cursors";
 import { type Area, areaOf, type ChartSpec, frameOf, xOf, yOf } from "./frame";
 import { Legend } from "./legend";
 import { digitsOf, type Scale, shown, verticalScale } from "./scale";
@@ -16,10 +17,8 @@ export class Chart {
   private readonly svg = svg("svg", { tabindex: 0, class: "gl-plot" });
   private readonly frame = svg("g", {});
   private readonly lines = svg("g", { fill: "none" });
-  private readonly cursor = svg("line", { class: "gl-cursor" });
-  private readonly pointer = svg("line", { class: "gl-pointer" });
   private readonly brush = svg("rect", { class: "gl-brush" });
-  private readonly dots: SVGCircleElement[];
+  private readonly cursors: Cursors;
   private readonly tip = element("div", { class: "gl-tip", hidden: true, "aria-hidden": "true" });
   private readonly clip = `gl-clip-${made++}`;
   private readonly clipBox = svg("rect", {});
@@ -41,24 +40,14 @@ export class Chart {
     const every = spec.groups.flatMap((group) => session.lift.group(group));
     this.curves = spec.only === undefined ? every : every.filter((curve) => curve.entry.name === spec.only);
     this.legend = new Legend(session, this.curves, (index) => this.colour(index), spec.title);
-    this.dots = this.curves
-      .slice(0, CURVES_WITH_COLOURS)
-      .map((_, index) =>
-        svg("circle", { r: 3.2, fill: this.colour(index), class: "gl-dot", visibility: "hidden" }),
-      );
+    const dots = this.curves.length <= CURVES_WITH_COLOURS ? this.curves : [];
+    this.cursors = new Cursors(dots.map((_, index) => this.colour(index)));
     set(this.lines, { "clip-path": `url(#${this.clip})` });
     set(this.svg, { role: "img", "aria-label": this.inWords() });
     const clipPath = svg("clipPath", { id: this.clip }, this.clipBox);
-    this.svg.append(
-      svg("defs", {}, clipPath),
-      this.frame,
-      this.lines,
-      this.brush,
-      this.pointer,
-      this.cursor,
-      ...this.dots,
-    );
-    const plot = element("div", { class: "gl-plot-holder" }, this.svg as unknown as Node, this.tip);
+    this.svg.append(svg("defs", {}, clipPath), this.frame, this.lines, this.brush);
+    const drawn = [this.svg, this.cursors.root] as unknown as Node[];
+    const plot = element("div", { class: "gl-plot-holder" }, ...drawn, this.tip);
     root.append(plot, this.legend.root);
     this.listen();
     const sizes = new ResizeObserver(() => this.fit());
@@ -101,6 +90,7 @@ export class Chart {
     this.width = width;
     this.area = areaOf(width, this.height, this.spec);
     set(this.svg, { viewBox: `0 0 ${width} ${this.height}`, width, height: this.height });
+    this.cursors.fit(width, this.height, this.area);
     this.draw();
   }
 
@@ -172,33 +162,24 @@ export class Chart {
   /** Cursors and values at the present time, or under the pointer. */
   private mark(): void {
     if (!this.isOnScreen) return;
-    const hover = this.session.hover;
-    this.place(this.cursor, this.session.time);
-    this.place(this.pointer, hover);
-    const time = hover ?? this.session.time;
-    this.legend.show(time);
+    const { hover, time: now } = this.session;
     const [begin, end] = this.session.span;
-    const isIn = time >= begin && time <= end && this.curves.length <= CURVES_WITH_COLOURS;
-    const x = this.x(time);
-    this.dots.forEach((dot, index) => {
-      const curve = this.curves[index]!;
-      const isDrawn = isIn && this.isShown(curve);
-      set(dot, { visibility: isDrawn ? undefined : "hidden" });
-      if (isDrawn) set(dot, { cx: x.toFixed(1), cy: this.y(curve.at(time)).toFixed(1) });
+    const within = (time: number | null) =>
+      time !== null && time >= begin && time <= end ? this.x(time) : null;
+    this.cursors.place(within(now), within(hover));
+    const time = hover ?? now;
+    this.legend.show(time);
+    if (this.curves.length > CURVES_WITH_COLOURS) return;
+    const x = within(time);
+    this.curves.forEach((curve, index) => {
+      const isDrawn = x !== null && this.isShown(curve);
+      this.cursors.placeDot(index, isDrawn ? x : null, isDrawn ? this.y(curve.at(time)) : 0);
     });
   }
 
-  private place(line: SVGLineElement, time: number | null): void {
-    const [begin, end] = this.session.span;
-    const isIn = time !== null && time >= begin && time <= end;
-    set(line, { visibility: isIn ? undefined : "hidden" });
-    if (!isIn) return;
-    const x = this.x(time);
-    set(line, { x1: x, x2: x, y1: this.area.top - 6, y2: this.area.bottom });
-  }
-
   private listen(): void {
-    for (const topic of ["time", "hover"] as const) this.ends.push(this.session.on(topic, () => this.mark()));
+    for (const topic of ["time", "hover", "play"] as const)
+      this.ends.push(this.session.on(topic, () => this.mark()));
     for (const topic of ["span", "pin", "hidden", "data"] as const)
       this.ends.push(this.session.on(topic, () => this.draw()));
     this.svg.addEventListener("pointermove", (event) => this.onMove(event));

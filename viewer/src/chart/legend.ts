@@ -2,6 +2,7 @@
 
 import type { Curve } from "../data/curve";
 import { element, set } from "../dom";
+import { Pace } from "../pace";
 import type { Session } from "../player/session";
 import { digitsOf, shown } from "./scale";
 
@@ -15,7 +16,7 @@ export class Legend {
   private readonly values: HTMLElement[] = [];
   private readonly buttons: HTMLButtonElement[] = [];
   private readonly texts: string[] = [];
-  private shownAt = 0;
+  private readonly pace = new Pace(READABLE);
 
   constructor(
     private readonly session: Session,
@@ -48,9 +49,7 @@ export class Legend {
 
   /** Values at a time; while the lift plays no more often than they can be read. */
   show(time: number): void {
-    const now = performance.now();
-    if (this.session.playing && now - this.shownAt < READABLE) return;
-    this.shownAt = now;
+    if (this.session.playing && !this.pace.isDue()) return;
     this.values.forEach((holder, index) => {
       const { entry } = this.curves[index]!;
       const text = `${shown(this.curves[index]!.at(time), digitsOf(entry.unit))} ${entry.unit}`.trim();

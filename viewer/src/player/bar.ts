@@ -1,7 +1,10 @@
 /** The bar below the drawing: play, time, events, speed. */
 
 import { element, ICONS, icon, set } from "../dom";
+import { Pace } from "../pace";
 import { type Session, SPEEDS } from "./session";
+
+const READABLE = 60; // ms
 
 export class Bar {
   readonly root = element("div", { class: "gl-bar" });
@@ -11,6 +14,7 @@ export class Bar {
   private readonly speed: HTMLSelectElement;
   private readonly loop: HTMLButtonElement;
   private text = "";
+  private readonly pace = new Pace(READABLE);
 
   constructor(private readonly session: Session) {
     const { lift } = session;
@@ -49,7 +53,9 @@ export class Bar {
     });
     const track = element("div", { class: "gl-track" }, marks, this.slider);
     this.root.append(previous, this.playButton, next, track, this.clock, this.speed, this.loop);
-    session.on("time", () => this.showTime());
+    session.on("time", () => {
+      if (!session.playing || this.pace.isDue()) this.showTime();
+    });
     session.on("play", () => this.showState());
     this.showTime();
     this.showState();

@@ -2,6 +2,7 @@
 
 import { shown } from "../chart/scale";
 import { element, set } from "../dom";
+import { Pace } from "../pace";
 import { Cameras, type View } from "../scene/cameras";
 import { Labels } from "../scene/labels";
 import { ropeAt } from "../scene/picking";
@@ -10,6 +11,8 @@ import { onTheme, paletteOf, rampGradient } from "../theme";
 import type { Session } from "./session";
 
 const SLOW = 60; // ms between frames from which ropes are drawn in the cheap style
+const VERY_SLOW = 90; // ms between frames of the cheap style from which it has fewer pixels
+const READABLE = 50; // ms between frames in which names move along, as long as only the lift moves
 const STILL = 250; // ms without a change from which nothing moves
 const TITLES: Record<View, string> = {
   orbit: "Whole lift (1)",
@@ -34,6 +37,8 @@ export class Stage {
   private readonly step = element("div", { class: "gl-step-now" });
   private readonly cheapSign: HTMLButtonElement;
   private needsDrawing = true;
+  private readonly pace = new Pace(READABLE);
+  private needsLabels = true;
   private withValues = true;
   private width = 640;
   private height = 360;
@@ -75,6 +80,7 @@ export class Stage {
 
   redraw(): void {
     this.needsDrawing = true;
+    this.needsLabels = true;
   }
 
   showView(view: View): void {
@@ -174,7 +180,10 @@ export class Stage {
   }
 
   private listen(): void {
-    this.session.on("time", () => this.redraw());
+    this.session.on("time", () => {
+      this.needsDrawing = true;
+    });
+    this.session.on("play", () => this.redraw());
     this.session.on("data", () => {
       this.world.takeMore();
       this.redraw();
@@ -236,13 +245,16 @@ export class Stage {
     lift.seek(time);
     this.cameras.follow();
     this.world.draw(this.session.pinned);
+    const isDue = this.pace.isDue();
+    if (this.session.playing && !this.needsLabels && !isDue) return;
+    this.needsLabels = false;
     this.labels.update(this.width, this.height, this.withValues);
     const step = lift.steps.find((one) => time >= one.begin && time < one.end);
     const text = step?.name ?? "";
     if (this.step.textContent !== text) this.step.textContent = text;
   }
 
-  /** Where frames come slowly, ropes become thin lines. */
+  /** Where frames come slowly, ropes become thin lines; where they still do, pixels become coarse. */
   private measure(now: number): void {
     this.measured.count += 1;
     if (this.lastFrame > 0 && now - this.lastFrame < 1000) this.frameTimes.push(now - this.lastFrame);
@@ -251,5 +263,6 @@ export class Stage {
     this.measured.frame = this.frameTimes.reduce((sum, one) => sum + one, 0) / this.frameTimes.length;
     this.frameTimes = [];
     if (this.measured.frame > SLOW && !this.world.isCheap) this.setCheap(true);
+    else if (this.measured.frame > VERY_SLOW && this.world.isCheap) this.world.setCoarse(true);
   }
 }

@@ -18,6 +18,8 @@ interface Label {
   body: number;
   pair: number;
   text: string;
+  /** Where it is, as a style; empty while it is hidden. */
+  way: string;
 }
 
 export class Labels {
@@ -47,7 +49,8 @@ export class Labels {
   private add(name: string, kind: string, of: Partial<Pick<Label, "rope" | "body" | "pair">>): void {
     const value = element("span", { class: "gl-label-value" });
     const root = element("div", { class: kind }, name, value);
-    this.labels.push({ root, value, rope: -1, body: -1, pair: -1, text: "", ...of });
+    this.labels.push({ root, value, rope: -1, body: -1, pair: -1, text: "", way: "", ...of });
+    root.hidden = true;
     this.root.append(root);
   }
 
@@ -57,13 +60,18 @@ export class Labels {
     const hasValues = withValues && this.slings <= MOST_WITH_VALUES;
     for (const label of this.labels) {
       const place = this.placeOf(label, width, height);
-      label.root.hidden = place === null;
-      if (!place) continue;
-      const isFree = dodge(place, placed, label.rope < 0 ? 70 : hasValues ? 84 : 30);
-      label.root.hidden = label.rope >= 0 && !isFree;
-      if (label.root.hidden) continue;
+      const isFree = place && dodge(place, placed, label.rope < 0 ? 70 : hasValues ? 84 : 30);
+      if (!place || (label.rope >= 0 && !isFree)) {
+        if (label.way) label.root.hidden = true;
+        label.way = "";
+        continue;
+      }
       placed.push(place);
-      label.root.style.transform = `translate(${place[0].toFixed(1)}px, ${place[1].toFixed(1)}px) translate(-50%, -50%)`;
+      // On whole pixels: letters stay sharp, and what hardly moves costs nothing.
+      const way = `translate(${Math.round(place[0])}px, ${Math.round(place[1])}px) translate(-50%, -50%)`;
+      if (!label.way) label.root.hidden = false;
+      if (way !== label.way) label.root.style.transform = way;
+      label.way = way;
       const text = this.textOf(label, hasValues);
       if (text !== label.text) {
         label.text = text;

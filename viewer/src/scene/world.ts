@@ -21,8 +21,8 @@ import { Ropes } from "./ropes";
 import { cornersOf } from "./solids";
 import { Structures } from "./structures";
 
-/** Points of ropes from which software begins with the cheap style. */
-const MANY_POINTS = 800;
+/** Pixels of the drawing for one of the page, along each side, while something moves and each costs much. */
+const COARSE = 0.7;
 
 export interface Extent {
   middle: [number, number, number];
@@ -47,6 +47,7 @@ export class World {
   private readonly structures: Structures;
   private palette: Palette;
   private cheap = false;
+  private coarse = false;
   private still = false;
   private width = 640;
   private height = 360;
@@ -60,8 +61,7 @@ export class World {
     palette: Palette,
   ) {
     this.isSoftware = rendersInSoftware();
-    const isSlow = this.isSoftware && lift.path.length / 3 > MANY_POINTS;
-    this.antialias = !isSlow;
+    this.antialias = !this.isSoftware;
     this.renderer = new WebGLRenderer({ canvas, antialias: this.antialias, alpha: true, stencil: true });
     // Colours are those of the page, and shall look like them.
     ColorManagement.enabled = false;
@@ -91,7 +91,7 @@ export class World {
       this.sun,
     );
     this.setPalette(palette);
-    this.setCheap(isSlow);
+    this.setCheap(this.isSoftware);
   }
 
   setPalette(palette: Palette): void {
@@ -118,6 +118,12 @@ export class World {
     this.style();
   }
 
+  /** Fewer pixels as well, while something moves. */
+  setCoarse(isCoarse: boolean): void {
+    this.coarse = isCoarse;
+    this.style();
+  }
+
   /** Whether nothing moves for the moment: then even slow machines have time for a fine drawing. */
   setStill(isStill: boolean): void {
     if (isStill === this.still) return;
@@ -136,7 +142,8 @@ export class World {
     [this.width, this.height] = [width, height];
     const fine = Math.min(2, globalThis.devicePixelRatio || 1);
     // Where edges are not smoothed, twice the pixels smooth them.
-    const ratio = this.cheap && !this.still ? 1 : this.antialias ? fine : 2;
+    const rough = this.coarse ? COARSE : 1;
+    const ratio = this.cheap && !this.still ? rough : this.antialias ? fine : 2;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;

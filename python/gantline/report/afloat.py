@@ -1,0 +1,155 @@
+"""Rows of the first page of lifts afloat: how vessels lie after each step, moorings, sudden release."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from gantline.report.subject import ABSENT, Subject, number, share, show
+from gantline.results import series
+from gantline.results.variable import BoolArray
+from gantline.results.vessels import Vessel
+
+#: Rows of a vessel that the first page has.
+_MOST_ROWS = 8
+#: Share of what a tank holds at most whose change counts as pumped.
+_MOVED = 1e-6
+_MOST_TANKS = 6
+
+#: How a vessel lies at a moment: variable, unit, decimals.
+_LIES = (
+    ("vessel_draft_aft", "m", 2),
+    ("vessel_draft_forward", "m", 2),
+    ("vessel_trim", "deg", 2),
+    ("vessel_heel", "deg", 2),
+    ("vessel_freeboard", "m", 2),
+)
+
+
+def vessel_tables(subject: Subject) -> list[dict[str, Any]]:
+    """How each vessel lies at the start and at the end of each step, with its ballast."""
+    if not len(subject.recording.time):
+        return []
+    return [_vessel(subject, vessel) for vessel in subject.rig.vessels]
+
+
+def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
+    recording = subject.recording
+    tanks = [tank for tank in subject.rig.tanks if tank.name.startswith(f"{vessel.name}.")]
+    held = sum((recording.column("tank_content", tank.name) for tank in tanks), np.zeros(len(recording.time)))
+    moments = _moments(subject)
+    rows = [
+        {
+            "name": name,
+            "lies": [
+                number(float(recording.column(variable, vessel.name)[at]), unit, digits)
+                for variable, unit, digits in _LIES
+            ],
+            "displacement": number(float(recording.column("vessel_displacement", vessel.name)[at]), "t", 0),
+            "ballast": number(float(held[at]), "t", 0) if tanks else ABSENT,
+        }
+        for name, at in moments[:_MOST_ROWS]
+    ]
+    return {
+        "name": vessel.name,
+        "rows": rows,
+        "left_out": max(0, len(moments) - _MOST_ROWS),
+        "gm": _gm(subject, vessel),
+        "pumped": _pumped(subject, vessel),
+        "has_tanks": bool(tanks),
+    }
+
+
+def _moments(subject: Subject) -> list[tuple[str, int]]:
+    """The start, and the end of each step that has begun, with their samples."""
+    time = subject.recording.time
+    begun = [(moment, name) for moment, _, name in subject.recording.events("step_begin")]
+    ends = [*(moment for moment, _ in begun[1:]), float(time[-1])]
+    found = [("at the start", 0)]
+    for (begin, name), end in zip(begun, ends, strict=True):
+        if end > begin or end == time[-1]:
+            found.append((name, max(0, int(np.searchsorted(time, end, side="right")) - 1)))
+    return found
+
+
+def _gm(subject: Subject, vessel: Vessel) -> str:
+    """GM at rest as `gantline statics` found it beside the recording; empty where it did not."""
+    rest = subject.beside.equilibrium
+    said = None if rest is None else rest.attributes["statics"].get("metacentric_heights")
+    own = said.get(vessel.name) if isinstance(said, Mapping) else None
+    if not isinstance(own, list) or len(own) != 2 or not all(isinstance(one, int | float) for one in own):
+        return ""
+    return f"{show(float(own[0]), 'm', 2)} for heel, {show(float(own[1]), 'm', 1)} for trim"
+
+
+def _pumped(subject: Subject, vessel: Vessel) -> str:
+    """Tanks whose content changes, from what to what."""
+    found = []
+    for tank in subject.rig.tanks:
+        if not tank.name.startswith(f"{vessel.name}."):
+            continue
+        content = subject.recording.column("tank_content", tank.name)
+        if float(np.ptp(content)) > _MOVED * max(tank.capacity, 1.0):
+            ends = f"{number(float(content[0]), 't', 0)} to {show(float(content[-1]), 't', 0)}"
+            found.append(f"{tank.name.removeprefix(f'{vessel.name}.')} {ends}")
+    more = f" and {len(found) - _MOST_TANKS} more tanks" if len(found) > _MOST_TANKS else ""
+    return ", ".join(found[:_MOST_TANKS]) + more
+
+
+def afloat_facts(subject: Subject) -> list[tuple[str, str]]:
+    """Largest forces of mooring lines and fenders, and what a sudden release does."""
+    rig = subject.rig
+    if not rig.vessels:
+        return []
+    return [*_moorings(subject), *_release(subject)]
+
+
+def _moorings(subject: Subject) -> list[tuple[str, str]]:
+    recording, rig = subject.recording, subject.rig
+    rows = []
+    pulls = [(*series.rope_peak(recording, line.rope), line) for line in rig.mooring_lines]
+    if pulls:
+        force, time, line = max(pulls, key=lambda one: one[0])
+        used = share(force, line.minimum_breaking_force)
+        text = f"{line.name} {show(force, 'kN', 0)} at {show(time, 's', 1)}"
+        rows.append(("largest mooring force", text + (f", {show(used, '%', 0)} of breaking" if used else "")))
+    presses = [
+        (peak, fender)
+        for fender in rig.fenders
+        if (peak := subject.peak(recording.column("fender_force", fender.name))) is not None
+    ]
+    if presses:
+        (force, time), fender = max(presses, key=lambda one: one[0][0])
+        used = share(force, fender.capacity)
+        text = f"{fender.name} {show(force, 'kN', 0)} at {show(time, 's', 1)}"
+        rows.append(("largest fender force", text + (f", {show(used, '%', 0)} of capacity" if used else "")))
+    return rows
+
+
+def _release(subject: Subject) -> list[tuple[str, str]]:
+    """What a vessel does after a rope has parted; else what cases of that name say, or that nobody asked."""
+    recording = subject.recording
+    parted = [time for time, kind, _ in recording.events() if kind in ("cut", "broken")]
+    if parted:
+        after = recording.time >= min(parted)
+        rows = [("sudden release", f"at {show(min(parted), 's', 1)}")]
+        return rows + [(f"{one.name} after it", _swings(subject, one, after)) for one in subject.rig.vessels]
+    cases = subject.beside.cases
+    asked = [] if cases is None else [one for one in cases.cases if "release" in one.name.lower()]
+    if asked:
+        return [(f"case {one.name}", "; ".join(one.troubles) or "sound, at rest") for one in asked]
+    return [("sudden release of the load", "not simulated: no rope parts in this lift")]
+
+
+def _swings(subject: Subject, vessel: Vessel, after: BoolArray) -> str:
+    recording = subject.recording
+    if not after.any():
+        return ABSENT
+    parts = []
+    for variable, words in (("vessel_trim", "trim"), ("vessel_heel", "heel")):
+        largest = float(np.abs(recording.column(variable, vessel.name)[after]).max())
+        parts.append(f"{words} {show(largest, 'deg', 1)}")
+    freeboard = float(recording.column("vessel_freeboard", vessel.name)[after].min())
+    return f"{', '.join(parts)} at most, freeboard {show(freeboard, 'm', 2)} at least"

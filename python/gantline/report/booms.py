@@ -1,0 +1,88 @@
+"""Rows of the first page for cranes with a boom: their charts, leads, ground pressure, tipping."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gantline.report.subject import ABSENT, Subject, number, show
+from gantline.results.boom import Boom
+from gantline.results.crawler import Crawler
+from gantline.results.rating import chart_load, chart_places, chart_used
+from gantline.results.rating_chart import RatingChart
+from gantline.results.variable import FloatArray
+
+
+def boom_rows(subject: Subject) -> list[dict[str, str]]:
+    """Each crane with a boom: its worst moment by the chart, its reach, what it stands on."""
+    if not len(subject.recording.time):
+        return []
+    charts = {chart.crane: chart for chart in subject.rig.rating_charts}
+    crawlers = {crane.name: crane for crane in subject.rig.crawlers}
+    return [
+        {
+            "name": boom.name,
+            **_reach(subject, boom),
+            **_rated(subject, charts.get(boom.name)),
+            **_ground(subject, crawlers.get(boom.name)),
+        }
+        for boom in subject.rig.booms
+    ]
+
+
+def _reach(subject: Subject, boom: Boom) -> dict[str, str]:
+    recording = subject.recording
+
+    def of_hooks(variable: str) -> list[FloatArray]:
+        return [recording.column(variable, hook.name) for hook in boom.hooks]
+
+    leads = {
+        name: number(max((float(np.abs(one).max()) for one in of_hooks(name)), default=None), "deg", 2)
+        for name in ("off_lead", "side_lead")
+    }
+    return {
+        "angle": _range([recording.column("boom_angle", boom.name)], "deg", 1),
+        "radius": _range(of_hooks("crane_radius"), "m", 1),
+        **leads,
+    }
+
+
+def _range(values: list[FloatArray], unit: str, digits: int) -> str:
+    if not values:
+        return ABSENT
+    ends = [number(float(end), unit, digits) for end in (np.min(values), np.max(values))]
+    return ends[0] if ends[0] == ends[1] else " – ".join(ends)
+
+
+def _rated(subject: Subject, chart: RatingChart | None) -> dict[str, str]:
+    """What hangs and what may at the moment that uses most of the chart."""
+    nothing = {"hangs": ABSENT, "may": ABSENT, "place": ABSENT, "used": ABSENT}
+    if chart is None:
+        return nothing
+    recording, gravity = subject.recording, subject.rig.gravity
+    used = chart_used(recording, chart)
+    load = chart_load(recording, chart, chart.hooks)
+    if not load.any():
+        return {**nothing, "hangs": "no load"}
+    at = int(np.argmax(used))
+    rated = chart.rated_at(chart_places(recording, chart, chart.hooks)[at])
+    place = float(chart_places(recording, chart, chart.hooks)[at][int(np.argmin(rated))])
+    unit, digits = ("deg", 1) if chart.over == "angle" else ("m", 1)
+    return {
+        "hangs": number(float(load[at]) / gravity, "t", 1),
+        "may": number(float(rated.min()) / gravity, "t", 1),
+        "place": show(place, unit, digits),
+        "used": number(float(used[at]), "%", 1) if np.isfinite(used[at]) else "outside",
+    }
+
+
+def _ground(subject: Subject, crane: Crawler | None) -> dict[str, str]:
+    if crane is None:
+        return {"pressure": ABSENT, "pressure_used": ABSENT, "tipping": ABSENT}
+    recording = subject.recording
+    pressure = max(float(recording.column("ground_pressure", corner).max()) for corner in crane.corners)
+    used = pressure / crane.allowed_pressure if crane.allowed_pressure else None
+    return {
+        "pressure": number(pressure, "kPa", 0),
+        "pressure_used": number(used, "%", 0),
+        "tipping": number(float(recording.column("tipping_utilisation", crane.name).max()), "%", 0),
+    }
