@@ -186,7 +186,7 @@ proptest! {
         let a = rates(&system, &seeds);
         let (dynamics, _) = inverse(&system, &frame, &state.v, &a);
         let mut energy = 0.0;
-        for (index, force) in system.tree.forces.iter().enumerate() {
+        for force in &system.tree.forces {
             let AnyForce::AddedMass(added) = force else { continue };
             let momenta = |time: f64| {
                 let path: Vec<f64> = (0..size).map(|k| state.v[k] * time + 0.5 * a[k] * time * time).collect();
@@ -201,7 +201,7 @@ proptest! {
             let rate = (after.force - before.force) / (2.0 * STEP);
             let moment = (after.moment - before.moment) / (2.0 * STEP) + motion.linear.cross(here.force);
             let arm = frame.kinematics.pose[added.body].rotation * added.at;
-            let found = added.wrench(&dynamics.at(&system.tree, &frame.kinematics, index));
+            let found = added.wrench(&dynamics.at(&system.tree, &frame.kinematics, added.body));
             let scale = 1.0 + rate.length() + moment.length() + here.force.length() + here.moment.length();
             prop_assert!((found.force + rate).length() < CLOSE * scale, "{} {rate}", found.force);
             prop_assert!((found.moment + moment + arm.cross(rate)).length() < CLOSE * scale * 2.0);
