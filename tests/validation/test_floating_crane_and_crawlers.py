@@ -1,7 +1,7 @@
 """Lift D, a floating crane and two crawler cranes on one load: hand figures, balances, cases, a rigid limit.
 
-Weights and sizes are plausible and assumed; the paper's abstract has no more of this lift than its cranes (Ham,
-Roh and Lee 2016). Figures by hand are moments and sums of these weights.
+Weights and sizes are plausible and assumed; the paper's abstract has no more of this lift than its cranes
+(Ham, Roh and Lee 2016). Figures by hand are moments and sums of these weights.
 """
 
 from __future__ import annotations
@@ -10,19 +10,20 @@ import math
 import re
 from functools import cache
 from pathlib import Path
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 from scipy.optimize import root
 
-from gantline.assembly import assemble
+from gantline.assembly import Assembly, assemble
 from gantline.checks.check import Check, Verdict
 from gantline.checks.run import check_recording
 from gantline.plot.scene import snapshot
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
-from gantline.scenario import load_scenario, parse_scenario
+from gantline.scenario import Scenario, load_scenario, parse_scenario
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from mechanics import G
@@ -30,7 +31,7 @@ from mechanics import G
 FILE = Path(__file__).parents[2] / "scenarios" / "floating_crane_and_crawlers" / "scenario.yaml"
 TEXT = FILE.read_text(encoding="utf-8")
 HOOKS = ("fc.H2", "c1.H", "c2.H")
-#: Within 'hold point 2', with half of the load on its stands; within 'hold point 4' and at the end, with none.
+#: Within 'hold point 2', half of the load on its stands; within 'hold point 4' and at the end, none of it.
 HALF, HANGS, END = 205.0, 450.0, 1200.0
 #: Masses of a sling or rope per length [kg/m]: 0.409 d²/100, d in mm (EN 12385-4, 6x36 IWRC).
 SLING_64, SLING_76, HOIST_54 = (0.409 * d**2 / 100 for d in (64, 76, 54))
@@ -72,11 +73,11 @@ def hook_loads(recording: Recording) -> list[float]:
     return [last(recording, "hook_load", hook) for hook in HOOKS]
 
 
-def in_hold(recording: Recording, step: str) -> FloatArray:
-    """Mask of the last 20 s of a step."""
+def in_hold(recording: Recording, step: str) -> slice:
+    """Samples of the last 20 s of a step."""
     (end,) = [time for time, _, name in recording.events("step_end") if name == step]
-    mask: FloatArray = (recording.time > end - 20.0) & (recording.time <= end)
-    return mask
+    first, last = np.searchsorted(recording.time, [end - 20.0, end])
+    return slice(int(first), int(last))
 
 
 def check(recording: Recording, name: str) -> Check:
@@ -160,9 +161,10 @@ def test_ground_buoyancy_and_moorings_bear_all_weights(time: float) -> None:
     pulled = sum(mooring_pull(rest, line) for line in lines)
     document = assemble(load_scenario(FILE)).document
     weights = math.fsum(body["mass"] for body in document["bodies"]) * G
-    # 2e8 N by water: 1e-6 of it is 230 N, and the pull of moorings 6e4 N
+    # 2.2e8 N: 1e-6 of it is 220 N, and what moorings pull down 88 kN
     assert ground + stands + displaced - pulled == pytest.approx(weights, rel=1e-6)
-    assert pulled == pytest.approx(6e4, rel=0.3)
+    # Four lines of 250 m and 67.5 N/m go down by 18.2 m under 180 kN; those to the quay are nearly level.
+    assert pulled == pytest.approx(4 * (180e3 * 18.2 / 250 + 67.5 * 250 / 2), rel=0.05)
 
 
 # The lift as it runs.
@@ -174,8 +176,8 @@ def test_shares_and_hook_loads_are_those_of_moments(recording: Recording) -> Non
     loads = [recording.column("hook_load", hook)[hold].mean() / G for hook in HOOKS]
     rigging = (RIGGING, RIGGING_OF_CRAWLER, RIGGING_OF_CRAWLER)
     shares = [load - gear for load, gear in zip(loads, rigging, strict=True)]
-    # The load hangs 0.1 deg out of level: its centre of gravity, 28 m below the hooks at 24 m from each other,
-    # moves by 50 mm, which takes 0.2 % of 560 t from one end to the other.
+    # The load hangs 0.1 deg out of level: its centre of gravity, 28 m below the hooks at 24 m from each
+    # other, moves by 50 mm, which takes 0.2 % of 560 t from one end to the other.
     assert shares == pytest.approx([280e3, 140e3, 140e3], rel=0.01)
     assert sum(shares) == pytest.approx(LOAD, rel=1e-4)  # it still rings
     assert loads == pytest.approx([304e3, 141e3, 141e3], rel=0.01)
@@ -202,7 +204,7 @@ def test_the_vessel_comes_to_even_keel(recording: Recording) -> None:
 
 
 def test_falls_lead_within_what_the_charts_allow(recording: Recording) -> None:
-    """Side-lead below 1 deg wherever a load hangs, off-lead below 2 and 1 deg; 2 % of the hoist load aside."""
+    """Side-lead below 1 deg whenever a load hangs, off-lead below 2 and 1 deg; 2 % of the load aside."""
     for hook, off in zip(HOOKS, (2.0, 1.0, 1.0), strict=True):
         side = abs(np.degrees(recording.column("side_lead", hook)))
         assert side.max() < 1.0
@@ -220,12 +222,14 @@ def test_all_tracks_press_on_the_ground(recording: Recording) -> None:
     hold = in_hold(recording, "hold point 5")
     for crane, side in (("c1", "right"), ("c2", "left")):
         track = sum(
-            recording.column("contact_force", f"{crane}.{side}.{end}")[hold].mean() for end in ("front", "back")
+            recording.column("contact_force", f"{crane}.{side}.{end}")[hold].mean()
+            for end in ("front", "back")
         )
-        # The ground gives way under the pressed track: the crane leans by 0.1 deg, its boom head goes out by 0.1 m,
-        # which is 1 % of the moment; ropes and sheave blocks beside the hand figure are another.
+        # The ground gives way under the pressed track: the crane leans by 0.1 deg, its boom head goes out by
+        # 0.1 m, which is 1 % of the moment; ropes and sheave blocks beside the hand figure are another.
         assert track / G == pytest.approx(523e3, rel=0.03)
-    # An end of a track has more than the middle: heads of the booms stand aside of the axes by a few centimetres.
+    # An end of a track has more than the middle: heads of the booms stand aside of the axes by a few
+    # centimetres.
     assert pressure[hold].max() == pytest.approx(95e3, rel=0.03)
     assert check(recording, "ground_pressure_of_allowed").verdict is Verdict.OK
     assert check(recording, "moment_of_tipping_moment").verdict is Verdict.OK
@@ -268,11 +272,13 @@ def test_a_third_is_kept_back_by_the_chart() -> None:
         return check(found.recording, "hoist_load_of_rating")
 
     near, far = rating(16), rating(18)
-    assert (near.element, far.element) in [(f"crane {a}", f"crane {b}") for a in ("c1", "c2") for b in ("c1", "c2")]
+    assert (near.element, far.element) in [
+        (f"crane {a}", f"crane {b}") for a in ("c1", "c2") for b in ("c1", "c2")
+    ]
     for found, rated in ((near, 231.0), (far, 195.0)):
         assert found.value is not None
-        # Heads of the booms go out by 0.2 m as the ground gives way, which takes 2 % off the chart; and the design
-        # weight is 3 % more.
+        # Heads of the booms go out by 0.2 m as the ground gives way, which takes 2 % off the chart; and the
+        # design weight is 3 % more.
         assert found.value == pytest.approx(150 * 1.33 * 1.03 / rated, rel=0.03)
     assert near.verdict is Verdict.OK
     assert far.verdict is Verdict.FAILED
@@ -284,8 +290,7 @@ def test_a_third_is_kept_back_by_the_chart() -> None:
 
 def upright(recording: Recording) -> FloatArray:
     """The load's own z axis in the world, at rest."""
-    place = list(recording["body_orientation"].coordinates["body"]).index("load")
-    w, x, y, z = recording["body_orientation"].values[-1, place]
+    w, x, y, z = recording.column("body_orientation", "load")[-1]
     return np.array([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)])
 
 
@@ -312,7 +317,7 @@ def stays_in_order(case: Recording, aside: float) -> None:
     ],
 )
 def test_one_crane_stops_while_the_others_go_on_for_5_s(crane: str, by_hand: float) -> None:
-    """At 0.5 m/min they are 42 mm ahead then; shares hardly change, for three hooks are statically determinate."""
+    """At 0.5 m/min they are 42 mm ahead then; shares of three hooks are determinate and hardly change."""
     hook = "fc.H2, " if crane == "fc" else "c1.H,  "
     step = f"hoist: {hook}speed: 0.5 m/min, by: "
     case = at_rest(END, (f"{step}2.0 m", f"{step}1.9583 m"))
@@ -324,17 +329,18 @@ def test_one_crane_stops_while_the_others_go_on_for_5_s(crane: str, by_hand: flo
 
 @pytest.mark.parametrize(("row", "sign"), [(1, 1.0), (3, -1.0)])
 def test_the_vessel_pitches(row: int, sign: float) -> None:
-    """287 t on each side to the next row of tanks: 0.2 deg; the boom head, 100 m ahead, goes 0.35 m up or down."""
+    """287 t on each side to the next row of tanks: 0.2 deg; the boom head, 100 m ahead, goes by 0.35 m."""
     hold = "{step: hold point 5,      hold: 60 s, report: [hook_height, hook_load], require: "
     hold += "{load_tilt: below 1 deg, trim: below 0.1 deg, heel: below 0.1 deg}}"
     end = "{step: end,               hold: until_end, report: [hook_load, load_tilt]}"
+    to = f"barge.row{row}"
     port, starboard = (
-        f"{{step: side {n}, pump: {{from: barge.row2.{n}, to: barge.row{row}.{n}}}, rate: 20000 t/h, by: 287 t}}"
+        f"{{step: side {n}, pump: {{from: barge.row2.{n}, to: {to}.{n}}}, rate: 20000 t/h, by: 287 t}}"
         for n in (2, 3)
     )
     case = at_rest(END, (hold, port), (end, starboard))
-    # 574 t · 26.4 m over 21 410 t · 203 m is 0.200 deg; surfaces in the tanks pumped to take some of GM, and the load
-    # that hangs on two more hooks comes to bear on the vessel: 8 %
+    # 574 t · 26.4 m over 21 410 t · 203 m is 0.200 deg; surfaces in the tanks pumped to take some of GM, and
+    # the load that hangs on two more hooks comes to bear on the vessel: 8 %
     pitch = math.degrees(last(case, "vessel_trim", "barge") - last(at_rest(END), "vessel_trim", "barge"))
     assert pitch == pytest.approx(sign * 0.2, rel=0.08)
     # Levers: 100.2 m from midships to the boom head, 24 m between the hooks.
@@ -351,7 +357,8 @@ def test_ground_settles_under_one_crawler() -> None:
     lean = last(case, "crane_trim", "c1") - last(at_rest(END), "crane_trim", "c1")
     # The track that sinks bears more, and presses its ground in by more: 5 %
     assert lean == pytest.approx(-math.atan(0.05 / 8.4), rel=0.05)
-    # 64 m up, the head goes out by 0.38 m; the load follows in its falls, for the other two hold it as pendulums do.
+    # 64 m up, the head goes out by 0.38 m; the load follows in its falls, for the other two hold it as
+    # pendulums do.
     out = last(case, "crane_radius", "c1.H") - last(at_rest(END), "crane_radius", "c1.H")
     assert 0.0 < out < 64 * math.atan(0.05 / 8.4)
     assert last(case, "tipping_utilisation", "c1") < 0.75
@@ -374,38 +381,9 @@ def in_part(text: str) -> str:
     return text.replace("duration: 1200 s", "duration: 120 s")
 
 
-@cache
-def stiffened(factor: float) -> Recording:
-    """Hull, vessel, ballast and moorings `factor` times as heavy and stiff.
-
-    Water and what is in the tanks have `factor` times their density. The vessel bears the same crane and load, so
-    it is balanced by (factor − 1) times what these weigh on it, at a place where all is on even keel at 4.30 m.
-    Level springs moor it, which are stiffer in the same way: they pull nothing down.
-    """
-    scenario = load_scenario(FILE)
-    assert scenario.vessels is not None
-    barge = scenario.vessels["barge"]
-    tanks = (barge.tanks or {}).values()
-    ballast = [(one.content, np.array([*one.bottom[:2], one.bottom[2] + one.depth / 2])) for one in tanks]
-    own = [(one.mass, np.array(one.at)) for one in barge.masses.values()]
-    mass = math.fsum(one for one, _ in (*own, *ballast))
-    centre = sum(one * at for one, at in (*own, *ballast)) / mass
-    borne = DISPLACED - mass
-    place = (DISPLACED * np.array([52.8, 0.0, 0.0]) - mass * centre) / borne
-    text = in_part(TEXT)
-
-    def heavier(found: re.Match[str]) -> str:
-        return f"{found[1]}{float(found[2]) * factor!r} t"
-
-    begin, end = text.index("    masses:\n"), text.index("    radii_of_gyration")
-    masses = re.sub(r"(mass: )(\d+) t", heavier, text[begin:end])
-    if factor > 1:
-        at = f"[{place[0]!r} m, {place[1]!r} m, 60 m]"
-        masses += f"      as_borne: {{mass: {(factor - 1) * borne!r} kg, at: {at}}}\n"
-    text = text[:begin] + masses + text[end:]
-    text = re.sub(r"(content: )([\d.]+) t", lambda f: f"{heavier(f)}, density: {1025 * factor} kg/m^3", text)
-    text = text.replace("density: 1025 kg/m^3, level", f"density: {1025 * factor} kg/m^3, level")
-    text = text.replace("position: [-105.55 m, -3.75 m]", "position: [-105.6 m, -3.75 m]")
+def moored_level() -> str:
+    """The lift in part, its vessel at the place of even keel, on level springs that pull nothing down."""
+    text = in_part(TEXT).replace("position: [-105.55 m, -3.75 m]", "position: [-105.6 m, -3.75 m]")
     text = text.replace("draft: 4.24 m", "draft: 4.30 m").replace("trim: 0.41 deg", "trim: 0 deg")
     begin, end = text.index("mooring_lines:"), text.index("\ncranes:")
     lines = "mooring_lines:\n"
@@ -417,12 +395,46 @@ def stiffened(factor: float) -> Recording:
         ("stern.ps", (0, 23), (-105.6, 79.25)),
         ("stern.sb", (0, -23), (-105.6, -86.75)),
     ):
-        lines += f"  {name}: {{vessel: barge, fairlead: [{x} m, {y} m, 7.5 m], to: [{to[0]} m, {to[1]} m, 3.2 m], "
-        lines += f"rope: stiff, pretension: {150 * factor} kN, type: spring}}\n"
-    text = text[:begin] + lines + text[end:]
-    kind = f"  stiff: {{axial_stiffness: {89 * factor} MN, mass: none, diameter: 44 mm, damping_time: 10 ms}}\n"
-    text = text.replace("  moor_44:", f"{kind}  moor_44:")
-    found = Statics(parse_scenario(text, str(FILE))).equilibrium()
+        ends = f"fairlead: [{x} m, {y} m, 7.5 m], to: [{to[0]} m, {to[1]} m, 3.2 m]"
+        lines += f"  {name}: {{vessel: barge, {ends}, rope: moor_44, pretension: 150 kN, type: spring}}\n"
+    return text[:begin] + lines + text[end:]
+
+
+@cache
+def stiffened(factor: float) -> Recording:
+    """Vessel, ballast, water and moorings `factor` times as heavy and stiff; the vessel bears the same crane.
+
+    Vessel and water stay in balance by (factor − 1) times what crane and load weigh on it, at a place where
+    all is on even keel at 4.30 m.
+    """
+    barge = (load_scenario(FILE).vessels or {})["barge"]
+    tanks = (barge.tanks or {}).values()
+    parts = [(one.content, (*one.bottom[:2], one.bottom[2] + one.depth / 2)) for one in tanks]
+    parts += [(one.mass, one.at) for one in barge.masses.values()]
+    mass = math.fsum(one for one, _ in parts)
+    borne = DISPLACED - mass
+    x, y = (
+        (DISPLACED * mid - sum(one * at[i] for one, at in parts)) / borne for i, mid in ((0, 52.8), (1, 0.0))
+    )
+    place = f"parent: barge, at: [{x!r} m, {y!r} m, 60 m], joint: {{type: fixed}}"
+    text = f"{moored_level()}mechanics: {{bodies: {{as_borne: {{{place}, mass: 1 kg}}}}}}\n"
+
+    def heavier(scenario: Scenario) -> Assembly:
+        assembly = assemble(scenario)
+        document = assembly.document
+        bodies = {body["name"]: body for body in document["bodies"]}
+        bodies["barge"]["mass"] *= factor  # what is in its tanks is part of it
+        bodies["as_borne"]["mass"] = (factor - 1) * borne
+        for force in document["forces"]:
+            if force["type"] in ("buoyancy", "tank"):
+                force["density"] *= factor
+        for rope in document["ropes"]:
+            if rope["name"].startswith("mooring."):
+                rope["material"]["axial_stiffness"] *= factor
+        return assembly
+
+    with patch("gantline.statics.assemble", heavier):
+        found = Statics(parse_scenario(text, str(FILE))).equilibrium()
     assert found.is_stable
     return found.recording
 
@@ -444,16 +456,17 @@ FACTORS = (1.0, 10.0, 100.0, 1000.0, 10000.0)
 
 
 def test_hook_loads_come_to_those_of_a_crane_that_stands_still() -> None:
-    """F − F₀ of every hook falls as 1/factor, to 1e-4 of the load at 10 000."""
+    """F − F₀ of every hook falls as 1/factor, to 2e-4 of the load at 10 000."""
     still = np.array(hook_loads(fixed()))
     # In part: the stands bear some of the load, and all hooks carry, so that levels decide who carries what.
     assert 0.2 < last(fixed(), "load_transferred", "load") < 0.9
     differences = {factor: np.array(hook_loads(stiffened(factor))) - still for factor in FACTORS}
     assert abs(differences[1.0]).max() > 0.1 * LOAD * G
-    assert abs(differences[10000.0]).max() < 1e-4 * LOAD * G
+    # By springs in series, below: 6e-4 of the half of 3 MN that the hook does not have yet, 0.8 kN.
+    assert abs(differences[10000.0]).max() < 2e-4 * LOAD * G
     for less, more in ((100.0, 1000.0), (1000.0, 10000.0)):
-        # Springs in series: F − F₀ = r (W − F₀)/(1 + r) with r proportional to 1/factor and 0.06 at 100, so that
-        # it is 10 but for r of the less stiff one.
+        # Springs in series: F − F₀ = r (W − F₀)/(1 + r) with r proportional to 1/factor and 0.06 at 100, so
+        # that it is 10 but for r of the less stiff one.
         ratio = differences[less][0] / differences[more][0]
         assert ratio == pytest.approx(10.0, rel=7.0 / less)
 
@@ -471,8 +484,9 @@ def test_vessel_and_falls_are_springs_in_series() -> None:
     pitch = DISPLACED * G * 203.3 / 100.2**2
     heave = 1025 * G * 105.6 * 46
     vessel = 1 / (1 / pitch + 1 / heave)
-    # Falls: 32 parts of 134 MN at 50 m; slings: five of 188 MN at 24 m, each by its moving sheave on an equalizing
-    # rope of 97 MN and 31.3 m; the boom on its tackles and stands of the load, which give way too, are left out: 30 %
+    # Falls: 32 parts of 134 MN at 50 m; slings: five of 188 MN at 24 m, each by its moving sheave on an
+    # equalizing rope of 97 MN and 31.3 m; the boom on its tackles and stands of the load, which give way too,
+    # are left out: 30 %
     falls = 1 / (50 / (32 * 134e6) + 24 / (5 * 188e6) + 31.3 / (100 * 97.3e6))
     assert ratios[2] == pytest.approx(falls / vessel, rel=0.3)
     # Angles are not small at 1, where the vessel trims by some tenths of a degree and falls lean.
@@ -486,8 +500,9 @@ def test_as_it_hangs_it_does_not_matter_what_floats() -> None:
         text = text[: text.index(begin)] + text[text.index(end) :]
     base = "position: [-105.6 m, -3.75 m, -4.30 m]\n    outreach_from: 105.6 m"
     text = text.replace("vessel: barge\n    rated", f"{base}\n    rated")
-    text = re.sub(r"  (heel|trim|freeboard|mooring_\w+): .*\n", "", text)
-    text = re.sub(r", trim(: below 0.1 deg, heel: below 0.1 deg|(?=[,\]]))", "", text).replace(", draft", "")
+    text = re.sub(r"^  (heel|trim|freeboard|mooring_\w+): .*\n", "", text, flags=re.MULTILINE)
+    text = text.replace(", trim: below 0.1 deg, heel: below 0.1 deg", "").replace(", trim, draft", "")
+    text = text.replace("sling_tension, trim]", "sling_tension]")
     found = Statics(parse_scenario(text, str(FILE))).equilibrium(HANGS).recording
     # Plans wait for hoist loads, so other lengths of rope lead there: levels differ by some centimetres.
     assert hook_loads(found) == pytest.approx(hook_loads(at_rest(HANGS)), rel=5e-3)
