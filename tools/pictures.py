@@ -1,4 +1,4 @@
-"""Draws the pictures of README and documentation anew, from runs of two lifts and a ship block."""
+"""Draws the pictures of README and documentation anew, from runs of three lifts and a ship block."""
 
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ PICTURES = {
     "structure": "cad_structure",
 }
 PICTURES_OF_GOLIATH = {"stages": "goliath_stages"}
+PICTURES_OF_SEVERAL_CRANES = {"stages": "several_cranes_stages"}
 DOTS_PER_INCH = 150
 
 
@@ -44,7 +45,11 @@ def main() -> None:
     folder.mkdir(exist_ok=True)
     drawn = chain(figures(recording), comparison_figures(comparison), [("structure", structure)])
     keep(drawn, PICTURES, folder)
-    keep(figures(gantline.simulate(ROOT / "scenarios" / "goliath")), PICTURES_OF_GOLIATH, folder)
+    for scenario, names in (
+        ("goliath", PICTURES_OF_GOLIATH),
+        ("floating_crane_and_crawlers", PICTURES_OF_SEVERAL_CRANES),
+    ):
+        keep(figures(gantline.simulate(ROOT / "scenarios" / scenario)), names, folder)
 
 
 def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:
