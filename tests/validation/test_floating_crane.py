@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from functools import cache
 from pathlib import Path
 from time import perf_counter
 
@@ -66,9 +65,9 @@ def recording() -> Recording:
 
 @pytest.fixture(scope="module")
 def held() -> tuple[Statics, Equilibrium]:
-    """The lift at rest when the load hangs, before it goes astern."""
+    """The lift at rest when the load has just come clear."""
     question = Statics(read(PLAIN))
-    return question, question.equilibrium(1550.0)
+    return question, question.equilibrium(1110.0)
 
 
 @pytest.fixture(scope="module")
@@ -104,7 +103,7 @@ def spread(tension: FloatArray) -> FloatArray:
 
 
 def test_before_the_lift_it_is_trimmed_by_the_stern(alone: tuple[Statics, Equilibrium]) -> None:
-    """20 812 t, drafts 5.53 m and 2.83 m, 1.46 deg by the stern, GM 32.2 m and 206.7 m, by hand: within 2 %."""
+    """20 812 t, drafts 5.53 m and 2.83 m, 1.46 deg by the stern, GM 32.2 and 206.7 m by hand: within 2 %."""
     question, rest = alone
     assert rest.is_stable or rest.neutral == 3, "nothing holds surge, sway and yaw"
     found = rest.recording
@@ -170,7 +169,7 @@ def test_slings_ropes_and_hooks_carry_what_masses_say(recording: Recording) -> N
         rope = recording.column("rope_tension", f"E{number}.equalizing")[at]
         assert rope == pytest.approx(247e3, rel=0.02)
         assert recording.column("hook_load", f"fc.{hook}")[at] == pytest.approx(274e3 * G, rel=0.02)
-        # By hand 354 t, with 30 t of falls; of 32 parts of 11.9 kg/m 47 m long with their lead lines it is 20 t.
+        # By hand 354 t, with 30 t of falls; 32 parts of 11.9 kg/m, 47 m long, and lead lines have 19.8 t.
         assert recording.column("hoist_load", f"fc.{hook}")[at] == pytest.approx(
             (354 - 30 + 19.8) * 1e3 * G, rel=0.005
         )
@@ -219,7 +218,7 @@ def test_the_vessel_ends_on_even_keel_with_its_falls_plumb(recording: Recording)
         angle = np.degrees(recording.column(f"vessel_{name}", "barge"))
         assert np.abs(angle[clear]).max() < 0.1
     assert np.degrees(np.abs(recording["off_lead"].values[clear])).max() < 0.5
-    failed = [check.check for check in check_recording(recording) if check.verdict == "failed"]
+    failed = [check.name for check in check_recording(recording) if check.verdict == "failed"]
     assert failed == []
 
 
@@ -258,7 +257,10 @@ def test_displaced_weight_is_total_weight(held: tuple[Statics, Equilibrium]) -> 
         assert stiffness is not None
         weight = line_weight(scenario, line)
         length, at_top = hung(upper - lower, tension, weight, stiffness)
-        down += at_top - weight * (length - length_at_start(name))
+        assert line.sea_bed is None or at_top > weight * length, "the whole line is off the bed"
+        assert line.pretension is not None
+        paid_out = found.column("joint_position", f"mooring.{name}.winch")[-1]
+        down += at_top - weight * paid_out / (1 + line.pretension / stiffness)
     displaced = vessel(found, "displacement")
     assert displaced == pytest.approx(masses + down / G, rel=1e-6)
     assert displaced - masses > 5e3, "moorings are part of it"
@@ -267,7 +269,7 @@ def test_displaced_weight_is_total_weight(held: tuple[Statics, Equilibrium]) -> 
 def hung(apart: FloatArray, tension: float, weight: float, stiffness: float) -> tuple[float, float]:
     """Unstretched length [m] of an elastic catenary and its vertical force at the upper end [N].
 
-    By Irvine's formulas, whole line off the bed, between ends so far apart, with a tension at the upper one.
+    By Irvine's formulas, of a line off the bed, between ends so far apart, with a tension at the upper one.
     """
     reach, rise = math.hypot(apart[0], apart[1]), float(apart[2])
 
@@ -283,30 +285,42 @@ def hung(apart: FloatArray, tension: float, weight: float, stiffness: float) -> 
 
     slope = rise / math.hypot(reach, rise)
     guess = [math.hypot(reach, rise), (tension * slope + weight * reach / 2) / 1e4]
-    found = fsolve(misses, guess, xtol=1e-14)
+    found = fsolve(misses, guess, xtol=1e-13)
     assert max(map(abs, misses(found))) < 1e-8
-    assert found[1] * 1e4 > weight * found[0], "the whole line is off the bed"
     return float(found[0]), float(found[1]) * 1e4
 
 
-@cache
-def length_at_start(name: str) -> float:
-    """Unstretched length of a mooring line at the start [m]."""
-    forces = {
-        one["name"]: one for one in assemble(read(PLAIN)).document["forces"] if one["type"] == "mooring"
-    }
-    return float(forces[f"mooring.{name}"]["length"])
-
-
 @pytest.mark.parametrize(("hook", "more"), [("H2", 18e3), ("H1", 8e3)])
-def test_hook_levels_decide_who_carries(held: tuple[Statics, Equilibrium], hook: str, more: float) -> None:
-    """10 mm at an inner hook are about 18 t, at an outer one about 8 t, as hands round: half a tonne."""
+def test_hook_levels_decide_who_carries(
+    held: tuple[Statics, Equilibrium], recording: Recording, hook: str, more: float
+) -> None:
+    """10 mm at an inner hook are about 18 t, at an outer one about 8 t.
+
+    Four springs k in a row under a stiff load: at the place y the share 1 - 1/4 - y^2/sum(y^2) of k 10 mm.
+    """
     line = re.search(rf"^      {hook}: .*$", PLAIN, re.M)
     assert line is not None
     higher = line[0].replace("48.45 m", "48.46 m")
-    rest = Statics(read(changed(PLAIN, (line[0], higher)))).equilibrium(1550.0)
+    rest = Statics(read(changed(PLAIN, (line[0], higher)))).equilibrium(1110.0)
     loads = [one.recording.column("hook_load", f"fc.{hook}")[-1] for one in (held[1], rest)]
-    assert loads[1] - loads[0] == pytest.approx(more * G, abs=0.55e3 * G)
+    found = loads[1] - loads[0]
+    places = {"H1": 11.25, "H2": 3.75, "H3": -3.75, "H4": -11.25}
+    share = 0.75 - places[hook] ** 2 / sum(y**2 for y in places.values())
+    scenario = read(PLAIN)
+    hoist, sling, equalizing = (
+        (scenario.ropes or {})[name].stiffness or 0.0 for name in ("hoist_54", "sling_64", "equalizing_46")
+    )
+    # Rope that winds up takes its strain along, so that hoisting does not change how the hooks share: it is
+    # the falls in which the load was taken up that count, not those in which it hangs in the end.
+    owner, points = recording["rope_of_point"].values, recording["rope_point"].values[0]
+    falls, ring = (
+        float(np.linalg.norm(np.diff(points[owner == name], axis=0), axis=1).sum())
+        for name in ("hoist.fc.H2.1", "E2.equalizing")
+    )
+    soft = falls / (2 * 16**2 * hoist) + 24.16 / (5 * sling) + ring / (10**2 * equalizing)
+    # Arcs on sheaves, sling angles, and the load that swings out as it tilts: a few per cent.
+    assert found == pytest.approx(share / soft * 0.01, rel=0.04)
+    assert found == pytest.approx(more * G, rel=0.07)
 
 
 def test_the_balance_closes_and_it_is_fast(recording: Recording) -> None:
@@ -330,12 +344,12 @@ def test_sudden_loss_of_the_load() -> None:
     """The vessel swings about the trim that it had before, by 1.527 times: 20 % of critical damping leave
     exp(-0.2 pi/sqrt(1 - 0.2^2)) = 0.527 of a swing. Nothing goes under.
     """
-    lost = Simulation(read(changed(PLAIN, LOST, DENSER, ("duration: 2750 s", "duration: 1600 s")))).run()
+    lost = Simulation(read(changed(PLAIN, LOST, DENSER, ("duration: 2750 s", "duration: 1690 s")))).run()
     cut = lost.events("cut")
     assert len(cut) == 20
     after = lost.time > cut[0][0]
     trim = np.degrees(lost.column("vessel_trim", "barge"))
-    settled = trim[lost.time > 1580.0].mean()
+    settled = trim[lost.time > 1660.0].mean()
     assert settled == pytest.approx(trim[0], rel=0.01), "rigging hangs from the hooks as before"
     share = math.exp(-0.2 * math.pi / math.sqrt(1 - 0.2**2))
     # Heave has part of it, whose freeboard counts, and falls and boom spring: 3 %.
@@ -348,9 +362,9 @@ def test_sudden_loss_of_the_load() -> None:
 
 
 def test_sudden_loss_without_damping_swings_nearly_three_degrees() -> None:
-    """As the hand figure is meant: twice the trim of before, 2.7 deg; with rigging of 96 t lost too 2.9 deg."""
+    """As meant by hand: twice the trim of before, 2.7 deg, and 2.9 deg if 96 t of rigging are lost too."""
     undamped = ("heave: 20 %, pitch: 20 %", "heave: 0 %, pitch: 0 %")
-    text = changed(PLAIN, LOST, DENSER, undamped, ("duration: 2750 s", "duration: 1510 s"))
+    text = changed(PLAIN, LOST, DENSER, undamped, ("duration: 2750 s", "duration: 1570 s"))
     lost = Simulation(read(text)).run()
     after = lost.time > lost.events("cut")[0][0]
     trim = np.degrees(lost.column("vessel_trim", "barge"))
@@ -362,22 +376,23 @@ def test_sudden_loss_without_damping_swings_nearly_three_degrees() -> None:
     assert freeboard == pytest.approx(0.6 + 0.092 * (2.92 - trim[after].max()) * 10, abs=0.25)
 
 
-def test_a_bow_line_that_is_forgotten_breaks() -> None:
-    """Hauled astern with the bow lines made fast: both break at 1351 kN, the vessel lies on the others."""
+def test_bow_lines_that_are_forgotten_break_the_stern_lines() -> None:
+    """Hauled astern with the bow lines made fast: at 45 deg the stern lines have more to pull than these at
+    31 deg, and part at their 1351 kN; the vessel springs ahead, to where the others hold it.
+    """
     (veered,) = [line for line in PLAIN.splitlines(keepends=True) if "{step: bow lines, " in line]
-    breaks = (
-        "rope: moor_44, pretension: 150 kN",
-        "rope: moor_44, breaks_at: minimum_breaking_force, pretension: 150 kN",
-    )
-    text = changed(PLAIN, (veered, ""), breaks, ("duration: 2750 s", "duration: 2000 s"))
+    breaks = ("diameter: 44 mm, ", "diameter: 44 mm, breaks_at: minimum_breaking_force, ")
+    text = changed(PLAIN, (veered, ""), breaks, ("duration: 2750 s", "duration: 2060 s"))
     broken = Simulation(read(text)).run()
     events = broken.events("broken")
-    assert {name for _, _, name in events} == {"mooring.bow.ps", "mooring.bow.sb"}
-    at = events[0][0]
-    assert broken.column("mooring_tension", "bow.ps")[broken.time > at].max() == 0.0
-    peak = max(float(broken.column("mooring_tension", name).max()) for name in ("stern.ps", "side.ps"))
-    assert peak < 1351e3
-    failed = {check.check for check in check_recording(broken) if check.verdict == "failed"}
+    assert {name for _, _, name in events} == {"mooring.stern.ps", "mooring.stern.sb"}
+    at = int(np.searchsorted(broken.time, events[0][0]))
+    tension = broken.column("mooring_tension", "stern.ps")
+    assert tension[at + 1 :].max() == 0.0
+    assert 1.0e6 < tension.max() < 1351e3
+    ahead = broken.column("body_position", "barge")[:, 0]
+    assert ahead[at:].max() > ahead[at - 1] + 0.5
+    failed = {check.name for check in check_recording(broken) if check.verdict == "failed"}
     assert {"rope_parted", "mooring_tension_of_breaking_force"} <= failed
     assert broken.metrics()["energy_remainder"] < 1e-5
 
@@ -393,7 +408,7 @@ def test_tanks_that_are_filled_on_one_side_capsize_it() -> None:
     )
     text = PLAIN[:hoist] + pumps + "  - {step: end, hold: until_end}\n\n" + PLAIN[watch:]
     with pytest.raises(SimulationError) as failed:
-        Simulation(read(changed(text, ("duration: 2750 s", "duration: 1700 s")))).run()
+        Simulation(read(changed(text, ("duration: 2750 s", "duration: 1760 s")))).run()
     message = str(failed.value)
     assert "barge: it has capsized over its port side" in message
     assert "barge.deck_edge went under at" in message
