@@ -1,4 +1,4 @@
-"""Draws the pictures of README and documentation anew, from runs of two lifts and a ship block."""
+"""Draws the pictures of README and documentation anew, from runs of three lifts and a ship block."""
 
 from __future__ import annotations
 
@@ -25,7 +25,10 @@ PICTURES = {
     "compare_sling_tension": "compare_tension",
     "structure": "cad_structure",
 }
-PICTURES_OF_GOLIATH = {"stages": "goliath_stages"}
+PICTURES_OF_CRANES = {
+    "goliath": {"stages": "goliath_stages"},
+    "floating_crane": {"stages": "floating_crane_stages", "vessels": "floating_crane_vessels"},
+}
 DOTS_PER_INCH = 150
 
 
@@ -44,7 +47,8 @@ def main() -> None:
     folder.mkdir(exist_ok=True)
     drawn = chain(figures(recording), comparison_figures(comparison), [("structure", structure)])
     keep(drawn, PICTURES, folder)
-    keep(figures(gantline.simulate(ROOT / "scenarios" / "goliath")), PICTURES_OF_GOLIATH, folder)
+    for crane, pictures in PICTURES_OF_CRANES.items():
+        keep(figures(gantline.simulate(ROOT / "scenarios" / crane)), pictures, folder)
 
 
 def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:
