@@ -25,8 +25,11 @@ PICTURES = {
     "compare_sling_tension": "compare_tension",
     "structure": "cad_structure",
 }
-PICTURES_OF_GOLIATH = {"stages": "goliath_stages"}
-PICTURES_OF_SEVERAL_CRANES = {"stages": "several_cranes_stages"}
+PICTURES_OF_CRANES = {
+    "goliath": {"stages": "goliath_stages"},
+    "floating_crane": {"stages": "floating_crane_stages", "vessels": "floating_crane_vessels"},
+    "floating_crane_and_crawlers": {"stages": "several_cranes_stages"},
+}
 DOTS_PER_INCH = 150
 
 
@@ -45,11 +48,8 @@ def main() -> None:
     folder.mkdir(exist_ok=True)
     drawn = chain(figures(recording), comparison_figures(comparison), [("structure", structure)])
     keep(drawn, PICTURES, folder)
-    for scenario, names in (
-        ("goliath", PICTURES_OF_GOLIATH),
-        ("floating_crane_and_crawlers", PICTURES_OF_SEVERAL_CRANES),
-    ):
-        keep(figures(gantline.simulate(ROOT / "scenarios" / scenario)), names, folder)
+    for crane, pictures in PICTURES_OF_CRANES.items():
+        keep(figures(gantline.simulate(ROOT / "scenarios" / crane)), pictures, folder)
 
 
 def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:
