@@ -28,9 +28,9 @@ COLOURS = (256, 128, 64, 32)
 
 
 def pages(folder: Path) -> None:
-    """Write the reports of the scenarios, with what else is asked of them."""
+    """Write the reports of the scenarios, with what they are like at rest."""
     for name in SCENARIOS:
-        for verb in ("run", "statics", "cases"):
+        for verb in ("run", "statics"):
             command = [sys.executable, "-m", "gantline", verb, str(ROOT / "scenarios" / name)]
             subprocess.run([*command, "-o", str(folder / name)], check=True, stdout=subprocess.DEVNULL)
         report = [sys.executable, "-m", "gantline", "report", str(folder / name / "recording.nc")]

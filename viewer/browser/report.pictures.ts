@@ -44,7 +44,7 @@ const WANTED: Wanted[] = [
   {
     page: "goliath",
     width: DESKTOP,
-    parts: { report_statics: "#statics", report_modes: "#modes", report_cases: "#cases" },
+    parts: { report_statics: "#statics", report_modes: "#modes" },
   },
   {
     page: "floating_crane",
