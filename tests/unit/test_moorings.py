@@ -11,7 +11,7 @@ from gantline.assembly import assemble
 from gantline.checks import check_recording
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
-from goliath_lift import goliath_lift
+from goliath_lift import TO_SHEAVES, goliath_lift
 from lift_text import MOORED, spoiled
 
 
@@ -82,8 +82,8 @@ def test_a_step_waits_until_falls_are_plumb() -> None:
 {step: hold, hold: until_end}"""
     scenario = parse_scenario(goliath_lift(plan, duration=60))
     [_, wait, _] = assemble(scenario).document["plan"]
-    middle = [0.0, 0.0, 0.0]
-    falls = [[["gol.A/upper_sheaves", middle], ["gol.A", middle]]]
+    # From the upper sheaves to those of the hook block, as results have it.
+    falls = [[["gol.A/upper_sheaves", [0.0, 0.0, 0.0]], ["gol.A", [0.0, 0.0, TO_SHEAVES]]]]
     assert wait["until"] == {"type": "plumb", "falls": falls, "at_most": bound}
     recording = Simulation(scenario).run()
     angle = recording.column("falls_out_of_plumb", "gol.A")

@@ -10,8 +10,9 @@ from pydantic import ValidationError
 
 from gantline.assembly import assemble
 from gantline.scenario import Scenario, ScenarioError, load_scenario, parse_scenario, resolve, template
-from gantline.scenario.plan import Bound, HoistStep, HoldStep
+from gantline.scenario.bounds import Bound
 from gantline.scenario.rigging import split_reference
+from gantline.scenario.steps import HoistStep, HoldStep
 from lift_text import BASE, MECHANICS, spoiled
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -91,11 +91,8 @@ def test_pictures_and_report_show_how_a_vessel_lies(tmp_path: Path) -> None:
     )
     header = pack(run).header
     assert {"draft", "trim", "heel", "freeboard"} <= {curve["group"] for curve in header["curves"]}
-    # The surface of the water is drawn around the vessel, its top at the level.
-    (water,) = [one for one in header["structures"] if one["kind"] == "water"]
-    corners = np.array(water["boxes"][0])
-    assert corners[:, 2].max() == pytest.approx(0.0)
-    assert corners[:, 0].min() < 0 and corners[:, 0].max() > 100
+    # The player draws the surface of the water at its level.
+    assert header["water"] == pytest.approx(0.0)
     page = tmp_path / "report.html"
     write_report(run, page)
     assert 'id="vessels"' in page.read_text(encoding="utf-8")

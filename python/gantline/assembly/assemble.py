@@ -9,7 +9,6 @@ from typing import Any
 from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
-from gantline.assembly.describe import rig, rope_kinds, scene
 from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
@@ -19,6 +18,9 @@ from gantline.assembly.parting import add_partings
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
 from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
+from gantline.assembly.rig import rig
+from gantline.assembly.rope_rig import rope_kinds
+from gantline.assembly.scene import scene
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
 from gantline.assembly.streams import add_streams
 from gantline.assembly.supports import add_supports, removals

@@ -12,7 +12,8 @@ from gantline.assembly.water import pump_drive
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.movers import Mover, boom_angles, mover
-from gantline.scenario.plan import HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep, Step
+from gantline.scenario.plan import Step
+from gantline.scenario.steps import HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tanks import ends_of_pump, tanks_of
 
 __all__ = [

@@ -98,8 +98,9 @@ def watch_vessels(parts: Parts, scenario: Scenario) -> None:
     for name in scenario.vessels or {}:
         points = _marks(scenario, name)
         marks = [{"name": f"{name}.{mark}", "points": places} for mark, places in points.items()]
+        bottom = bottom_edge(vessel_hull(scenario, name, (scenario.vessels or {})[name]))
         watched = {"name": name, "body": name, "level": level, "capsized_beyond": CAPSIZED_BEYOND}
-        parts.vessels.append({**watched, "marks": marks})
+        parts.vessels.append({**watched, "bottom": bottom, "marks": marks})
 
 
 def vessel_rig(scenario: Scenario, parts: Parts) -> list[Json]:
@@ -132,13 +133,22 @@ def _marks(scenario: Scenario, name: str) -> dict[str, list[list[float]]]:
 
 def deck_edge(mesh: HullMesh) -> list[list[float]]:
     """Corners of a deck's edge: where its triangles meet others that are no deck, or end."""
+    return _edge(mesh, 1.0)
+
+
+def bottom_edge(mesh: HullMesh) -> list[list[float]]:
+    """Corners of the edge of a hull's bottom, the same from below."""
+    return _edge(mesh, -1.0)
+
+
+def _edge(mesh: HullMesh, upwards: float) -> list[list[float]]:
     corners = mesh.vertices[mesh.triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    is_deck = across[:, 2] > _DECK * np.linalg.norm(across, axis=1)
+    is_flat = upwards * across[:, 2] > _DECK * np.linalg.norm(across, axis=1)
     sides: dict[frozenset[int], list[bool]] = defaultdict(list)
-    for triangle, deck in zip(mesh.triangles.tolist(), is_deck, strict=True):
+    for triangle, flat in zip(mesh.triangles.tolist(), is_flat, strict=True):
         for place in range(3):
-            sides[frozenset((triangle[place - 1], triangle[place]))].append(bool(deck))
-    ends = [side for side, decks in sides.items() if set(decks) == {True, False} or len(decks) == 1]
+            sides[frozenset((triangle[place - 1], triangle[place]))].append(bool(flat))
+    ends = [side for side, flats in sides.items() if set(flats) == {True, False} or len(flats) == 1]
     edge = {at for side in ends for at in side}
     return [[float(part) for part in mesh.vertices[at]] for at in sorted(edge)]

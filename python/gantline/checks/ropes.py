@@ -8,8 +8,8 @@ from gantline.checks.forces import Force, Raised, factor, kilonewton, over, rope
 from gantline.checks.measure import Finding, Found, Missing, Refused, carrying, extreme
 from gantline.checks.slings import bending_factor, bending_text, sling_bend
 from gantline.results import series
+from gantline.results.gear import Rope
 from gantline.results.recording import Recording
-from gantline.results.rig import Rope
 from gantline.results.variable import BoolArray
 
 _NO_STRENGTH = "minimum breaking force not known"

@@ -14,8 +14,8 @@ import numpy as np
 from gantline.checks.forces import DYNAMIC, NO_DYNAMIC, NO_STATIC, Force, factor, kilonewton, sling_forces
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
 from gantline.results import series
+from gantline.results.gear import Sling
 from gantline.results.recording import Recording
-from gantline.results.rig import Sling
 from gantline.results.strength import Shackle, SideLoad
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity

@@ -10,8 +10,8 @@ import numpy as np
 from gantline.checks.forces import NO_STATIC, kilonewton
 from gantline.checks.measure import Finding, Found, Missing, carrying, extreme
 from gantline.results import series
+from gantline.results.gear import Sling
 from gantline.results.recording import Recording
-from gantline.results.rig import Sling
 from gantline.results.skew import skew_loads
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity

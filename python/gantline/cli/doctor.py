@@ -19,15 +19,15 @@ from gantline.cli.messages import CHECK_FAILED, DONE
 
 #: Packages without which something is missing: import, distribution, what it gives, how to have it.
 _PACKAGES = (
-    ("OCP", "cadquery-ocp-novtk", "loads from STEP and IGES files", "pip install 'gantline[cad]'"),
-    ("trimesh", "trimesh", "loads from meshes such as STL, OBJ and PLY", "pip install 'gantline[cad]'"),
+    ("OCP", "cadquery-ocp-novtk", "loads and hulls from STEP and IGES files", "pip install 'gantline[cad]'"),
+    ("trimesh", "trimesh", "loads and hulls from glTF and GLB files", "pip install 'gantline[cad]'"),
     ("pyarrow", "pyarrow", "recordings as Parquet tables", "pip install pyarrow"),
     ("xarray", "xarray", "recordings as datasets (`recording.dataset`)", "pip install xarray"),
-    ("rerun", "rerun-sdk", "nothing yet: gantline writes no .rrd files", "not needed"),
+    ("rerun", "rerun-sdk", "recordings for the Rerun viewer (.rrd)", "pip install rerun-sdk"),
 )
 #: Programs, by the names under which they may be found.
 _PROGRAMS = (
-    (("ffmpeg",), "nothing yet: gantline writes no films itself", "not needed"),
+    (("ffmpeg",), "films as MP4; GIF needs nothing", "a package of the system"),
     (
         ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable"),
         "the tests of report and player in a browser; any browser opens reports",

@@ -12,10 +12,11 @@ from gantline.cli.table import ABSENT, pairs, table
 from gantline.cli.vessels import vessels
 from gantline.results import series
 from gantline.results.equalising import equalising
+from gantline.results.gear import Equalizer
 from gantline.results.metrics import energy_bound, metrics_of
 from gantline.results.parting import partings, stops_met
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer, Rig
+from gantline.results.rig import Rig
 from gantline.units import format_quantity
 
 

@@ -6,31 +6,36 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
+from matplotlib.colors import Normalize, to_rgb
 from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
-from matplotlib.patches import Polygon, Rectangle
+from matplotlib.patches import Polygon
 
 from gantline.plot.moments import moments
 from gantline.plot.moments import stages as stages_of
+from gantline.plot.panels import (
+    EARTH_EDGE,
+    TENSION,
+    draw_ground,
+    draw_holes,
+    draw_water,
+    room_below,
+    scale_bar,
+    strip,
+    tension_bar,
+    window_of,
+)
 from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
-from gantline.plot.style import FAINT, INK, KILO, QUIET, force_unit, shortened
+from gantline.plot.style import INK, KILO, QUIET
+from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer
-from gantline.results.surroundings import Ground, ground_of, water_cut, water_level
+from gantline.results.surroundings import ground_of, water_level
 from gantline.results.variable import FloatArray
 
-_TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
 _MOST_LUGS = 10  # that are labelled one by one
-_TITLES = 0.9  # height of the titles of a further row [inch]
 _SLACK_BELOW = 1e-3  # of the largest tension shown
-_EARTH, _EARTH_EDGE = "#ECE7DF", "#8C7B62"
-_WATER, _WATER_SEEN = "#3C86B0", "#D3E4EE"
 _FILL = {
     "load": "#C9D6E2",
     "frame": "#8FA3B5",
@@ -43,7 +48,7 @@ _AROUND = np.array([(np.cos(a), np.sin(a)) for a in np.deg2rad([45, -45, 135, -1
 _EDGE = {
     "load": "#5B7286",
     "frame": "#4A5F73",
-    "support": _EARTH_EDGE,
+    "support": EARTH_EDGE,
     "structure": "#A3A3A3",
     "hull": "#6B665A",
 }
@@ -83,7 +88,7 @@ def system(recording: Recording) -> Figure | None:
     ]
     windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
     windows[1][0] = windows[0][0] = _hull(windows[0][0], windows[1][0])
-    figure, panels = _strip(recording, "The system", len(shown), windows)
+    figure, panels = strip(recording, "The system", len(shown), windows)
     for column, (name, snap) in enumerate(shown):
         for view, row in ((SIDE, panels[0]), (TOP, panels[1])):
             draw(row[column], snap, view, norm)
@@ -112,7 +117,7 @@ def stages(recording: Recording) -> Figure | None:
     if ground is not None:
         extent = np.concatenate([lift, ground.near(lift)])
     window = window_of(SIDE.project(extent), below=room_below(ground, lift))
-    figure, rows = _strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
+    figure, rows = strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
     panels = [panel for row in rows for panel in row]
     for panel, (name, snap) in zip(panels, shown, strict=False):
         if ground is not None:
@@ -144,7 +149,7 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
         for part in _of_equalizer(snap, which)
     ]
     window = window_of(np.concatenate(paths), below=1.2, above=0.6)
-    figure, (row,) = _strip(recording, f"Equalizer {which.name}", len(shown), [window])
+    figure, (row,) = strip(recording, f"Equalizer {which.name}", len(shown), [window])
     for panel, view, origin, (name, snap) in zip(row, views, origins, shown, strict=True):
         panel.set_xlim(*(window[0] + origin[0]))
         panel.set_ylim(*(window[1] + origin[1]))
@@ -261,7 +266,7 @@ def _draw_rope(panel: Axes, rope: RopePath, view: View, norm: Normalize, width: 
     panel.plot(
         path[:, 0],
         path[:, 1],
-        color="#8A8A8A" if is_slack else _TENSION(norm(rope.tension)),
+        color="#8A8A8A" if is_slack else TENSION(norm(rope.tension)),
         linewidth=0.7 * width if is_slack else width,
         linestyle=(0, (3, 1.5)) if is_slack else "-",
         zorder=3.7 if rope.kind == "equalizing" else 3,
@@ -294,96 +299,6 @@ def _at_least(limits: FloatArray, span: float) -> FloatArray:
     more = max(0.0, span - float(np.ptp(limits))) / 2.0
     wider: FloatArray = limits + np.array([-more, more])
     return wider
-
-
-def window_of(points: FloatArray, below: float = 0.0, above: float = 0.0) -> FloatArray:
-    """Limits ((left, right), (low, high)) that hold points on paper with a margin."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    margin = 0.05 * float(np.max(high - low)) + 1e-3
-    span = np.maximum(high - low, 0.2 * float(np.max(high - low)))
-    middle = (low + high) / 2.0
-    limits = np.stack([middle - span / 2.0 - margin, middle + span / 2.0 + margin], axis=1)
-    limits[1] += (-below, above)
-    return limits
-
-
-def _strip(
-    recording: Recording,
-    title: str,
-    columns: int,
-    windows: Sequence[FloatArray],
-    *,
-    scale: float = 2.2,
-    titles: int = 1,
-) -> tuple[Figure, list[list[Axes]]]:
-    """A figure with a column for each moment and a row for each window, all to one scale.
-
-    A panel is `scale` inches wide, unless that makes the figure too high; `titles` rows have titles.
-    """
-    width = float(np.ptp(windows[0][0]))
-    heights = [float(np.ptp(window[1])) for window in windows]
-    scale = min(scale / width, 8.2 / sum(heights))
-    high = scale * sum(heights) + 1.0 + 0.22 * len(heights) + _TITLES * (titles - 1)
-    size = (max(6.0, scale * width * columns + 0.5), high)
-    figure = Figure(figsize=size)
-    figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.04, w_pad=0.03, hspace=0.01, wspace=0.01))
-    figure.suptitle(
-        f"{title}: {shortened(recording.title, 60)}", fontsize=12, fontweight="bold", x=0.01, ha="left"
-    )
-    grid = figure.add_gridspec(len(windows), columns, height_ratios=heights)
-    rows = [
-        [figure.add_subplot(grid[row, column]) for column in range(columns)] for row in range(len(windows))
-    ]
-    for row, window in zip(rows, windows, strict=True):
-        for panel in row:
-            panel.set_aspect("equal")
-            panel.set_xlim(*window[0])
-            panel.set_ylim(*window[1])
-            panel.grid(visible=False)
-            panel.set_xticks([])
-            panel.set_yticks([])
-            for spine in panel.spines.values():
-                spine.set_visible(True)
-                spine.set_color(FAINT)
-                spine.set_zorder(6)  # above the ground that labels stand on
-    return figure, rows
-
-
-def draw_water(panel: Axes, recording: Recording, lift: FloatArray) -> None:
-    """The water in a side view, cut where the lift is: what it fills is tinted."""
-    level = water_level(recording)
-    if level is None:
-        return
-    left, right = panel.get_xlim()
-    low, _ = panel.get_ylim()
-    for corners in water_cut(ground_of(recording), level, 0, ((left, right), low), lift):
-        panel.add_artist(Polygon(corners, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
-        panel.plot(*corners[2:].T, color=_WATER, linewidth=1.0, zorder=3.9)
-
-
-def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
-    """The ground in a side view, cut where the lift is."""
-    left, right = panel.get_xlim()
-    low, _ = panel.get_ylim()
-    line = ground.profile(0, (left, right), lift)
-    below = np.concatenate([line, [(right, low), (left, low)]])
-    panel.add_artist(Polygon(below, facecolor=_EARTH, edgecolor="none", zorder=0))
-    panel.plot(*line.T, color=_EARTH_EDGE, linewidth=1.0, zorder=0.5)
-
-
-def room_below(ground: Ground | None, lift: FloatArray) -> float:
-    """What the scale bar takes below the floor of a hole [m]."""
-    return 0.05 * float(np.ptp(lift[:, 0])) if ground is not None and ground.holes else 0.0
-
-
-def draw_holes(panel: Axes, ground: Ground, water: float | None) -> None:
-    """Holes of the ground in a top view, with water in those whose floor is below its level [m]."""
-    for hole in ground.holes:
-        (x0, x1), (y0, y1) = hole.x, hole.y
-        place = ((x0, y0), x1 - x0, y1 - y0)
-        panel.add_artist(Rectangle(*place, facecolor=_EARTH, edgecolor=_EARTH_EDGE, linewidth=1.0, zorder=0))
-        if water is not None and hole.floor < water:
-            panel.add_artist(Rectangle(*place, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=0))
 
 
 def _title(panel: Axes, name: str, time: float) -> None:
@@ -456,43 +371,3 @@ def _label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) ->
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
             zorder=5,
         )
-
-
-def scale_bar(panel: Axes, height_fraction: float) -> None:
-    """A bar of a round length at the right of a panel, at this fraction of its height."""
-    (left, right), (low, high) = panel.get_xlim(), panel.get_ylim()
-    target = 0.3 * (right - left)
-    power = 10.0 ** np.floor(np.log10(target))
-    length = float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= target))
-    end = right - 0.05 * (right - left)
-    height = low + height_fraction * (high - low)
-    panel.plot(
-        [end - length, end], [height, height], color=INK, linewidth=2.2, solid_capstyle="butt", zorder=6
-    )
-    panel.annotate(
-        f"{length:g} m",
-        (end - length / 2.0, height),
-        xytext=(0, 2.5),
-        textcoords="offset points",
-        ha="center",
-        va="bottom",
-        fontsize=7,
-        zorder=6,
-    )
-
-
-def tension_bar(figure: Figure, panels: list[Axes], norm: Normalize) -> None:
-    """The colour scale of tensions, below panels."""
-    scale, unit = force_unit(float(norm.vmax or 1.0))
-    bar = figure.colorbar(
-        ScalarMappable(Normalize(0.0, float(norm.vmax or 1.0) / scale), _TENSION),
-        ax=panels,
-        orientation="horizontal",
-        fraction=0.04,
-        aspect=70,
-        shrink=0.6,
-        pad=0.02,
-    )
-    bar.set_label(f"Rope tension [{unit}]; slack ropes are dashed grey", fontsize=8)
-    bar.ax.tick_params(labelsize=7.5, length=2)
-    bar.outline.set_visible(False)

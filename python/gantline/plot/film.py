@@ -11,9 +11,9 @@ import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gantline.plot import drawing
+from gantline.plot import drawing, panels
 from gantline.plot.scene import snapshot
-from gantline.plot.style import FAINT, INK, QUIET, RC, colour, force_unit, shortened
+from gantline.plot.style import INK, QUIET, RC, colour, force_unit, shortened
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.surroundings import ground_of, water_level
@@ -55,7 +55,7 @@ class Film:
             self._figure = Figure(figsize=_SIZE, dpi=width / _SIZE[0])
             self._side, self._top, trace = self._panels()
             self._cursor = self._trace(trace)
-            drawing.tension_bar(self._figure, [self._side], self._norm)
+            panels.tension_bar(self._figure, [self._side], self._norm)
         self._windows = {panel: _filled(panel, window) for panel, window in self._windows.items()}
 
     def picture(self, sample: int) -> Image:
@@ -66,13 +66,13 @@ class Film:
             for panel, view in ((self._side, drawing.SIDE), (self._top, drawing.TOP)):
                 panel.cla()
                 window = self._windows[panel]
-                _bare(panel, window)
+                panels.bare(panel, window)
                 drawing.draw(panel, snap, view, self._norm)
             if self._ground is not None:
-                drawing.draw_ground(self._side, self._ground, self._lift)
-                drawing.draw_holes(self._top, self._ground, water_level(recording))
-            drawing.draw_water(self._side, recording, self._lift)
-            drawing.scale_bar(self._side, 0.03)
+                panels.draw_ground(self._side, self._ground, self._lift)
+                panels.draw_holes(self._top, self._ground, water_level(recording))
+            panels.draw_water(self._side, recording, self._lift)
+            panels.scale_bar(self._side, 0.03)
             self._caption.set_text(self._said(snap.time))
             self._cursor.set_xdata([snap.time, snap.time])
             self._figure.savefig(raw := io.BytesIO(), format="raw", dpi=self._figure.dpi)
@@ -111,10 +111,10 @@ class Film:
             wspace=0.15,
         )
         side, top = figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[0, 1])
-        below = max(0.8, drawing.room_below(self._ground, self._lift))
+        below = max(0.8, panels.room_below(self._ground, self._lift))
         self._windows = {
-            side: drawing.window_of(drawing.SIDE.project(extent), below=below),
-            top: drawing.window_of(drawing.TOP.project(extent)),
+            side: panels.window_of(drawing.SIDE.project(extent), below=below),
+            top: panels.window_of(drawing.TOP.project(extent)),
         }
         return side, top, figure.add_subplot(grid[1, 1])
 
@@ -159,15 +159,3 @@ def _filled(panel: Axes, window: FloatArray) -> FloatArray:
     more = np.maximum([high * ratio - wide, wide / ratio - high], 0.0) / 2
     filled: FloatArray = window + np.outer(more, [-1.0, 1.0])
     return filled
-
-
-def _bare(panel: Axes, window: FloatArray) -> None:
-    panel.set_aspect("equal")
-    panel.set_xlim(*window[0])
-    panel.set_ylim(*window[1])
-    panel.grid(visible=False)
-    panel.set_xticks([])
-    panel.set_yticks([])
-    for spine in panel.spines.values():
-        spine.set_visible(True)
-        spine.set_color(FAINT)

@@ -21,8 +21,8 @@ from gantline.plot.style import (
     widen,
 )
 from gantline.results import series
+from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer
 from gantline.results.rotation import heading
 from gantline.results.variable import BoolArray, FloatArray
 

@@ -10,7 +10,7 @@ import numpy as np
 from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
-from gantline.results.rig import Equalizer, Hook, Sling
+from gantline.results.gear import Equalizer, Hook, Sling
 from gantline.results.variable import FloatArray
 
 #: Shares of the weight over at which a load cell is read.

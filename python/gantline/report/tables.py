@@ -13,9 +13,9 @@ from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, show
 from gantline.results import series
 from gantline.results.equalising import equalising
+from gantline.results.gear import Equalizer
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer
 from gantline.version import version
 
 _MOST_EVENTS = 400

@@ -12,10 +12,11 @@ from gantline.results.boom import boom_state
 from gantline.results.crane import corner_loads, crane_events, hook_state
 from gantline.results.crawler import crawler_events, crawler_state
 from gantline.results.flows import rope_flows
+from gantline.results.gear import Hook
 from gantline.results.moorings import mooring_state
 from gantline.results.nodes import joined
 from gantline.results.recording import Recording
-from gantline.results.rig import Hook, Load, Rig
+from gantline.results.rig import Load, Rig
 from gantline.results.rotation import tilt
 from gantline.results.tanks import tank_contents
 from gantline.results.variable import FloatArray, Variable

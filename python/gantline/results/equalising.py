@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from gantline.results.rig import Drum, Rig
+from gantline.results.gear import Drum
+from gantline.results.rig import Rig
 from gantline.results.variable import FloatArray, Variable
 
 __all__ = ["drum_warnings", "rope_flows"]

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.results.rig import Rig, Rope
+from gantline.results.gear import Rope
+from gantline.results.rig import Rig
 from gantline.results.variable import FloatArray, Variable
 
 __all__ = ["joined"]

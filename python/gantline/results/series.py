@@ -16,8 +16,9 @@ import math
 
 import numpy as np
 
+from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer, Load, Sheave, Sling, WrappedSheave
+from gantline.results.rig import Load
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 

@@ -27,9 +27,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.gear import Equalizer, Sling
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
-from gantline.results.rig import Equalizer, Sling
 from gantline.results.variable import BoolArray, FloatArray
 
 #: Levers, and directions, below this share of the largest are none: lugs in one line, ropes in one plane.

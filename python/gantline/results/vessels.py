@@ -1,10 +1,7 @@
 """How vessels lie in the water: drafts, heel, trim and freeboard from the recorded motion of their bodies.
 
-With R the orientation of a vessel, o its origin and w the level of the water, n = Rᵀ ẑ is the upward
-direction in its axes, and h(x) = n . x + o_z - w the height of one of its points above the water. Trim and
-heel are those of `gantline.hydro.Attitude`, asin n_x and atan2(n_y, n_z); the draft at a station is the z of
-the water in the centre plane there. Close to 90 deg of heel or trim no draft means anything, and it becomes
-very large.
+With o the origin of a vessel and w the level of the water, n . x + o_z - w is the height of one of its points
+above the water, n upwards in its axes.
 """
 
 from __future__ import annotations
@@ -14,6 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from gantline.results.attitude import Lie
 from gantline.results.rotation import axes
 from gantline.results.strength import FromJson
 from gantline.results.variable import FloatArray, Variable
@@ -22,9 +20,6 @@ __all__ = ["Vessel", "vessel_state", "vessel_warnings"]
 
 Columns = Mapping[str, FloatArray]
 Names = Mapping[str, Sequence[str]]
-
-#: Least cosine by which drafts are divided.
-_UPRIGHT = 1e-6
 
 
 @dataclass(frozen=True)
@@ -85,23 +80,17 @@ def _afloat(columns: Columns, names: Names, vessel: Vessel) -> dict[str, FloatAr
     body = list(names["body"]).index(vessel.body)
     turn = axes(columns["body_orientation"][:, body])
     origin = columns["body_position"][:, body] - turn @ np.asarray(vessel.centre_of_gravity)
-    up, height = turn[:, 2, :], origin[:, 2] - vessel.level
-    steep = np.where(np.abs(up[:, 2]) < _UPRIGHT, np.copysign(_UPRIGHT, up[:, 2]), up[:, 2])
-
-    def draft(station: float) -> FloatArray:
-        found: FloatArray = -(height + up[:, 0] * station) / steep
-        return found
-
+    lie = Lie(turn, origin[:, 2] - vessel.level)
     aft, forward = vessel.ends
     points = np.array([point for mark in vessel.marks.values() for point in mark])
     volume = columns["displaced_volume"][:, list(names["hull"]).index(vessel.hull)]
     return {
-        "vessel_draft": draft((aft + forward) / 2),
-        "vessel_draft_aft": draft(aft),
-        "vessel_draft_forward": draft(forward),
-        "vessel_heel": np.arctan2(up[:, 1], up[:, 2]),
-        "vessel_trim": np.arcsin(np.clip(up[:, 0], -1.0, 1.0)),
-        "vessel_freeboard": (up @ points.T).min(axis=1) + height,
+        "vessel_draft": lie.draft((aft + forward) / 2),
+        "vessel_draft_aft": lie.draft(aft),
+        "vessel_draft_forward": lie.draft(forward),
+        "vessel_heel": lie.heel,
+        "vessel_trim": lie.trim,
+        "vessel_freeboard": (lie.up @ points.T).min(axis=1) + lie.height,
         "vessel_displacement": vessel.density * volume,
     }
 

@@ -10,8 +10,8 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.luffing import Tackles
 from gantline.scenario.movers import boom_angles, mover
-from gantline.scenario.plan import LuffStep
 from gantline.scenario.rope_weight import check_rope_weight
+from gantline.scenario.steps import LuffStep
 
 __all__ = ["check_booms", "check_luffing"]
 

@@ -10,15 +10,7 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.hooks import full_name
 from gantline.scenario.movers import Mover, movers
-from gantline.scenario.plan import (
-    DrumStep,
-    HoldStep,
-    HookStep,
-    LowerStep,
-    MovingStep,
-    PayOutStep,
-    PumpStep,
-)
+from gantline.scenario.steps import DrumStep, HoldStep, HookStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tanks import bodies_afloat
 
 __all__ = ["check_plan"]

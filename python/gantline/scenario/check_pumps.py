@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.hooks import full_name
-from gantline.scenario.plan import PumpStep
+from gantline.scenario.steps import PumpStep
 from gantline.scenario.tanks import SEA, bodies_afloat, ends_of_pump, sea_density, tanks_of
 from gantline.scenario.water import BallastTank
 

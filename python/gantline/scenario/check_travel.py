@@ -13,7 +13,7 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
 from gantline.scenario.movers import Mover, mover
-from gantline.scenario.plan import HookStep, Kind, MovingStep
+from gantline.scenario.steps import HookStep, Kind, MovingStep
 
 __all__ = ["check_travel", "said"]
 

@@ -9,7 +9,7 @@ from gantline.scenario.goliath import Goliath, Traverse
 from gantline.scenario.hooks import full_name, trolley_name
 from gantline.scenario.luffing import Luffing, LuffingGear
 from gantline.scenario.model import Scenario
-from gantline.scenario.plan import Kind, LuffStep
+from gantline.scenario.steps import Kind, LuffStep
 
 __all__ = ["Mover", "boom_angles", "mover", "movers"]
 

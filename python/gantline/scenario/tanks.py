@@ -6,7 +6,7 @@ from typing import Final
 
 from gantline.scenario.hooks import full_name
 from gantline.scenario.model import Scenario
-from gantline.scenario.plan import PumpStep
+from gantline.scenario.steps import PumpStep
 from gantline.scenario.water import SEA_WATER, Afloat, BallastTank
 
 __all__ = [

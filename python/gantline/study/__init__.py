@@ -1,6 +1,7 @@
 """Many answers about one lift: its cases, how it hangs over a quantity, what makes it hang as wanted."""
 
-from gantline.study.ballast import BallastAnswer, VesselAttitude, solve_ballast
+from gantline.study.afloat import VesselAttitude
+from gantline.study.ballast import BallastAnswer, solve_ballast
 from gantline.study.cases import CasesResult, run_cases
 from gantline.study.inverse import CannotBeError, HookAnswer, LengthAnswer, adjust_lengths, plumb_hooks
 from gantline.study.state import State, Worst, values_of, worst_of

@@ -15,26 +15,22 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from gantline.assembly.hulls import hull_mesh
-from gantline.assembly.water import hull_name
-from gantline.hydro import Hull
 from gantline.hydro.tank import Tank, free_surface_correction
-from gantline.results.rotation import axes
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.edit import text_with
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.hooks import full_name
-from gantline.scenario.plan import PumpStep
-from gantline.scenario.tanks import bodies_afloat, pumped_at_most, sea_density
+from gantline.scenario.steps import PumpStep
+from gantline.scenario.tanks import bodies_afloat, pumped_at_most
 from gantline.scenario.variants import with_values, without_cases
-from gantline.scenario.water import BallastTank, Water
-from gantline.statics import Equilibrium, NoEquilibriumError, Statics
-from gantline.study.inclining import heights_of
+from gantline.scenario.water import BallastTank
+from gantline.statics import Equilibrium, NoEquilibriumError
+from gantline.study.afloat import Afloat, VesselAttitude
 from gantline.study.moment import end_of_step
 from gantline.study.newton import CannotBeError
 from gantline.units import format_quantity, si_text
 
-__all__ = ["BallastAnswer", "VesselAttitude", "solve_ballast"]
+__all__ = ["BallastAnswer", "solve_ballast"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -49,21 +45,6 @@ _HALVINGS = 8
 _DRAFT_COUNTS = 0.1
 #: A tank may be over its ends by rounding, a share of its capacity.
 _ROUNDING = 1e-9
-
-
-@dataclass(frozen=True)
-class VesselAttitude:
-    """How a vessel floats.
-
-    Attributes:
-        heel: To starboard positive [rad].
-        trim: By the stern positive [rad].
-        draft: At half its length in the centre plane, along its own z [m].
-    """
-
-    heel: float
-    trim: float
-    draft: float
 
 
 @dataclass(frozen=True)
@@ -228,70 +209,6 @@ def _moment(scenario: Scenario, time: float | None, step: str | None) -> float:
     return end
 
 
-class _Afloat:
-    """The vessel at rest with some contents."""
-
-    def __init__(self, scenario: Scenario, vessel: str, time: float) -> None:
-        self.scenario, self.vessel = scenario, vessel
-        self.question = Statics(scenario)
-        self.rest = self.question.equilibrium(time)
-        body = next(one for one in self.question.assembly.document["bodies"] if one["name"] == vessel)
-        self.mass, self.centre = float(body["mass"]), np.array(body["centre_of_gravity"])
-        hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
-        assert hull is not None  # it floats
-        self._middle = float(hull.box[:, 0].mean())
-        self._level = (scenario.water or Water()).level
-        self.turn = axes(self.rest.recording.column("body_orientation", vessel)[-1])
-        self.attitude = self._attitude()
-
-    def content(self, tank: str) -> float:
-        """What is in a tank at the moment [kg]."""
-        return float(self.rest.recording.column("tank_content", f"{self.vessel}.{tank}")[-1])
-
-    def _attitude(self) -> VesselAttitude:
-        origin = self._origin()
-        trim = math.asin(self.turn[2, 0])
-        heel = math.atan2(self.turn[2, 1], self.turn[2, 2])
-        draft = (self._level - origin[2] - self.turn[2, 0] * self._middle) / self.turn[2, 2]
-        return VesselAttitude(heel, trim, float(draft))
-
-    def _origin(self) -> Floats:
-        centre = self.rest.recording.column("body_position", self.vessel)[-1]
-        origin: Floats = centre - self.turn @ self.centre
-        return origin
-
-    def displacement(self) -> float:
-        """Mass of the water displaced [kg]."""
-        name = hull_name(self.vessel)
-        force = next(one for one in self.question.assembly.document["forces"] if one["name"] == name)
-        hull = Hull(name, force["vertices"], force["triangles"])
-        below = hull.below(self.turn[2], float(self._origin()[2] - self._level))
-        return float(below["volume"]) * sea_density(self.scenario)
-
-    def slopes(self) -> dict[str, Floats]:
-        """How heel, trim [rad] and draft [m] answer to mass of the vessel, shape (4,) each.
-
-        To a kilogram more at its centre of gravity, and to moments about that of 1 kg m along its axes.
-        """
-        kinds = ("mass", "centre_x", "centre_y", "centre_z")
-        found = self.question.sensitivities([(kind, self.vessel) for kind in kinds])
-        motion = np.array([one.of_body(self.vessel) for one in found])
-        motion[1:] /= self.mass
-        x, y, z = self.turn.T
-        turned = [np.cross(motion[:, 3:], axis)[:, 2] for axis in (x, y, z)]
-        heel = (z[2] * turned[1] - y[2] * turned[2]) / (y[2] ** 2 + z[2] ** 2)
-        trim = turned[0] / math.cos(self.attitude.trim)
-        # The point of the vessel in which draft is read stays in the surface.
-        arm = self.turn @ (np.array([self._middle, 0.0, self.attitude.draft]) - self.centre)
-        draft = -(motion[:, 2] + np.cross(motion[:, 3:], arm)[:, 2]) / z[2]
-        return {"heel": heel, "trim": trim, "draft": draft}
-
-    def metacentric_heights(self) -> tuple[float, float]:
-        """For heel and trim [m], see `gantline.study.inclining`."""
-        found = heights_of(self.question, self.rest, self.vessel, self.displacement())
-        return found.transverse, found.longitudinal
-
-
 class _Search:
     """Rounds of equilibrium and linear programme."""
 
@@ -313,7 +230,7 @@ class _Search:
             ]
         ).T
         self._acts_against = any(isinstance(step, PumpStep) and step.until for step in scenario.plan)
-        self.now = _Afloat(scenario, vessel, time)
+        self.now = Afloat(scenario, vessel, time)
 
     def run(self, wanted: Mapping[str, float]) -> int:
         """Find contents with which the vessel floats as wanted; returns the rounds that it took."""
@@ -376,7 +293,7 @@ class _Search:
         for halving in range(_HALVINGS):
             contents = self._contents + (target - self._contents) * 0.5**halving
             try:
-                self.now = _Afloat(self._with(contents), self._vessel, self._time)
+                self.now = Afloat(self._with(contents), self._vessel, self._time)
             except NoEquilibriumError as problem:
                 cause = f"{problem.cause} ({problem.element})"
                 continue
@@ -425,12 +342,12 @@ class _Search:
         ]
         return free_surface_correction(slack, self.now.displacement())
 
-    def answer(self, first: _Afloat, rounds: int) -> BallastAnswer:
+    def answer(self, first: Afloat, rounds: int) -> BallastAnswer:
         """What has been found."""
         now = self.now
         contents = {name: tank.content for name, tank in self._all.items()}
         contents |= dict(zip(self._tanks, self._contents.tolist(), strict=True))
-        start = now if self._time == 0.0 else _Afloat(now.scenario, self._vessel, 0.0)
+        start = now if self._time == 0.0 else Afloat(now.scenario, self._vessel, 0.0)
         return BallastAnswer(
             vessel=self._vessel,
             time=self._time,

@@ -11,7 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results import series
-from gantline.results.rig import Load, Sling
+from gantline.results.gear import Sling
+from gantline.results.rig import Load
 from gantline.results.rotation import axes
 from gantline.statics import Equilibrium, Sensitivity, Statics
 

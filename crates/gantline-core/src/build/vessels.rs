@@ -38,8 +38,10 @@ pub(super) fn build_vessels(spec: &SystemSpec, tree: &Tree) -> Result<(Vec<Vesse
             let points = mark.points.iter().map(|point| DVec3::from_array(*point)).collect();
             marks.push(Mark { name: mark.name.clone(), vessel: vessels.len(), points });
         }
+        finite(name, "a corner of its bottom", given.bottom.as_flattened())?;
+        let bottom = given.bottom.iter().map(|point| DVec3::from_array(*point)).collect();
         let (level, capsized_beyond) = (given.level, given.capsized_beyond);
-        vessels.push(Vessel { name: name.clone(), body, level, capsized_beyond });
+        vessels.push(Vessel { name: name.clone(), body, level, capsized_beyond, bottom });
     }
     Ok((vessels, marks))
 }

@@ -24,6 +24,8 @@ pub struct Vessel {
     pub level: f64,
     /// Angle of its z axis from plumb beyond which it has capsized [rad].
     pub capsized_beyond: f64,
+    /// Corners of the edge of its bottom, in the frame of its body [m].
+    pub bottom: Vec<DVec3>,
 }
 
 /// Points of a vessel that should stay above the water.
@@ -43,6 +45,18 @@ impl Vessel {
         pose.rotation.transpose() * (-gravity / gravity.length())
     }
 
+    /// Heights of points of its body above the water [m].
+    fn heights(&self, points: &[DVec3], pose: &Pose, gravity: DVec3) -> impl Iterator<Item = f64> {
+        let up = self.up(pose, gravity);
+        let origin = -pose.position.dot(gravity) / gravity.length() - self.level;
+        points.iter().map(move |point| up.dot(*point) + origin)
+    }
+
+    /// Height of the highest corner of its bottom above the water [m]; none where it has none.
+    pub fn bottom_height(&self, pose: &Pose, gravity: DVec3) -> Option<f64> {
+        self.heights(&self.bottom, pose, gravity).reduce(f64::max)
+    }
+
     /// How far it is beyond the angle at which it has capsized [rad]; not positive while it has not.
     pub fn beyond(&self, pose: &Pose, gravity: DVec3) -> f64 {
         let up = self.up(pose, gravity);
@@ -53,9 +67,7 @@ impl Vessel {
 impl Mark {
     /// Height of its lowest point above the water [m].
     pub fn height(&self, vessel: &Vessel, pose: &Pose, gravity: DVec3) -> f64 {
-        let up = vessel.up(pose, gravity);
-        let origin = -pose.position.dot(gravity) / gravity.length() - vessel.level;
-        self.points.iter().map(|point| up.dot(*point)).fold(f64::INFINITY, f64::min) + origin
+        vessel.heights(&self.points, pose, gravity).fold(f64::INFINITY, f64::min)
     }
 }
 

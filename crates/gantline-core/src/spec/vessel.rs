@@ -14,6 +14,9 @@ pub struct VesselSpec {
     pub level: f64,
     /// Angle of its z axis from plumb beyond which it has capsized [rad].
     pub capsized_beyond: f64,
+    /// Corners of the edge of its bottom [m], body frame.
+    #[serde(default)]
+    pub bottom: Vec<[f64; 3]>,
     /// What should stay above the water.
     #[serde(default)]
     pub marks: Vec<MarkSpec>,

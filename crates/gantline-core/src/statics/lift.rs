@@ -180,7 +180,8 @@ impl StaticLift {
             if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
                 found?;
                 rest = None;
-                stride *= 2.0;
+                // The doubt is of second order in the length of a part: twice as long, four times as much.
+                stride *= if statics.doubt > 0.25 * DOUBT { 1.0 } else { 2.0 };
             } else {
                 state.copy_from(&before);
                 log.events.truncate(known);

@@ -163,14 +163,19 @@ impl Statics {
         Ok(())
     }
 
-    /// T̂ = T of rows without compliance; by how much the largest of their lengths was wrong [m].
+    /// T̂ = T of rows without compliance, unless all their lengths are right: forces are those that balance then. By how
+    /// much the largest length was wrong [m].
     fn move_multipliers(&mut self) -> f64 {
-        let mut most = 0.0_f64;
-        for (bearing, &tension) in self.bearings.iter_mut().zip(&self.search.here.tension) {
-            if bearing.is_rigid && bearing.part != Part::Off {
-                most = most.max((tension - bearing.offset).abs() * bearing.compliance);
-                bearing.offset = tension;
-                bearing.stiffen();
+        let rows = self.bearings.iter().zip(&self.search.here.tension);
+        let rigid = rows.filter(|(bearing, _)| bearing.is_rigid && bearing.part != Part::Off);
+        let wrong = rigid.map(|(bearing, tension)| (tension - bearing.offset).abs() * bearing.compliance);
+        let most = wrong.fold(0.0, f64::max);
+        if most > LENGTH_LEFT {
+            for (bearing, &tension) in self.bearings.iter_mut().zip(&self.search.here.tension) {
+                if bearing.is_rigid && bearing.part != Part::Off {
+                    bearing.offset = tension;
+                    bearing.stiffen();
+                }
             }
         }
         most

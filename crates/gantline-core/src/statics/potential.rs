@@ -22,6 +22,7 @@ use crate::state::State;
 use crate::stepper::frame::{Frame, Remembered};
 use crate::system::System;
 use crate::tree::bias::NewtonEuler;
+use crate::tree::joint::Motion;
 
 /// Stretch of a row without compliance under the weight of everything, before its multiplier is found [m].
 const SOFTNESS: f64 = 0.03;
@@ -216,6 +217,15 @@ pub fn weight(system: &System) -> f64 {
     if weight > 0.0 { weight } else { 1.0 }
 }
 
+/// Weight of what a degree of freedom moves, times its radius of gyration where that turns [N, N m].
+fn weight_of(system: &System, dof: usize) -> f64 {
+    let tree = &system.tree;
+    let inertia = tree.inertia_scale[dof];
+    let below: f64 = tree.subtree[tree.owner[dof]].iter().map(|&body| tree.bodies[body].mass).sum();
+    let turns = tree.motions[dof] == Motion::Turn && below > 0.0;
+    tree.gravity.length() * if turns { (inertia * below).sqrt() } else { inertia }
+}
+
 /// Everything at one configuration. Reused.
 #[derive(Debug, Clone)]
 pub struct Potential {
@@ -248,6 +258,8 @@ pub struct Potential {
     /// Directions in which contacts that hold have moved, along their two tangents, and ε across, by contact.
     along: Vec<([f64; 2], f64)>,
     still: Vec<f64>,
+    /// Weight that a degree of freedom moves, times the radius of gyration where it turns [N, N m].
+    weight: Vec<f64>,
 }
 
 impl Potential {
@@ -270,6 +282,7 @@ impl Potential {
             rounding: 0.0,
             along: vec![([1.0, 0.0], 0.0); system.friction.len() / 2],
             still: vec![0.0; size],
+            weight: (0..size).map(|dof| weight_of(system, dof)).collect(),
         }
     }
 
@@ -366,15 +379,14 @@ impl Potential {
 
     /// Slope of a degree of freedom, beyond rounding, relative to the forces that meet there, or to its weight where
     /// they are less.
-    pub fn imbalance(&self, system: &System, dof: usize) -> f64 {
-        let weight = system.tree.inertia_scale[dof] * system.tree.gravity.length();
+    pub fn imbalance(&self, dof: usize) -> f64 {
         let excess = (self.slope[dof].abs() - self.noise[dof]).max(0.0);
-        excess / self.terms[dof].max(weight).max(f64::MIN_POSITIVE)
+        excess / self.terms[dof].max(self.weight[dof]).max(f64::MIN_POSITIVE)
     }
 
     /// Largest imbalance of a free degree of freedom.
     pub fn residual(&self, system: &System) -> f64 {
         let free = (0..self.slope.len()).filter(|&dof| system.driven[dof].is_none());
-        free.map(|dof| self.imbalance(system, dof)).fold(0.0, f64::max)
+        free.map(|dof| self.imbalance(dof)).fold(0.0, f64::max)
     }
 }

@@ -242,7 +242,7 @@ impl Search {
             return Err(Stuck::UsedUp(rope));
         }
         let free = (0..self.here.slope.len()).filter(|&dof| system.driven[dof].is_none());
-        let imbalance = |dof: &usize| self.here.imbalance(system, *dof);
+        let imbalance = |dof: &usize| self.here.imbalance(*dof);
         let worst = free.max_by(|a, b| imbalance(a).total_cmp(&imbalance(b)));
         Err(Stuck::NoStep(worst.unwrap_or(0)))
     }

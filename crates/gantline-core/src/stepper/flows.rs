@@ -270,7 +270,8 @@ pub fn interpolate(
     increment: &mut [f64],
     sample: &mut Sample,
 ) {
-    sample.v.copy_from_slice(&after.v);
+    // A step has one velocity; before the first one there is that of the start.
+    sample.v.copy_from_slice(if share > 0.0 { &after.v } else { &before.v });
     sample.acceleration.copy_from_slice(&after.acceleration);
     if share >= 1.0 {
         sample.q.copy_from_slice(&after.q);

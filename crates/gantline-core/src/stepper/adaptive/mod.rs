@@ -19,6 +19,7 @@ mod spins;
 mod switching;
 mod tableau;
 pub mod tangent;
+mod wetting;
 mod winding;
 
 use super::frame::Frame;

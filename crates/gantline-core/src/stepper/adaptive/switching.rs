@@ -31,6 +31,7 @@ impl Adaptive {
         let made = self.condition(system, state, made);
         let made = self.seated_up_to(system, state, made);
         let made = self.winds_up_to(system, state, made);
+        let made = self.wets_up_to(system, state, made);
         if made < 1.0 {
             self.made = made;
             self.survey(system, state, f64::INFINITY);

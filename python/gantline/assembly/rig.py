@@ -1,0 +1,261 @@
+"""What results and checks need to know of a lift: who carries whom, and what is allowed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from gantline.assembly.boom import boom_rig
+from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ratings
+from gantline.assembly.crawler import crawler_rig
+from gantline.assembly.goliath import crane_rig
+from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.moorings import mooring_rig
+from gantline.assembly.operations import moved_drives
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks
+from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wrapped_sheaves
+from gantline.assembly.shapes import watch_name
+from gantline.assembly.supports import every_support, support_contact
+from gantline.assembly.vessels import vessel_rig
+from gantline.assembly.yard import upper_lump
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.bounds import Bound
+from gantline.scenario.gear import Shackle
+from gantline.scenario.load import PLATE_NORMALS
+from gantline.scenario.rigging import EqualizerRigging, SlingRigging
+from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
+from gantline.scenario.tanks import ends_of_pump, tanks_of
+
+__all__ = ["rig"]
+
+
+def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:
+    """Who carries whom, and what is allowed; SI."""
+    head = scenario.lift
+    return {
+        "title": head.title,
+        "number": head.number,
+        "revision": head.revision,
+        "remark": head.remark,
+        "gravity": scenario.simulation.gravity,
+        "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
+        **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
+        **mooring_rig(scenario),
+        **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
+        **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),
+        **({"crawlers": crawlers} if (crawlers := crawler_rig(scenario, parts)) else {}),
+        **({"rating_charts": charts} if (charts := rating_charts(scenario)) else {}),
+        "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
+        "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
+        "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
+        "ropes": rope_rig(scenario, rigging, parts),
+        "sheaves": sheaves_with_flow(parts),
+        "drums": drum_rig(scenario),
+        **_tanks(scenario),
+        "wrapped_sheaves": (wrapped := wrapped_sheaves(parts)),
+        "ratings": ratings(scenario),
+        "bends": bends(scenario, parts),
+        **limits_and_rules(scenario, rigging, has_sheaves=bool(wrapped)),
+        **_equalised_below(scenario),
+        "plan": [_step(scenario, step) for step in scenario.plan],
+        **_supports_and_watches(scenario),
+    }
+
+
+def _supports_and_watches(scenario: Scenario) -> Json:
+    """Supports with what they bear, and pairs that are watched; nothing in a lift without."""
+    supports = [
+        {
+            "name": support_contact(support),
+            "group": support.group,
+            "load": group.under,
+            "capacity": _force(scenario, support.capacity),
+            "removed_at": support.removed_at,
+        }
+        for group, support in every_support(scenario)
+    ]
+    watches = [
+        {"name": watch_name(watch), "between": list(watch.between), "smallest": watch.smallest}
+        for watch in scenario.watch
+    ]
+    return {key: given for key, given in (("supports", supports), ("watches", watches)) if given}
+
+
+def _force(scenario: Scenario, mass: float | None) -> float | None:
+    return None if mass is None else mass * scenario.simulation.gravity
+
+
+def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
+    load = scenario.load
+    assert load is not None
+    body = parts.bodies[load.name]
+    # Ropes of `mechanics` may have been lumped on it: that moves its centre of gravity, not its frame.
+    centre = lifted.centre + np.array(body["centre_of_gravity"])
+    contacts = parts.contacts_of(load.name)
+    return {
+        "name": load.name,
+        "body": load.name,
+        "weight": _force(scenario, body["mass"]),
+        "simulated_mass": load.weight.simulated,
+        "calculated_mass": load.weight.calculated,
+        "contingency": load.weight.contingency,
+        "design_mass": load.weight.design,
+        "contact_group": load.name if contacts else None,
+        "contacts": contacts,
+        "lugs": {
+            name: {
+                "at": lifted.lugs[name],
+                "main_plate_normal": list(PLATE_NORMALS[kind.main_plate or "xz"]),
+                "capacity": _force(scenario, kind.capacity),
+            }
+            for name, lug in load.lugs.items()
+            for kind in [lug.or_of((scenario.lug_types or {}).get(lug.type or ""))]
+        },
+        "centre_of_gravity_from_datum": [float(part) for part in centre],
+        "centre_envelope": [float(part) for part in load.centre_of_gravity.envelope],
+    }
+
+
+def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json:
+    hook = scenario.hooks[name]
+    bearing = [equalizer.name for equalizer in rigging.equalizers.values() if equalizer.hook == name]
+    direct = [s for s in rigging.slings.values() if s.equalizer is None and s.hook == name]
+    reeved = next((one for one in reeved_hooks(scenario) if one.name == name), None)
+    falls: Json = {}
+    if reeved is not None:
+        gravity = scenario.simulation.gravity
+        hung = reeved.reeving.parts_each
+        above = falls_on_upper_sheaves(parts, scenario, reeved) * gravity
+        falls = {
+            "falls": [f"{rope}/{part}" for rope in reeved.ropes for part in range(hung)],
+            "falls_weight_above": above,
+            "direct_slings": [sling.name for sling in direct],
+            "direct_weight": sum(upper_lump(sling) for sling in direct) * gravity,
+        }
+    elif direct:
+        bearing = [name]  # the hook's own joint carries its slings, their shackles and its equalizers
+    return {
+        "name": name,
+        "crane": hook.crane,
+        "bearing_joints": bearing,
+        "direct_slings": [],
+        "rated_capacity": _force(scenario, hook.rated_capacity),
+        "rating_includes_hook_block": hook.rating_includes_hook_block,
+        "hoist_weight_extra": hook.hook_block_mass * scenario.simulation.gravity,
+        "drive_body": name,
+        **falls,
+    }
+
+
+def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
+    equalizer = rigging.equalizers[name]
+    hanging = [sling for sling in rigging.slings.values() if sling.equalizer == name]
+    return {
+        "name": name,
+        "hook": equalizer.hook,
+        "body": name,
+        "mechanism": equalizer.mechanism,
+        "adjusting_factor": equalizer.adjusting_factor,
+        "equalizing_rope": f"{name}.equalizing" if equalizer.has_sheaves else "",
+        "slings": [f"sling.{sling.name}" for sling in sorted(hanging, key=lambda sling: sling.sheave or 0)],
+        "moving_sheaves": _sheaves_of(equalizer),
+        "travel_up": equalizer.travel.up,
+        "travel_down": equalizer.travel.down,
+        "stops": equalizer.travel.stops,
+        "locked": _locked(equalizer),
+        "rated_capacity": _force(scenario, equalizer.rated_capacity),
+        "heading_joint": name,
+    }
+
+
+def _sheaves_of(equalizer: EqualizerRigging) -> list[str]:
+    return [f"{equalizer.name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))]
+
+
+def _locked(equalizer: EqualizerRigging) -> list[str]:
+    """Moving sheaves that pins hold at the start: all, none, or those that are counted out."""
+    locked = equalizer.travel.locked
+    if isinstance(locked, bool):
+        return _sheaves_of(equalizer) if locked else []
+    return [f"{equalizer.name}.{place}" for place in sorted(locked)]
+
+
+def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
+    assert scenario.load is not None
+    equalizer = None if sling.equalizer is None else rigging.equalizers[sling.equalizer]
+    hangs_from_frame = equalizer is not None and not equalizer.has_sheaves
+    # A sling to one lug is the rule; others say to which lugs they go, if to any.
+    is_plain = sling.over is None and len(sling.lugs) == 1
+    others = {} if is_plain else {"over": sling.over, "lugs": [end.lug for end in sling.ends]}
+    return {
+        "name": sling.name,
+        "rope": f"sling.{sling.name}",
+        "from": sling.equalizer if hangs_from_frame else sling.upper_body,
+        "to_load": scenario.load.name if sling.lugs else None,
+        "to_lug": sling.lugs[0] if is_plain else None,
+        **others,
+        "length": sling.length,
+        "tolerance": sling.tolerance,
+        "minimum_breaking_force": sling.rope.breaking_force,
+        "shackles": {
+            end: _shackle(scenario, *given)
+            for end, given in (("top", sling.top), ("bottom", sling.bottom))
+            if given is not None
+        },
+        "segment": f"sling.{sling.name}/0",
+    }
+
+
+def _tanks(scenario: Scenario) -> Json:
+    """Tanks with what is in them at the start; nothing in a lift without."""
+    tanks = [
+        {"name": name, "content": tank.content, "capacity": tank.capacity}
+        for name, tank in tanks_of(scenario).items()
+    ]
+    return {"tanks": tanks} if tanks else {}
+
+
+def _shackle(scenario: Scenario, name: str, shackle: Shackle) -> Json:
+    return {
+        "name": name,
+        "working_load_limit": _force(scenario, shackle.working_load_limit),
+        "minimum_breaking_force": shackle.minimum_breaking_force,
+        "proof_load": shackle.proof_load,
+        "bow_diameter": shackle.bow_diameter,
+        "pin_diameter": shackle.pin_diameter,
+    }
+
+
+def _equalised_below(scenario: Scenario) -> Json:
+    """The tension spread by which the time to equalise is counted, if the lift file says it; no limit."""
+    bound = None if scenario.limits is None else scenario.limits.equalised_below
+    return {} if bound is None else {"equalised_below": bound}
+
+
+def _step(scenario: Scenario, step: Any) -> Json:
+    kind = "hold" if isinstance(step, HoldStep) else step.verb
+    require = {}
+    if step.require is not None:
+        for measure in type(step.require).model_fields:
+            bound = getattr(step.require, measure)
+            if isinstance(bound, Bound):
+                require[measure] = {bound.relation: bound.value}
+    return {
+        "step": step.step,
+        "kind": kind,
+        "drives": moved_drives(scenario, step),
+        "report": list(step.report),
+        "require": require,
+        **_pumped(scenario, step),
+        "speed": step.speed if isinstance(step, MovingStep) else None,
+        "pull_pins": list(step.pull_pins),
+        "put_in_pins": list(step.put_in_pins),
+    }
+
+
+def _pumped(scenario: Scenario, step: Any) -> Json:
+    if not isinstance(step, PumpStep):
+        return {}
+    return {"tanks": [name for name in ends_of_pump(scenario, step) if name is not None]}

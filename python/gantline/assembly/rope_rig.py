@@ -1,0 +1,139 @@
+"""What results and checks need to know of ropes, sheaves and drums."""
+
+from __future__ import annotations
+
+from gantline.assembly.catenary import end_mass
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.reeving import reeved_hooks
+from gantline.assembly.sheave import spin_of
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.drum import Drum
+from gantline.scenario.gear import RopeMaterial
+from gantline.scenario.mechanics import RopeEnd
+from gantline.scenario.mooring import line_rope
+from gantline.scenario.parting import partings
+from gantline.scenario.reeving import HoistDrum, hoist_drum
+from gantline.scenario.rope_weight import RopeWeight, rope_weight
+
+__all__ = ["drum_rig", "rope_kinds", "rope_rig", "sheaves_with_flow", "wrapped_sheaves"]
+
+
+def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMaterial, RopeWeight]]:
+    """Every rope of the lift by its name: its kind, and how its weight acts."""
+    kinds = {
+        f"{name}.equalizing": (one.rope, one.weight)
+        for name, one in rigging.equalizers.items()
+        if one.has_sheaves
+    }
+    kinds |= {f"sling.{name}": (sling.rope, sling.weight) for name, sling in rigging.slings.items()}
+    for hook in reeved_hooks(scenario):
+        kind = (scenario.ropes or {})[hook.reeving.rope]
+        weight = rope_weight(kind, hook.reeving.rope_weight, None)
+        kinds |= dict.fromkeys(hook.ropes, (kind, weight))
+    for placed in scenario.booms.values():
+        if placed.tackles is not None:
+            kind = (scenario.ropes or {})[placed.tackles.rope]
+            weight = rope_weight(kind, placed.tackles.rope_weight, None)
+            kinds |= dict.fromkeys(placed.ropes, (kind, weight))
+    for name, line in (scenario.mooring_lines or {}).items():
+        kind = (scenario.ropes or {})[line.rope]
+        # A catenary's weight is its own; it is no body's mass.
+        kinds[line_rope(name)] = kind, RopeWeight("none", 0.0, 0)
+    plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
+    for name, rope in (plain or {}).items():
+        kind = (scenario.ropes or {})[rope.rope]
+        kinds[name] = kind, rope_weight(kind, rope.rope_weight, rope.rope_nodes)
+    return kinds
+
+
+def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
+    """Every rope of the lift with what is known of it."""
+    parting = partings(scenario)
+    return [
+        {
+            "name": name,
+            "construction": kind.construction,
+            "diameter": kind.diameter,
+            "axial_stiffness": kind.stiffness,
+            "mass_per_length": weight.mass_per_length,
+            "minimum_breaking_force": kind.breaking_force,
+            "breaks_at": parting[name].breaks_at,
+            "weight": weight.way,
+            "mass": mass,
+            "mass_on_world": on_world,
+            "nodes": weight.nodes,
+            "end_mass": end_mass(mass, weight.nodes) if weight.nodes else None,
+        }
+        for name, (kind, weight) in rope_kinds(scenario, rigging).items()
+        for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
+    ]
+
+
+def sheaves_with_flow(parts: Parts) -> list[Json]:
+    """Every sheave that is not ideal, in the order of ropes and routes."""
+    return [
+        {
+            "name": guide["flow"],
+            "rope": rope["name"],
+            "segments": [f"{rope['name']}/{place - 1}", f"{rope['name']}/{place}"],
+            "ratio": guide.get("ratio"),
+            "groove_friction": guide["groove"]["friction"] if "groove" in guide else None,
+            "spins": spin_of(guide["flow"]) in parts.flows,
+            "inertia": _inertia_of(parts, guide["flow"]),
+            "inertia_from": parts.inertia_from[guide["flow"]],
+        }
+        for rope in parts.ropes
+        for place, guide in enumerate(rope["route"])
+        if "flow" in guide
+    ]
+
+
+def _inertia_of(parts: Parts, flow: str) -> float:
+    """Mass of what turns with the rope over a sheave, or moves with it over one that does not turn [kg]."""
+    spin = spin_of(flow)
+    inertia: float = parts.flows[spin if spin in parts.flows else flow]["joint"]["inertia"]
+    return inertia
+
+
+def wrapped_sheaves(parts: Parts) -> list[Json]:
+    """Sheaves with true tangents, named as in recordings."""
+    return [
+        {
+            "name": f"{rope['name']}/sheave_{place}",
+            "rope": rope["name"],
+            "may_lift_off": guide["may_lift_off"],
+        }
+        for rope in parts.ropes
+        for place, guide in enumerate(rope["route"])
+        if guide["type"] == "sheave"
+    ]
+
+
+def drum_rig(scenario: Scenario) -> list[Json]:
+    """Every drum of the lift, those of hoists too."""
+    plain = scenario.mechanics.drums if scenario.mechanics is not None else None
+    ropes = scenario.ropes or {}
+    on_drums = {
+        guide.drum: ropes[rope.rope].diameter
+        for rope in ((scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}).values()
+        for guide in rope.route
+        if isinstance(guide, RopeEnd) and guide.drum is not None
+    }
+    drums = [_drum(name, drum, 1.0, on_drums.get(name)) for name, drum in (plain or {}).items()]
+    for hook in reeved_hooks(scenario):
+        paid_out = -float(hook.reeving.parts_each)
+        drums.append(_drum(hoist_drum(hook.name), hook.drum, paid_out, ropes[hook.reeving.rope].diameter))
+    return drums
+
+
+def _drum(name: str, drum: Drum | HoistDrum, paid_out: float, rope_diameter: float | None) -> Json:
+    return {
+        "name": name,
+        "diameter": drum.diameter,
+        "paid_out": paid_out,
+        "wraps_at_start": drum.wraps_at_start,
+        "wraps_per_layer": drum.wraps_per_layer,
+        "layers": drum.layers,
+        "layer_step": drum.step(rope_diameter),
+        "spare_turns": drum.spare_turns,
+    }

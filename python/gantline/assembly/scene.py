@@ -1,0 +1,195 @@
+"""What is needed to draw a lift: bodies with shapes, sheaves, ropes, ground and water."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from gantline.assembly.boom import boom_shape
+from gantline.assembly.crawler import crawler_shape
+from gantline.assembly.goliath import crane_shape
+from gantline.assembly.hulls import hull_mesh, hull_shape
+from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
+from gantline.assembly.shapes import members
+from gantline.assembly.spatial import Array
+from gantline.assembly.supports import every_support, support_contact
+from gantline.assembly.vessels import vessel_shape
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.crane_parts import crane_bodies
+from gantline.scenario.extension import lugs_below
+from gantline.scenario.structures import Dock, dock_of
+from gantline.scenario.tanks import bodies_afloat
+from gantline.scenario.water import Water
+
+__all__ = ["scene"]
+
+#: Joints with translations of their own: a sheave on such a body is a moving sheave.
+_MOVING = ("slider", "point", "free")
+
+
+def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:
+    """What is needed to draw the system: bodies with shapes, sheaves, kinds of ropes, the ground."""
+    # Of the parts that no lift file names nodes have no shape, nor has what only bears others.
+    tops = {upper_sheaves(hook) for hook in scenario.hooks}
+    return {
+        "bodies": [
+            _body(scenario, rigging, lifted, body)
+            for name, body in parts.bodies.items()
+            if "/" not in name or name in tops
+        ],
+        "sheaves": [*_sheaves(parts), *_extension_sheaves(scenario, rigging, lifted, parts)],
+        "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.all_ropes],
+        "contacts": [{key: one[key] for key in ("name", "body", "at")} for one in parts.contacts],
+        "ground": _ground(scenario),
+        **({"water": {"level": level}} if (level := _water_level(scenario)) is not None else {}),
+        **({"structures": structures} if (structures := _structures(scenario, parts)) else {}),
+        "axes": None,
+    }
+
+
+def _ground(scenario: Scenario) -> Json | None:
+    """Level of the ground, and the hole in it where there is a dock."""
+    if scenario.ground is None:
+        return None
+    level, dock = scenario.ground.level, dock_of(scenario)
+    if dock is None:
+        return {"level": level}
+    return {"level": level, "holes": [{"x": list(dock.x), "y": list(dock.y), "floor": dock.floor}]}
+
+
+def _water_level(scenario: Scenario) -> float | None:
+    """Level of the water [m]; None in a lift on dry land."""
+    if scenario.water is None and all(body.hull is None for body in bodies_afloat(scenario).values()):
+        return None
+    return (scenario.water or Water()).level
+
+
+def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
+    """What stands in the world, of boxes: supports by their contacts, and what is no hole in the ground."""
+    shapes = {
+        (name, "structure"): [parts.shapes[shape] for shape in members(parts.shapes, name)]
+        for name, structure in (scenario.structures or {}).items()
+        if scenario.ground is None or not isinstance(structure, Dock)
+    }
+    shapes |= {
+        (support_contact(support), "support"): [parts.shapes[support.name]]
+        for _, support in every_support(scenario)
+    }
+    return [
+        {"name": name, "kind": kind, "boxes": [box for one in given for box in one["parts"]]}
+        for (name, kind), given in shapes.items()
+    ]
+
+
+def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body: Json) -> Json:
+    name = body["name"]
+    shape: Json | None = None
+    kind = "body"
+    load = scenario.load
+    plain = scenario.mechanics.bodies.get(name) if scenario.mechanics is not None else None
+    if load is not None and lifted is not None and name == load.name:
+        kind = "load"
+        shape = _load_shape(lifted)
+    elif name in rigging.equalizers:
+        kind = "frame"
+        frame = rigging.equalizers[name].frame
+        size = [frame.length, frame.width, frame.height]
+        shape = {"type": "box", "size": size, "centre": [0.0, 0.0, -frame.centre_of_gravity_below_hook]}
+    elif name in scenario.hooks:
+        kind = "hook"
+        shape = next((_cheek(scenario, hook) for hook in reeved_hooks(scenario) if hook.name == name), None)
+    elif name in map(upper_sheaves, scenario.hooks):
+        kind = "body"
+    elif name in crane_bodies(scenario.cranes or {}):
+        shape = crane_shape(scenario, name) or crawler_shape(scenario, name) or boom_shape(scenario, name)
+    elif name in (scenario.vessels or {}):
+        kind, shape = "hull", vessel_shape(scenario, name)
+    elif plain is None:
+        kind = "sheave"
+    elif plain.shape is not None:
+        shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
+    elif plain.hull is not None:
+        hull = hull_mesh(scenario, name, plain)
+        kind, shape = "hull", None if hull is None else hull_shape(hull)
+    return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
+
+
+def _load_shape(lifted: LiftedLoad) -> Json:
+    """A box, or a CAD file's light mesh with the corners of its contact hull, to a millimetre."""
+    body = lifted.body
+    if body.mesh is None:
+        size, middle = body.box[1] - body.box[0], body.box.mean(axis=0) - lifted.centre
+        return {"type": "box", "size": size.tolist(), "centre": middle.tolist()}
+    return {
+        "type": "mesh",
+        "vertices": np.round(body.mesh.vertices - lifted.centre, 3).tolist(),
+        "triangles": body.mesh.triangles.tolist(),
+        "hull": np.round(body.hull - lifted.centre, 3).tolist(),
+    }
+
+
+def _cheek(scenario: Scenario, hook: ReevedHook) -> Json:
+    """A plate of a hook block, for pictures: from the bearing up to its sheaves, half as wide as they are."""
+    rope = (scenario.ropes or {})[hook.reeving.rope]
+    width, height = hook.reeving.diameter(rope.diameter) / 2, hook.hook_block.height
+    return {"type": "box", "size": [width, width, height], "centre": [0.0, 0.0, height / 2]}
+
+
+def _sheaves(parts: Parts) -> list[Json]:
+    """Every half turn and sheave of a rope on a body; it moves if its body has translations of its own."""
+    found = []
+    for rope in parts.ropes:
+        for guide in rope["route"]:
+            if guide["type"] == "sheave" and guide["body"] is not None:
+                found.append(_sheave(parts, guide["body"], guide["at"], guide["axis"], guide["radius"]))
+            if guide["type"] != "half_turn":
+                continue
+            enter, leave = np.array(guide["enter"]), np.array(guide["leave"])
+            axis = np.cross(guide["bulge"], leave - enter)
+            centre, radius = (enter + leave) / 2, math.dist(guide["enter"], guide["leave"]) / 2
+            found.append(_sheave(parts, guide["body"], centre, axis / np.linalg.norm(axis), radius))
+    return found
+
+
+def _extension_sheaves(
+    scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts
+) -> list[Json]:
+    """Extension sheaves, each in the upright plane of the lugs that it serves."""
+    found = []
+    for name, extension in rigging.extensions.items():
+        assert scenario.load is not None and lifted is not None  # slings have been checked to lead to lugs
+        one, other = (
+            np.mean([lifted.lugs[lug] for lug in lugs_below(end, rigging.extensions, rigging.slings)], axis=0)
+            for end in rigging.slings[extension.carries].ends
+        )
+        way = parts.pose(scenario.load.name)[1] @ (other - one)
+        across = np.array([-way[1], way[0], 0.0])
+        size = float(np.linalg.norm(across))
+        axis = across / size if size > 0 else np.array([0.0, 1.0, 0.0])
+        found.append(_sheave(parts, name, np.zeros(3), axis, extension.pitch_diameter / 2))
+    return found
+
+
+def _sheave(
+    parts: Parts, body: str, centre: Sequence[float] | Array, axis: Sequence[float] | Array, radius: float
+) -> Json:
+    moves = parts.bodies[body]["joint"]["type"] in _MOVING
+    return {
+        "body": body,
+        "centre": [float(part) for part in centre],
+        "axis": [float(part) for part in axis],
+        "radius": radius,
+        "kind": "moving" if moves else "fixed",
+    }
+
+
+def _rope_kind(name: str, rigging: Rigging) -> str:
+    if name.startswith("sling.") and name[len("sling.") :] in rigging.slings:
+        return "sling"
+    if name in [f"{equalizer}.equalizing" for equalizer in rigging.equalizers]:
+        return "equalizing"
+    return "rope"

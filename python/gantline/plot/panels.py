@@ -1,0 +1,160 @@
+"""What pictures of a lift stand on: panels to one scale, ground, water, and bars of lengths and tensions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.patches import Polygon, Rectangle
+
+from gantline.plot.style import FAINT, INK, force_unit, shortened
+from gantline.results.recording import Recording
+from gantline.results.surroundings import Ground, ground_of, water_cut, water_level
+from gantline.results.variable import FloatArray
+
+#: Colours of tensions.
+TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
+_TITLES = 0.9  # height of the titles of a further row [inch]
+_EARTH, EARTH_EDGE = "#ECE7DF", "#8C7B62"
+_WATER = "#3C86B0"
+
+
+def window_of(points: FloatArray, below: float = 0.0, above: float = 0.0) -> FloatArray:
+    """Limits ((left, right), (low, high)) that hold points on paper with a margin."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = 0.05 * float(np.max(high - low)) + 1e-3
+    span = np.maximum(high - low, 0.2 * float(np.max(high - low)))
+    middle = (low + high) / 2.0
+    limits = np.stack([middle - span / 2.0 - margin, middle + span / 2.0 + margin], axis=1)
+    limits[1] += (-below, above)
+    return limits
+
+
+def strip(
+    recording: Recording,
+    title: str,
+    columns: int,
+    windows: Sequence[FloatArray],
+    *,
+    scale: float = 2.2,
+    titles: int = 1,
+) -> tuple[Figure, list[list[Axes]]]:
+    """A figure with a column for each moment and a row for each window, all to one scale.
+
+    A panel is `scale` inches wide, unless that makes the figure too high; `titles` rows have titles.
+    """
+    width = float(np.ptp(windows[0][0]))
+    heights = [float(np.ptp(window[1])) for window in windows]
+    scale = min(scale / width, 8.2 / sum(heights))
+    high = scale * sum(heights) + 1.0 + 0.22 * len(heights) + _TITLES * (titles - 1)
+    size = (max(6.0, scale * width * columns + 0.5), high)
+    figure = Figure(figsize=size)
+    figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.04, w_pad=0.03, hspace=0.01, wspace=0.01))
+    figure.suptitle(
+        f"{title}: {shortened(recording.title, 60)}", fontsize=12, fontweight="bold", x=0.01, ha="left"
+    )
+    grid = figure.add_gridspec(len(windows), columns, height_ratios=heights)
+    rows = [
+        [figure.add_subplot(grid[row, column]) for column in range(columns)] for row in range(len(windows))
+    ]
+    for row, window in zip(rows, windows, strict=True):
+        for panel in row:
+            bare(panel, window)
+    return figure, rows
+
+
+def bare(panel: Axes, window: FloatArray) -> None:
+    """A panel to scale, of these limits on paper, with nothing but its frame."""
+    panel.set_aspect("equal")
+    panel.set_xlim(*window[0])
+    panel.set_ylim(*window[1])
+    panel.grid(visible=False)
+    panel.set_xticks([])
+    panel.set_yticks([])
+    for spine in panel.spines.values():
+        spine.set_visible(True)
+        spine.set_color(FAINT)
+        spine.set_zorder(6)  # above the ground that labels stand on
+
+
+def draw_water(panel: Axes, recording: Recording, lift: FloatArray) -> None:
+    """The water in a side view, cut where the lift is: what it fills is tinted."""
+    level = water_level(recording)
+    if level is None:
+        return
+    left, right = panel.get_xlim()
+    low, _ = panel.get_ylim()
+    for corners in water_cut(ground_of(recording), level, 0, ((left, right), low), lift):
+        panel.add_artist(Polygon(corners, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
+        panel.plot(*corners[2:].T, color=_WATER, linewidth=1.0, zorder=3.9)
+
+
+def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
+    """The ground in a side view, cut where the lift is."""
+    left, right = panel.get_xlim()
+    low, _ = panel.get_ylim()
+    line = ground.profile(0, (left, right), lift)
+    below = np.concatenate([line, [(right, low), (left, low)]])
+    panel.add_artist(Polygon(below, facecolor=_EARTH, edgecolor="none", zorder=0))
+    panel.plot(*line.T, color=EARTH_EDGE, linewidth=1.0, zorder=0.5)
+
+
+def room_below(ground: Ground | None, lift: FloatArray) -> float:
+    """What the scale bar takes below the floor of a hole [m]."""
+    return 0.05 * float(np.ptp(lift[:, 0])) if ground is not None and ground.holes else 0.0
+
+
+def draw_holes(panel: Axes, ground: Ground, water: float | None) -> None:
+    """Holes of the ground in a top view, with water in those whose floor is below its level [m]."""
+    for hole in ground.holes:
+        (x0, x1), (y0, y1) = hole.x, hole.y
+        place = ((x0, y0), x1 - x0, y1 - y0)
+        panel.add_artist(Rectangle(*place, facecolor=_EARTH, edgecolor=EARTH_EDGE, linewidth=1.0, zorder=0))
+        if water is not None and hole.floor < water:
+            panel.add_artist(Rectangle(*place, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=0))
+
+
+def scale_bar(panel: Axes, height_fraction: float) -> None:
+    """A bar of a round length at the right of a panel, at this fraction of its height."""
+    (left, right), (low, high) = panel.get_xlim(), panel.get_ylim()
+    target = 0.3 * (right - left)
+    power = 10.0 ** np.floor(np.log10(target))
+    length = float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= target))
+    end = right - 0.05 * (right - left)
+    height = low + height_fraction * (high - low)
+    panel.plot(
+        [end - length, end], [height, height], color=INK, linewidth=2.2, solid_capstyle="butt", zorder=6
+    )
+    panel.annotate(
+        f"{length:g} m",
+        (end - length / 2.0, height),
+        xytext=(0, 2.5),
+        textcoords="offset points",
+        ha="center",
+        va="bottom",
+        fontsize=7,
+        zorder=6,
+    )
+
+
+def tension_bar(figure: Figure, panels: list[Axes], norm: Normalize) -> None:
+    """The colour scale of tensions, below panels."""
+    scale, unit = force_unit(float(norm.vmax or 1.0))
+    bar = figure.colorbar(
+        ScalarMappable(Normalize(0.0, float(norm.vmax or 1.0) / scale), TENSION),
+        ax=panels,
+        orientation="horizontal",
+        fraction=0.04,
+        aspect=70,
+        shrink=0.6,
+        pad=0.02,
+    )
+    bar.set_label(f"Rope tension [{unit}]; slack ropes are dashed grey", fontsize=8)
+    bar.ax.tick_params(labelsize=7.5, length=2)
+    bar.outline.set_visible(False)

@@ -1,0 +1,224 @@
+"""Hooks, equalizers, slings, ropes, sheaves and drums as results know them; all numbers are SI."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Self
+
+from gantline.results.strength import FromJson, Shackle
+
+
+@dataclass(frozen=True)
+class Hook(FromJson):
+    """A crane's hook.
+
+    Attributes:
+        name: Its name.
+        crane: The crane to which it belongs.
+        bearing_joints: Bodies that hang in the hook by a joint; the forces of these joints are hook load.
+        direct_slings: Slings that hang in the hook without an equalizer.
+        rated_capacity: Of crane or hook [N]; None if not said.
+        rating_includes_hook_block: Whether the rated capacity is for the hoist load.
+        hoist_weight_extra: Hook block and hanging falls [N] that are no part of the mechanics.
+        falls: Segments of rope in which a hook with reeving hangs; empty for a hook without.
+        falls_weight_above: What the upper sheaves bear of the weight of the falls [N].
+        direct_weight: Weight of what `direct_slings` have lumped on the hook [N]; of a hook with reeving.
+    """
+
+    name: str
+    crane: str = ""
+    bearing_joints: Sequence[str] = ()
+    direct_slings: Sequence[str] = ()
+    rated_capacity: float | None = None
+    rating_includes_hook_block: bool = False
+    hoist_weight_extra: float = 0.0
+    falls: Sequence[str] = ()
+    falls_weight_above: float = 0.0
+    direct_weight: float = 0.0
+
+
+@dataclass(frozen=True)
+class Equalizer(FromJson):
+    """Frame, equalizing rope and moving sheaves under one hook.
+
+    Attributes:
+        name: Its name.
+        body: Name of the frame's body.
+        hook: The hook from which it hangs.
+        equalizing_rope: Name of the rope.
+        slings: Ropes that hang from its moving sheaves, in the order of the sheaves.
+        moving_sheaves: Bodies (and joints) of the moving sheaves.
+        travel_up: Stroke above the start position [m]; None if not limited.
+        travel_down: Stroke below the start position [m]; None if not limited.
+        stops: Whether stops at both ends of the stroke are simulated.
+        rated_capacity: Below the moving sheaves [N]; None if not said.
+        heading_joint: Joint about which the frame turns under its hook.
+        mechanism: `sheaves`, or `approximated`: no sheave moves, the lengths of its slings are adjusted.
+        adjusting_factor: Of an approximated one, else None.
+        locked: Moving sheaves that pins hold at the start.
+    """
+
+    name: str
+    body: str
+    hook: str = ""
+    equalizing_rope: str = ""
+    slings: Sequence[str] = ()
+    moving_sheaves: Sequence[str] = ()
+    travel_up: float | None = None
+    travel_down: float | None = None
+    stops: bool = False
+    rated_capacity: float | None = None
+    heading_joint: str | None = None
+    mechanism: str = "sheaves"
+    adjusting_factor: float | None = None
+    locked: Sequence[str] = ()
+
+
+@dataclass(frozen=True)
+class Sling(FromJson):
+    """A rope from a hook or a moving sheave to a lug, or by extension sheaves to more of them.
+
+    Attributes:
+        name: Its name in the lift file.
+        rope: Its name among the ropes, `sling.<name>`.
+        from_body: Where its upper end is made fast, or the extension sheave that it runs over.
+        to_load: The load at its lower end; None if extension sheaves hang there.
+        to_lug: The lug at its lower end, if that is the only one.
+        over: The extension sheave that it runs over, from end to end; None if it runs over none.
+        lugs: The lug at each lower end, one or two; None where an extension sheave hangs.
+        length: Effective sling length [m].
+        minimum_breaking_force: Of its rope [N]; None if not said.
+        shackles: Shackles at `top` and `bottom`.
+    """
+
+    name: str
+    rope: str
+    from_body: str = ""
+    to_load: str | None = None
+    to_lug: str | None = None
+    over: str | None = None
+    lugs: Sequence[str | None] = ()
+    length: float | None = None
+    minimum_breaking_force: float | None = None
+    shackles: Mapping[str, Shackle] = field(default_factory=dict)
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        lug = document.get("to_lug")
+        parts = {
+            "from_body": document.get("from", ""),
+            "lugs": () if lug is None else (lug,),
+            **document,
+            "shackles": {
+                end: Shackle.from_json(one) for end, one in (document.get("shackles") or {}).items()
+            },
+        }
+        return super().from_json(parts)
+
+
+@dataclass(frozen=True)
+class Rope(FromJson):
+    """What is known of a rope beside its mechanics.
+
+    Attributes:
+        name: Its name among the ropes of the recording.
+        construction: Its construction, such as `6x36 IWRC`; None if not said.
+        diameter: Nominal diameter [m]; None if not said.
+        axial_stiffness: EA [N]; None if it does not stretch, or in an old recording.
+        mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
+        minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
+        breaks_at: Tension at which it breaks in the simulation [N]; None if it never does.
+        weight: How its weight acts: `none`, `lumped` or `distributed`.
+        mass: Mass that counts in the lift [kg].
+        mass_on_world: What of it the world bears, so that it is on no body [kg].
+        nodes: Number of nodes if it is distributed, else 0.
+        end_mass: What each end carries of the mass [kg], if there are nodes.
+    """
+
+    name: str
+    construction: str | None = None
+    diameter: float | None = None
+    axial_stiffness: float | None = None
+    mass_per_length: float = 0.0
+    minimum_breaking_force: float | None = None
+    breaks_at: float | None = None
+    weight: str = "none"
+    mass: float = 0.0
+    mass_on_world: float = 0.0
+    nodes: int = 0
+    end_mass: float | None = None
+
+
+@dataclass(frozen=True)
+class Sheave(FromJson):
+    """A sheave with losses or inertia.
+
+    Attributes:
+        name: Of the flow of rope over it: `<equalizer>/moving_<n>`, `<equalizer>/fixed_<n>`, or
+            `<rope>/sheave_<n>` of a rope of `mechanics`, counted from 1 along the rope.
+        rope: The rope over it.
+        segments: Segments of the rope before and after it.
+        ratio: Largest ratio of the tensions on both sides that its bearing holds, 1 without losses, None
+            where it does not turn.
+        groove_friction: Coefficient of friction of a groove in which the rope may slip, None where it grips.
+        spins: Whether its spin is a coordinate of its own beside the rope over it.
+        inertia: Mass that moves with the rope, moment of inertia over radius squared [kg].
+        inertia_from: What that mass is, in words.
+    """
+
+    name: str
+    rope: str
+    segments: Sequence[str]
+    ratio: float | None = 1.0
+    groove_friction: float | None = None
+    spins: bool = False
+    inertia: float = 0.0
+    inertia_from: str = ""
+
+    @property
+    def has_losses(self) -> bool:
+        """Whether it takes tension from the rope that passes."""
+        return self.ratio != 1.0 or self.groove_friction is not None
+
+
+@dataclass(frozen=True)
+class WrappedSheave(FromJson):
+    """A sheave that its rope touches along true tangents.
+
+    Attributes:
+        name: `<rope>/sheave_<n>`, counted from 1 along the rope.
+        rope: Its rope.
+        may_lift_off: Whether the rope may leave it.
+    """
+
+    name: str
+    rope: str
+    may_lift_off: bool = False
+
+
+@dataclass(frozen=True)
+class Drum(FromJson):
+    """A drum, of `mechanics` or of a hook with reeving.
+
+    Attributes:
+        name: Its name, also that of its flow.
+        diameter: Pitch diameter on which its rope is counted [m]; of the first layer.
+        paid_out: Rope paid out in the first layer per unit of its flow; of a hook's drum, which counts what
+            the hook rises, less than 0.
+        wraps_at_start: Turns on it at the start; None where that is not known.
+        wraps_per_layer: Turns in a full layer; None of one layer without end.
+        layers: Layers that fit on it.
+        layer_step: Radius that each further layer adds [m].
+        spare_turns: Turns that have to stay on it; None where nothing is said.
+    """
+
+    name: str
+    diameter: float = 0.0
+    paid_out: float = 1.0
+    wraps_at_start: float | None = None
+    wraps_per_layer: float | None = None
+    layers: int = 1
+    layer_step: float = 0.0
+    spare_turns: float | None = None

@@ -1,0 +1,365 @@
+"""The steps of a plan, one class for each verb."""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from gantline.scenario.base import Element
+from gantline.scenario.bounds import MeasuresReader, Require
+from gantline.scenario.condition import Condition
+from gantline.scenario.quantities import (
+    Angle,
+    Length,
+    Name,
+    Names,
+    PositiveAcceleration,
+    PositiveAngularAcceleration,
+    PositiveAngularSpeed,
+    PositiveLength,
+    PositiveMass,
+    PositiveMassFlow,
+    PositiveSpeed,
+    Quantity,
+    Text,
+    Time,
+    WordOr,
+    refuse,
+)
+
+__all__ = [
+    "AlongStep",
+    "DrumStep",
+    "HaulInStep",
+    "HaulStep",
+    "HoistStep",
+    "HoldStep",
+    "HookStep",
+    "Kind",
+    "LowerStep",
+    "LuffStep",
+    "MooringStep",
+    "MovingStep",
+    "PayOutStep",
+    "PumpStep",
+    "PumpWay",
+    "SlewStep",
+    "TravelStep",
+    "TraverseStep",
+    "TurnStep",
+    "VeerStep",
+]
+
+Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper", "mooring line"]
+
+
+class _AnyStep(Element):
+    step: Text = Field(description="Name of the step.")
+    report: Annotated[tuple[str, ...], MeasuresReader()] = Field(
+        (), description="Measures to report at its end."
+    )
+    require: Require | None = Field(None, description="What has to hold at its end.")
+    cut: Names = Field((), description="Rope or ropes that are cut as it begins, like 'sling.S1'.")
+    remove_supports: Names = Field(
+        (),
+        description="Supports that are taken away as it begins: a whole group, like 'keel_blocks', or one, "
+        "like 'keel_blocks.2.3'.",
+    )
+    pull_pins: Names = Field(
+        (),
+        description="Locking pins that are pulled as it begins: those of an equalizer, like 'e1', or of a "
+        "moving sheave, like 'e1.2'.",
+    )
+    put_in_pins: Names = Field(
+        (),
+        description="Locking pins that are put in as it begins, where their sheaves then are; they have to "
+        "be at rest.",
+    )
+
+
+class _StartingStep(_AnyStep):
+    """A step whose start can be said."""
+
+    starts: Literal["after_previous", "with_previous"] = Field(
+        "after_previous",
+        description="'with_previous': it begins as the step before begins, and both go on side by side.",
+    )
+    start_at: Time | None = Field(
+        None, description="Time of the start; when the step before ends if not given."
+    )
+
+
+class MovingStep(_StartingStep):
+    """A step that moves hooks, drums, trolleys, cranes, booms or mooring lines."""
+
+    #: The key that says what is moved.
+    verb: ClassVar[str]
+    #: What that is.
+    kind: ClassVar[Kind]
+    #: Sign of the motion of its drives.
+    direction: ClassVar[float] = 1.0
+    #: The ways to end it.
+    ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by")
+
+    speed: PositiveSpeed = Field(
+        description="Speed of hooks, trolleys or crane, or of the rope on drums and winches."
+    )
+    acceleration: PositiveAcceleration | None = Field(
+        None, description="That of the hoist or drive itself if not given."
+    )
+    brake_from: Time | None = Field(None, description="Time from which they brake.")
+    emergency_stop_at: Time | None = Field(
+        None,
+        description="Time of an emergency stop: brakes are thrown in, and drums slip to rest against them.",
+    )
+    until: Condition | None = Field(None, description="Condition on which they brake.")
+    by: Length | None = Field(
+        None, description="Distance of the hooks, or length of rope, after which they are at rest."
+    )
+
+    @property
+    def moved(self) -> tuple[str, ...]:
+        """What moves, in the words of the file."""
+        names: tuple[str, ...] = getattr(self, self.verb)
+        return names
+
+    @property
+    def sign(self) -> float:
+        """Sign of the motion of its drives, where neither a signed `by` nor `to` says it."""
+        return self.direction
+
+    @model_validator(mode="after")
+    def _one_end(self) -> MovingStep:
+        given = [name for name in self.ends if getattr(self, name) is not None]
+        if len(given) != 1:
+            listed = " and ".join(f"'{name}'" for name in given) or "none of them"
+            ways = ", ".join(f"'{name}'" for name in self.ends[:-1]) + f" and '{self.ends[-1]}'"
+            raise refuse(f"a step ends by one of {ways}; found {listed}")
+        return self
+
+
+class HookStep(MovingStep):
+    """A step that moves hooks up or down."""
+
+    kind: ClassVar[Kind] = "hook"
+    ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by", "to")
+
+    by: PositiveLength | None = Field(None, description="Distance of the hooks after which they are at rest.")
+    to: Length | None = Field(None, description="Height of the hooks' bearings in which they are at rest.")
+
+
+class DrumStep(MovingStep):
+    """A step that turns drums."""
+
+    kind: ClassVar[Kind] = "drum"
+
+    by: PositiveLength | None = Field(None, description="Length of rope after which the drums are at rest.")
+
+
+class AlongStep(MovingStep):
+    """A step that moves trolleys along the girder, or a crane along its rails."""
+
+    ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by", "to")
+    #: A way, as messages show it.
+    way: ClassVar[str] = "75 m"
+
+    by: Length | None = Field(None, description="Way after which they are at rest; negative goes back.")
+    to: Length | None = Field(None, description="Position in which they are at rest.")
+    towards: Literal["plus", "minus"] = Field(
+        "plus", description="Where they go if neither 'by' nor 'to' says it: to larger positions, or smaller."
+    )
+
+    @property
+    def sign(self) -> float:
+        """Sign of the motion."""
+        return 1.0 if self.towards == "plus" else -1.0
+
+    @model_validator(mode="after")
+    def _goes_somewhere(self) -> AlongStep:
+        if self.by == 0:
+            right = type(self).way
+            raise refuse(f"'0' goes nowhere; a way like '{right}' or '-{right}' is needed", "by")
+        if "towards" in self.model_fields_set and (self.by is not None or self.to is not None):
+            raise refuse("'by' and 'to' say where it goes; leave 'towards' out", "towards")
+        return self
+
+
+class TurnStep(AlongStep):
+    """A step that turns something about an axis, between ends of its range."""
+
+    way: ClassVar[str] = "10 deg"
+
+    speed: PositiveAngularSpeed = Field(description="Angular speed.")
+    acceleration: PositiveAngularAcceleration | None = Field(
+        None, description="That of the drive itself if not given."
+    )
+    by: Angle | None = Field(None, description="Angle after which it is at rest; negative goes back.")
+    to: Angle | None = Field(None, description="Angle in which it is at rest.")
+    towards: Literal["plus", "minus"] = Field(
+        "plus", description="Where it turns if neither 'by' nor 'to' says it: to larger angles, or smaller."
+    )
+
+
+class LuffStep(TurnStep):
+    """A step in which booms luff; larger angles are steeper."""
+
+    what: ClassVar[str] = "a luff step"
+
+    luff: Names = Field(description="Crane or cranes whose booms luff.")
+
+    verb: ClassVar[str] = "luff"
+    kind: ClassVar[Kind] = "boom"
+
+
+class SlewStep(TurnStep):
+    """A step in which the upper structures of cranes slew; larger angles are to the left."""
+
+    what: ClassVar[str] = "a slew step"
+
+    slew: Names = Field(description="Crane or cranes that slew.")
+
+    verb: ClassVar[str] = "slew"
+    kind: ClassVar[Kind] = "upper"
+
+
+class HoistStep(HookStep):
+    """A step that hoists."""
+
+    what: ClassVar[str] = "a hoist step"
+
+    hoist: Names = Field(description="Hook or hooks to hoist.")
+
+    verb: ClassVar[str] = "hoist"
+
+
+class LowerStep(HookStep):
+    """A step that lowers."""
+
+    what: ClassVar[str] = "a lower step"
+
+    lower: Names = Field(description="Hook or hooks to lower.")
+
+    verb: ClassVar[str] = "lower"
+    direction: ClassVar[float] = -1.0
+
+
+class TraverseStep(AlongStep):
+    """A step in which trolleys traverse."""
+
+    what: ClassVar[str] = "a traverse step"
+
+    traverse: Names = Field(description="Trolley or trolleys that traverse along the girder.")
+
+    verb: ClassVar[str] = "traverse"
+    kind: ClassVar[Kind] = "trolley"
+
+
+class TravelStep(AlongStep):
+    """A step in which cranes travel."""
+
+    what: ClassVar[str] = "a travel step"
+
+    travel: Names = Field(description="Crane or cranes that travel along their rails.")
+
+    verb: ClassVar[str] = "travel"
+    kind: ClassVar[Kind] = "crane"
+
+
+class HaulInStep(DrumStep):
+    """A step in which drums haul rope in."""
+
+    what: ClassVar[str] = "a haul_in step"
+
+    haul_in: Names = Field(description="Drum or drums of 'mechanics' that haul in.")
+
+    verb: ClassVar[str] = "haul_in"
+    direction: ClassVar[float] = -1.0
+
+
+class PayOutStep(DrumStep):
+    """A step in which drums pay rope out."""
+
+    what: ClassVar[str] = "a pay_out step"
+
+    pay_out: Names = Field(description="Drum or drums of 'mechanics' that pay out.")
+
+    verb: ClassVar[str] = "pay_out"
+
+
+class PumpWay(Element):
+    """From where to where liquid is pumped."""
+
+    what: ClassVar[str] = "pump"
+
+    from_: Name = Field(alias="from", description="Tank like 'barge.row1', or 'sea'.")
+    to: Name = Field(description="Tank like 'barge.row2', or 'sea'.")
+
+
+class PumpStep(_StartingStep):
+    """A step that pumps ballast."""
+
+    what: ClassVar[str] = "a pump step"
+
+    pump: PumpWay = Field(description="From where to where.")
+    rate: PositiveMassFlow = Field(
+        description="How much is pumped in a time; pumps come to it, and stop, within 10 s."
+    )
+    by: PositiveMass | None = Field(None, description="How much is pumped.")
+    until: Condition | None = Field(None, description="Condition on which the pumps stop.")
+
+    verb: ClassVar[str] = "pump"
+
+    @model_validator(mode="after")
+    def _one_end(self) -> PumpStep:
+        if (self.by is None) == (self.until is None):
+            listed = "both" if self.by is not None else "none of them"
+            raise refuse(f"a pump step ends by one of 'by' and 'until'; found {listed}")
+        return self
+
+
+class MooringStep(MovingStep):
+    """A step in which winches move mooring lines."""
+
+    kind: ClassVar[Kind] = "mooring line"
+
+    by: PositiveLength | None = Field(None, description="Length of line after which the winches are at rest.")
+
+
+class HaulStep(MooringStep):
+    """A step in which mooring lines are hauled in."""
+
+    what: ClassVar[str] = "a haul step"
+
+    haul: Names = Field(description="Mooring line or lines that are hauled in.")
+
+    verb: ClassVar[str] = "haul"
+    direction: ClassVar[float] = -1.0
+
+
+class VeerStep(MooringStep):
+    """A step in which mooring lines are paid out."""
+
+    what: ClassVar[str] = "a veer step"
+
+    veer: Names = Field(description="Mooring line or lines that are paid out.")
+
+    verb: ClassVar[str] = "veer"
+
+
+class HoldStep(_AnyStep):
+    """A step that waits."""
+
+    what: ClassVar[str] = "a hold step"
+
+    hold: Annotated[
+        float | Literal["until_end", "until_met"],
+        WordOr(("until_end", "until_met"), Quantity("time", "positive")),
+    ] = Field(description="How long, 'until_end', or 'until_met': as long as 'until' asks for.")
+    until: Condition | None = Field(None, description="What 'hold: until_met' waits for.")
+
+    @model_validator(mode="after")
+    def _condition_where_asked(self) -> HoldStep:
+        if (self.hold == "until_met") != (self.until is not None):
+            raise refuse("'hold: until_met' and 'until' stand together, or none of them does")
+        return self

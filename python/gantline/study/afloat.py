@@ -1,0 +1,108 @@
+"""A vessel at rest, with what answers to more in its tanks."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.assembly.hulls import hull_mesh
+from gantline.assembly.water import hull_name
+from gantline.hydro import Hull
+from gantline.results.attitude import Lie
+from gantline.results.rotation import axes
+from gantline.scenario import Scenario
+from gantline.scenario.tanks import bodies_afloat, sea_density
+from gantline.scenario.water import Water
+from gantline.statics import Statics
+from gantline.study.inclining import heights_of
+
+__all__ = ["Afloat", "VesselAttitude"]
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class VesselAttitude:
+    """How a vessel floats.
+
+    Attributes:
+        heel: To starboard positive [rad].
+        trim: By the stern positive [rad].
+        draft: At half its length in the centre plane, along its own z [m].
+    """
+
+    heel: float
+    trim: float
+    draft: float
+
+
+class Afloat:
+    """The vessel at rest at a moment of the lift, with the contents that the lift file gives.
+
+    Attributes:
+        rest: The equilibrium.
+        mass: Of the vessel's body [kg].
+        centre: Its centre of gravity, vessel axes [m].
+        turn: World from vessel, shape (3, 3).
+        attitude: How it floats.
+    """
+
+    def __init__(self, scenario: Scenario, vessel: str, time: float) -> None:
+        self.scenario, self.vessel = scenario, vessel
+        self.question = Statics(scenario)
+        self.rest = self.question.equilibrium(time)
+        body = next(one for one in self.question.assembly.document["bodies"] if one["name"] == vessel)
+        self.mass, self.centre = float(body["mass"]), np.array(body["centre_of_gravity"])
+        hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
+        assert hull is not None  # it floats
+        self._middle = float(hull.box[:, 0].mean())
+        self._level = (scenario.water or Water()).level
+        self.turn = axes(self.rest.recording.column("body_orientation", vessel)[-1])
+        self.attitude = self._attitude()
+
+    def content(self, tank: str) -> float:
+        """What is in a tank at the moment [kg]."""
+        return float(self.rest.recording.column("tank_content", f"{self.vessel}.{tank}")[-1])
+
+    def _attitude(self) -> VesselAttitude:
+        lie = Lie(self.turn, self._origin()[2] - self._level)
+        return VesselAttitude(float(lie.heel), float(lie.trim), float(lie.draft(self._middle)))
+
+    def _origin(self) -> Floats:
+        centre = self.rest.recording.column("body_position", self.vessel)[-1]
+        origin: Floats = centre - self.turn @ self.centre
+        return origin
+
+    def displacement(self) -> float:
+        """Mass of the water displaced [kg]."""
+        name = hull_name(self.vessel)
+        force = next(one for one in self.question.assembly.document["forces"] if one["name"] == name)
+        hull = Hull(name, force["vertices"], force["triangles"])
+        below = hull.below(self.turn[2], float(self._origin()[2] - self._level))
+        return float(below["volume"]) * sea_density(self.scenario)
+
+    def slopes(self) -> dict[str, Floats]:
+        """How heel, trim [rad] and draft [m] answer to mass of the vessel, shape (4,) each.
+
+        To a kilogram more at its centre of gravity, and to moments about that of 1 kg m along its axes.
+        """
+        kinds = ("mass", "centre_x", "centre_y", "centre_z")
+        found = self.question.sensitivities([(kind, self.vessel) for kind in kinds])
+        motion = np.array([one.of_body(self.vessel) for one in found])
+        motion[1:] /= self.mass
+        x, y, z = self.turn.T
+        turned = [np.cross(motion[:, 3:], axis)[:, 2] for axis in (x, y, z)]
+        heel = (z[2] * turned[1] - y[2] * turned[2]) / (y[2] ** 2 + z[2] ** 2)
+        trim = turned[0] / math.cos(self.attitude.trim)
+        # The point of the vessel in which draft is read stays in the surface.
+        arm = self.turn @ (np.array([self._middle, 0.0, self.attitude.draft]) - self.centre)
+        draft = -(motion[:, 2] + np.cross(motion[:, 3:], arm)[:, 2]) / z[2]
+        return {"heel": heel, "trim": trim, "draft": draft}
+
+    def metacentric_heights(self) -> tuple[float, float]:
+        """For heel and trim [m], see `gantline.study.inclining`."""
+        found = heights_of(self.question, self.rest, self.vessel, self.displacement())
+        return found.transverse, found.longitudinal
