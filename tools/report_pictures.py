@@ -22,9 +22,8 @@ ROOT = Path(__file__).resolve().parents[1]
 VIEWER = ROOT / "viewer"
 SCENARIOS = ("goliath", "floating_crane")
 LARGEST = 150_000  # bytes of a picture
-WIDEST = 1000  # pixels
-#: Fewer colours until a picture is small enough; its text stays sharp.
-COLOURS = (256, 128, 64, 32)
+#: Widths [pixels] and colours, less of both until a picture is small enough; its text stays sharp.
+TRIES = ((1000, 256), (1000, 64), (840, 128), (840, 48), (700, 64), (700, 32), (600, 32))
 
 
 def pages(folder: Path) -> None:
@@ -38,17 +37,17 @@ def pages(folder: Path) -> None:
 
 
 def keep(drawn: Path, target: Path) -> None:
-    """Write a picture with as many colours as its size allows.
+    """Write a picture as large and with as many colours as its size allows.
 
     Raises:
         SystemExit: if it stays too large.
     """
-    picture = Image.open(drawn).convert("RGB")
-    if picture.width > WIDEST:
-        height = round(picture.height * WIDEST / picture.width)
-        picture = picture.resize((WIDEST, height), Image.Resampling.LANCZOS)
-    for colours in COLOURS:
-        few = picture.quantize(colours, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    whole = Image.open(drawn).convert("RGB")
+    size = 0
+    for widest, colours in TRIES:
+        width = min(widest, whole.width)
+        fitted = whole.resize((width, round(whole.height * width / whole.width)), Image.Resampling.LANCZOS)
+        few = fitted.quantize(colours, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
         few.save(target, optimize=True)
         size = target.stat().st_size
         if size <= LARGEST:

@@ -40,6 +40,9 @@ _ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)  # m, lengths of a sca
 #: Of the paper [mm]; no world is drawn beyond the margin.
 _WIDTH, _HEIGHT, _MARGIN = 92.0, 62.0, 2.0
 
+#: Where along a sling its number is tried, the best first.
+_ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
+
 #: Corners of a box of half sizes 1.
 _SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
 
@@ -343,11 +346,13 @@ def _numbers(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *
         marks.append(Mark("dot", "sk-lug", x=float(lug[0]), y=float(lug[1])))
         upper, lower = paper.place(path[0]), lug
         beside = lug + np.array([0.0, -2.2])
-        tries = [upper + part * (lower - upper) for part in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)]
+        tries = [upper + part * (lower - upper) for part in _ALONG]
         free = (
             place
             for place in ([beside, *tries] if plan else tries)
-            if all(np.linalg.norm((place - other) / (6.5, 4.0)) > 1.0 for other in taken)
+            if all(
+                np.linalg.norm((place - other) / (1.2 + 1.75 * len(sling.name), 3.4)) > 1.0 for other in taken
+            )
         )
         found = next(free, None)
         if found is None:  # too many beside each other: those that have room stand for them
