@@ -22,8 +22,9 @@ ROOT = Path(__file__).resolve().parents[1]
 VIEWER = ROOT / "viewer"
 SCENARIOS = ("goliath", "floating_crane")
 LARGEST = 150_000  # bytes of a picture
-#: Widths [pixels] and colours, less of both until a picture is small enough; its text stays sharp.
-TRIES = ((1000, 256), (1000, 64), (840, 128), (840, 48), (700, 64), (700, 32), (600, 32))
+WIDEST = 1000  # pixels
+#: Of WebP, the best first; None is without loss.
+QUALITIES = (None, 90, 80)
 
 
 def pages(folder: Path) -> None:
@@ -37,18 +38,17 @@ def pages(folder: Path) -> None:
 
 
 def keep(drawn: Path, target: Path) -> None:
-    """Write a picture as large and with as many colours as its size allows.
+    """Write a picture as well as its size allows.
 
     Raises:
         SystemExit: if it stays too large.
     """
     whole = Image.open(drawn).convert("RGB")
+    width = min(WIDEST, whole.width)
+    fitted = whole.resize((width, round(whole.height * width / whole.width)), Image.Resampling.LANCZOS)
     size = 0
-    for widest, colours in TRIES:
-        width = min(widest, whole.width)
-        fitted = whole.resize((width, round(whole.height * width / whole.width)), Image.Resampling.LANCZOS)
-        few = fitted.quantize(colours, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
-        few.save(target, optimize=True)
+    for quality in QUALITIES:
+        fitted.save(target, "WEBP", lossless=quality is None, quality=quality or 100, method=6)
         size = target.stat().st_size
         if size <= LARGEST:
             print(f"{target.relative_to(ROOT)}: {size / 1e3:.0f} kB")
@@ -70,7 +70,7 @@ def main() -> None:
         given = {"GANTLINE_PAGES": str(folder), "GANTLINE_CHROMIUM": browser, "GANTLINE_PICTURES": str(drawn)}
         subprocess.run(command, cwd=VIEWER, env={**os.environ, **given}, check=True)
         for picture in sorted(drawn.glob("*.png")):
-            keep(picture, ROOT / "docs" / "images" / picture.name)
+            keep(picture, ROOT / "docs" / "images" / f"{picture.stem}.webp")
 
 
 if __name__ == "__main__":
