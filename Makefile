@@ -56,6 +56,7 @@ docs: setup ## the documentation as web pages in build/docs
 
 pictures: setup ## draw the pictures of README and documentation anew
 	python tools/pictures.py
+	python tools/report_pictures.py
 
 lock: setup ## renew the locks of Python and of the player
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 requirements/uv.in -o requirements/uv.txt

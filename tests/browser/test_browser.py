@@ -24,6 +24,7 @@ from gantline.viewer.chromium import NAMES, chromium
 from gantline.viewer.decimate import frames
 from gantline.viewer.live import LiveView
 from gantline.viewer.server import PageServer
+from harbour_lift import HARBOUR_LIFT
 from hostile import hostile_recording
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -161,6 +162,9 @@ def test_report_and_player_in_a_browser(tmp_path: Path) -> None:
     recording = gantline.simulate(ROOT / "scenarios" / "equalizer")
     write_report(recording, tmp_path / "report.html")
     write_report(gantline.simulate(ROOT / "scenarios" / "equalizer_yard"), tmp_path / "yard.html")
+    harbour = tmp_path / "harbour.yaml"
+    harbour.write_text(HARBOUR_LIFT, encoding="utf-8")
+    write_report(gantline.simulate(harbour), tmp_path / "afloat.html")
     watched = watched_recording(tmp_path)
     write_report(watched, tmp_path / "watched.html")
     (tmp_path / "watched.json").write_text(

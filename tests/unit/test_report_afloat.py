@@ -72,7 +72,7 @@ def test_cases_of_a_release_stand_on_the_first_page(pumped: Recording) -> None:
 def test_what_a_vessel_does_after_a_rope_has_parted(pumped: Recording) -> None:
     more = {"event_time": 4.0, "event_kind": "cut", "event_name": "mooring.line"}
     changed = {
-        name: dataclasses.replace(pumped[name], values=np.append(pumped[name].values, value))
+        name: dataclasses.replace(pumped[name], values=np.array([*pumped[name].values.tolist(), value]))
         for name, value in more.items()
     }
     coordinates = {name: labels for name, labels in pumped.coordinates.items() if name != "event"}

@@ -2,6 +2,7 @@
 
 import { unpack } from "./data/unpack";
 import { element } from "./dom";
+import { parse } from "./player/address";
 import type { Session } from "./player/session";
 
 const EVERY = 100; // ms between an answer and the next question
@@ -19,6 +20,8 @@ interface Live {
 export async function follow(session: Session): Promise<void> {
   const address = document.querySelector<HTMLMetaElement>('meta[name="gantline-live"]')?.content;
   if (!address) return;
+  // Who comes to see a lift that runs sees what it does now, unless he was sent to a time.
+  if (parse(location.hash).time === undefined) session.seek(session.lift.end);
   const sign = element("p", { class: "gl-live", role: "status" }, "The lift is being simulated");
   document.querySelector("[data-gantline-player]")?.before(sign);
   for (;;) {

@@ -12,6 +12,7 @@ import { describe, expect, it } from "vitest";
 import { shown, ticksOf, verticalScale } from "../src/chart/scale";
 import type { Vector } from "../src/data/format";
 import type { Lift } from "../src/data/lift";
+import { Pace } from "../src/pace";
 import { parse, written } from "../src/player/address";
 import { Session, usualSpeed } from "../src/player/session";
 import { Clearances } from "../src/scene/clearances";
@@ -19,8 +20,21 @@ import { Ground, holesUnder, insideOf, niceCell, outsideOf, pitOf } from "../src
 import { distanceToPiece } from "../src/scene/picking";
 import { hullOf, plainSheaveGeometry, sheaveGeometry } from "../src/scene/solids";
 import { Structures } from "../src/scene/structures";
-import type { Extent } from "../src/scene/world";
+import { type Extent, extentOf } from "../src/scene/world";
 import { paletteOf, rampInto } from "../src/theme";
+
+describe("a pace", () => {
+  it("is due at once and then no more often than it says", () => {
+    const pace = new Pace(50);
+    expect([1000, 1049, 1050, 1080, 1101].map((now) => pace.isDue(now))).toEqual([
+      true,
+      false,
+      true,
+      false,
+      true,
+    ]);
+  });
+});
 
 describe("axes", () => {
   it("have round ticks", () => {
@@ -294,5 +308,26 @@ describe("drawing", () => {
     expect([...out]).toEqual([...Float32Array.from(palette.ramp[0]!)]);
     rampInto(palette, 7, out, 0);
     expect([...out]).toEqual([...Float32Array.from(palette.ramp[palette.ramp.length - 1]!)]);
+  });
+});
+
+describe("the room of a lift", () => {
+  it("leaves out how far mooring lines go", () => {
+    const rope = (kind: string, first: number) => ({ kind, first, count: 2 });
+    const lift = {
+      header: {
+        bodies: [],
+        ropes: [rope("rope", 0), rope("mooring", 2)],
+        water: null,
+        ground: null,
+        holes: [],
+      },
+      frameTimes: Float64Array.of(0),
+      path: Float64Array.of(0, 0, 0, 2, 4, 6, 0, 0, 0, 500, 0, 0),
+      poses: new Float64Array(),
+      seek: () => {},
+      begin: 0,
+    } as unknown as Lift;
+    expect(extentOf(lift).high).toEqual([2, 4, 6]);
   });
 });

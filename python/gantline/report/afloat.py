@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,9 @@ from gantline.results.variable import BoolArray
 from gantline.results.vessels import Vessel
 
 #: Rows of a vessel that the first page has.
-_MOST_ROWS = 8
+_MOST_ROWS = 5
+#: Draft [m] and angle [rad] by which a vessel lies otherwise after a step than before it.
+_SAME_DRAFT, _SAME_ANGLE = 0.02, 0.0005
 #: Share of what a tank holds at most whose change counts as pumped.
 _MOVED = 1e-6
 _MOST_TANKS = 6
@@ -39,7 +42,7 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
     recording = subject.recording
     tanks = [tank for tank in subject.rig.tanks if tank.name.startswith(f"{vessel.name}.")]
     held = sum((recording.column("tank_content", tank.name) for tank in tanks), np.zeros(len(recording.time)))
-    moments = _moments(subject)
+    moments = _changes(subject, vessel)
     rows = [
         {
             "name": name,
@@ -50,12 +53,12 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
             "displacement": number(float(recording.column("vessel_displacement", vessel.name)[at]), "t", 0),
             "ballast": number(float(held[at]), "t", 0) if tanks else ABSENT,
         }
-        for name, at in moments[:_MOST_ROWS]
+        for name, at in moments
     ]
     return {
         "name": vessel.name,
         "rows": rows,
-        "left_out": max(0, len(moments) - _MOST_ROWS),
+        "left_out": max(0, len(_moments(subject)) - len(moments)),
         "gm": _gm(subject, vessel),
         "pumped": _pumped(subject, vessel),
         "has_tanks": bool(tanks),
@@ -72,6 +75,26 @@ def _moments(subject: Subject) -> list[tuple[str, int]]:
         if end > begin or end == time[-1]:
             found.append((name, max(0, int(np.searchsorted(time, end, side="right")) - 1)))
     return found
+
+
+def _changes(subject: Subject, vessel: Vessel) -> list[tuple[str, int]]:
+    """The start, the end, and of the other moments those with the largest changes of how it lies."""
+    found = _moments(subject)
+    if len(found) <= _MOST_ROWS:
+        return found
+    scale = {"vessel_draft_aft": _SAME_DRAFT, "vessel_draft_forward": _SAME_DRAFT, "vessel_heel": _SAME_ANGLE}
+    lies = [
+        np.array([subject.recording.column(name, vessel.name)[at] / step for name, step in scale.items()])
+        for _, at in found
+    ]
+    kept = [0]
+    for place in range(1, len(found)):
+        if np.abs(lies[place] - lies[kept[-1]]).max() > 1.0:
+            kept.append(place)
+    steps = list(pairwise(kept))
+    steps.sort(key=lambda two: -float(np.abs(lies[two[1]] - lies[two[0]]).max()))
+    shown = {0, len(found) - 1, *(place for _, place in steps[: _MOST_ROWS - 2])}
+    return [found[place] for place in sorted(shown)]
 
 
 def _gm(subject: Subject, vessel: Vessel) -> str:
@@ -140,7 +163,7 @@ def _release(subject: Subject) -> list[tuple[str, str]]:
     asked = [] if cases is None else [one for one in cases.cases if "release" in one.name.lower()]
     if asked:
         return [(f"case {one.name}", "; ".join(one.troubles) or "sound, at rest") for one in asked]
-    return [("sudden release of the load", "not simulated: no rope parts in this lift")]
+    return [("sudden release of the load", "not simulated")]
 
 
 def _swings(subject: Subject, vessel: Vessel, after: BoolArray) -> str:

@@ -21,6 +21,9 @@ from gantline.results.saved import digest_of
 
 _MOST_SLINGS = 16
 _MOST_STEPS = 16
+#: Of lifts afloat, whose vessels take room on the sheet.
+_MOST_SLINGS_AFLOAT = 4
+_MOST_STEPS_AFLOAT = 12
 _MOST_NAMED = 4
 _MOST_WARNINGS = 3
 
@@ -40,6 +43,8 @@ class FirstPage(Section):
 
     def content(self, subject: Subject) -> dict[str, Any]:
         """What the template is given."""
+        is_afloat = bool(subject.rig.vessels)
+        most_slings = _MOST_SLINGS_AFLOAT if is_afloat else _MOST_SLINGS
         return {
             "rig": subject.rig,
             "cranes": ", ".join(dict.fromkeys(hook.crane or hook.name for hook in subject.rig.hooks)),
@@ -51,15 +56,15 @@ class FirstPage(Section):
             "hooks": [hook_row(subject, hook) for hook in subject.rig.hooks],
             "cranes_travel": bool(subject.rig.cranes),
             "readings": [f"{100 * part:.0f} %" for part in READINGS],
-            "slings": sling_rows(subject, _MOST_SLINGS),
-            "slings_left_out": max(0, len(subject.rig.slings) - _MOST_SLINGS),
+            "slings": sling_rows(subject, most_slings),
+            "slings_left_out": max(0, len(subject.rig.slings) - most_slings),
             "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
             "attitude": attitude(subject),
             "vessels": vessel_tables(subject),
             "afloat": afloat_facts(subject),
             "booms": boom_rows(subject),
             "stands_on_tracks": bool(subject.rig.crawlers),
-            "steps": _steps(subject),
+            "steps": _steps(subject, _MOST_STEPS_AFLOAT if is_afloat else _MOST_STEPS),
             "stop_if": _stop_if(subject),
             "what_if": what_if(subject),
             "trust": _trust(subject),
@@ -167,7 +172,7 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     return rows
 
 
-def _steps(subject: Subject) -> dict[str, Any]:
+def _steps(subject: Subject, most: int) -> dict[str, Any]:
     times = {name: time for time, _, name in subject.recording.events("step_begin")}
     plan = subject.rig.plan
     rows = [
@@ -178,9 +183,9 @@ def _steps(subject: Subject) -> dict[str, Any]:
             "is_hold": step.kind == "hold",
             "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
         }
-        for step in plan[:_MOST_STEPS]
+        for step in plan[:most]
     ]
-    return {"rows": rows, "left_out": max(0, len(plan) - _MOST_STEPS)}
+    return {"rows": rows, "left_out": max(0, len(plan) - most)}
 
 
 def _does(step: Step) -> str:

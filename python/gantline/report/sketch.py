@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -38,6 +39,9 @@ _ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)  # m, lengths of a sca
 
 #: Of the paper [mm]; no world is drawn beyond the margin.
 _WIDTH, _HEIGHT, _MARGIN = 92.0, 62.0, 2.0
+
+#: Where along a sling its number is tried, the best first.
+_ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
 
 #: Corners of a box of half sizes 1.
 _SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
@@ -128,6 +132,12 @@ class _Paper:
         below = _HEIGHT - _MARGIN - float(self._centre[1])
         return float(self._middle[1]) - below * self.scale
 
+    def line(self, path: FloatArray, style: str) -> list[Mark]:
+        """A line of the world as far as it is on the paper."""
+        places = self.place(path)
+        pieces = (_cut(one, other) for one, other in pairwise(places))
+        return [Mark("line", style, _text(piece)) for piece in pieces if piece is not None]
+
     def area(self, points: FloatArray, style: str) -> list[Mark]:
         """The outline of something of the world as far as it is on the paper; none if it is beside it."""
         shown = self.shown(points)
@@ -143,7 +153,10 @@ def sketches(subject: Subject) -> list[Sketch]:
     sample = len(recording.time) - 1
     solids = _solids(subject, scene, sample)
     ropes = _ropes(subject, sample)
-    parts = [one for _, pieces in solids.values() for one in pieces] + list(ropes.values())
+    # Mooring lines go far beyond what is lifted.
+    moorings = {line.rope for line in subject.rig.mooring_lines}
+    near = [path for name, path in ropes.items() if name not in moorings]
+    parts = [one for _, pieces in solids.values() for one in pieces] + near
     if not parts:
         return []
     bearings = [recording.column("body_position", name)[sample] for name in _hook_bodies(subject)]
@@ -156,8 +169,7 @@ def sketches(subject: Subject) -> list[Sketch]:
         extent = np.concatenate([lift, ground.near(lift)])
     carried = [one for kind, pieces in solids.values() if kind in ("load", "frame") for one in pieces]
     frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
-    wide = np.ptp(np.concatenate(frames or carried or parts), axis=0)
-    along = "x" if wide[0] >= wide[1] else "y"
+    along = _along(subject, np.concatenate(frames or carried or parts), sample)
     view = _SIDES[along]
     paper = _Paper(view, extent)
     axis = "xy".index(along)
@@ -168,6 +180,18 @@ def sketches(subject: Subject) -> list[Sketch]:
     behind = _holes(paper, ground, water_level(recording)) + _standing(paper, around)
     plan = _draw(subject, "plan, x to the right", _PLAN, paper, solids, ropes, behind)
     return [side, plan]
+
+
+def _along(subject: Subject, shown: FloatArray, sample: int) -> str:
+    """The axis of the world that a side view has to the right: of the first boom, else the longer one."""
+    recording = subject.recording
+    bodies = recording.coordinates.get("body", ())
+    for boom in subject.rig.booms:
+        if boom.boom in bodies:
+            way = np.abs(axes(recording.column("body_orientation", boom.boom)[sample])[:, 0])
+            return "x" if way[0] >= way[1] else "y"
+    wide = np.ptp(shown, axis=0)
+    return "x" if wide[0] >= wide[1] else "y"
 
 
 def _solids(
@@ -231,7 +255,11 @@ def _draw(
         style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
         marks += [Mark("area", style, _text(_hull(paper.place(points)))) for points in pieces]
     slings = {sling.rope for sling in subject.rig.slings}
+    moorings = {line.rope for line in subject.rig.mooring_lines}
     for name, path in ropes.items():
+        if name in moorings:
+            marks += paper.line(path, "sk-rope")
+            continue
         if plan and slings and name not in slings:
             continue  # what hangs above would cover where slings are
         marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", _text(paper.place(path))))
@@ -318,11 +346,13 @@ def _numbers(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *
         marks.append(Mark("dot", "sk-lug", x=float(lug[0]), y=float(lug[1])))
         upper, lower = paper.place(path[0]), lug
         beside = lug + np.array([0.0, -2.2])
-        tries = [upper + part * (lower - upper) for part in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)]
+        tries = [upper + part * (lower - upper) for part in _ALONG]
         free = (
             place
             for place in ([beside, *tries] if plan else tries)
-            if all(np.linalg.norm((place - other) / (6.5, 4.0)) > 1.0 for other in taken)
+            if all(
+                np.linalg.norm((place - other) / (1.2 + 1.75 * len(sling.name), 3.4)) > 1.0 for other in taken
+            )
         )
         found = next(free, None)
         if found is None:  # too many beside each other: those that have room stand for them
@@ -370,6 +400,21 @@ def _hook_bodies(subject: Subject) -> list[str]:
     return [
         hook.name for hook in subject.rig.hooks if hook.name in subject.recording.coordinates.get("body", ())
     ]
+
+
+def _cut(one: FloatArray, other: FloatArray) -> FloatArray | None:
+    """What of a straight line is within the margin of the paper (Liang and Barsky); None if nothing is."""
+    begin, end = 0.0, 1.0
+    for axis, most in enumerate((_WIDTH, _HEIGHT)):
+        way = float(other[axis] - one[axis])
+        for room, sign in ((float(one[axis]) - _MARGIN, -1.0), (most - _MARGIN - float(one[axis]), 1.0)):
+            if sign * way > 0.0:
+                end = min(end, room / (sign * way))
+            elif sign * way < 0.0:
+                begin = max(begin, room / (sign * way))
+            elif room < 0.0:
+                return None
+    return None if begin >= end else np.array([one + begin * (other - one), one + end * (other - one)])
 
 
 def _text(points: FloatArray) -> str:

@@ -142,6 +142,7 @@ def _ropes(recording: Recording, scene: Mapping[str, Any], at: Places) -> list[d
     if not names:
         return []
     kinds = {entry["name"]: str(entry.get("kind", "rope")) for entry in scene.get("ropes") or ()}
+    kinds |= {line.rope: "mooring" for line in recording.rig.mooring_lines}
     owner = recording["rope_of_point"].values
     labels = {sling.rope: sling.name for sling in recording.rig.slings}
     found = []

@@ -33,16 +33,18 @@ export class Labels {
   ) {
     const { ropes, bodies, pairs } = lift.header;
     this.slings = ropes.filter((rope) => rope.kind === "sling").length;
+    // Where there is no room for all, the first ones have it.
+    for (const kind of ["load", "hook", "frame"])
+      bodies.forEach((body, index) => {
+        if (body.kind === kind && this.labels.length < MOST_BODIES)
+          this.add(body.name, "gl-label gl-label-body", { body: index });
+      });
+    pairs.slice(0, MOST_PAIRS).forEach((_, pair) => {
+      this.add("", "gl-label gl-label-pair", { pair });
+    });
     ropes.forEach((rope, index) => {
       if (rope.kind === "sling" && rope.count > 1 && this.slings <= MOST_SLINGS)
         this.add(rope.label, "gl-label", { rope: index });
-    });
-    bodies.forEach((body, index) => {
-      if (["load", "hook", "frame"].includes(body.kind) && this.labels.length < MOST_SLINGS + MOST_BODIES)
-        this.add(body.name, "gl-label gl-label-body", { body: index });
-    });
-    pairs.slice(0, MOST_PAIRS).forEach((_, pair) => {
-      this.add("", "gl-label gl-label-pair", { pair });
     });
   }
 
@@ -61,7 +63,7 @@ export class Labels {
     for (const label of this.labels) {
       const place = this.placeOf(label, width, height);
       const isFree = place && dodge(place, placed, label.rope < 0 ? 70 : hasValues ? 84 : 30);
-      if (!place || (label.rope >= 0 && !isFree)) {
+      if (!place || !isFree) {
         if (label.way) label.root.hidden = true;
         label.way = "";
         continue;
@@ -90,6 +92,12 @@ export class Labels {
     return tension > 0 ? ` ${Math.round(tension / 1e3)} kN` : " slack";
   }
 
+  private pointOf(index: number, width: number, height: number): [number, number] | null {
+    const { path } = this.lift;
+    const at = 3 * index;
+    return this.world.project(path[at]!, path[at + 1]!, path[at + 2]!, width, height);
+  }
+
   private placeOf(label: Label, width: number, height: number): [number, number] | null {
     if (label.pair >= 0) {
       const { nearest } = this.lift;
@@ -109,6 +117,8 @@ export class Labels {
     // Slings side by side: each label at another height, so that they do not lie upon each other.
     const rope = this.lift.header.ropes[label.rope]!;
     const place = (rope.count - 1) * (0.36 + 0.13 * (label.rope % 4));
+    const [upper, lower] = [0, rope.count - 1].map((end) => this.pointOf(rope.first + end, width, height));
+    if (!upper || !lower || Math.hypot(upper[0] - lower[0], upper[1] - lower[1]) < SHORT) return null;
     const piece = Math.min(rope.count - 2, Math.floor(place));
     const at = 3 * (rope.first + piece);
     const { path } = this.lift;
@@ -120,6 +130,8 @@ export class Labels {
 }
 
 const LINE = 18; // pixels
+/** Slings of which less is seen have no name: it would cover them [pixels]. */
+const SHORT = 48;
 
 /** Move a place down until it is free of those that are taken; false where that would be too far. */
 function dodge(place: [number, number], taken: readonly [number, number][], wide: number): boolean {

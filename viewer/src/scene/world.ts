@@ -24,6 +24,9 @@ import { Structures } from "./structures";
 /** Pixels of the drawing for one of the page, along each side, while something moves and each costs much. */
 const COARSE = 0.7;
 
+/** Sizes of the largest load that count as the size of the scene for arrows, at most. */
+const ROOM_OF_ARROWS = 4;
+
 export interface Extent {
   middle: [number, number, number];
   size: number;
@@ -72,7 +75,7 @@ export class World {
     const { middle, size } = this.extent;
     this.bodies = new Bodies(lift, middle, size);
     this.ropes = new Ropes(lift, middle);
-    this.arrows = new Arrows(lift, middle, size);
+    this.arrows = new Arrows(lift, middle, Math.min(size, ROOM_OF_ARROWS * sizeOfLoads(lift)));
     this.clearances = new Clearances(lift, middle);
     this.ground = new Ground(lift.header, this.extent);
     this.structures = new Structures(lift, middle);
@@ -188,8 +191,11 @@ export function extentOf(lift: Lift): Extent {
   const count = lift.frameTimes.length;
   for (let part = 0; part <= 8; part++) {
     lift.seek(lift.frameTimes[Math.round((part / 8) * (count - 1))] ?? 0);
-    for (let at = 0; at < lift.path.length; at += 3)
-      hold(lift.path[at]!, lift.path[at + 1]!, lift.path[at + 2]!);
+    for (const { kind, first, count } of lift.header.ropes) {
+      if (kind === "mooring") continue; // they go far beyond what is lifted
+      for (let at = 3 * first; at < 3 * (first + count); at += 3)
+        hold(lift.path[at]!, lift.path[at + 1]!, lift.path[at + 2]!);
+    }
     corners.forEach((points, index) => {
       const { cog } = lift.header.bodies[index]!;
       const pose = lift.poses.subarray(7 * index, 7 * index + 7);
@@ -216,6 +222,16 @@ export function extentOf(lift: Lift): Extent {
     low,
     high,
   };
+}
+
+/** The longest side of any load [m]; without end where none has a shape. */
+function sizeOfLoads(lift: Lift): number {
+  const sides = lift.header.bodies.flatMap(({ kind, shape }) => {
+    if (kind !== "load" || !shape) return [];
+    const corners = cornersOf(shape, lift);
+    return [0, 1, 2].map((axis) => corners[21 + axis]! - corners[axis]!);
+  });
+  return sides.length > 0 ? Math.max(...sides) : Number.POSITIVE_INFINITY;
 }
 
 function rendersInSoftware(): boolean {
