@@ -22,9 +22,8 @@ ROOT = Path(__file__).resolve().parents[1]
 VIEWER = ROOT / "viewer"
 SCENARIOS = ("goliath", "floating_crane")
 LARGEST = 150_000  # bytes of a picture
-WIDEST = 1000  # pixels
-#: Of WebP, the best first; None is without loss.
-QUALITIES = (None, 90, 80)
+#: Width [pixels] and quality of WebP, the best first; None is without loss.
+TRIES = ((1000, None), (1000, 90), (1000, 80), (850, 80), (700, 80))
 
 
 def pages(folder: Path) -> None:
@@ -44,10 +43,10 @@ def keep(drawn: Path, target: Path) -> None:
         SystemExit: if it stays too large.
     """
     whole = Image.open(drawn).convert("RGB")
-    width = min(WIDEST, whole.width)
-    fitted = whole.resize((width, round(whole.height * width / whole.width)), Image.Resampling.LANCZOS)
     size = 0
-    for quality in QUALITIES:
+    for widest, quality in TRIES:
+        width = min(widest, whole.width)
+        fitted = whole.resize((width, round(whole.height * width / whole.width)), Image.Resampling.LANCZOS)
         fitted.save(target, "WEBP", lossless=quality is None, quality=quality or 100, method=6)
         size = target.stat().st_size
         if size <= LARGEST:
