@@ -13,6 +13,8 @@ from scipy.optimize import fsolve
 
 from gantline.assembly import assemble
 from gantline.checks import check_recording
+from gantline.plot.drawing import stages
+from gantline.plot.moments import stages as stages_of
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 from gantline.scenario import Scenario, load_scenario, parse_scenario
@@ -335,6 +337,29 @@ def test_the_balance_closes_and_it_is_fast(recording: Recording) -> None:
     assert np.array_equal(found["rope_tension"].values, recording["rope_tension"].values)
 
 
+def test_pictures_show_its_stages(recording: Recording) -> None:
+    """Steps side by side are one stage, anchors do not decide the scale, and water ends at the quay."""
+    assert [name for name, _ in stages_of(recording)] == [
+        "start",
+        "slings taut",
+        "lift-off",
+        "end of 'hoist'",
+        "end of 'astern'",
+        "end of 'further astern'",
+    ]
+    drawn = stages(recording)
+    assert drawn is not None
+    panels = [panel for panel in drawn.axes if panel.get_title()]
+    assert len(panels) == 6
+    for panel in panels:
+        left, right = panel.get_xlim()
+        # The vessel, 30 m astern of its place, to the far side of the load.
+        assert left < -136 and right > 61 and right - left < 240
+        lines = [np.asarray(line.get_xydata()) for line in panel.lines]
+        surfaces = [line for line in lines if len(line) and np.all(line[:, 1] == 0.0)]
+        assert [(line[0, 0], line[-1, 0]) for line in surfaces] == [(left, 12.0)]
+
+
 EVERY_SLING = ", ".join(f"sling.{hook}.{number}" for hook in HOOKS for number in range(1, 6))
 LOST = ("{step: hold point 6, hold", f"{{step: hold point 6, cut: [{EVERY_SLING}], hold")
 DENSER = ("sample_interval: 2 s", "sample_interval: 0.25 s")
@@ -413,7 +438,7 @@ def test_tanks_that_are_filled_on_one_side_capsize_it() -> None:
     assert "barge: it has capsized over its port side" in message
     assert "barge.deck_edge went under at" in message
     until = failed.value.recording
-    assert until is not None and until.attributes["status"] == "failed"
+    assert until.attributes["status"] == "failed"
     (under,) = [time for time, _, name in until.events("flooding") if name == "barge.deck_edge"][:1]
     (over,) = until.events("capsized")
     assert under < over[0] and over[2].startswith("barge")

@@ -32,6 +32,7 @@ from gantline.results import Recording
 from gantline.results.rotation import axes
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
+from gantline.study.inclining import metacentric_heights
 
 
 def simulated(text: str) -> Recording:
@@ -311,6 +312,29 @@ def test_the_head_comes_down_and_ahead_as_the_vessel_comes_to_even_keel() -> Non
     assert before["boom_angle"].values[0, 0] == pytest.approx(math.radians(60), abs=1e-12)
     assert before.column("off_lead", "fc.H1")[0] == pytest.approx(0.0, abs=1e-12)
     assert after.column("crane_radius", "fc.H1")[0] == pytest.approx(47.4, abs=1e-9)
+
+
+@pytest.mark.parametrize(("ropes", "parts"), [(1, 16), (2, 16), (2, 15), (3, 7)])
+def test_what_hangs_at_the_head_counts_there_for_heel(ropes: int, parts: int) -> None:
+    """GM = KB + BM - KG with a hook of 350 t at the upper sheaves, 1.3 m below the head, for any reeving.
+
+    Its ropes hardly stretch: side by side, each about its own middle, they would hold the boom up.
+    """
+    text = afloat(4.27, 0.0).replace("[39 m, 0 m, 5 m]", "[44.4564 m, 0 m, 5 m]")
+    reeving = f"ropes: {ropes}, parts_each: {parts}"
+    assert "ropes: 2, parts_each: 16" in text
+    question = Statics(parse_scenario(text.replace("ropes: 2, parts_each: 16", reeving), "boom.yaml"))
+    rest = question.equilibrium()
+    found = metacentric_heights(question, rest)["barge"].transverse
+    _, z = head(math.radians(60))
+    own, boom, gear, hung, sheaves = 18852e3, BOOM, HEAD_GEAR, HOOK_BLOCK + 300e3, SHEAVE_BLOCK
+    total = own + boom + gear + hung + sheaves
+    middle = HEEL[1] + CENTRE * (z - HEEL[1])
+    moments = own * 5 + boom * middle + gear * z + (hung + sheaves) * (z - BELOW)
+    draft = total / (1025 * 105.6 * 46)
+    assert abs(float(rest.recording.column("vessel_trim", "barge")[-1])) < 1e-3
+    # A trim of 0.001 rad counts in its square; hooks swing out by stretch of 1e-4.
+    assert found == pytest.approx(draft / 2 + 46**2 / (12 * draft) - moments / total, rel=1e-4)
 
 
 LOST = """\

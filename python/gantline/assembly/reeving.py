@@ -216,8 +216,8 @@ def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
     middle = width * (rope - (hook.reeving.ropes - 1) / 2)
     mirror = -1.0 if rope % 2 else 1.0
     if hook.hook.carrier is not None and hook.hook.carrier.kind == "boom":
-        # All ropes about one middle, that of their parts: the hook block stays upright, so that ropes beside
-        # each other would hold up the boom that heels over it, where a real hook block tilts along.
+        # All ropes about one middle, that of their parts: the hook block stays upright, so that ropes side by
+        # side would hold up the boom that heels over it, where a real hook block tilts along.
         middle = spacing * mirror * (-(count // 2) / (2 * count) if count % 2 else 0.5)
     rows = [(k // 2 - (count // 2) / 2) * spacing * mirror + middle for k in range(count + 2)]
     low = hook.hook_block.height
