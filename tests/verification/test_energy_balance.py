@@ -12,17 +12,22 @@ from gantline.results.metrics import energy_bound
 from gantline.results.variable import FloatArray
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
-STORED = ("kinetic", "gravity", "elastic")
+STORED = ("kinetic", "gravity", "elastic", "fluid")
+WORK = ("drive_work", "fluid_work")
 LOSSES = (
     "rope_damping",
     "joint_damping",
     "contact_damping",
     "friction",
+    "drag",
     "impact",
     "parting",
     "adjusting",
     "method",
 )
+
+#: By which positions may be wrong in a step of `adaptive`, its default tolerance [m].
+POSITION = 1e-4
 
 scenarios = pytest.mark.parametrize(
     "name", sorted(path.parent.name for path in SCENARIOS.glob("*/scenario.yaml"))
@@ -30,9 +35,18 @@ scenarios = pytest.mark.parametrize(
 
 
 def energy(recording: gantline.Recording, kinds: tuple[str, ...]) -> FloatArray:
-    """Sum of the energies of some kinds [J], shape (time,)."""
-    total: FloatArray = np.sum([recording.column("energy", kind) for kind in kinds], axis=0)
-    return total
+    """Sum of the energies of some kinds [J], shape (time,); those of water or wind are not always there."""
+    known = recording.coordinates["energy_kind"]
+    total: FloatArray = np.sum([recording.column("energy", kind) for kind in kinds if kind in known], axis=0)
+    return total + np.zeros(len(recording.time))
+
+
+def held_by_sheaves(recording: gantline.Recording) -> float:
+    """Largest sum of the differences of tension that sheaves hold by friction [N]."""
+    if "sheave_tension" not in recording:
+        return 0.0
+    sides = recording["sheave_tension"].values
+    return float(np.abs(sides[:, :, 0] - sides[:, :, 1]).sum(axis=1).max())
 
 
 @scenarios
@@ -43,12 +57,14 @@ def test_the_balance_of_every_scenario_closes(name: str) -> None:
     assert not any("energy" in warning for warning in recording.attributes["warnings"])
     # The books hold at every sample: what is stored, less the work of the drives, plus all losses.
     stored = energy(recording, STORED)
-    balance = stored - stored[0] - energy(recording, ("drive_work",)) + energy(recording, LOSSES)
+    balance = stored - stored[0] - energy(recording, WORK) + energy(recording, LOSSES)
     scale = np.max(np.abs(stored)) + 1.0
     assert np.abs(balance - recording.column("energy", "remainder")).max() < 1e-9 * scale
     for kind in LOSSES[:-1]:
-        # A slip that turns round within one step may give back a little of its own.
-        assert np.diff(recording.column("energy", kind)).min() > -1e-7 * scale, f"{kind} was given back"
+        # A slip that turns round within one step may give back a little of its own: by sheaves what their
+        # friction does along the way by which positions may be wrong.
+        turned = 1e-7 * scale + (POSITION * held_by_sheaves(recording) if kind == "friction" else 0.0)
+        assert np.diff(energy(recording, (kind,))).min() > -turned, f"{kind} was given back"
 
 
 def test_the_remainder_of_the_reference_lift_falls_with_the_step() -> None:

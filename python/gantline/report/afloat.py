@@ -69,8 +69,8 @@ def _moments(subject: Subject) -> list[tuple[str, int]]:
     """The start, and the end of each step that has begun, with their samples."""
     time = subject.recording.time
     begun = [(moment, name) for moment, _, name in subject.recording.events("step_begin")]
-    ends = [*(moment for moment, _ in begun[1:]), float(time[-1])]
     found = [("at the start", 0)]
+    ends = [*(moment for moment, _ in begun[1:]), float(time[-1])] if begun else []
     for (begin, name), end in zip(begun, ends, strict=True):
         if end > begin or end == time[-1]:
             found.append((name, max(0, int(np.searchsorted(time, end, side="right")) - 1)))
