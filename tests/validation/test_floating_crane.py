@@ -380,8 +380,9 @@ def test_sudden_loss_of_the_load() -> None:
     # Heave has part of it, whose freeboard counts, and falls and boom spring: 3 %.
     assert trim[after].max() == pytest.approx(settled * (1 + share), rel=0.03)
     freeboard = lost.column("vessel_freeboard", "barge")[after].min()
-    # At the stern, 7.5 m deep, by trim and mean draft at the swing, to half of what heave adds.
-    assert freeboard == pytest.approx(7.5 - 4.2 - LENGTH / 2 * math.sin(math.radians(trim.max())), abs=0.3)
+    # At the stern, 7.5 m deep, by trim and mean draft. That comes from 4.40 m by 1000 t/(1.025 · 4858 m²),
+    # 0.20 m, and goes at most as much beyond: 4.2 m to 0.2 m either way.
+    assert freeboard == pytest.approx(7.5 - 4.2 - LENGTH / 2 * math.sin(math.radians(trim.max())), abs=0.2)
     assert freeboard > 1.0 and lost.events("flooding") == []
     assert lost.metrics()["energy_remainder"] < 1e-5
 
@@ -396,9 +397,11 @@ def test_sudden_loss_without_damping_swings_nearly_three_degrees() -> None:
     before = trim[0]
     assert trim[after].max() == pytest.approx(2 * before, rel=0.03)
     assert trim[after].max() * 1096 / 1000 == pytest.approx(2.92, rel=0.03)
-    # By hand 0.6 m, of 2.92 deg: each tenth of a degree is 92 mm at the stern, and 28 mm less of sinkage.
+    # Heave and pitch have nearly one period, so the mean draft then has gone 0.2 m beyond 4.2 m too, which the
+    # hand figure of 0.6 m leaves out. 2 cm: the periods, and some tonnes of lines.
     freeboard = lost.column("vessel_freeboard", "barge")[after].min()
-    assert freeboard == pytest.approx(0.6 + 0.092 * (2.92 - trim[after].max()) * 10, abs=0.25)
+    stern = LENGTH / 2 * math.sin(math.radians(trim[after].max()))
+    assert freeboard == pytest.approx(7.5 - 4.0 - stern, abs=0.02)
 
 
 def test_bow_lines_that_are_forgotten_break_the_stern_lines() -> None:

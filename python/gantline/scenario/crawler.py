@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 from gantline.scenario.base import Element, Named
 from gantline.scenario.boom import BoomHook, BoomParts, PlacedBoom, boom_name
 from gantline.scenario.goliath import Traverse
-from gantline.scenario.luffing import Luffing
+from gantline.scenario.luffing import Luffing, TurningDrive
 from gantline.scenario.quantities import (
     Angle,
     Damping,
@@ -24,8 +24,6 @@ from gantline.scenario.quantities import (
     Mass,
     Names,
     PositiveAngle,
-    PositiveAngularAcceleration,
-    PositiveAngularSpeed,
     PositiveLength,
     PositiveMass,
     PositiveStiffness,
@@ -152,18 +150,11 @@ class Counterweight(Element):
     )
 
 
-class Slewing(Element):
+class Slewing(TurningDrive):
     """What slews the upper structure."""
 
     what: ClassVar[str] = "slewing"
 
-    speed: PositiveAngularSpeed = Field(description="Highest speed.")
-    acceleration: PositiveAngularAcceleration = Field(
-        description="Highest acceleration; also used where a step names none."
-    )
-    emergency_acceleration: PositiveAngularAcceleration | None = Field(
-        None, description="Deceleration of an emergency stop; the acceleration if not given."
-    )
     range_: _Angles = Field(
         None, alias="range", description="Least and largest angle; all the way round if not given."
     )

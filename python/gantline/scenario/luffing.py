@@ -27,7 +27,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.rope_weight import RopeWeightWord
 
-__all__ = ["Luffing", "LuffingGear", "Tackles", "luffing_drum", "luffing_ropes"]
+__all__ = ["Luffing", "LuffingGear", "Tackles", "TurningDrive", "luffing_drum", "luffing_ropes"]
 
 _Angles = Annotated[tuple[float, float], ListOf(Quantity("angle"), 2)]
 
@@ -74,18 +74,23 @@ class Tackles(Element):
         return tuple(side * (1 - 2 * place / (self.count - 1)) for place in range(self.count))
 
 
-class Luffing(Element):
-    """What luffs a boom."""
+class TurningDrive(Element):
+    """What turns a boom or an upper structure."""
 
-    what: ClassVar[str] = "luffing"
-
-    speed: PositiveAngularSpeed = Field(description="Highest speed of the boom.")
+    speed: PositiveAngularSpeed = Field(description="Highest speed.")
     acceleration: PositiveAngularAcceleration = Field(
         description="Highest acceleration; also used where a step names none."
     )
     emergency_acceleration: PositiveAngularAcceleration | None = Field(
         None, description="Deceleration of an emergency stop; the acceleration if not given."
     )
+
+
+class Luffing(TurningDrive):
+    """What luffs a boom."""
+
+    what: ClassVar[str] = "luffing"
+
     range_: _Angles = Field(alias="range", description="Least and largest angle of the boom.")
     tackles: Tackles | None = Field(
         None, description="Ropes in which the boom hangs; without them its angle is as told."

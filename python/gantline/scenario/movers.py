@@ -36,12 +36,12 @@ class Mover:
     kind: Kind
     speed: float
     acceleration: float
-    capacity: bool
-    brake: float | None
-    emergency: float | None
-    start: float | None
-    zero: float
-    range: tuple[float, float] | None
+    capacity: bool = False
+    brake: float | None = None
+    emergency: float | None = None
+    start: float | None = None
+    zero: float = 0.0
+    range: tuple[float, float] | None = None
     gear: LuffingGear | None = None
 
 
@@ -150,10 +150,6 @@ def _drums(scenario: Scenario) -> dict[str, Mover | None]:
             acceleration=drive.acceleration,
             capacity=drive.capacity is not None,
             brake=drive.brake,
-            emergency=None,
-            start=None,
-            zero=0.0,
-            range=None,
         )
     return found
 
@@ -171,10 +167,6 @@ def _winches(scenario: Scenario) -> dict[str, Mover | None]:
             speed=winch.speed,
             acceleration=winch.acceleration,
             capacity=winch.capacity is not None,
-            brake=None,
             emergency=winch.acceleration,
-            start=None,
-            zero=0.0,
-            range=None,
         )
     return found
