@@ -397,8 +397,8 @@ def test_sudden_loss_without_damping_swings_nearly_three_degrees() -> None:
     before = trim[0]
     assert trim[after].max() == pytest.approx(2 * before, rel=0.03)
     assert trim[after].max() * 1096 / 1000 == pytest.approx(2.92, rel=0.03)
-    # Heave and pitch have nearly one period, so the mean draft then has gone 0.2 m beyond 4.2 m too, which the
-    # hand figure of 0.6 m leaves out. 2 cm: the periods, and some tonnes of lines.
+    # Heave and pitch have nearly one period, so the mean draft then has gone 0.2 m beyond 4.2 m too, which
+    # the hand figure of 0.6 m leaves out. 2 cm: the periods, and some tonnes of lines.
     freeboard = lost.column("vessel_freeboard", "barge")[after].min()
     stern = LENGTH / 2 * math.sin(math.radians(trim[after].max()))
     assert freeboard == pytest.approx(7.5 - 4.0 - stern, abs=0.02)
