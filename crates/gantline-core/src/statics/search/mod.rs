@@ -133,9 +133,13 @@ impl Search {
         let start: Vec<_> = self.here.frame.kinematics.centre_of_gravity.clone();
         let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
         for _ in 0..STEPS {
+            self.here.turn_bearings(system, bearings);
+            if self.here.residual(system) == 0.0 {
+                // Rounding is all that is left: no step could better it.
+                return Ok(());
+            }
             self.here.update_mass(system);
             self.matrix.linearise(system, &self.here, &Remembered::of(state));
-            self.here.turn_bearings(system, bearings);
             if !self.find_step(system, state, bearings, &mut lambda)? {
                 return Ok(());
             }
