@@ -85,6 +85,8 @@ pub struct Search {
     there: Potential,
     /// The matrix at the last place that was linearised.
     pub matrix: Matrix,
+    /// True where that is `here`.
+    is_linearised: bool,
     /// What it has taken since the start.
     pub effort: Effort,
     guard: Guard,
@@ -107,6 +109,7 @@ impl Search {
             here: Potential::new(system),
             there: Potential::new(system),
             matrix: Matrix::new(system),
+            is_linearised: false,
             effort: Effort::default(),
             guard: Guard::new(system),
             acts: vec![false; rows],
@@ -129,7 +132,8 @@ impl Search {
     ) -> Result<(), Stuck> {
         self.here.q.copy_from_slice(&state.q);
         self.coils.clone_from(&state.coils);
-        self.here.update(system, bearings, &Remembered::of(state));
+        self.here.place(system);
+        self.evaluate(system, state, bearings);
         let start: Vec<_> = self.here.frame.kinematics.centre_of_gravity.clone();
         let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
         for _ in 0..STEPS {
@@ -138,13 +142,13 @@ impl Search {
                 // Rounding is all that is left: no step could better it.
                 return Ok(());
             }
-            self.here.update_mass(system);
-            self.matrix.linearise(system, &self.here, &Remembered::of(state));
+            self.linearise(system, state);
             if !self.find_step(system, state, bearings, &mut lambda)? {
                 return Ok(());
             }
             self.effort.steps += 1;
             std::mem::swap(&mut self.here, &mut self.there);
+            self.is_linearised = false;
             state.q.copy_from_slice(&self.here.q);
             self.seat(system, state, bearings);
             self.find_spots(system, state, bearings);
@@ -153,6 +157,21 @@ impl Search {
             }
         }
         self.end(system).map(|_| ())
+    }
+
+    /// Evaluates everything at the poses where it is anew, since `state` remembers something else.
+    pub fn evaluate(&mut self, system: &System, state: &State, bearings: &[Bearing]) {
+        self.here.evaluate(system, bearings, &Remembered::of(state));
+        self.is_linearised = false;
+    }
+
+    /// Evaluates M, K and G where it is, unless that is where the matrix has them from.
+    pub fn linearise(&mut self, system: &System, state: &State) {
+        if !self.is_linearised {
+            self.here.update_mass(system);
+            self.matrix.linearise(system, &self.here, &Remembered::of(state));
+            self.is_linearised = true;
+        }
     }
 
     /// Sets `there` to where a step that is worth it leads; false where none is needed.
@@ -166,7 +185,7 @@ impl Search {
         let mut is_last = false;
         while *lambda <= MOST {
             let Some(promised) = self.model(system, bearings, lambda) else { break };
-            self.there.update(system, bearings, &Remembered::of(state));
+            self.there.evaluate(system, bearings, &Remembered::of(state));
             let noise = self.here.rounding + self.there.rounding;
             let mut gained = self.gained();
             if promised.abs() <= NOISE * noise {
@@ -247,7 +266,7 @@ impl Search {
             (seat.is_off, seat.wound) = (wound.wrap < 0.0, wound);
         }
         if changed {
-            self.here.update(system, bearings, &Remembered::of(state));
+            self.evaluate(system, state, bearings);
         }
     }
 
@@ -264,7 +283,7 @@ impl Search {
             |_, _, _| changed = true,
         );
         if changed {
-            self.here.update(system, bearings, &Remembered::of(state));
+            self.evaluate(system, state, bearings);
         }
     }
 
@@ -285,7 +304,7 @@ impl Search {
             let let_go = |q: &[f64]| coil.let_go_at(place.wound(q));
             self.there.q[place.supply] += let_go(&self.there.q) - let_go(&self.here.q);
         }
-        self.there.frame.kinematics.update(&system.tree, &self.there.q);
+        self.there.place(system);
         let places = (&self.here, &self.there.frame.kinematics);
         self.guard.holds(system, places, &self.step, (&mut self.matrix, lambda))
     }
@@ -311,14 +330,14 @@ impl Search {
             *step += first;
         }
         let passable = self.is_passable(system, 0.0);
-        self.there.update(system, bearings, &Remembered::of(state));
+        self.there.evaluate(system, bearings, &Remembered::of(state));
         let corrected = self.gained();
         if passable && corrected > gained {
             return corrected;
         }
         self.step = first;
         self.is_passable(system, 0.0);
-        self.there.update(system, bearings, &Remembered::of(state));
+        self.there.evaluate(system, bearings, &Remembered::of(state));
         gained
     }
 }
