@@ -37,6 +37,8 @@ const ENDLESS: f64 = 1e4;
 const BALANCED: f64 = 1e-9;
 /// The same where nothing betters it: masses and stiffnesses that are very unlike leave that much to rounding.
 const ROUGH: f64 = 1e-5;
+/// And what rounding leaves of the sum of a few terms where nothing stretches.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
 /// Energy that a step must gain, relative to what the model promised.
 const WORTH: f64 = 1e-3;
 
@@ -138,7 +140,7 @@ impl Search {
         let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
         for _ in 0..STEPS {
             self.here.turn_bearings(system, bearings);
-            if self.here.residual(system) == 0.0 {
+            if self.here.residual(system) <= ROUNDED {
                 // Rounding is all that is left: no step could better it.
                 return Ok(());
             }
