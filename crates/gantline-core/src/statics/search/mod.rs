@@ -95,6 +95,8 @@ pub struct Search {
     acts: Vec<bool>,
     /// Forces of rows that do not act: what holds gives way with its bound, this way or that.
     known: Vec<f64>,
+    /// Both after an earlier round of the same model.
+    seen: (Vec<bool>, Vec<f64>),
     step: Vec<f64>,
     tension: Vec<f64>,
     force: Vec<f64>,
@@ -116,6 +118,7 @@ impl Search {
             guard: Guard::new(system),
             acts: vec![false; rows],
             known: vec![0.0; rows],
+            seen: (vec![false; rows], vec![0.0; rows]),
             step: vec![0.0; size],
             tension: vec![0.0; rows],
             force: vec![0.0; size],

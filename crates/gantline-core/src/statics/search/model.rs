@@ -42,12 +42,20 @@ impl Search {
     /// Steps of the model until no row changes sides; false where λM + K is not positive definite, or rows go on
     /// changing.
     fn settle_rows(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
-        for _ in 0..ROUNDS {
+        for round in 1..=ROUNDS {
             if !self.solve_model(system, bearings, lambda) {
                 return false;
             }
             if self.take_sides(system, bearings) {
                 return true;
+            }
+            // Sides that come back do so for ever (Brent's way to see it).
+            if round > 2 && self.acts == self.seen.0 && self.known == self.seen.1 {
+                break;
+            }
+            if round > 1 && round.is_power_of_two() {
+                self.seen.0.copy_from_slice(&self.acts);
+                self.seen.1.copy_from_slice(&self.known);
             }
         }
         self.settle_rows_surely(system, bearings, lambda)
