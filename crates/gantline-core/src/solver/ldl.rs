@@ -63,6 +63,11 @@ impl Ldl {
             for (&column, &place) in pattern.r_columns[entries.clone()].iter().zip(&pattern.r_places[entries])
             {
                 let y = std::mem::take(&mut work[column]);
+                // Rows that do not act have nothing but zeros.
+                if y == 0.0 {
+                    factors[place].value = 0.0;
+                    continue;
+                }
                 for &Factor { row, value } in &factors[pattern.l_start[column]..place] {
                     work[row as usize] -= value * y;
                 }
@@ -118,6 +123,9 @@ impl Ldl {
         let Self { pattern, factors, inverse_diagonal, work, .. } = self;
         for (column, bounds) in pattern.l_start.windows(2).enumerate() {
             let known = work[column];
+            if known == 0.0 {
+                continue;
+            }
             for &Factor { row, value } in &factors[bounds[0]..bounds[1]] {
                 work[row as usize] -= value * known;
             }
