@@ -29,9 +29,6 @@ impl Search {
     pub(super) fn model(&mut self, system: &System, bearings: &[Bearing], lambda: &mut f64) -> Option<f64> {
         self.matrix.extra.fill(0.0);
         self.start_sides(bearings);
-        if self.effort.steps == 0 && *lambda >= FIRST {
-            self.catch(system, bearings, *lambda);
-        }
         for _ in 0..TRIES {
             if !self.settle_rows(system, bearings, *lambda) || self.largest_turn(system) > TURN {
                 *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
@@ -40,20 +37,6 @@ impl Search {
             }
         }
         None
-    }
-
-    /// Where a search begins and nothing stands on anything, all falls that ropes do not hold, by g/λ: they are taken as
-    /// taut where they are not slacker than that.
-    fn catch(&mut self, system: &System, bearings: &[Bearing], lambda: f64) {
-        let pulls = |row: &usize| bearings[*row].part == Part::Pull;
-        let ropes = system.rope_rows();
-        if (ropes..bearings.len()).filter(pulls).any(|row| self.acts[row]) {
-            return;
-        }
-        let fall = system.tree.gravity.length() / lambda;
-        for row in (0..ropes).filter(pulls) {
-            self.acts[row] |= self.here.value[row] > -fall;
-        }
     }
 
     /// Steps of the model until no row changes sides; false where λM + K is not positive definite, or rows go on
