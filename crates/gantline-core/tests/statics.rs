@@ -143,6 +143,10 @@ fn cost_is_linear_in_the_rig() {
         let rest = statics.settle(&system, &mut state, Losses::None).expect("it hangs");
         assert_eq!(rest.unstable, 0);
         assert!(rest.effort.steps <= 12 && rest.factorisations <= 40, "{count}: {rest:?}");
+        // From there on no step is made and nothing factorised but what tells neutral and unstable motions.
+        let again = statics.settle(&system, &mut state.clone(), Losses::None).expect("it hangs");
+        assert_eq!((again.effort.steps, again.factorisations), (0, 2), "{count}: {again:?}");
+        assert_eq!((again.neutral, again.unstable), (rest.neutral, rest.unstable));
         // Every sheave bears 60 t and itself on two parts.
         let equalizing = state.tension[system.rope_rows() - 1];
         let wanted = 60300.0 * 9.81 / 2.0;

@@ -442,11 +442,26 @@ impl Part {
     #[inline]
     pub fn locate(&self, kinematics: &Kinematics) -> Straight {
         if self.is_plain() {
-            let [from, to] = [self.from.at, self.to.at].map(|end| kinematics.point(end.body, end.at));
+            let [from, to] = self.points(kinematics);
             return Straight::from_point_to_point(from, to);
         }
         let nowhere = Straight::from_point_to_point(DVec3::NAN, DVec3::NAN);
         self.tangent(kinematics, |_, circle| circle).unwrap_or(nowhere)
+    }
+
+    /// Where the part starts and ends now, which is all that [`Part::locate`] has to know between fixed points.
+    pub fn ends(&self, kinematics: &Kinematics) -> [DVec3; 2] {
+        if self.is_plain() {
+            return self.points(kinematics);
+        }
+        let Straight { from, to, .. } = self.locate(kinematics);
+        [from, to]
+    }
+
+    /// The points, or centres, between which it is.
+    #[inline]
+    fn points(&self, kinematics: &Kinematics) -> [DVec3; 2] {
+        [self.from.at, self.to.at].map(|end| kinematics.point(end.body, end.at))
     }
 
     /// The part with its circles (0 the start's, 1 the end's) moved by `displace`.

@@ -7,10 +7,18 @@ use super::symbolic::{PIVOT_FLOOR, Symbolic, ZeroPivot};
 pub struct Ldl {
     pattern: Symbolic,
     values: Vec<f64>,
-    l_values: Vec<f64>,
+    /// L by columns.
+    factors: Vec<Factor>,
     inverse_diagonal: Vec<f64>,
     work: Vec<f64>,
     residual: Vec<f64>,
+}
+
+/// An entry of L.
+#[derive(Debug, Clone, Copy)]
+struct Factor {
+    row: u32,
+    value: f64,
 }
 
 impl Ldl {
@@ -19,7 +27,7 @@ impl Ldl {
         let size = pattern.size();
         Self {
             values: vec![0.0; pattern.rows.len()],
-            l_values: vec![0.0; pattern.l_rows.len()],
+            factors: pattern.l_rows.iter().map(|&row| Factor { row: row as u32, value: 0.0 }).collect(),
             inverse_diagonal: vec![0.0; size],
             work: vec![0.0; size],
             residual: vec![0.0; size],
@@ -42,29 +50,37 @@ impl Ldl {
     /// # Errors
     /// [`ZeroPivot`] names the unknown where the matrix is singular in this order.
     pub fn factorise(&mut self) -> Result<(), ZeroPivot> {
-        for k in 0..self.pattern.size() {
-            let range = self.pattern.start[k]..self.pattern.start[k + 1] - 1;
-            for slot in range {
-                self.work[self.pattern.rows[slot]] = self.values[slot];
+        let Self { pattern, values, factors, inverse_diagonal, work, .. } = self;
+        for k in 0..pattern.size() {
+            let diagonal = pattern.start[k + 1] - 1;
+            let above = pattern.start[k]..diagonal;
+            for (&row, &value) in pattern.rows[above.clone()].iter().zip(&values[above]) {
+                work[row] = value;
             }
-            let mut pivot = self.values[self.pattern.start[k + 1] - 1];
+            let mut pivot = values[diagonal];
             let mut magnitude = pivot.abs();
-            for entry in self.pattern.r_start[k]..self.pattern.r_start[k + 1] {
-                let (column, place) = (self.pattern.r_columns[entry], self.pattern.r_places[entry]);
-                let y = std::mem::take(&mut self.work[column]);
-                for above in self.pattern.l_start[column]..place {
-                    self.work[self.pattern.l_rows[above]] -= self.l_values[above] * y;
+            let entries = pattern.r_start[k]..pattern.r_start[k + 1];
+            for (&column, &place) in pattern.r_columns[entries.clone()].iter().zip(&pattern.r_places[entries])
+            {
+                let y = std::mem::take(&mut work[column]);
+                // Rows that do not act have nothing but zeros.
+                if y == 0.0 {
+                    factors[place].value = 0.0;
+                    continue;
                 }
-                let l = y * self.inverse_diagonal[column];
+                for &Factor { row, value } in &factors[pattern.l_start[column]..place] {
+                    work[row as usize] -= value * y;
+                }
+                let l = y * inverse_diagonal[column];
                 pivot -= l * y;
                 magnitude += (l * y).abs();
-                self.l_values[place] = l;
+                factors[place].value = l;
             }
             if pivot.is_nan() || pivot.abs() <= PIVOT_FLOOR * magnitude {
-                self.work.fill(0.0);
-                return Err(ZeroPivot { unknown: self.pattern.order[k] });
+                work.fill(0.0);
+                return Err(ZeroPivot { unknown: pattern.order[k] });
             }
-            self.inverse_diagonal[k] = 1.0 / pivot;
+            inverse_diagonal[k] = 1.0 / pivot;
         }
         Ok(())
     }
@@ -84,14 +100,15 @@ impl Ldl {
             x[unknown] = self.work[place];
             self.residual[place] = b[unknown];
         }
-        for column in 0..self.pattern.size() {
-            let diagonal = self.pattern.start[column + 1] - 1;
-            for slot in self.pattern.start[column]..diagonal {
-                let row = self.pattern.rows[slot];
-                self.residual[row] -= self.values[slot] * self.work[column];
-                self.residual[column] -= self.values[slot] * self.work[row];
+        for (column, bounds) in self.pattern.start.windows(2).enumerate() {
+            let above = bounds[0]..bounds[1] - 1;
+            let x = self.work[column];
+            let mut left = self.residual[column];
+            for (&row, &value) in self.pattern.rows[above.clone()].iter().zip(&self.values[above]) {
+                self.residual[row] -= value * x;
+                left -= value * self.work[row];
             }
-            self.residual[column] -= self.values[diagonal] * self.work[column];
+            self.residual[column] = left - self.values[bounds[1] - 1] * x;
         }
         std::mem::swap(&mut self.work, &mut self.residual);
         self.substitute();
@@ -103,21 +120,22 @@ impl Ldl {
 
     /// work = (L D Lᵀ)⁻¹ work.
     fn substitute(&mut self) {
-        for column in 0..self.pattern.size() {
-            let value = self.work[column];
-            for entry in self.pattern.l_start[column]..self.pattern.l_start[column + 1] {
-                self.work[self.pattern.l_rows[entry]] -= self.l_values[entry] * value;
+        let Self { pattern, factors, inverse_diagonal, work, .. } = self;
+        for (column, bounds) in pattern.l_start.windows(2).enumerate() {
+            let known = work[column];
+            if known == 0.0 {
+                continue;
+            }
+            for &Factor { row, value } in &factors[bounds[0]..bounds[1]] {
+                work[row as usize] -= value * known;
             }
         }
-        for (value, inverse) in self.work.iter_mut().zip(&self.inverse_diagonal) {
-            *value *= inverse;
-        }
-        for column in (0..self.pattern.size()).rev() {
-            let mut value = self.work[column];
-            for entry in self.pattern.l_start[column]..self.pattern.l_start[column + 1] {
-                value -= self.l_values[entry] * self.work[self.pattern.l_rows[entry]];
+        for (column, bounds) in pattern.l_start.windows(2).enumerate().rev() {
+            let mut unknown = work[column] * inverse_diagonal[column];
+            for &Factor { row, value } in &factors[bounds[0]..bounds[1]] {
+                unknown -= value * work[row as usize];
             }
-            self.work[column] = value;
+            work[column] = unknown;
         }
     }
 }

@@ -66,6 +66,12 @@ impl Ldu {
             for entry in pattern.r_start[k]..pattern.r_start[k + 1] {
                 let (column, place) = (pattern.r_columns[entry], pattern.r_places[entry]);
                 let [y, w] = std::mem::take(&mut self.work[column]);
+                // Rows that do not act have nothing but zeros.
+                if y == 0.0 && w == 0.0 {
+                    let factor = &mut self.factors[place];
+                    (factor.l, factor.u) = (0.0, 0.0);
+                    continue;
+                }
                 for &Factor { row, l, u } in &self.factors[pattern.l_start[column]..place] {
                     let work = &mut self.work[row as usize];
                     *work = [work[0] - l * y, work[1] - u * w];

@@ -65,15 +65,16 @@ impl Guard {
         for Straight { rope, number, dofs } in &self.parts {
             let AnyConstraint::Rope(rope) = &system.constraints[*rope] else { continue };
             let part = &rope.route.parts[*number];
-            let (now, then) = (part.locate(kinematics), part.locate(there));
-            let kept = now.direction.dot(then.to - then.from);
-            if now.length <= 0.0 || kept >= KEPT * now.length {
+            let ([from, to], then) = (part.ends(kinematics), part.ends(there));
+            let now = to - from;
+            // Times its length; where that is nothing, nothing can be kept.
+            if now.dot(then[1] - then[0]) >= KEPT * now.length_squared() {
                 continue;
             }
             let most = dofs.iter().map(|&(dof, sign)| {
-                let point = if sign > 0.0 { now.to } else { now.from };
+                let point = if sign > 0.0 { to } else { from };
                 let column = kinematics.point_column(&system.tree, dof, point);
-                (dof, sign * now.direction.dot(column) * step[dof])
+                (dof, sign * now.dot(column) * step[dof])
             });
             // NaN, where there is nothing to locate, is left to the energy.
             let Some((dof, shortens)) = most.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };

@@ -95,14 +95,16 @@ impl Matrix {
             }
         }
         let turned = &self.dynamics.position;
-        for dof in 0..system.tree.velocities {
-            let diagonal = mass.row_start[dof + 1] - 1;
-            for slot in mass.row_start[dof]..=diagonal {
-                let to = self.slots.mass[slot];
-                if to != NONE {
-                    let both = if slot == diagonal { turned.lower[slot] } else { turned.upper[slot] };
-                    self.mass[to] += mass.values[slot];
-                    self.stiffness[to] += 0.5 * (turned.lower[slot] + both);
+        for bounds in mass.row_start.windows(2) {
+            let (row, diagonal) = (bounds[0]..bounds[1], bounds[1] - 1 - bounds[0]);
+            let (lower, upper) = (&turned.lower[row.clone()], &turned.upper[row.clone()]);
+            let numbers =
+                self.slots.mass[row.clone()].iter().zip(&mass.values[row]).zip(lower.iter().zip(upper));
+            for (place, ((&to, mass), (lower, upper))) in numbers.enumerate() {
+                // Driven degrees of freedom have no place.
+                if let (Some(known), Some(stiffness)) = (self.mass.get_mut(to), self.stiffness.get_mut(to)) {
+                    *known += mass;
+                    *stiffness += 0.5 * (lower + if place == diagonal { lower } else { upper });
                 }
             }
         }
@@ -127,11 +129,13 @@ impl Matrix {
                 &mut self.columns,
                 block,
             );
-            let mut next = slots.iter();
-            for j in 0..size {
-                for (k, &slot) in (0..=j).zip(&mut next) {
-                    if slot != NONE {
-                        self.stiffness[slot] += 0.5 * tension * (block[j * size + k] + block[k * size + j]);
+            let mut rest = slots;
+            for (j, row) in block.chunks_exact(size).enumerate() {
+                let (slots, below) = rest.split_at(j + 1);
+                rest = below;
+                for ((&slot, one), other) in slots.iter().zip(row).zip(block[j..].iter().step_by(size)) {
+                    if let Some(stiffness) = self.stiffness.get_mut(slot) {
+                        *stiffness += 0.5 * tension * (one + other);
                     }
                 }
             }
@@ -162,8 +166,8 @@ impl Matrix {
             values[diagonal] = answer.map_or(-1.0, |compliance| -compliance);
             let entries = system.rows.start[row]..system.rows.start[row + 1];
             for (&slot, entry) in self.slots.rows[entries.clone()].iter().zip(&self.gradient[entries]) {
-                if slot != NONE {
-                    values[slot] = if answer.is_some() { *entry } else { 0.0 };
+                if let Some(value) = values.get_mut(slot) {
+                    *value = if answer.is_some() { *entry } else { 0.0 };
                 }
             }
         }

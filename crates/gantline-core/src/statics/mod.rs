@@ -28,7 +28,6 @@ use crate::force::AnyForce;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::flows;
-use crate::stepper::frame::Remembered;
 use crate::system::System;
 use potential::{Bearing, Losses, Part, bearings};
 use search::{Effort, Search, Stuck};
@@ -184,8 +183,7 @@ impl Statics {
     /// How many motions have ω² below and about zero, by the signs of pivots at two shifts.
     fn inertia(&mut self, system: &System, state: &State) -> (usize, usize) {
         let Self { search, bearings, .. } = self;
-        search.here.update_mass(system);
-        search.matrix.linearise(system, &search.here, &Remembered::of(state));
+        search.linearise(system, state);
         search.matrix.extra.fill(0.0);
         let follows = &search.here.follows;
         let compliance = |row: usize| follows[row].then_some(bearings[row].compliance);
@@ -226,7 +224,10 @@ impl Statics {
                 state.trial[row] = self.search.here.value[row] / compliance;
             }
         }
-        self.search.here.update(system, &self.bearings, &Remembered::of(state));
+        if !(system.friction.is_empty() && system.coils.is_empty()) {
+            // Where anchors lie and whether ropes pull on drums has changed: the rows see it.
+            self.search.evaluate(system, state, &self.bearings);
+        }
         let frame = &self.search.here.frame;
         state.ledger = Ledger::open(flows::stored(system, state, frame));
         state.restart = true;

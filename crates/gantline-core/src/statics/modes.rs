@@ -11,7 +11,6 @@
 use super::eigen::{Square, vibrations};
 use super::{Part, Statics};
 use crate::state::State;
-use crate::stepper::frame::Remembered;
 use crate::system::System;
 
 /// From so many degrees of freedom on modes are found one by one, where no more than the `FEW`th part is asked for.
@@ -38,7 +37,7 @@ impl Statics {
         let size = self.search.matrix.layout.free.len();
         let count = count.unwrap_or(size).min(size);
         if size >= LARGE && FEW * count <= size {
-            self.linearise(system, state);
+            self.search.linearise(system, state);
             if let Some(found) = self.lowest(system, count) {
                 return found.into_iter().map(|(square, shape)| self.mode(system, square, shape)).collect();
             }
@@ -48,14 +47,9 @@ impl Statics {
         modes
     }
 
-    fn linearise(&mut self, system: &System, state: &State) {
-        self.search.here.update_mass(system);
-        self.search.matrix.linearise(system, &self.search.here, &Remembered::of(state));
-    }
-
     /// All modes, by dense matrices.
     pub(super) fn all_modes(&mut self, system: &System, state: &State) -> Vec<Mode> {
-        self.linearise(system, state);
+        self.search.linearise(system, state);
         let (follows, matrix) = (&self.search.here.follows, &self.search.matrix);
         let size = matrix.layout.free.len();
         let (mass, stiffness) = matrix.dense(system, &self.bearings, follows);

@@ -288,8 +288,18 @@ impl Potential {
 
     /// Evaluates everything at `self.q`, with ropes on their sheaves and drums as the state has them.
     pub fn update(&mut self, system: &System, bearings: &[Bearing], by: &Remembered) {
+        self.place(system);
+        self.evaluate(system, bearings, by);
+    }
+
+    /// Poses at `self.q`.
+    pub fn place(&mut self, system: &System) {
+        self.frame.kinematics.update(&system.tree, &self.q);
+    }
+
+    /// Evaluates everything else, at the poses of `self.q`.
+    pub fn evaluate(&mut self, system: &System, bearings: &[Bearing], by: &Remembered) {
         let Self { q, frame, dynamics, gravity, .. } = self;
-        frame.kinematics.update(&system.tree, q);
         frame.rows(system, q, by);
         dynamics.update(&system.tree, &frame.kinematics, &self.still, None, None, gravity);
         if !self.pushed.is_empty() {

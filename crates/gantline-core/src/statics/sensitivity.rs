@@ -76,8 +76,7 @@ impl Statics {
         parameters: &[Parameter],
     ) -> Result<Vec<Sensitivity>, NoEquilibrium> {
         let Self { search, bearings, .. } = self;
-        search.here.update_mass(system);
-        search.matrix.linearise(system, &search.here, &Remembered::of(state));
+        search.linearise(system, state);
         search.matrix.extra.fill(0.0);
         let follows = &search.here.follows;
         let compliance = |row: usize| {

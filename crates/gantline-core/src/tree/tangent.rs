@@ -5,7 +5,9 @@
 //! −a_k × (·), and nothing else; the change runs down the tree by the same recursion as the motion itself
 //! ([`super::bias`]), and the forces run up again. An increment of a linear degree of freedom moves the whole
 //! without turning it. One sweep over the subtree of each degree of freedom gives its column, so the cost is
-//! the number of pairs in the tree. Increments are those of [`super::Tree::advance`]: rotation vectors in body
+//! the number of pairs in the tree. Where what comes from above neither turns nor is turned faster, the subtree is
+//! accelerated as one, and the composites of the mass matrix know what that takes; where nothing moves at all, τ is of
+//! second order in the velocities. Increments are those of [`super::Tree::advance`]: rotation vectors in body
 //! axes for ball and free joints, which makes the derivative unsymmetric.
 
 use glam::{DMat3, DVec3};
@@ -84,18 +86,26 @@ impl DynamicsTangent {
         dynamics: &NewtonEuler,
         v: &[f64],
     ) {
-        for (index, body) in tree.bodies.iter().enumerate().filter(|(index, _)| !tree.is_point[*index]) {
-            let rotation = kinematics.pose[index].rotation;
-            self.inertia[index] = rotation * body.inertia * rotation.transpose();
-        }
         let place = Place { tree, kinematics, mass, dynamics, v };
+        let motion = dynamics.twists.iter().chain(&dynamics.accelerations);
+        let is_still = motion.into_iter().all(|part| *part == Twist::default());
+        if is_still {
+            self.velocity.lower.fill(0.0);
+            self.velocity.upper.fill(0.0);
+        } else {
+            for (index, body) in tree.bodies.iter().enumerate().filter(|(index, _)| !tree.is_point[*index]) {
+                let rotation = kinematics.pose[index].rotation;
+                self.inertia[index] = rotation * body.inertia * rotation.transpose();
+            }
+        }
         for dof in 0..tree.velocities {
             let [position, velocity] = place.seeds(dof);
-            let moved = Some(dynamics);
             self.sweep(&place, dof, &position);
-            collect(&place, dof, &self.wrench, moved, &mut self.position);
-            self.sweep(&place, dof, &velocity);
-            collect(&place, dof, &self.wrench, None, &mut self.velocity);
+            collect(&place, dof, &self.wrench, Some(dynamics), &mut self.position);
+            if !is_still {
+                self.sweep(&place, dof, &velocity);
+                collect(&place, dof, &self.wrench, None, &mut self.velocity);
+            }
         }
         for force in &tree.forces {
             self.add_force(&place, force);
@@ -122,14 +132,12 @@ impl DynamicsTangent {
     /// Changes of all wrenches in the subtree of a degree of freedom, seen from the moved subtree.
     fn sweep(&mut self, place: &Place, dof: usize, seed: &Seed) {
         let top = place.tree.owner[dof];
-        match place.tree.motions[dof] {
-            // Nothing turns: all of it is accelerated as one.
-            Motion::Shift => {
-                for &index in &place.tree.subtree[top] {
-                    self.wrench[index] = place.mass.accelerated(index, seed.rate.linear);
-                }
+        if seed.spin == DVec3::ZERO && seed.rate.angular == DVec3::ZERO {
+            for &index in &place.tree.subtree[top] {
+                self.wrench[index] = place.mass.accelerated(index, seed.rate.linear);
             }
-            Motion::Turn => self.sweep_turn(place, top, seed),
+        } else {
+            self.sweep_turn(place, top, seed);
         }
     }
 

@@ -1,22 +1,17 @@
 //! The way down: Newton's method on the potential, made safe.
 //!
-//! A step minimises the model
-//!
-//! ```text
-//! ∇V_g·Δ + ½ Δᵀ (λM + K) Δ + Σ ½ ε max(0, T̂ + (e + GΔ)/ε)²
-//! ```
-//!
-//! in which ropes that are slack go taut and contacts close where the step leads them: rows change sides within the
-//! model, all at once, until none does (Júdice and Pires 1994), each time by one factorisation. λ is raised until
-//! λM + K is positive definite on all motions, which the signs of the pivots tell, and no joint turns too far at once;
-//! it follows from the energy that the model promised and the energy that came (Levenberg 1944, Marquardt 1963, Moré 1978).
-//! With a large λ the step is that of an implicit step in time from rest, 1/√λ long, so what nothing holds falls, and
+//! A step is where the [`model`] of the potential about a place has its least value. λ is raised until λM + K is positive
+//! definite on all motions, which the signs of the pivots tell, and no joint turns too far at once; it follows from the
+//! energy that the model promised and the energy that came (Levenberg 1944, Marquardt 1963, Moré 1978). With a large λ
+//! the step is that of an implicit step in time from rest, 1/√λ long, so what nothing holds falls, and
 //! what nothing moves stays where it was: of neutral motions the nearest in the metric of M.
 //!
 //! Wind and current push without a potential. What they do in a step is their work along it.
 //!
 //! λ never falls below [`LEAST`], so that neutral motions do not make the matrix singular; the last steps converge
 //! by λ/ω² each, ω the slowest motion that is not neutral.
+
+mod model;
 
 use super::guard::Guard;
 use super::matrix::Matrix;
@@ -27,7 +22,6 @@ use crate::state::State;
 use crate::stepper::frame::Remembered;
 use crate::stepper::{seats, spots};
 use crate::system::System;
-use crate::tree::joint::Motion;
 
 /// λ of the first step [1/s²].
 const FIRST: f64 = 1.0;
@@ -35,16 +29,6 @@ const FIRST: f64 = 1.0;
 pub const LEAST: f64 = 1e-6;
 /// Beyond this λ no step is worth trying [1/s²].
 const MOST: f64 = 1e16;
-/// Largest turn of a joint in one step [rad].
-const TURN: f64 = 0.8;
-/// Rounds in which rows change sides within one step.
-const ROUNDS: usize = 12;
-/// The same where rows are led down all the way.
-const SURE_ROUNDS: usize = 100;
-/// Halvings of the way to the next candidate.
-const HALVINGS: usize = 40;
-/// How often a model is made anew, at most, for one step.
-const TRIES: usize = 100;
 /// Steps, at most.
 const STEPS: usize = 500;
 /// What has moved so far falls without end [m].
@@ -53,6 +37,8 @@ const ENDLESS: f64 = 1e4;
 const BALANCED: f64 = 1e-9;
 /// The same where nothing betters it: masses and stiffnesses that are very unlike leave that much to rounding.
 const ROUGH: f64 = 1e-5;
+/// And what rounding leaves of the sum of a few terms where nothing stretches.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
 /// Energy that a step must gain, relative to what the model promised.
 const WORTH: f64 = 1e-3;
 
@@ -101,12 +87,16 @@ pub struct Search {
     there: Potential,
     /// The matrix at the last place that was linearised.
     pub matrix: Matrix,
+    /// True where that is `here`.
+    is_linearised: bool,
     /// What it has taken since the start.
     pub effort: Effort,
     guard: Guard,
     acts: Vec<bool>,
     /// Forces of rows that do not act: what holds gives way with its bound, this way or that.
     known: Vec<f64>,
+    /// Both after an earlier round of the same model.
+    seen: (Vec<bool>, Vec<f64>),
     step: Vec<f64>,
     tension: Vec<f64>,
     force: Vec<f64>,
@@ -123,10 +113,12 @@ impl Search {
             here: Potential::new(system),
             there: Potential::new(system),
             matrix: Matrix::new(system),
+            is_linearised: false,
             effort: Effort::default(),
             guard: Guard::new(system),
             acts: vec![false; rows],
             known: vec![0.0; rows],
+            seen: (vec![false; rows], vec![0.0; rows]),
             step: vec![0.0; size],
             tension: vec![0.0; rows],
             force: vec![0.0; size],
@@ -145,18 +137,23 @@ impl Search {
     ) -> Result<(), Stuck> {
         self.here.q.copy_from_slice(&state.q);
         self.coils.clone_from(&state.coils);
-        self.here.update(system, bearings, &Remembered::of(state));
+        self.here.place(system);
+        self.evaluate(system, state, bearings);
         let start: Vec<_> = self.here.frame.kinematics.centre_of_gravity.clone();
         let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
         for _ in 0..STEPS {
-            self.here.update_mass(system);
-            self.matrix.linearise(system, &self.here, &Remembered::of(state));
             self.here.turn_bearings(system, bearings);
+            if self.here.residual(system) <= ROUNDED {
+                // Rounding is all that is left: no step could better it.
+                return Ok(());
+            }
+            self.linearise(system, state);
             if !self.find_step(system, state, bearings, &mut lambda)? {
                 return Ok(());
             }
             self.effort.steps += 1;
             std::mem::swap(&mut self.here, &mut self.there);
+            self.is_linearised = false;
             state.q.copy_from_slice(&self.here.q);
             self.seat(system, state, bearings);
             self.find_spots(system, state, bearings);
@@ -165,6 +162,21 @@ impl Search {
             }
         }
         self.end(system).map(|_| ())
+    }
+
+    /// Evaluates everything at the poses where it is anew, since `state` remembers something else.
+    pub fn evaluate(&mut self, system: &System, state: &State, bearings: &[Bearing]) {
+        self.here.evaluate(system, bearings, &Remembered::of(state));
+        self.is_linearised = false;
+    }
+
+    /// Evaluates M, K and G where it is, unless that is where the matrix has them from.
+    pub fn linearise(&mut self, system: &System, state: &State) {
+        if !self.is_linearised {
+            self.here.update_mass(system);
+            self.matrix.linearise(system, &self.here, &Remembered::of(state));
+            self.is_linearised = true;
+        }
     }
 
     /// Sets `there` to where a step that is worth it leads; false where none is needed.
@@ -178,7 +190,7 @@ impl Search {
         let mut is_last = false;
         while *lambda <= MOST {
             let Some(promised) = self.model(system, bearings, lambda) else { break };
-            self.there.update(system, bearings, &Remembered::of(state));
+            self.there.evaluate(system, bearings, &Remembered::of(state));
             let noise = self.here.rounding + self.there.rounding;
             let mut gained = self.gained();
             if promised.abs() <= NOISE * noise {
@@ -259,7 +271,7 @@ impl Search {
             (seat.is_off, seat.wound) = (wound.wrap < 0.0, wound);
         }
         if changed {
-            self.here.update(system, bearings, &Remembered::of(state));
+            self.evaluate(system, state, bearings);
         }
     }
 
@@ -276,7 +288,7 @@ impl Search {
             |_, _, _| changed = true,
         );
         if changed {
-            self.here.update(system, bearings, &Remembered::of(state));
+            self.evaluate(system, state, bearings);
         }
     }
 
@@ -297,7 +309,7 @@ impl Search {
             let let_go = |q: &[f64]| coil.let_go_at(place.wound(q));
             self.there.q[place.supply] += let_go(&self.there.q) - let_go(&self.here.q);
         }
-        self.there.frame.kinematics.update(&system.tree, &self.there.q);
+        self.there.place(system);
         let places = (&self.here, &self.there.frame.kinematics);
         self.guard.holds(system, places, &self.step, (&mut self.matrix, lambda))
     }
@@ -323,184 +335,14 @@ impl Search {
             *step += first;
         }
         let passable = self.is_passable(system, 0.0);
-        self.there.update(system, bearings, &Remembered::of(state));
+        self.there.evaluate(system, bearings, &Remembered::of(state));
         let corrected = self.gained();
         if passable && corrected > gained {
             return corrected;
         }
         self.step = first;
         self.is_passable(system, 0.0);
-        self.there.update(system, bearings, &Remembered::of(state));
+        self.there.evaluate(system, bearings, &Remembered::of(state));
         gained
     }
-
-    /// Minimises the model; λ is raised as far as that takes. The energy that the step promises [J]; none where no
-    /// λ will do.
-    fn model(&mut self, system: &System, bearings: &[Bearing], lambda: &mut f64) -> Option<f64> {
-        self.matrix.extra.fill(0.0);
-        self.start_sides(bearings);
-        for _ in 0..TRIES {
-            if !self.settle_rows(system, bearings, *lambda) || self.largest_turn(system) > TURN {
-                *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
-            } else if self.is_passable(system, *lambda) {
-                return Some(self.promised(system, bearings, *lambda));
-            }
-        }
-        None
-    }
-
-    /// Steps of the model until no row changes sides; false where λM + K is not positive definite, or rows go on
-    /// changing.
-    fn settle_rows(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
-        for _ in 0..ROUNDS {
-            if !self.solve_model(system, bearings, lambda) {
-                return false;
-            }
-            if self.take_sides(system, bearings) {
-                return true;
-            }
-        }
-        self.settle_rows_surely(system, bearings, lambda)
-    }
-
-    /// The same for rows that would change for ever, such as many supports under a stiff load: the model is convex and of
-    /// second degree in pieces, and its least place is found from the present one on, each time as far along the way to
-    /// the next candidate as leads down.
-    fn settle_rows_surely(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
-        let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
-        let (size, rows) = (self.step.len(), bearings.len());
-        // x, (λM + K) x, and what rows have reached there.
-        let (mut at, mut pushed) = (vec![0.0; size], vec![0.0; size]);
-        let mut reached = self.here.value.clone();
-        self.start_sides(bearings);
-        for _ in 0..SURE_ROUNDS {
-            if !self.solve_model(system, bearings, lambda) {
-                return false;
-            }
-            // By the candidate's own equation.
-            let mut push: Vec<f64> = self.here.gravity.iter().map(|gravity| -gravity).collect();
-            let mut rates = vec![0.0; rows];
-            for row in (0..rows).filter(|&row| bearings[row].part != Part::Off) {
-                rates[row] = self.reached(system, row) - reached[row];
-                for (dof, entry) in system.rows.entries(&self.here.frame.gradient, row) {
-                    push[dof] -= entry * self.tension[row];
-                }
-            }
-            if self.take_sides(system, bearings) {
-                return true;
-            }
-            let way: Vec<f64> = self.step.iter().zip(&at).map(|(to, from)| to - from).collect();
-            let pushes: Vec<f64> = push.iter().zip(&pushed).map(|(to, from)| to - from).collect();
-            let (level, bend) = (dot(&self.here.gravity, &way) + dot(&pushed, &way), dot(&pushes, &way));
-            let slope = |share: f64| {
-                let forces = bearings.iter().zip(&reached).zip(&rates);
-                let pulls = forces.map(|((bearing, value), rate)| bearing.at(value + share * rate).0 * rate);
-                level + share * bend + pulls.sum::<f64>()
-            };
-            let share = lowest(slope);
-            let forward =
-                |from: &mut [f64], way: &[f64]| from.iter_mut().zip(way).for_each(|(x, d)| *x += share * d);
-            forward(&mut at, &way);
-            forward(&mut pushed, &pushes);
-            forward(&mut reached, &rates);
-            for (row, bearing) in bearings.iter().enumerate() {
-                (self.known[row], _, self.acts[row]) = bearing.at(reached[row]);
-            }
-        }
-        false
-    }
-
-    /// Rows on the sides where they are here.
-    fn start_sides(&mut self, bearings: &[Bearing]) {
-        for (row, bearing) in bearings.iter().enumerate() {
-            (self.known[row], _, self.acts[row]) = bearing.at(self.here.value[row]);
-        }
-    }
-
-    /// The step of the model with rows on these sides; false where λM + K is not positive definite.
-    fn solve_model(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
-        let Self { matrix, acts, .. } = self;
-        let compliance = |row: usize| acts[row].then_some(bearings[row].compliance);
-        if matrix.factorise(system, lambda, compliance).is_err() || matrix.below(system) > 0 {
-            return false;
-        }
-        self.right_sides(system, bearings);
-        self.matrix.solve(&self.force, &self.right, &mut self.step, &mut self.tension);
-        true
-    }
-
-    /// Rows take the sides on which the step leaves them; true where none changes.
-    fn take_sides(&mut self, system: &System, bearings: &[Bearing]) -> bool {
-        let mut same = true;
-        for (row, bearing) in bearings.iter().enumerate() {
-            if bearing.part == Part::Off {
-                continue;
-            }
-            let (force, _, follows) = bearing.at(self.reached(system, row));
-            same &= follows == self.acts[row] && (follows || force == self.known[row]);
-            (self.known[row], self.acts[row]) = (force, follows);
-        }
-        same
-    }
-
-    /// e of a row after the step, by its gradient.
-    fn reached(&self, system: &System, row: usize) -> f64 {
-        self.here.value[row] + system.rows.rate(&self.here.frame.gradient, row, &self.step)
-    }
-
-    fn right_sides(&mut self, system: &System, bearings: &[Bearing]) {
-        for (force, gravity) in self.force.iter_mut().zip(&self.here.gravity) {
-            *force = -gravity;
-        }
-        for (row, bearing) in bearings.iter().enumerate() {
-            self.right[row] = if self.acts[row] {
-                -(self.here.value[row] + bearing.compliance * bearing.offset)
-            } else {
-                0.0
-            };
-            if let (Part::Hold(_) | Part::Resist(_) | Part::Stick(_), false) = (bearing.part, self.acts[row])
-            {
-                let force = self.known[row];
-                self.right[row] = -force;
-                for (dof, entry) in system.rows.entries(&self.here.frame.gradient, row) {
-                    self.force[dof] -= entry * force;
-                }
-            }
-        }
-    }
-
-    fn largest_turn(&self, system: &System) -> f64 {
-        let turns = self.step.iter().zip(&system.tree.motions);
-        turns.filter(|(_, motion)| **motion == Motion::Turn).map(|(turn, _)| turn.abs()).fold(0.0, f64::max)
-    }
-
-    /// The model's energy here less that after the step, both without λ and brakes; by its own equation the quadratic
-    /// term with them, Δᵀ (λM + K) Δ, is −(∇V_g + GᵀT)·Δ.
-    fn promised(&self, system: &System, bearings: &[Bearing], lambda: f64) -> f64 {
-        let along = |(force, step): (&f64, &f64)| force * step;
-        let gravity: f64 = self.here.gravity.iter().zip(&self.step).map(along).sum();
-        let (mut work, mut elastic) = (0.0, 0.0);
-        for (row, bearing) in bearings.iter().enumerate().filter(|(_, bearing)| bearing.part != Part::Off) {
-            let reached = self.reached(system, row);
-            work += self.tension[row] * (reached - self.here.value[row]);
-            elastic += bearing.at(self.here.value[row]).1 - bearing.at(reached).1;
-        }
-        let extra = self.matrix.extra.iter().zip(&self.step);
-        let braked: f64 = extra.map(|(extra, step)| extra * step * step).sum();
-        let slowed = lambda * self.here.frame.mass.quadratic(&self.step) + braked;
-        elastic - gravity + 0.5 * (gravity + work + slowed)
-    }
-}
-
-/// Share of the way at which a slope that never falls along it is zero; the whole way where it is still below.
-fn lowest(slope: impl Fn(f64) -> f64) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
-    if slope(high) <= 0.0 {
-        return high;
-    }
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if slope(middle) <= 0.0 { low = middle } else { high = middle }
-    }
-    low
 }

@@ -1,0 +1,204 @@
+//! The model of the potential that a step minimises,
+//!
+//! ```text
+//! ∇V_g·Δ + ½ Δᵀ (λM + K) Δ + Σ ½ ε max(0, T̂ + (e + GΔ)/ε)²
+//! ```
+//!
+//! in which ropes that are slack go taut and contacts close where the step leads them: rows change sides within the
+//! model, all at once, until none does (Júdice and Pires 1994), each time by one factorisation.
+
+use super::{FIRST, SLOWER, Search};
+use crate::statics::potential::{Bearing, Part};
+use crate::system::System;
+use crate::tree::joint::Motion;
+
+/// Largest turn of a joint in one step [rad].
+const TURN: f64 = 0.8;
+/// Rounds in which rows change sides within one step.
+const ROUNDS: usize = 12;
+/// The same where rows are led down all the way.
+const SURE_ROUNDS: usize = 100;
+/// Halvings of the way to the next candidate.
+const HALVINGS: usize = 40;
+/// How often a model is made anew, at most, for one step.
+const TRIES: usize = 100;
+
+impl Search {
+    /// Minimises the model; λ is raised as far as that takes. The energy that the step promises [J]; none where no
+    /// λ will do.
+    pub(super) fn model(&mut self, system: &System, bearings: &[Bearing], lambda: &mut f64) -> Option<f64> {
+        self.matrix.extra.fill(0.0);
+        self.start_sides(bearings);
+        for _ in 0..TRIES {
+            if !self.settle_rows(system, bearings, *lambda) || self.largest_turn(system) > TURN {
+                *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
+            } else if self.is_passable(system, *lambda) {
+                return Some(self.promised(system, bearings, *lambda));
+            }
+        }
+        None
+    }
+
+    /// Steps of the model until no row changes sides; false where λM + K is not positive definite, or rows go on
+    /// changing.
+    fn settle_rows(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
+        for round in 1..=ROUNDS {
+            if !self.solve_model(system, bearings, lambda) {
+                return false;
+            }
+            if self.take_sides(system, bearings) {
+                return true;
+            }
+            // Sides that come back do so for ever (Brent's way to see it).
+            if round > 2 && self.acts == self.seen.0 && self.known == self.seen.1 {
+                break;
+            }
+            if round > 1 && round.is_power_of_two() {
+                self.seen.0.copy_from_slice(&self.acts);
+                self.seen.1.copy_from_slice(&self.known);
+            }
+        }
+        self.settle_rows_surely(system, bearings, lambda)
+    }
+
+    /// The same for rows that would change for ever, such as many supports under a stiff load: the model is convex and of
+    /// second degree in pieces, and its least place is found from the present one on, each time as far along the way to
+    /// the next candidate as leads down.
+    fn settle_rows_surely(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
+        let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+        let (size, rows) = (self.step.len(), bearings.len());
+        // x, (λM + K) x, and what rows have reached there.
+        let (mut at, mut pushed) = (vec![0.0; size], vec![0.0; size]);
+        let mut reached = self.here.value.clone();
+        self.start_sides(bearings);
+        for _ in 0..SURE_ROUNDS {
+            if !self.solve_model(system, bearings, lambda) {
+                return false;
+            }
+            // By the candidate's own equation.
+            let mut push: Vec<f64> = self.here.gravity.iter().map(|gravity| -gravity).collect();
+            let mut rates = vec![0.0; rows];
+            for row in (0..rows).filter(|&row| bearings[row].part != Part::Off) {
+                rates[row] = self.reached(system, row) - reached[row];
+                for (dof, entry) in system.rows.entries(&self.here.frame.gradient, row) {
+                    push[dof] -= entry * self.tension[row];
+                }
+            }
+            if self.take_sides(system, bearings) {
+                return true;
+            }
+            let way: Vec<f64> = self.step.iter().zip(&at).map(|(to, from)| to - from).collect();
+            let pushes: Vec<f64> = push.iter().zip(&pushed).map(|(to, from)| to - from).collect();
+            let (level, bend) = (dot(&self.here.gravity, &way) + dot(&pushed, &way), dot(&pushes, &way));
+            let slope = |share: f64| {
+                let forces = bearings.iter().zip(&reached).zip(&rates);
+                let pulls = forces.map(|((bearing, value), rate)| bearing.at(value + share * rate).0 * rate);
+                level + share * bend + pulls.sum::<f64>()
+            };
+            let share = lowest(slope);
+            let forward =
+                |from: &mut [f64], way: &[f64]| from.iter_mut().zip(way).for_each(|(x, d)| *x += share * d);
+            forward(&mut at, &way);
+            forward(&mut pushed, &pushes);
+            forward(&mut reached, &rates);
+            for (row, bearing) in bearings.iter().enumerate() {
+                (self.known[row], _, self.acts[row]) = bearing.at(reached[row]);
+            }
+        }
+        false
+    }
+
+    /// Rows on the sides where they are here.
+    fn start_sides(&mut self, bearings: &[Bearing]) {
+        for (row, bearing) in bearings.iter().enumerate() {
+            (self.known[row], _, self.acts[row]) = bearing.at(self.here.value[row]);
+        }
+    }
+
+    /// The step of the model with rows on these sides; false where λM + K is not positive definite.
+    fn solve_model(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
+        let Self { matrix, acts, .. } = self;
+        let compliance = |row: usize| acts[row].then_some(bearings[row].compliance);
+        if matrix.factorise(system, lambda, compliance).is_err() || matrix.below(system) > 0 {
+            return false;
+        }
+        self.right_sides(system, bearings);
+        self.matrix.solve(&self.force, &self.right, &mut self.step, &mut self.tension);
+        true
+    }
+
+    /// Rows take the sides on which the step leaves them; true where none changes.
+    fn take_sides(&mut self, system: &System, bearings: &[Bearing]) -> bool {
+        let mut same = true;
+        for (row, bearing) in bearings.iter().enumerate() {
+            if bearing.part == Part::Off {
+                continue;
+            }
+            let (force, _, follows) = bearing.at(self.reached(system, row));
+            same &= follows == self.acts[row] && (follows || force == self.known[row]);
+            (self.known[row], self.acts[row]) = (force, follows);
+        }
+        same
+    }
+
+    /// e of a row after the step, by its gradient.
+    pub(super) fn reached(&self, system: &System, row: usize) -> f64 {
+        self.here.value[row] + system.rows.rate(&self.here.frame.gradient, row, &self.step)
+    }
+
+    fn right_sides(&mut self, system: &System, bearings: &[Bearing]) {
+        for (force, gravity) in self.force.iter_mut().zip(&self.here.gravity) {
+            *force = -gravity;
+        }
+        for (row, bearing) in bearings.iter().enumerate() {
+            self.right[row] = if self.acts[row] {
+                -(self.here.value[row] + bearing.compliance * bearing.offset)
+            } else {
+                0.0
+            };
+            if let (Part::Hold(_) | Part::Resist(_) | Part::Stick(_), false) = (bearing.part, self.acts[row])
+            {
+                let force = self.known[row];
+                self.right[row] = -force;
+                for (dof, entry) in system.rows.entries(&self.here.frame.gradient, row) {
+                    self.force[dof] -= entry * force;
+                }
+            }
+        }
+    }
+
+    fn largest_turn(&self, system: &System) -> f64 {
+        let turns = self.step.iter().zip(&system.tree.motions);
+        turns.filter(|(_, motion)| **motion == Motion::Turn).map(|(turn, _)| turn.abs()).fold(0.0, f64::max)
+    }
+
+    /// The model's energy here less that after the step, both without λ and brakes; by its own equation the quadratic
+    /// term with them, Δᵀ (λM + K) Δ, is −(∇V_g + GᵀT)·Δ.
+    fn promised(&self, system: &System, bearings: &[Bearing], lambda: f64) -> f64 {
+        let along = |(force, step): (&f64, &f64)| force * step;
+        let gravity: f64 = self.here.gravity.iter().zip(&self.step).map(along).sum();
+        let (mut work, mut elastic) = (0.0, 0.0);
+        for (row, bearing) in bearings.iter().enumerate().filter(|(_, bearing)| bearing.part != Part::Off) {
+            let reached = self.reached(system, row);
+            work += self.tension[row] * (reached - self.here.value[row]);
+            elastic += bearing.at(self.here.value[row]).1 - bearing.at(reached).1;
+        }
+        let extra = self.matrix.extra.iter().zip(&self.step);
+        let braked: f64 = extra.map(|(extra, step)| extra * step * step).sum();
+        let slowed = lambda * self.here.frame.mass.quadratic(&self.step) + braked;
+        elastic - gravity + 0.5 * (gravity + work + slowed)
+    }
+}
+
+/// Share of the way at which a slope that never falls along it is zero; the whole way where it is still below.
+fn lowest(slope: impl Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    if slope(high) <= 0.0 {
+        return high;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if slope(middle) <= 0.0 { low = middle } else { high = middle }
+    }
+    low
+}
