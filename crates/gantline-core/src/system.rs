@@ -1,5 +1,7 @@
 //! What does not change during a run: the tree, the constraints and their rows, drives, plan.
 
+use std::ops::Range;
+
 use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
@@ -210,6 +212,23 @@ impl CoilPlace {
     }
 }
 
+/// Light sheaves next to each other on one rope: what passes them follows from lengths, see [`crate::rope::light`].
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LightSheaves {
+    /// Index of the rope.
+    pub rope: usize,
+    /// Rows of the spans before, between and after them.
+    pub rows: Range<usize>,
+    /// ρ of every sheave.
+    pub ratio: Vec<f64>,
+    /// Degree of freedom of every sheave's flow.
+    pub dofs: Vec<usize>,
+    /// Its coordinate in q.
+    pub positions: Vec<usize>,
+    /// The row of its losses: only its mode counts.
+    pub brakes: Vec<usize>,
+}
+
 /// Ropes that take over length from each other after every step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Adjuster {
@@ -256,6 +275,10 @@ pub struct System {
     pub flows: Vec<usize>,
     /// Drums' ends of ropes.
     pub coils: Vec<CoilPlace>,
+    /// Light sheaves.
+    pub light: Vec<LightSheaves>,
+    /// For every degree of freedom whether it is the flow of one of them.
+    pub is_light: Vec<bool>,
     /// Groups of ropes whose lengths are adjusted.
     pub adjusters: Vec<Adjuster>,
     /// Prescribed joints.

@@ -53,7 +53,9 @@ class SheaveWords(Element):
         None, description="Moment of inertia of one sheave about its axis."
     )
     rotating_mass: Mass | None = Field(
-        None, description="Mass that moves with the rope: moment of inertia over radius squared."
+        None,
+        description="Mass that moves with the rope: moment of inertia over radius squared. 0 neglects it, "
+        "which is simulated faster.",
     )
 
     @model_validator(mode="after")
@@ -207,7 +209,7 @@ def check_losses(
         sentence = "groove friction alone holds nothing, since an ideal bearing without inertia always turns"
         add("groove_friction", f"{sentence}; say a 'bearing' too: 'roller', 'plain' or 'seized'")
     elif losses.ratio() > 1 and losses.inertia == 0 and losses.turns:
-        _add_missing_inertia(add, words)
+        _check_neglected_inertia(add, words)
     elif losses.groove is not None and losses.ratio() < losses.bearing and losses.on_sheave == 0:
         sentence = (
             f"where the groove slips the mass of the rope on the sheave moves; that of '{rope}' is not known"
@@ -220,11 +222,12 @@ def check_losses(
         add("", f"{sentence}; give it an axial stiffness")
 
 
-def _add_missing_inertia(add: Callable[[str, str], None], words: SheaveWords) -> None:
+def _check_neglected_inertia(add: Callable[[str, str], None], words: SheaveWords) -> None:
     said = next((key for key in _OF_INERTIA if getattr(words, key) is not None), None)
     if said is None:
         ways = "'sheave_mass', 'moment_of_inertia' or 'rotating_mass'"
-        add("", f"a sheave with losses has inertia; give it one of {ways}")
-    else:
-        sentence = "0 kg moves with the rope, and a sheave with losses has inertia"
+        neglect = "'rotating_mass: 0 kg' neglects it"
+        add("", f"a sheave with losses has inertia; give it one of {ways} ({neglect})")
+    elif words.groove_friction is not None:
+        sentence = "0 kg moves with the rope, and a sheave on which it may slip has inertia"
         add(said, f"{sentence}; half of the mass of the sheave is usual")

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::light::is_light;
 use super::rows::flow_named;
 use super::{BuildError, at_least_zero, error, positive};
 use crate::constraint::AnyConstraint;
@@ -56,6 +57,8 @@ pub(super) fn build_brakes(
             );
         }
         let dof = tree.bodies[index].first_velocity;
+        let passing = Passing::of(spec, &given.name);
+        let is_light = is_light(spec, index, passing.as_ref())?;
         if moorings(tree).any(|line| line.flow() == Some(dof)) {
             if *brake > 0.0 || capacity.is_some() {
                 return error(
@@ -65,7 +68,6 @@ pub(super) fn build_brakes(
             }
             continue;
         }
-        let passing = Passing::of(spec, &given.name);
         // What spins moves no rope by itself: the tensions on its bearing are those of the flow over it.
         let passes = match &passing {
             Some(passing) => flow_named(&given.name, tree, passing.flow)?.first_velocity,
@@ -103,7 +105,8 @@ pub(super) fn build_brakes(
                 None => None,
             };
             let limits = [limit, impedance, power];
-            let brake = Brake::new(given.name.clone(), (dof, spin), limits, grip, spans);
+            let mut brake = Brake::new(given.name.clone(), (dof, spin), limits, grip, spans);
+            brake.is_light = is_light;
             brakes.push(AnyConstraint::Brake(brake));
         }
     }
@@ -111,13 +114,15 @@ pub(super) fn build_brakes(
 }
 
 /// A sheave that rope passes with a flow.
-struct Passing<'a> {
+pub(super) struct Passing<'a> {
     /// Number of the rope, and of the guide on its route.
     rope: usize,
     place: usize,
     flow: &'a String,
-    ratio: f64,
-    groove: Option<&'a GrooveSpec>,
+    /// ρ of its bearing.
+    pub ratio: f64,
+    /// Its groove, where rope may slip in it.
+    pub groove: Option<&'a GrooveSpec>,
 }
 
 impl<'a> Passing<'a> {

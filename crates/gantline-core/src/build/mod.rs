@@ -5,6 +5,7 @@ mod brakes;
 mod coils;
 mod conditions;
 mod forces;
+mod light;
 mod moorings;
 mod plan;
 mod rows;
@@ -37,6 +38,7 @@ use crate::tree::kinematics::Kinematics;
 use adjusters::build_adjusters;
 use coils::places_of_coils;
 use forces::build_forces;
+use light::rows_of_light;
 use moorings::place_moorings;
 use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
@@ -96,11 +98,16 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let (vessels, marks) = build_vessels(spec, &tree)?;
     let rows = Rows::new(&constraints);
     let coils = places_of_coils(spec, &tree, &constraints, &rows);
+    let light = rows_of_light(&tree, &constraints, &rows);
+    let mut is_light_dof = vec![false; tree.velocities];
+    light.iter().flat_map(|light| &light.dofs).for_each(|&dof| is_light_dof[dof] = true);
+    let is_light = |row: &usize| light.iter().any(|light| light.brakes.contains(row));
     tree.supplies = coils.len();
     tree.positions += coils.len();
     place_moorings(spec, &mut tree, &start)?;
     q.resize(tree.positions, 0.0);
-    let rigid: Vec<usize> = (0..rows.count()).filter(|&row| rows.laws[row].compliance() == 0.0).collect();
+    let rigid: Vec<usize> =
+        (0..rows.count()).filter(|row| rows.laws[*row].compliance() == 0.0 && !is_light(row)).collect();
     let is_rope_row = |row: &usize| matches!(rows.laws[*row], Law::Unilateral { .. });
     let inextensible = rigid.iter().copied().filter(is_rope_row).collect();
     let adjusters = build_adjusters(spec, &constraints, &rows)?;
@@ -145,6 +152,8 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         motors,
         flows,
         coils,
+        light,
+        is_light: is_light_dof,
         adjusters,
         drives,
         driven,
@@ -262,7 +271,7 @@ fn first_state(
     frame.update(system, &state);
     for dof in 0..system.tree.velocities {
         let inertia = frame.mass.diagonal(dof);
-        if system.driven[dof].is_none() && inertia <= 0.0 {
+        if system.driven[dof].is_none() && inertia <= 0.0 && !system.is_light[dof] {
             let name = system.tree.bodies[system.tree.owner[dof]].name.clone();
             return error(
                 &name,

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::{BuildError, at_least_zero, error, finite, positive, unit};
+use super::{BuildError, at_least_zero, error, finite, unit};
 use crate::spec::{AxisJointSpec, BodySpec, JointSpec, SystemSpec};
 use crate::tree::ball::Ball;
 use crate::tree::fixed::Fixed;
@@ -46,7 +46,7 @@ pub(super) fn build_tree(spec: &SystemSpec) -> Result<Tree, BuildError> {
             }
             JointSpec::Flow { inertia, damping, .. } => {
                 at_least_zero(&given.name, "its damping", *damping)?;
-                positive(&given.name, "its inertia", *inertia)?;
+                at_least_zero(&given.name, "its inertia", *inertia)?;
                 (tree.damping[dof], tree.armature[dof]) = (*damping, *inertia);
             }
             _ => {}

@@ -37,6 +37,8 @@ pub struct Brake {
     pub impedance: f64,
     /// Largest power of a motor [W].
     pub power: f64,
+    /// True for the losses of a light sheave, whose flow follows from lengths at once: see [`crate::rope::light`].
+    pub is_light: bool,
     dofs: Vec<usize>,
     /// Entry of its own flow.
     pub own: usize,
@@ -113,7 +115,8 @@ impl Brake {
             feed.entry = entry(feed.dof);
         }
         let (own, other) = (entry(dof), spin.map(entry));
-        Self { name, dof, spin, capacity, grip, spans, impedance, power, own, other, dofs }
+        let is_light = false;
+        Self { name, dof, spin, capacity, grip, spans, impedance, power, is_light, own, other, dofs }
     }
 
     /// Motion of the flow, against the spin where there is one, of velocities or accelerations.
@@ -126,6 +129,14 @@ impl Brake {
     pub fn bound(&self, at: At, force: &[f64], driven: f64) -> f64 {
         let tensions = self.spans.iter().map(|(row, span)| span.scale(at.q) * force[*row].max(0.0));
         self.motor(driven) + self.grip.share(at.kinematics, at.seats) * tensions.sum::<f64>()
+    }
+
+    /// ρ of a bearing: (1 + share)/(1 − share).
+    pub fn ratio(&self) -> f64 {
+        match self.grip {
+            Grip::Share(share) => (1.0 + share) / (1.0 - share),
+            Grip::Groove { .. } => f64::NAN,
+        }
     }
 
     /// Capacity, or what the power of a motor is enough for.

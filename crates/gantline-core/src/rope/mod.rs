@@ -1,6 +1,7 @@
 //! Geometry and material of ropes. Knows no catalogue.
 
 pub mod coil;
+pub mod light;
 pub mod material;
 pub mod route;
 pub mod seat;

@@ -39,6 +39,20 @@ pub struct Group {
 impl Layout {
     /// Layout of `system`.
     pub fn new(system: &System) -> Self {
+        Self::with_rows(system, |_| true)
+    }
+
+    /// The same for matrices in which the losses of light sheaves are no rows: these stand alone.
+    pub fn without_light(system: &System) -> Self {
+        let mut stands_alone = vec![false; system.rows.count()];
+        for &row in system.light.iter().flat_map(|light| &light.brakes) {
+            stands_alone[row] = true;
+        }
+        Self::with_rows(system, |row| !stands_alone[row])
+    }
+
+    /// With the couplings of some rows.
+    fn with_rows(system: &System, couples: impl Fn(usize) -> bool) -> Self {
         let free: Vec<usize> =
             (0..system.tree.velocities).filter(|&dof| system.driven[dof].is_none()).collect();
         let mut unknown = vec![NONE; system.tree.velocities];
@@ -52,7 +66,7 @@ impl Layout {
                 groups.push(Group { constraint: index, number, row, dofs });
             }
         }
-        let pairs = pairs(system, &groups, &unknown, free.len());
+        let pairs = pairs(system, &groups, &unknown, (free.len(), couples));
         let order = unknown_order(system, &unknown, free.len(), &pairs);
         Self { symbolic: Symbolic::new(order, pairs), unknown, free, groups }
     }
@@ -72,18 +86,23 @@ impl Layout {
 }
 
 /// Pairs of unknowns that couple through inertia, gradients and their turning.
-fn pairs(system: &System, groups: &[Group], unknown: &[usize], free: usize) -> Vec<(usize, usize)> {
+fn pairs(
+    system: &System,
+    groups: &[Group],
+    unknown: &[usize],
+    (free, couples): (usize, impl Fn(usize) -> bool),
+) -> Vec<(usize, usize)> {
     let mass = MassMatrix::new(&system.tree);
     let mut pairs = Vec::new();
     for dof in 0..system.tree.velocities {
         let slots = mass.row_start[dof]..mass.row_start[dof + 1];
         pairs.extend(mass.columns[slots].iter().map(|&other| (unknown[dof], unknown[other])));
     }
-    for row in 0..system.rows.count() {
+    for row in (0..system.rows.count()).filter(|&row| couples(row)) {
         let entries = system.rows.start[row]..system.rows.start[row + 1];
         pairs.extend(system.rows.dofs[entries].iter().map(|&dof| (free + row, unknown[dof])));
     }
-    for (row, law) in system.rows.laws.iter().enumerate() {
+    for (row, law) in system.rows.laws.iter().enumerate().filter(|(row, _)| couples(*row)) {
         pairs.extend(law.bounded_by().map(|other| (free + row, free + other)));
     }
     for group in groups {
@@ -110,7 +129,10 @@ fn unknown_order(system: &System, unknown: &[usize], free: usize, pairs: &[(usiz
             continue;
         }
         node_of_body[index] = nodes.len();
-        nodes.push(Node { size: unknowns.len(), kind: NodeKind::Joint { above } });
+        nodes.push(Node {
+            size: unknowns.len(),
+            kind: NodeKind::Joint { above, light: body.dofs().any(|dof| system.is_light[dof]) },
+        });
         members.push(unknowns);
     }
     for (row, law) in system.rows.laws.iter().enumerate() {

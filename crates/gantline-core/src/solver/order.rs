@@ -29,6 +29,8 @@ pub enum NodeKind {
     Joint {
         /// Node above; none hangs on the world or on driven joints only.
         above: Option<usize>,
+        /// True for the flow of a light sheave, whose pivot is zero before a row beside it has gone.
+        light: bool,
     },
     /// A row.
     Row {
@@ -91,8 +93,8 @@ impl<'a> Elimination<'a> {
         }
         for (index, node) in nodes.iter().enumerate() {
             match node.kind {
-                NodeKind::Joint { above: Some(above) } => graph.hanging[above] += 1,
-                NodeKind::Joint { above: None } | NodeKind::Row { compliant: true, .. } => {}
+                NodeKind::Joint { above: Some(above), .. } => graph.hanging[above] += 1,
+                NodeKind::Joint { above: None, .. } | NodeKind::Row { compliant: true, .. } => {}
                 NodeKind::Row { holds: Some(joint), .. } => {
                     graph.rigid[joint].push(index);
                     graph.waiting[index] = 1;
@@ -108,7 +110,7 @@ impl<'a> Elimination<'a> {
         }
         for (index, node) in nodes.iter().enumerate() {
             let allowed = match node.kind {
-                NodeKind::Joint { .. } => graph.hanging[index] == 0,
+                NodeKind::Joint { light, .. } => graph.hanging[index] == 0 && !light,
                 NodeKind::Row { compliant, .. } => compliant,
             };
             if allowed {
@@ -144,14 +146,15 @@ impl<'a> Elimination<'a> {
             self.around[a].remove(&node);
             self.near[a] -= self.nodes[node].size;
             self.met[a] |= is_joint;
+            let freed = !is_joint && matches!(self.nodes[a].kind, NodeKind::Joint { light: true, .. });
             for &b in &around {
                 self.couple(a, b);
             }
-            if queued {
+            if queued || freed {
                 self.queue.insert(self.key(a));
             }
         }
-        if let NodeKind::Joint { above: Some(above) } = self.nodes[node].kind {
+        if let NodeKind::Joint { above: Some(above), .. } = self.nodes[node].kind {
             self.hanging[above] -= 1;
             if self.hanging[above] == 0 {
                 self.queue.insert(self.key(above));

@@ -382,9 +382,12 @@ impl Potential {
         }
     }
 
-    /// The mass matrix at the poses of the last update.
+    /// The mass matrix at the poses of the last update; here it measures ways, so what has no mass gets some.
     pub fn update_mass(&mut self, system: &System) {
         self.frame.mass.update(&system.tree, &self.frame.kinematics);
+        for &dof in system.light.iter().flat_map(|light| &light.dofs) {
+            self.frame.mass.values[self.frame.mass.row_start[dof + 1] - 1] = system.tree.inertia_scale[dof];
+        }
     }
 
     /// Slope of a degree of freedom, beyond rounding, relative to the forces that meet there, or to its weight where

@@ -131,6 +131,31 @@ impl Rope {
         (length, speed)
     }
 
+    /// Lengths of the spans [m] and their rates [m/s], with unit vectors for lines.
+    pub fn measure(&self, at: &Moving, length: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
+        for (row, span) in self.spans.iter().enumerate() {
+            (length[row], rate[row]) = self.locate_span(span, at, &mut lines[span.parts.clone()]);
+        }
+    }
+
+    /// Turns what [`Rope::measure`] found into values and rates of the rows, by what feeds the spans at the configuration
+    /// and with the velocities given.
+    pub fn answer(&self, [q, v]: [&[f64]; 2], value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
+        for (row, span) in self.spans.iter().enumerate() {
+            let Stretch { value: g, scale, supply, .. } = span.stretch(q, value[row]);
+            value[row] = g;
+            if !span.feeds.is_empty() {
+                let lines = &mut lines[span.parts.clone()];
+                for line in &mut *lines {
+                    line.direction *= scale;
+                    line.couple = line.couple.map(|couple| couple * scale);
+                }
+                lines[0].supply = supply;
+                rate[row] = scale * rate[row] + supply * span.speed(v);
+            }
+        }
+    }
+
     /// Rate of a span along its lines, without what feeds it.
     fn rate_of(&self, span: &Span, twists: &[Twist], lines: &[Line]) -> f64 {
         let velocity = |body: Option<usize>, arm| body.map_or(DVec3::ZERO, |body| twists[body].at(arm));
@@ -199,20 +224,8 @@ impl Constraint for Rope {
     }
 
     fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
-        for (row, span) in self.spans.iter().enumerate() {
-            let lines = &mut lines[span.parts.clone()];
-            let (length, speed) = self.locate_span(span, at, lines);
-            let Stretch { value: g, scale, supply, .. } = span.stretch(at.q, length);
-            (value[row], rate[row]) = (g, speed);
-            if !span.feeds.is_empty() {
-                for line in &mut *lines {
-                    line.direction *= scale;
-                    line.couple = line.couple.map(|couple| couple * scale);
-                }
-                lines[0].supply = supply;
-                rate[row] = scale * speed + supply * span.speed(at.v);
-            }
-        }
+        self.measure(at, value, rate, lines);
+        self.answer([at.q, at.v], value, rate, lines);
     }
 
     fn rates(&self, twists: &[Twist], v: &[f64], lines: &[Line], rate: &mut [f64]) {

@@ -6,6 +6,7 @@
 
 use super::Adaptive;
 use super::evaluation::Point;
+use super::light::{Laying, carries};
 use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
 use crate::force::{AnyForce, At};
@@ -30,7 +31,8 @@ impl Adaptive {
         self.rodas.course.at(theta, &mut self.point);
         self.rodas.course.rate_at(theta, &mut self.rate);
         let elapsed = theta * self.rodas.course.h;
-        let point = Point { a: &self.rate.v, ..Point::of(state, &self.point, elapsed) };
+        let laying = Laying::Watched(&self.rodas.here.light, &self.laid);
+        let point = Point { a: &self.rate.v, laying, ..Point::of(state, &self.point, elapsed) };
         self.probe.forces(system, &point, &state.modes);
         self.book_point(system, state, duration);
     }
@@ -52,6 +54,12 @@ impl Adaptive {
             };
             *loss_kind(system, &mut self.flows, row) += sign * lost;
         }
+        for light in system.light.iter().filter(|light| carries(light, &state.modes)) {
+            for row in light.rows.clone() {
+                let (e, compliance) = (here.frame.value[row], system.rows.laws[row].compliance());
+                self.flows.friction -= sign * 0.5 * e * e / compliance;
+            }
+        }
     }
 
     /// What springs hold [J]. A contact that opens lets go what its tangential springs still hold, and its damper
@@ -61,12 +69,16 @@ impl Adaptive {
     }
 
     fn book_point(&mut self, system: &System, state: &State, duration: f64) {
+        // What follows is light: its velocity is that of the point, not of the course.
+        self.point.v.copy_from_slice(&self.probe.v);
         let (probe, v) = (&mut self.probe, &self.point.v);
         let ledger = &mut self.flows;
         for (dof, velocity) in v.iter().enumerate() {
             let work = duration * probe.imbalance[dof] * velocity;
             if system.driven[dof].is_some() {
                 ledger.drive_work += work;
+            } else if system.is_light[dof] {
+                ledger.friction -= work;
             } else {
                 ledger.method -= work;
             }
@@ -118,6 +130,9 @@ impl Adaptive {
         for (defect, phi_rate) in self.rate.phi.iter_mut().zip(&probe.phi_rate) {
             *defect -= phi_rate;
         }
+        for &dof in system.light.iter().flat_map(|light| &light.dofs) {
+            self.rate.phi[dof] = 0.0;
+        }
         coils::follow(system, &state.coils, &probe.frame.feeding, &mut self.rate.phi);
         probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
         probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
@@ -139,6 +154,15 @@ impl Adaptive {
             };
             if law.compliance() > 0.0 {
                 power += self.rows[row] * stretch / law.compliance();
+            }
+        }
+        // Springs over light sheaves hold at the end what the way there has left them, not what each rate has
+        // added: the rest is friction, see [`Adaptive::book_springs`].
+        for light in system.light.iter().filter(|light| carries(light, &state.modes)) {
+            for row in light.rows.clone() {
+                let (e, compliance) = (probe.frame.value[row], system.rows.laws[row].compliance());
+                let gained = e * probe.rate[row] + e.max(0.0) * self.rows[row];
+                ledger.friction += duration * gained / compliance;
             }
         }
         for ((body, twist), lever) in

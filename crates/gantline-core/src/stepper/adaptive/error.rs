@@ -43,7 +43,7 @@ impl Weights {
     /// Error in tolerances; at most 1 is good.
     pub fn norm(&mut self, system: &System, state: &State, rodas: &Rodas, tolerance: &Tolerance) -> f64 {
         let (error, here) = (&rodas.course.error, &rodas.here);
-        let free = |dof: &usize| system.driven[*dof].is_none();
+        let free = |dof: &usize| system.driven[*dof].is_none() && !system.is_light[*dof];
         let mut position = 0.0_f64;
         for dof in (0..error.v.len()).filter(free) {
             position = position.max((error.phi[dof] * self.arm[dof]).abs() / tolerance.position);

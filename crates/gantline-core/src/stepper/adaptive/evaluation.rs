@@ -11,6 +11,7 @@
 
 use glam::DVec3;
 
+use super::light::{Laying, Light};
 use super::rodas::Increment;
 use crate::clock::Stage;
 use crate::constraint::brake::At;
@@ -59,8 +60,17 @@ pub struct Evaluation {
     pub held: Vec<Option<f64>>,
     /// α̇ of the anchors of sliding contacts [m/s], by [`System::friction`].
     pub anchor_rate: Vec<f64>,
+    /// Velocities; of light sheaves those that follow from the others.
+    pub v: Vec<f64>,
+    /// What passes light sheaves, by [`System::light`].
+    pub light: Vec<Light>,
+    /// Work space by row: what spans of their ropes are stretched by, how they answer, and what is tried.
+    pub(super) stretch: Vec<f64>,
+    pub(super) compliance: Vec<f64>,
+    pub(super) known: Vec<f64>,
+    pub(super) tried: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
-    lines: Vec<Line>,
+    pub(super) lines: Vec<Line>,
     /// First degree of freedom of every joint's rotations in body axes.
     rotations: Vec<usize>,
     /// Newtons that a metre of length counts for where an inextensible rope is slack.
@@ -85,6 +95,12 @@ impl Evaluation {
             asked: vec![0.0; rows],
             held: vec![None; rows],
             anchor_rate: vec![0.0; system.friction.len()],
+            v: vec![0.0; size],
+            light: Light::all(system),
+            stretch: vec![0.0; rows],
+            compliance: vec![0.0; rows],
+            known: vec![0.0; rows],
+            tried: vec![0.0; rows],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
             rigid_scale: 1e6,
@@ -96,6 +112,7 @@ impl Evaluation {
         self.place(system, at);
         system.clock.time(Stage::Assembly, || {
             self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
+            self.divide(system, at, modes);
             self.locate(system, at, modes);
             self.tensions(system, at, modes);
         });
@@ -109,6 +126,7 @@ impl Evaluation {
 
     fn add_forces(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
+        self.divide(system, at, modes);
         self.locate(system, at, modes);
         self.tensions(system, at, modes);
         let rows = &system.rows;
@@ -139,10 +157,11 @@ impl Evaluation {
 
     fn add_all(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
+        self.divide(system, at, modes);
         self.frame.rows(system, &self.q, &at.remembered(modes));
         self.move_anchors(system, at);
         for (row, rate) in self.rate.iter_mut().enumerate() {
-            *rate = system.rows.rate(&self.frame.gradient, row, at.v);
+            *rate = system.rows.rate(&self.frame.gradient, row, &self.v);
         }
         self.follow(system, at);
         self.tensions(system, at, modes);
@@ -158,6 +177,7 @@ impl Evaluation {
 
     fn place(&mut self, system: &System, at: &Point) {
         system.clock.time(Stage::Kinematics, || {
+            self.v.copy_from_slice(at.v);
             self.q.copy_from_slice(at.base);
             system.tree.advance(&mut self.q, at.phi);
             coils::place(system, at.coils, &mut self.q);
@@ -167,15 +187,23 @@ impl Evaluation {
 
     /// Values and rates of the rows from the motion of the bodies.
     fn locate(&mut self, system: &System, at: &Point, modes: &[Mode]) {
-        self.frame.value.copy_from_slice(at.memory);
         let rows = &system.rows;
+        let mut light = system.light.iter().map(|light| light.rope).peekable();
         for (index, constraint) in system.constraints.iter().enumerate() {
             let own = rows.first[index]..rows.first[index + 1];
             let lines = &mut self.lines[rows.lines[index]..rows.lines[index + 1]];
+            let (value, rate) = (&mut self.frame.value[own.clone()], &mut self.rate[own.clone()]);
+            let is_measured = light.next_if_eq(&index).is_some();
+            if let (true, AnyConstraint::Rope(rope)) = (is_measured, constraint) {
+                while light.next_if_eq(&index).is_some() {}
+                rope.answer([&self.q, &self.v], value, rate, lines);
+                continue;
+            }
+            value.copy_from_slice(&at.memory[own]);
             let (kinematics, twists) = (&self.frame.kinematics, self.dynamics.twists.as_slice());
-            let moving = Moving { kinematics, twists, q: &self.q, v: at.v, seats: at.seats, spots: at.spots };
-            let value = &mut self.frame.value[own.clone()];
-            constraint.locate(&moving, value, &mut self.rate[own], lines);
+            let moving =
+                Moving { kinematics, twists, q: &self.q, v: &self.v, seats: at.seats, spots: at.spots };
+            constraint.locate(&moving, value, rate, lines);
         }
         self.frame.pass(system, &self.q, &at.remembered(modes));
         for (index, place) in system.coils.iter().enumerate() {
@@ -237,6 +265,10 @@ impl Evaluation {
         }
         for (row, constraint) in (brakes..).zip(&system.constraints[system.first_brake..]) {
             if let AnyConstraint::Brake(brake) = constraint {
+                if brake.is_light {
+                    self.tension[row] = 0.0;
+                    continue;
+                }
                 let slips = modes[row] == Mode::Slipping;
                 let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
                 let (q, kinematics, seats) = (self.q.as_slice(), &self.frame.kinematics, at.seats);
@@ -282,7 +314,7 @@ impl Evaluation {
             }
         }
         let (joints, supplies) = self.phi_rate.split_at_mut(at.v.len());
-        joints.copy_from_slice(at.v);
+        joints.copy_from_slice(&self.v);
         for (index, (place, rate)) in system.coils.iter().zip(supplies).enumerate() {
             *rate = self.frame.feeding[index] * at.v[place.dof];
             self.imbalance[place.dof] -= self.frame.coil_force(system, index);
@@ -352,6 +384,8 @@ pub struct Point<'a> {
     pub rigid: &'a [f64],
     /// α, how far anchors have slid [m], by [`System::friction`].
     pub anchor: &'a [f64],
+    /// How rope is divided over light sheaves.
+    pub laying: Laying<'a>,
 }
 
 impl<'a> Point<'a> {
@@ -371,6 +405,7 @@ impl<'a> Point<'a> {
             a,
             rigid,
             anchor,
+            laying: Laying::Anew,
         }
     }
 

@@ -11,6 +11,7 @@ mod breaking;
 mod error;
 pub mod evaluation;
 mod impact;
+pub mod light;
 mod looks;
 mod places;
 pub mod rodas;
@@ -36,6 +37,7 @@ use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Twist;
 use evaluation::{Evaluation, Point};
+use light::{Laid, Laying};
 use looks::Looks;
 use rodas::{Increment, Rodas};
 use winding::Paid;
@@ -92,6 +94,10 @@ pub struct Adaptive {
     point: Increment,
     rate: Increment,
     looks: Looks,
+    /// Where the last look has left rope on light sheaves.
+    laid: Laid,
+    /// Where it was at the start of the step.
+    laid_before: Laid,
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
@@ -130,6 +136,8 @@ impl Adaptive {
             point: Increment::zero(system),
             rate: Increment::zero(system),
             looks: Looks::new(system),
+            laid: Laid::default(),
+            laid_before: Laid::default(),
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
@@ -296,7 +304,8 @@ impl Adaptive {
     /// Evaluates the course at one share of the step, rows only.
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
-        let point = Point::of(state, &self.point, theta * self.rodas.course.h);
+        let laying = Laying::Watched(&self.rodas.here.light, &self.laid_before);
+        let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
         self.probe.rows(system, &point, &state.modes);
     }
 
@@ -326,6 +335,7 @@ impl Adaptive {
         self.book_pieces(system, state);
         let here = &mut self.rodas.here;
         state.q.copy_from_slice(&here.q);
+        light::keep(system, here, state);
         // There φ counts from here: φ̇ = v.
         here.phi_rate[..state.v.len()].copy_from_slice(&state.v);
         self.current = true;

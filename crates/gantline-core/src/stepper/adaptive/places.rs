@@ -26,6 +26,8 @@ pub struct Places {
     pub friction: Vec<(usize, usize, u32)>,
     /// Groups whose motion turns gradients.
     pub blocks: Vec<Block>,
+    /// Of every light sheave, in the order of [`System::light`].
+    pub light: Vec<LightPlaces>,
     /// Bodies whose joints have rotations in body axes.
     pub joints: Vec<usize>,
     /// Columns of their rotations in the rows of degrees of freedom.
@@ -47,6 +49,19 @@ pub struct Block {
     pub places: Vec<u32>,
     /// Index in the rows' entries of every degree of freedom.
     pub entries: Vec<u32>,
+}
+
+/// Places of the row of a light sheave's flow.
+#[derive(Debug, Clone, Default)]
+pub struct LightPlaces {
+    /// All of them.
+    pub all: Vec<u32>,
+    /// Its diagonal.
+    pub diagonal: u32,
+    /// The forces of the spans before and after it.
+    pub sides: [u32; 2],
+    /// The flows before and after it on the rope.
+    pub beside: [Option<u32>; 2],
 }
 
 /// Places of three neighbouring columns, those of the rotations of a joint.
@@ -129,6 +144,7 @@ impl Places {
                 group: group.clone(),
             });
         }
+        let light = places_of_light(system, &mut finder, &blocks);
         let mut friction = Vec::new();
         for (row, law) in system.rows.laws.iter().enumerate() {
             friction.extend(law.bounded_by().map(|to| (row, to, finder.of(layout.row(row), layout.row(to)))));
@@ -147,10 +163,37 @@ impl Places {
             upper,
             in_row,
             in_column,
+            light,
             blocks,
             row_triples,
         }
     }
+}
+
+/// Places of the rows of light sheaves' flows.
+fn places_of_light(system: &System, finder: &mut Finder, blocks: &[Block]) -> Vec<LightPlaces> {
+    let mut light = Vec::new();
+    for sheaves in &system.light {
+        for (sheave, &dof) in sheaves.dofs.iter().enumerate() {
+            let own = finder.layout.unknown[dof];
+            let mut all = Vec::new();
+            for Block { group, places, .. } in blocks {
+                let rows = group.dofs.iter().enumerate().filter(|(_, other)| **other == dof);
+                let size = group.dofs.len();
+                all.extend(rows.flat_map(|(j, _)| &places[j * size..(j + 1) * size]));
+            }
+            let sides = [0, 1].map(|side| {
+                let row = finder.layout.row(sheaves.rows.start + sheave + side);
+                finder.of(own, row)
+            });
+            all.extend(sides);
+            let near = [sheave.checked_sub(1), Some(sheave + 1)];
+            let flow = |near: Option<usize>| near.and_then(|near| sheaves.dofs.get(near));
+            let beside = near.map(|near| flow(near).map(|&dof| finder.of(own, finder.layout.unknown[dof])));
+            light.push(LightPlaces { all, diagonal: finder.of(own, own), sides, beside });
+        }
+    }
+    light
 }
 
 /// The joint, among `joints`, whose first rotation `dof` is.

@@ -30,6 +30,7 @@
 //! that changes with q costs nothing extra.
 
 use super::evaluation::{Evaluation, Point, Schedule};
+use super::light::{self, Laying};
 use super::tableau::{A, C, D, GAMMA, H, STAGES, TIMES};
 use super::tangent::{TangentMatrix, brake_of, slip_weights};
 use crate::clock::Stage;
@@ -226,6 +227,7 @@ impl Rodas {
             a: &state.acceleration,
             rigid: &self.point.rigid,
             anchor: &self.none.anchor,
+            laying: Laying::Anew,
         };
         self.here.all(system, &point, &state.modes);
     }
@@ -259,7 +261,8 @@ impl Rodas {
         for stage in 0..STAGES {
             self.point.set(A[stage], &self.k, &self.course.start);
             if stage > 0 {
-                let point = Point::of(state, &self.point, TIMES[stage] * h);
+                let laying = Laying::Frozen(&self.here.light);
+                let point = Point { laying, ..Point::of(state, &self.point, TIMES[stage] * h) };
                 self.stage.forces(system, &point, modes);
             }
             self.stage_sides(system, state, mass, stage, h);
@@ -292,6 +295,7 @@ impl Rodas {
             add(&mut self.rho, weight / h, &k.v);
         }
         coils::follow(system, &state.coils, &self.here.frame.feeding, &mut self.r);
+        light::follow(system, &self.here, &state.modes, (&mut self.r, &mut self.rows));
         for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let dof = drive.dof;
             let (now, _) = timeline.acceleration(state.time, state.time + TIMES[stage] * h);
@@ -306,6 +310,9 @@ impl Rodas {
         self.matrix.add_damping(system, mass, &self.r[..self.sum.len()], kappa, &mut self.force);
         for (force, imbalance) in self.force.iter_mut().zip(&at.imbalance) {
             *force -= kappa * imbalance;
+        }
+        for &dof in system.light.iter().flat_map(|light| &light.dofs) {
+            self.force[dof] = 0.0;
         }
         for (row, law) in system.rows.laws.iter().enumerate() {
             let tau = law.damping_time();
@@ -410,6 +417,19 @@ impl Rodas {
         error.anchor.copy_from_slice(&last.anchor);
         for (term, weights) in dense.iter_mut().zip(&H) {
             term.set(weights, &self.k, &self.none);
+        }
+    }
+
+    /// The course of the flows of light sheaves, as far as it is recorded: straight to where `end` has them.
+    pub fn straighten(&mut self, system: &System, share: f64, end: &Increment) {
+        for &dof in system.light.iter().flat_map(|light| &light.dofs) {
+            for term in &mut self.course.dense {
+                (term.phi[dof], term.v[dof], term.a[dof]) = (0.0, 0.0, 0.0);
+            }
+            self.course.end.phi[dof] = end.phi[dof] / share;
+            self.course.end.v[dof] =
+                self.course.start.v[dof] + (end.v[dof] - self.course.start.v[dof]) / share;
+            (self.course.start.a[dof], self.course.end.a[dof]) = (0.0, 0.0);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::books::WEIGHTS;
 use super::evaluation::{Evaluation, Point};
+use super::light::Laying;
 use super::winding::Paid;
 use super::{Adaptive, LOOKS, SWITCHING};
 use crate::audit::Flows;
@@ -49,10 +50,13 @@ impl Adaptive {
     /// first look that is further than `allowed` [N] and tells which.
     fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
         self.flows = Flows::default();
+        self.laid.start(system, state);
+        self.laid_before.start(system, state);
         self.paid.fill(Paid::default());
         let length = self.made * self.rodas.course.h;
         for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
             self.book_look(system, state, theta * self.made, weight * length);
+            self.laid.follow(system, &self.probe, state.time + theta * length);
             self.looks.note(system, index + 1, &self.probe);
             self.looks.far[index] = self.farthest(system, state, &self.probe);
             if self.looks.far[index] > allowed {
@@ -78,8 +82,11 @@ impl Adaptive {
             self.end.v[drive.dof] = motion.velocity;
         }
         self.hold_pins(system, state);
-        let point = Point::of(state, &self.end, self.made * self.rodas.course.h);
+        let elapsed = self.made * self.rodas.course.h;
+        let laying = Laying::Laid(&self.rodas.here.light, &self.laid);
+        let point = Point { laying, ..Point::of(state, &self.end, elapsed) };
         self.next.all(system, &point, &state.modes);
+        self.lay(system, state);
     }
 
     /// Keeps what pins hold exactly where it is, so that rounding does not add up there either.
@@ -151,7 +158,9 @@ impl Adaptive {
 
     /// The largest distance of a row from its law [N].
     fn farthest(&self, system: &System, state: &State, at: &Evaluation) -> f64 {
-        (0..system.rows.count()).map(|row| self.distance(system, state, row, at)).fold(0.0, f64::max)
+        (0..system.rows.count())
+            .map(|row| self.distance(system, state, row, at))
+            .fold(self.turned(system, &state.modes, at) * SWITCHING, f64::max)
     }
 
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
@@ -259,7 +268,7 @@ impl Adaptive {
     /// Holding and slipping of the brake `index`.
     fn switch_brake(&self, system: &System, state: &mut State, index: usize, brake: &Brake) -> bool {
         let row = system.rows.first[index];
-        if self.distance(system, state, row, &self.rodas.here) <= 0.0 {
+        if brake.is_light || self.distance(system, state, row, &self.rodas.here) <= 0.0 {
             return false;
         }
         if state.modes[row] == Mode::Slipping {
@@ -280,6 +289,9 @@ impl Adaptive {
         let mut any = false;
         for &index in &system.fed {
             let AnyConstraint::Brake(brake) = &system.constraints[index] else { continue };
+            if brake.is_light {
+                continue;
+            }
             let (row, here) = (system.rows.first[index], &self.rodas.here);
             let slips = match state.modes[row] {
                 Mode::Slipping => {

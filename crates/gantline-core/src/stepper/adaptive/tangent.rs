@@ -13,6 +13,7 @@
 use glam::DVec3;
 
 use super::evaluation::{Evaluation, pull_of};
+use super::light::carries;
 use super::places::{Block, Places};
 use super::spins::Spins;
 use crate::constraint::brake::{At, Brake};
@@ -63,7 +64,7 @@ pub struct TangentMatrix {
 impl TangentMatrix {
     /// Pattern for `system`.
     pub fn new(system: &System) -> Self {
-        let layout = Layout::new(system);
+        let layout = Layout::without_light(system);
         let ldu = Ldu::new(layout.symbolic.clone());
         let places = Places::new(system, &layout, &ldu);
         let largest = layout.groups.iter().map(|group| group.dofs.len()).max().unwrap_or(0);
@@ -262,6 +263,39 @@ impl TangentMatrix {
         for (row, law) in system.rows.laws.iter().enumerate() {
             self.place_row(system, here, state, kappa, (row, law));
         }
+        self.place_light(system, here, &state.modes, kappa);
+    }
+
+    /// Flows of light sheaves: in place of forces, what they hold or how they slip.
+    fn place_light(&mut self, system: &System, here: &Evaluation, modes: &[Mode], kappa: f64) {
+        let mut places = self.places.light.iter();
+        for (light, now) in system.light.iter().zip(&here.light) {
+            let carries = carries(light, modes);
+            for ((sheave, &ratio), places) in light.ratio.iter().enumerate().zip(&mut places) {
+                for &place in &places.all {
+                    self.values[place as usize] = 0.0;
+                }
+                let Some(step) = now.moving.step(sheave, ratio).filter(|_| carries) else {
+                    self.values[places.diagonal as usize] = 1.0;
+                    continue;
+                };
+                let answer = |span: usize| {
+                    let [scale, _, unstretched] = now.answers[span];
+                    let tension = scale * here.tension[light.rows.start + span];
+                    (scale, kappa * kappa * tension / (2.0 * unstretched))
+                };
+                // δL is x₋ − x of the span before and x − x₊ of the one after.
+                let ((before, bend), (after, other_bend)) = (answer(sheave), answer(sheave + 1));
+                let [to_before, to_after] = places.sides.map(|place| place as usize);
+                (self.values[to_before], self.values[to_after]) = (-step * before, after);
+                self.values[places.diagonal as usize] = -step * bend - other_bend;
+                for (place, value) in places.beside.iter().zip([step * bend, other_bend]) {
+                    if let Some(place) = place {
+                        self.values[*place as usize] = value;
+                    }
+                }
+            }
+        }
     }
 
     fn place_row(
@@ -282,6 +316,10 @@ impl TangentMatrix {
             Mode::Acting => -compliance / (kappa * (kappa + tau)),
             Mode::Slack | Mode::Slipping | Mode::Parted => -1.0,
         };
+        if brake_of(system, row).is_some_and(|brake| brake.is_light) {
+            self.values[diagonal] = -1.0;
+            return;
+        }
         if !state.modes[row].carries() {
             return;
         }
@@ -366,8 +404,12 @@ impl TangentMatrix {
             self.values[*below as usize] = *value;
             self.values[*above as usize] = *value;
         }
+        for places in &self.places.light {
+            self.values[places.diagonal as usize] = 1.0;
+        }
         for row in 0..system.rows.count() {
-            let acts = system.rows.laws[row].compliance() == 0.0 && modes[row] == Mode::Acting;
+            let is_light = brake_of(system, row).is_some_and(|brake| brake.is_light);
+            let acts = system.rows.laws[row].compliance() == 0.0 && modes[row] == Mode::Acting && !is_light;
             self.values[diagonal[row] as usize] = if acts { 0.0 } else { -1.0 };
             if acts {
                 for entry in system.rows.start[row]..system.rows.start[row + 1] {
