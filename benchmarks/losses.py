@@ -53,7 +53,7 @@ def document(n: int, sheaves: tuple[float, float] | None) -> str:
     still = {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]}
     for number, guide in enumerate(guides):
         guide |= {"flow": f"flow{number}", "ratio": ratio}
-        flow = {"name": f"flow{number}", "parent": None, "placement": still, "mass": 0.0}
+        flow: dict[str, Any] = {"name": f"flow{number}", "parent": None, "placement": still, "mass": 0.0}
         flow |= {"joint": {"type": "flow", "inertia": inertia}}
         system["bodies"].append(flow | {"centre_of_gravity": [0, 0, 0], "inertia": [0] * 6})
     return json.dumps(system)
