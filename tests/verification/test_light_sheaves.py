@@ -17,9 +17,9 @@ from gantline._core import Simulation, Statics
 from mechanics import Floats, G, Json, adaptive, body, document, end, flow, half_turn, rope, slider
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-from benchmarks.lifts import equalizer_lift  # noqa: E402
-from benchmarks.losses import INERTIA, RATIO  # noqa: E402
-from benchmarks.losses import document as lossy_equalizer  # noqa: E402
+from benchmarks.lifts import equalizer_lift
+from benchmarks.losses import INERTIA, RATIO
+from benchmarks.losses import document as lossy_equalizer
 
 MASS: Final = 1000.0
 STIFFNESS: Final = 1e7
