@@ -115,6 +115,7 @@ def test_sketches_have_water_where_the_ground_leaves_room() -> None:
     side, plan = sketches(Subject(recording))
     (water,) = [mark for mark in side.marks if mark.style == "sk-water"]
     points = np.array([[float(part) for part in point.split(",")] for point in water.points.split()])
+    # Both ends are written to a hundredth of a unit of the drawing.
     assert np.ptp(points[:, 1]) * side.scale == pytest.approx(10.0, abs=0.02 * side.scale)
     assert any(mark.style == "sk-surface" for mark in side.marks)
     assert any(mark.style.startswith("sk-solid sk-hull") for mark in plan.marks)

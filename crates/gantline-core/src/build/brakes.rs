@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::light::is_light;
+use super::light::check_inertia;
 use super::rows::flow_named;
 use super::{BuildError, at_least_zero, error, positive};
 use crate::constraint::AnyConstraint;
@@ -58,7 +58,7 @@ pub(super) fn build_brakes(
         }
         let dof = tree.bodies[index].first_velocity;
         let passing = Passing::of(spec, &given.name);
-        let is_light = is_light(spec, index, passing.as_ref())?;
+        check_inertia(spec, index, passing.as_ref())?;
         if moorings(tree).any(|line| line.flow() == Some(dof)) {
             if *brake > 0.0 || capacity.is_some() {
                 return error(
@@ -105,8 +105,7 @@ pub(super) fn build_brakes(
                 None => None,
             };
             let limits = [limit, impedance, power];
-            let mut brake = Brake::new(given.name.clone(), (dof, spin), limits, grip, spans);
-            brake.is_light = is_light;
+            let brake = Brake::new(given.name.clone(), (dof, spin), limits, grip, spans);
             brakes.push(AnyConstraint::Brake(brake));
         }
     }

@@ -7,18 +7,18 @@ use crate::spec::{JointSpec, SystemSpec};
 use crate::system::{LightSheaves, Rows};
 use crate::tree::Tree;
 
-/// Whether the flow of that number has no inertia, and may.
-pub(super) fn is_light(
+/// Whether the flow of that number has inertia, or may do without.
+pub(super) fn check_inertia(
     spec: &SystemSpec,
     flow: usize,
     passing: Option<&Passing>,
-) -> Result<bool, BuildError> {
+) -> Result<(), BuildError> {
     let given = &spec.bodies[flow];
     let JointSpec::Flow { inertia, brake, capacity, drive, damping, .. } = &given.joint else {
-        return Ok(false);
+        return Ok(());
     };
     if *inertia > 0.0 {
-        return Ok(false);
+        return Ok(());
     }
     let is_held = *brake > 0.0 || *damping > 0.0 || capacity.is_some() || drive.is_some();
     let is_plain =
@@ -29,13 +29,15 @@ pub(super) fn is_light(
             "its inertia is 0, which only a sheave that loses in its bearing and in nothing else may have",
         );
     }
-    Ok(true)
+    Ok(())
 }
 
 /// Rows of light sheaves next to each other on one rope, in the order of ropes and routes.
 pub(super) fn rows_of_light(tree: &Tree, constraints: &[AnyConstraint], rows: &Rows) -> Vec<LightSheaves> {
     let brakes = constraints.iter().enumerate().filter_map(|(index, constraint)| match constraint {
-        AnyConstraint::Brake(brake) if brake.is_light => Some((rows.first[index], brake)),
+        AnyConstraint::Brake(brake) if !brake.grip.is_none() && tree.armature[brake.dof] == 0.0 => {
+            Some((rows.first[index], brake))
+        }
         _ => None,
     });
     let mut sheaves: Vec<_> = brakes.collect();

@@ -37,8 +37,6 @@ pub struct Brake {
     pub impedance: f64,
     /// Largest power of a motor [W].
     pub power: f64,
-    /// True for the losses of a light sheave, whose flow follows from lengths at once: see [`crate::rope::light`].
-    pub is_light: bool,
     dofs: Vec<usize>,
     /// Entry of its own flow.
     pub own: usize,
@@ -115,8 +113,7 @@ impl Brake {
             feed.entry = entry(feed.dof);
         }
         let (own, other) = (entry(dof), spin.map(entry));
-        let is_light = false;
-        Self { name, dof, spin, capacity, grip, spans, impedance, power, is_light, own, other, dofs }
+        Self { name, dof, spin, capacity, grip, spans, impedance, power, own, other, dofs }
     }
 
     /// Motion of the flow, against the spin where there is one, of velocities or accelerations.

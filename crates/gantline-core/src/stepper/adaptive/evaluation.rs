@@ -265,7 +265,7 @@ impl Evaluation {
         }
         for (row, constraint) in (brakes..).zip(&system.constraints[system.first_brake..]) {
             if let AnyConstraint::Brake(brake) = constraint {
-                if brake.is_light {
+                if system.is_light[brake.dof] {
                     self.tension[row] = 0.0;
                     continue;
                 }

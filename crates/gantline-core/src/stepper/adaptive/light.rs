@@ -94,8 +94,9 @@ impl Light {
         system.light.iter().map(room).collect()
     }
 
-    /// How far tensions are from what they should be, root mean square [N].
-    pub fn turned(&self) -> f64 {
+    /// How far tensions are from what they should be, root mean square, over how far they may be, in units of a
+    /// tolerance [N].
+    fn turned(&self) -> f64 {
         let pairs = self.lies.tension.iter().zip(&self.other.tension);
         let sum: f64 = pairs.map(|(one, other)| (one - other).powi(2)).sum();
         (sum / self.lies.tension.len() as f64).sqrt() / TURNED
@@ -359,7 +360,7 @@ impl Adaptive {
         self.rodas.straighten(system, self.made, &self.end);
     }
 
-    /// How far the tensions of ropes that carry are from what they should be, in tolerances' units [N].
+    /// The same of the worst rope that carries.
     pub(super) fn turned(&self, system: &System, modes: &[Mode], at: &Evaluation) -> f64 {
         let taut = system.light.iter().zip(&at.light).filter(|(light, _)| carries(light, modes));
         taut.map(|(_, light)| light.turned()).fold(0.0, f64::max)

@@ -268,7 +268,7 @@ impl Adaptive {
     /// Holding and slipping of the brake `index`.
     fn switch_brake(&self, system: &System, state: &mut State, index: usize, brake: &Brake) -> bool {
         let row = system.rows.first[index];
-        if brake.is_light || self.distance(system, state, row, &self.rodas.here) <= 0.0 {
+        if system.is_light[brake.dof] || self.distance(system, state, row, &self.rodas.here) <= 0.0 {
             return false;
         }
         if state.modes[row] == Mode::Slipping {
@@ -289,7 +289,7 @@ impl Adaptive {
         let mut any = false;
         for &index in &system.fed {
             let AnyConstraint::Brake(brake) = &system.constraints[index] else { continue };
-            if brake.is_light {
+            if system.is_light[brake.dof] {
                 continue;
             }
             let (row, here) = (system.rows.first[index], &self.rodas.here);

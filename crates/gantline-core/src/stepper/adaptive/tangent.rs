@@ -316,7 +316,7 @@ impl TangentMatrix {
             Mode::Acting => -compliance / (kappa * (kappa + tau)),
             Mode::Slack | Mode::Slipping | Mode::Parted => -1.0,
         };
-        if brake_of(system, row).is_some_and(|brake| brake.is_light) {
+        if brake_of(system, row).is_some_and(|brake| system.is_light[brake.dof]) {
             self.values[diagonal] = -1.0;
             return;
         }
@@ -408,7 +408,7 @@ impl TangentMatrix {
             self.values[places.diagonal as usize] = 1.0;
         }
         for row in 0..system.rows.count() {
-            let is_light = brake_of(system, row).is_some_and(|brake| brake.is_light);
+            let is_light = brake_of(system, row).is_some_and(|brake| system.is_light[brake.dof]);
             let acts = system.rows.laws[row].compliance() == 0.0 && modes[row] == Mode::Acting && !is_light;
             self.values[diagonal[row] as usize] = if acts { 0.0 } else { -1.0 };
             if acts {
