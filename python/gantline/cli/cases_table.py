@@ -5,8 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 
-from gantline.cli.summary import show
-from gantline.cli.table import ABSENT, table, tables
+from gantline.cli.table import ABSENT, show, table, tables
 from gantline.study.cases import CasesResult
 from gantline.study.state import QUANTITIES, State, Worst, values_of
 

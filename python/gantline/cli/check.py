@@ -100,8 +100,8 @@ def _simulated(simulation: Simulation) -> Recording:
 
 def _look_over(simulation: Simulation) -> None:
     """What a lift file describes, all of which has been found right."""
-    from gantline.cli.summary import heading, show, weights
-    from gantline.cli.table import table
+    from gantline.cli.summary import heading, weights
+    from gantline.cli.table import show, table
     from gantline.results.rig import Rig
 
     rig = Rig.from_json(simulation.assembly.rig)
@@ -135,8 +135,7 @@ def _look_over(simulation: Simulation) -> None:
 
 def _rope_weights(rig: Rig) -> list[str]:
     """How the weight of each rope acts, for those that have one."""
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     rows = [
         (rope.name, rope.weight, show(rope.mass, "kg", 1), show(rope.mass_on_world or None, "kg", 1))
@@ -148,8 +147,7 @@ def _rope_weights(rig: Rig) -> list[str]:
 
 def _sheaves(rig: Rig) -> list[str]:
     """Losses and inertia of each sheave that is not ideal."""
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     head = ("Sheave", "rope", "turns at a ratio of", "groove friction", "moves with the rope", "")
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from gantline.cli.summary import show
-from gantline.cli.table import ABSENT, table
+from gantline.cli.table import ABSENT, show, table
 from gantline.results.comparison import (
     Comparison,
     Difference,

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gantline.cli.summary import show
-from gantline.cli.table import ABSENT, table
+from gantline.cli.table import ABSENT, show, table
 
 if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics

@@ -128,8 +128,7 @@ def _wanted(level: bool, want: str | None) -> Wanted:
 
 def _slings(answer: LengthAnswer) -> list[str]:
     """New lengths, and what they change."""
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     rows = [
         (
@@ -156,8 +155,7 @@ def _slings(answer: LengthAnswer) -> list[str]:
 
 def _hooks(answer: HookAnswer) -> list[str]:
     """New places, and what they change."""
-    from gantline.cli.summary import show
-    from gantline.cli.table import ABSENT, table
+    from gantline.cli.table import ABSENT, show, table
 
     rows = []
     for name, pulls in answer.side_pulls.items():
@@ -190,7 +188,7 @@ def _hooks(answer: HookAnswer) -> list[str]:
 
 
 def _attitude(before: Equilibrium, after: Equilibrium) -> list[str]:
-    from gantline.cli.summary import show
+    from gantline.cli.table import show
     from gantline.results.rotation import heading
 
     load = before.recording.rig.loads[0]

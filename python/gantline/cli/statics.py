@@ -226,8 +226,7 @@ def _heading(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[st
 
 
 def _slings(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
-    from gantline.cli.summary import show
-    from gantline.cli.table import ABSENT, table
+    from gantline.cli.table import ABSENT, show, table
     from gantline.results import series
 
     slings = rest.recording.rig.slings
@@ -256,8 +255,7 @@ def _slings(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
 
 
 def _ropes(rest: Equilibrium) -> list[str]:
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     slings = {sling.rope for sling in rest.recording.rig.slings}
     names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in slings]
@@ -266,8 +264,7 @@ def _ropes(rest: Equilibrium) -> list[str]:
 
 
 def _hooks(rest: Equilibrium) -> list[str]:
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     rows = [
         (hook.name, *(show(float(rest.recording.column(name, hook.name)[-1]), "kN", 1) for name in loads))
@@ -278,8 +275,7 @@ def _hooks(rest: Equilibrium) -> list[str]:
 
 
 def _loads(rest: Equilibrium) -> list[str]:
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     rows = [
         (
@@ -294,8 +290,7 @@ def _loads(rest: Equilibrium) -> list[str]:
 
 
 def _sheaves(rest: Equilibrium) -> list[str]:
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     rows = [
         (sheave, show(float(rest.recording.column("sheave_travel", sheave)[-1]), "m", 3))
@@ -306,8 +301,7 @@ def _sheaves(rest: Equilibrium) -> list[str]:
 
 
 def _modes(modes: list[Mode]) -> list[str]:
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     def course(mode: Mode) -> str:
         if mode.growth_time is not None:
@@ -333,8 +327,7 @@ _ERRORS = {
 
 def _sensitivities(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[str]:
     """Changes of the slings' tensions, first order."""
-    from gantline.cli.summary import show
-    from gantline.cli.table import table
+    from gantline.cli.table import show, table
 
     slings = rest.recording.rig.slings
     stiffness = rest.recording.attributes["axial_stiffness"]

@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import numpy as np
 
 from gantline.checks import Check, Verdict, values_of
 from gantline.cli.check_table import check_table
-from gantline.cli.table import ABSENT, pairs, table
+from gantline.cli.equalizer_table import equalizer_table
+from gantline.cli.hold_points import hold_points
+from gantline.cli.table import ABSENT, pairs, show, table
 from gantline.cli.vessels import vessels
 from gantline.results import series
-from gantline.results.equalising import equalising
-from gantline.results.gear import Equalizer
 from gantline.results.metrics import energy_bound, metrics_of
-from gantline.results.parting import partings, stops_met
+from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
-from gantline.units import format_quantity
-
-
-def show(value: float | None, unit: str, digits: int) -> str:
-    """A value with its unit, or a dash."""
-    return ABSENT if value is None else format_quantity(value, unit, digits)
 
 
 def summary(
@@ -47,14 +41,14 @@ def summary(
         _slings(recording),
         _parted(recording),
         _used(recording),
-        *(_equalizer(recording, equalizer) for equalizer in rig.equalizers),
+        *(equalizer_table(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
         vessels(recording),
         _ropes(recording),
         _wraps(recording),
         _losses(recording),
         _drums(recording),
-        _hold_points(recording),
+        hold_points(recording),
         check_table(checks, str(rig.limits.get("rule") or ""), style=style, width=width, full=False),
         _trust(recording, metrics),
     ]
@@ -182,103 +176,6 @@ def _share(force: float | None, of: float | None) -> float | None:
     return None if force is None or not of else force / of
 
 
-def _equalizer(recording: Recording, equalizer: Equalizer) -> list[str]:
-    rows: list[tuple[str, str]] = []
-    if equalizer.mechanism == "approximated":
-        rows += _lengthening(recording, equalizer)
-    if equalizer.equalizing_rope:
-        rope = equalizer.equalizing_rope
-        force, time = series.rope_peak(recording, rope)
-        static = series.static_value(recording, recording.column("rope_tension", rope))
-        rows.append(
-            (
-                "equalizing rope",
-                f"{show(static, 'kN', 1)} static, {show(force, 'kN', 1)} peak at {show(time, 's', 2)}"
-                f"{_of_breaking_force(recording, rope)}",
-            )
-        )
-    clear = series.is_clear(recording)
-    if equalizer.slings and clear.any():
-        spread = series.tension_spread(recording, equalizer)
-        most, last = float(spread[clear].max()), float(spread[-1])
-        rows.append(
-            ("tension spread", f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end")
-        )
-    rows += _equalising(recording, equalizer)
-    rows += _pins(recording, equalizer)
-    met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
-    rows += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{_again(one.times)}") for one in met]
-    rows += [
-        (f"travel used {way}", _travel(recording, equalizer, sign, stroke))
-        for way, sign, stroke in (("up", -1.0, equalizer.travel_up), ("down", 1.0, equalizer.travel_down))
-        if stroke and equalizer.moving_sheaves and equalizer.mechanism == "sheaves"
-    ]
-    return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
-
-
-def _equalising(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
-    """How long it took until the slings carry alike, where all of them have ever been taut."""
-    found = equalising(recording, equalizer)
-    if not equalizer.slings:
-        return []
-    bound = show(recording.rig.equalised_below, "%", 0 if recording.rig.equalised_below >= 0.01 else 2)
-    if found is None:
-        return [("time to equalise", f"{ABSENT}, the spread does not end below {bound} with all slings taut")]
-    text = f"{show(found.time, 's', 2)} to a spread below {bound}, from {show(found.begin, 's', 2)} on"
-    return [("time to equalise", text)]
-
-
-def _pins(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
-    """What its locking pins held, and when they were pulled and put in."""
-    pins = [pin for pin in recording.coordinates.get("pin", ()) if pin in equalizer.moving_sheaves]
-    if not pins:
-        return []
-    force = {pin: np.abs(recording.column("pin_force", pin)) for pin in pins}
-    pin = max(pins, key=lambda name: float(force[name].max()))
-    time = float(recording.time[int(force[pin].argmax())])
-    text = f"{show(float(force[pin].max()), 'kN', 1)} at most ({pin} at {show(time, 's', 2)})"
-    for kind, words in (("pin_pulled", "pulled"), ("pin_put_in", "put in")):
-        times = sorted({when for when, _, name in recording.events(kind) if name in pins})
-        if times:
-            text += f", {words} at {' and '.join(show(when, 's', 2) for when in times)}"
-    return [("locking pins", text)]
-
-
-def _again(times: int) -> str:
-    return f", {times} times in all" if times > 1 else ""
-
-
-def _of_breaking_force(recording: Recording, rope: str) -> str:
-    share = series.utilisation(recording, rope)
-    return "" if share is None else f", {show(share, '%', 1)} of minimum breaking force"
-
-
-def _lengthening(recording: Recording, equalizer: Equalizer) -> Iterator[tuple[str, str]]:
-    """What takes the place of travel where lengths are adjusted."""
-    factor = f", adjusting factor {equalizer.adjusting_factor:g}" if equalizer.adjusting_factor else ""
-    yield "mechanism", f"approximated{factor}: no sheave moves, slings change their length"
-    change = {rope: recording.column("rope_lengthening", rope) for rope in equalizer.slings}
-    for title, sign in (("longer", 1.0), ("shorter", -1.0)):
-        rope = max(change, key=lambda name: float((sign * change[name]).max()))
-        curve = sign * change[rope]
-        most, time = float(curve.max()), float(recording.time[int(curve.argmax())])
-        sling = rope.removeprefix("sling.")
-        yield title, f"{show(most, 'm', 3)} at most ({sling} at {show(time, 's', 2)}), not limited"
-
-
-def _travel(recording: Recording, equalizer: Equalizer, sign: float, stroke: float) -> str:
-    travel = {sheave: sign * recording.column("sheave_travel", sheave) for sheave in equalizer.moving_sheaves}
-    sheave = max(travel, key=lambda name: float(travel[name].max()))
-    furthest = max(0.0, float(travel[sheave].max()))
-    time = float(recording.time[int(travel[sheave].argmax())])
-    text = f"{show(furthest / stroke, '%', 1)} of {show(stroke, 'm', 3)} ({sheave} at {show(time, 's', 2)})"
-    clear = series.is_clear(recording)
-    if clear.any():
-        furthest = max(0.0, *(float(values[clear].max()) for values in travel.values()))
-        text += f", {show(furthest / stroke, '%', 1)} when clear"
-    return f"{text}, margin {show(stroke - furthest, 'mm', 0)}"
-
-
 def _hooks(recording: Recording) -> list[str]:
     window = series.quiet_window(recording)
     shares = values_of(recording, "hoist_load_of_rated_capacity")
@@ -384,83 +281,6 @@ def _drums(recording: Recording) -> list[str]:
         rows.append((drum.name, *extremes, show(float(paid_out.max()), "m", 3), turns))
     head = ("Drum", "rope paid out at the end", "least", "most", "fewest turns")
     return table(head, rows, "lrrrr") if rows else []
-
-
-def _hold_points(recording: Recording) -> list[str]:
-    from gantline.checks import end_of_step
-
-    lines: list[str] = []
-    for step in recording.rig.plan:
-        at = end_of_step(recording, step.step) if step.report else None
-        if at is None:
-            continue
-        sample = int(np.argmax(at))
-        measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in step.report}
-        rows = [(measure.replace("_", " "), text) for measure, text in measured.items() if text]
-        lines += pairs(f"At the end of '{step.step}', {show(float(recording.time[sample]), 's', 2)}", rows)
-    return lines
-
-
-def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
-    """Values of a measure that a step reports, at one sample."""
-    rig = recording.rig
-    hooks = {hook.name: hook.name for hook in rig.carried_hooks}
-    at_booms = {hook.name: hook.name for boom in rig.booms for hook in boom.hooks}
-    sources: dict[str, tuple[str, str, int, dict[str, str]]] = {
-        "sling_tension": ("rope_tension", "kN", 1, {sling.name: sling.rope for sling in rig.slings}),
-        "equalizing_rope_tension": (
-            "rope_tension",
-            "kN",
-            1,
-            {e.name: e.equalizing_rope for e in rig.equalizers},
-        ),
-        "equalizer_travel": (
-            "sheave_travel",
-            "m",
-            3,
-            {s: s for e in rig.equalizers for s in e.moving_sheaves},
-        ),
-        "hook_load": ("hook_load", "kN", 1, {hook.name: hook.name for hook in rig.hooks}),
-        "hoist_load": ("hoist_load", "kN", 1, {hook.name: hook.name for hook in rig.hooks}),
-        "load_tilt": ("load_tilt", "deg", 2, {load.name: load.name for load in rig.loads}),
-        "load_transferred": ("load_transferred", "%", 1, {load.name: load.name for load in rig.loads}),
-        "load_swing": ("load_swing", "m", 3, {load.name: load.name for load in rig.loads if hooks}),
-        "hook_height": ("hook_height", "m", 3, hooks),
-        "falls_out_of_plumb": ("falls_out_of_plumb", "deg", 3, hooks),
-        "off_lead": ("off_lead", "deg", 3, at_booms),
-        "side_lead": ("side_lead", "deg", 3, at_booms),
-        "crane_radius": ("crane_radius", "m", 2, at_booms),
-        "boom_angle": ("boom_angle", "deg", 2, {boom.name: boom.name for boom in rig.booms}),
-        "luffing_pull": ("luffing_pull", "kN", 0, {boom.name: boom.name for boom in rig.booms if boom.ropes}),
-        "corner_load": (
-            "corner_load",
-            "kN",
-            0,
-            {name: name for crane in rig.cranes for name in crane.corners},
-        ),
-        "ground_pressure": (
-            "ground_pressure",
-            "kPa",
-            1,
-            {name: name for crane in rig.crawlers for name in crane.corners},
-        ),
-        "tipping_utilisation": (
-            "tipping_utilisation",
-            "%",
-            1,
-            {crane.name: crane.name for crane in rig.crawlers},
-        ),
-    }
-    afloat = {vessel.name: vessel.name for vessel in rig.vessels}
-    of_vessels = (("draft", "m", 3), ("heel", "deg", 2), ("trim", "deg", 2), ("freeboard", "m", 2))
-    sources |= {name: (f"vessel_{name}", unit, digits, afloat) for name, unit, digits in of_vessels}
-    if measure not in sources:
-        yield "not known here"
-        return
-    variable, unit, digits, names = sources[measure]
-    for name, label in names.items():
-        if label:
-            yield f"{name} {show(float(recording.column(variable, label)[sample]), unit, digits)}"
 
 
 def _trust(recording: Recording, metrics: dict[str, float]) -> list[str]:

@@ -68,8 +68,7 @@ def _read(text: str) -> tuple[str, str, str, int]:
 def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
     """The table; slings that find no room beside the others stand below them."""
     from gantline.cli.cases_table import outcome
-    from gantline.cli.summary import show
-    from gantline.cli.table import tables
+    from gantline.cli.table import show, tables
     from gantline.study.state import QUANTITIES, values_of
 
     values = [values_of(point.state) for point in points]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from gantline.units import format_quantity
+
 ABSENT = "-"
 
 
@@ -61,3 +63,8 @@ def _line(cells: Sequence[str], widths: Sequence[int], align: str) -> str:
         for cell, width, side in zip(cells, widths, align, strict=True)
     ]
     return "  ".join(aligned).rstrip()
+
+
+def show(value: float | None, unit: str, digits: int) -> str:
+    """A value with its unit, or a dash."""
+    return ABSENT if value is None else format_quantity(value, unit, digits)

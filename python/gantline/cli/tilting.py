@@ -28,7 +28,7 @@ def tilting_lines(found: Sequence[Tilting], margins: Sequence[Margin]) -> list[s
     for one in found:
         lines += _notes(one)
     if margins:
-        from gantline.cli.summary import show
+        from gantline.cli.table import show
 
         cells = [
             (
@@ -43,8 +43,7 @@ def tilting_lines(found: Sequence[Tilting], margins: Sequence[Margin]) -> list[s
 
 
 def _row(one: Tilting, axis: TiltAxis) -> tuple[str, ...]:
-    from gantline.cli.summary import show
-    from gantline.cli.table import ABSENT
+    from gantline.cli.table import ABSENT, show
 
     x, y = (round(part, 2) + 0.0 for part in axis.direction)  # no negative zero
     by = show(math.atan2(_OFFSET, axis.height), "deg", 2) if axis.height > 0.0 else ABSENT
@@ -58,13 +57,13 @@ def _row(one: Tilting, axis: TiltAxis) -> tuple[str, ...]:
 
 
 def _shown(value: float, unit: str) -> str:
-    from gantline.cli.summary import show
+    from gantline.cli.table import show
 
     return show(value, unit, 2) if math.isfinite(value) else "rigid"
 
 
 def _notes(one: Tilting) -> list[str]:
-    from gantline.cli.summary import show
+    from gantline.cli.table import show
 
     period = show(one.period, "s", 2) if one.period is not None else "it does not swing"
     held = ""

@@ -1,0 +1,114 @@
+"""What the final table says of one equalizer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from gantline.cli.table import ABSENT, pairs, show
+from gantline.results import series
+from gantline.results.equalising import equalising
+from gantline.results.gear import Equalizer
+from gantline.results.parting import stops_met
+from gantline.results.recording import Recording
+
+
+def equalizer_table(recording: Recording, equalizer: Equalizer) -> list[str]:
+    """Tension, spread, time to equalise, pins, stops and travel of an equalizer; empty without any."""
+    rows: list[tuple[str, str]] = []
+    if equalizer.mechanism == "approximated":
+        rows += _lengthening(recording, equalizer)
+    if equalizer.equalizing_rope:
+        rope = equalizer.equalizing_rope
+        force, time = series.rope_peak(recording, rope)
+        static = series.static_value(recording, recording.column("rope_tension", rope))
+        rows.append(
+            (
+                "equalizing rope",
+                f"{show(static, 'kN', 1)} static, {show(force, 'kN', 1)} peak at {show(time, 's', 2)}"
+                f"{of_breaking_force(recording, rope)}",
+            )
+        )
+    clear = series.is_clear(recording)
+    if equalizer.slings and clear.any():
+        spread = series.tension_spread(recording, equalizer)
+        most, last = float(spread[clear].max()), float(spread[-1])
+        rows.append(
+            ("tension spread", f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end")
+        )
+    rows += _equalising(recording, equalizer)
+    rows += _pins(recording, equalizer)
+    met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
+    rows += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{again(one.times)}") for one in met]
+    rows += [
+        (f"travel used {way}", _travel(recording, equalizer, sign, stroke))
+        for way, sign, stroke in (("up", -1.0, equalizer.travel_up), ("down", 1.0, equalizer.travel_down))
+        if stroke and equalizer.moving_sheaves and equalizer.mechanism == "sheaves"
+    ]
+    return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
+
+
+def _equalising(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
+    """How long it took until the slings carry alike, where all of them have ever been taut."""
+    found = equalising(recording, equalizer)
+    if not equalizer.slings:
+        return []
+    bound = show(recording.rig.equalised_below, "%", 0 if recording.rig.equalised_below >= 0.01 else 2)
+    if found is None:
+        return [("time to equalise", f"{ABSENT}, the spread does not end below {bound} with all slings taut")]
+    text = f"{show(found.time, 's', 2)} to a spread below {bound}, from {show(found.begin, 's', 2)} on"
+    return [("time to equalise", text)]
+
+
+def _pins(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
+    """What its locking pins held, and when they were pulled and put in."""
+    pins = [pin for pin in recording.coordinates.get("pin", ()) if pin in equalizer.moving_sheaves]
+    if not pins:
+        return []
+    force = {pin: np.abs(recording.column("pin_force", pin)) for pin in pins}
+    pin = max(pins, key=lambda name: float(force[name].max()))
+    time = float(recording.time[int(force[pin].argmax())])
+    text = f"{show(float(force[pin].max()), 'kN', 1)} at most ({pin} at {show(time, 's', 2)})"
+    for kind, words in (("pin_pulled", "pulled"), ("pin_put_in", "put in")):
+        times = sorted({when for when, _, name in recording.events(kind) if name in pins})
+        if times:
+            text += f", {words} at {' and '.join(show(when, 's', 2) for when in times)}"
+    return [("locking pins", text)]
+
+
+def again(times: int) -> str:
+    """What is added to an event that came several times."""
+    return f", {times} times in all" if times > 1 else ""
+
+
+def of_breaking_force(recording: Recording, rope: str) -> str:
+    """What share of its minimum breaking force a rope had to carry, if that is known."""
+    share = series.utilisation(recording, rope)
+    return "" if share is None else f", {show(share, '%', 1)} of minimum breaking force"
+
+
+def _lengthening(recording: Recording, equalizer: Equalizer) -> Iterator[tuple[str, str]]:
+    """What takes the place of travel where lengths are adjusted."""
+    factor = f", adjusting factor {equalizer.adjusting_factor:g}" if equalizer.adjusting_factor else ""
+    yield "mechanism", f"approximated{factor}: no sheave moves, slings change their length"
+    change = {rope: recording.column("rope_lengthening", rope) for rope in equalizer.slings}
+    for title, sign in (("longer", 1.0), ("shorter", -1.0)):
+        rope = max(change, key=lambda name: float((sign * change[name]).max()))
+        curve = sign * change[rope]
+        most, time = float(curve.max()), float(recording.time[int(curve.argmax())])
+        sling = rope.removeprefix("sling.")
+        yield title, f"{show(most, 'm', 3)} at most ({sling} at {show(time, 's', 2)}), not limited"
+
+
+def _travel(recording: Recording, equalizer: Equalizer, sign: float, stroke: float) -> str:
+    travel = {sheave: sign * recording.column("sheave_travel", sheave) for sheave in equalizer.moving_sheaves}
+    sheave = max(travel, key=lambda name: float(travel[name].max()))
+    furthest = max(0.0, float(travel[sheave].max()))
+    time = float(recording.time[int(travel[sheave].argmax())])
+    text = f"{show(furthest / stroke, '%', 1)} of {show(stroke, 'm', 3)} ({sheave} at {show(time, 's', 2)})"
+    clear = series.is_clear(recording)
+    if clear.any():
+        furthest = max(0.0, *(float(values[clear].max()) for values in travel.values()))
+        text += f", {show(furthest / stroke, '%', 1)} when clear"
+    return f"{text}, margin {show(stroke - furthest, 'mm', 0)}"

@@ -1,0 +1,190 @@
+"""What statics answers: equilibria, natural motions, sensitivities."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.results.recording import Recording
+
+Floats = npt.NDArray[np.float64]
+Losses = Literal["none", "forward", "backward", "held"]
+
+#: ω² within this of zero is no stiffness at all [1/s²], as in the core.
+_NEUTRAL = 1e-6
+
+
+class NoEquilibriumError(RuntimeError):
+    """The lift comes to rest nowhere.
+
+    Attributes:
+        time: Time of the plan [s].
+        element: The body, rope or contact concerned.
+        cause: Why, in one sentence.
+    """
+
+    def __init__(self, time: float, element: str, cause: str) -> None:
+        super().__init__(f"there is no equilibrium at t = {time:g} s: {cause} ({element})")
+        self.time = time
+        self.element = element
+        self.cause = cause
+
+
+@dataclass(frozen=True)
+class ContactForce:
+    """What a contact carries at rest.
+
+    Attributes:
+        contact: Its name.
+        support: Support force N [N].
+        friction: Force of friction on the load, world axes, shape (3,) [N].
+        bound: The largest that it can be, μN [N].
+    """
+
+    contact: str
+    support: float
+    friction: Floats
+    bound: float
+
+    @property
+    def used(self) -> float | None:
+        """Share of what friction can hold that it holds; None where it can hold nothing."""
+        return float(np.linalg.norm(self.friction)) / self.bound if self.bound > 0.0 else None
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """A lift at rest.
+
+    Attributes:
+        time: Time of the plan [s].
+        recording: The start of the lift as given, and the equilibrium as the last sample; at time 0 that
+            alone.
+        residual: Largest imbalance of forces relative to the forces that meet there.
+        neutral: How many motions nothing holds; they stay where the start was nearest.
+        unstable: How many motions lead away; 0 if it is stable.
+        steps: Steps that the search made.
+        lossy: Sheaves with losses.
+        losses: What friction does, see `Statics.equilibrium`.
+        contacts: The contacts that carry.
+    """
+
+    time: float
+    recording: Recording
+    residual: float
+    neutral: int
+    unstable: int
+    steps: int
+    lossy: tuple[str, ...] = ()
+    losses: Losses = "none"
+    contacts: tuple[ContactForce, ...] = ()
+
+    @property
+    def is_stable(self) -> bool:
+        """Whether no motion leads away from it."""
+        return self.unstable == 0
+
+    def to_json(self) -> dict[str, Any]:
+        """What it is like as a JSON object, SI units; its numbers are in the recording."""
+        return {
+            "time": self.time,
+            "stable": self.is_stable,
+            "unstable_motions": self.unstable,
+            "neutral_motions": self.neutral,
+            "residual": self.residual,
+            "losses": self.losses,
+            "lossy_sheaves": list(self.lossy),
+        }
+
+    def with_modes(self, modes: Sequence[Mode], heights: Mapping[str, Sequence[float]]) -> Recording:
+        """Its recording with the attributes `statics` and `modes`: what it is like, how it swings.
+
+        Args:
+            modes: Its natural motions.
+            heights: Metacentric heights of its vessels for heel and trim by their names [m].
+        """
+        one = self.recording
+        more = {"metacentric_heights": {name: list(both) for name, both in heights.items()}}
+        said = {"statics": self.to_json() | more, "modes": [mode.to_json() for mode in modes]}
+        return Recording(one.variables, one.coordinates, {**one.attributes, **said})
+
+    def tension(self, rope: str) -> float:
+        """Tension of a rope [N]."""
+        return float(self.recording.column("rope_tension", rope)[-1])
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A natural motion about an equilibrium.
+
+    Attributes:
+        number: Its number, from the slowest on.
+        square: ω² [1/s²]; negative where the motion leads away.
+        damping_ratio: Of this mode by itself; None where it does not swing.
+        body_motion: Velocity of each body's centre of gravity and its angular velocity, world axes, shape
+            (body, 6), of the shape with xᵀ M x = 1 [1/√kg].
+        motion: What moves, in words.
+    """
+
+    number: int
+    square: float
+    damping_ratio: float | None
+    body_motion: Floats
+    motion: str
+
+    @property
+    def period(self) -> float | None:
+        """Natural period [s]; None where it does not swing."""
+        return 2 * math.pi / math.sqrt(self.square) if self.square > _NEUTRAL else None
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the shape as a JSON object, SI units."""
+        return {
+            "number": self.number + 1,
+            "period": self.period,
+            "growth_time": self.growth_time,
+            "damping_ratio": self.damping_ratio,
+            "motion": self.motion,
+        }
+
+    @property
+    def growth_time(self) -> float | None:
+        """Time in which a motion that leads away grows e-fold [s]; None where it does not."""
+        return 1 / math.sqrt(-self.square) if self.square < -_NEUTRAL else None
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """How the tensions of all ropes and the motion of all bodies answer to one quantity of the plan.
+
+    Attributes:
+        kind: `length`, `stiffness` (EA) of a rope; `centre_x`, `centre_y`, `centre_z`, `mass` of a body;
+            `place_x`, `place_y`, `place_z` of its joint, along the axes of the world, such as of a hook.
+        name: The rope or body.
+        tension: dT/dp of every rope [N per m, N per N, N per kg], in the order of `ropes`.
+        ropes: Their names.
+        motion: Derivatives of each body's centre of gravity [m] and of its attitude as a rotation vector
+            [rad], world axes, shape (body, 6), in the order of `bodies`.
+        bodies: Their names.
+    """
+
+    kind: str
+    name: str
+    tension: Floats
+    ropes: tuple[str, ...]
+    motion: Floats
+    bodies: tuple[str, ...]
+
+    def of(self, rope: str) -> float:
+        """Derivative of the tension of one rope."""
+        return float(self.tension[self.ropes.index(rope)])
+
+    def of_body(self, body: str) -> Floats:
+        """Derivatives of a body's centre of gravity and rotation vector, shape (6,)."""
+        row: Floats = self.motion[self.bodies.index(body)]
+        return row

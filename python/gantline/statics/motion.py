@@ -1,0 +1,76 @@
+"""What moves in a natural motion, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from gantline.statics.answers import Floats
+
+Body = Mapping[str, Any]
+
+#: Share of the kinetic energy from which on a body is named as taking part in a motion.
+_TAKES_PART = 0.25
+#: Share of its kinetic energy from which on a body is said to move, or to turn.
+_SHOWS = 0.3
+#: Cosine from which on a direction is called by the name of an axis.
+_ALONG = 0.98
+
+
+def in_words(motion: Floats, names: Sequence[str], bodies: Mapping[str, Body], turned: Floats) -> str:
+    """What moves: the bodies with the most kinetic energy.
+
+    Args:
+        motion: Velocity of each body's centre of gravity and its angular velocity, world axes, (body, 6).
+        names: Of the bodies.
+        bodies: What the document says of them.
+        turned: Their attitudes, unit quaternions, (body, 4).
+    """
+    energies = np.array(
+        [_energies(bodies[name], *one) for name, *one in zip(names, motion, turned, strict=True)]
+    )
+    total = energies.sum(axis=1)
+    if total.sum() <= 0.0:
+        return "rope runs over sheaves"
+    share = total / total.sum()
+    named = [index for index in np.argsort(-share) if share[index] >= _TAKES_PART][:2]
+    named = named or [int(np.argmax(share))]
+    return ", ".join(_moves(names[index], motion[index], energies[index]) for index in named)
+
+
+def _energies(body: Body, motion: Floats, quaternion: Floats) -> tuple[float, float]:
+    """Kinetic energy of a body's translation and rotation."""
+    w, x, y, z = quaternion
+    rotation = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    xx, yy, zz, xy, xz, yz = np.asarray(body["inertia"], dtype=float)
+    inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    spin = rotation.T @ motion[3:]
+    mass = float(np.asarray(body["mass"], dtype=float))
+    return 0.5 * mass * float(motion[:3] @ motion[:3]), 0.5 * float(spin @ inertia @ spin)
+
+
+def _moves(name: str, motion: Floats, energies: Floats) -> str:
+    shift, turn = energies / energies.sum()
+    parts = []
+    if shift >= _SHOWS:
+        parts.append(f"moves along {_direction(motion[:3])}")
+    if turn >= _SHOWS:
+        parts.append(f"turns about {_direction(motion[3:])}")
+    return f"{name} {' and '.join(parts)}"
+
+
+def _direction(vector: Floats) -> str:
+    unit = vector / np.linalg.norm(vector)
+    for axis, name in enumerate("xyz"):
+        if abs(unit[axis]) >= _ALONG:
+            return name
+    unit = unit if unit[int(np.argmax(np.abs(unit)))] > 0 else -unit
+    return f"({', '.join(f'{round(part, 2) + 0.0:.2f}' for part in unit)})"
