@@ -201,7 +201,7 @@ impl Search {
         }
         self.right.fill(0.0);
         let Self { matrix, force, right, step, tension, .. } = self;
-        matrix.solve(force, right, step, tension);
+        matrix.solve_roughly(force, right, step, tension);
         self.is_near = self.is_passable(system, 0.0);
         self.there.evaluate(system, bearings, &Remembered::of(state));
         self.is_near &= self.there.residual(system) < 0.5 * self.here.residual(system);

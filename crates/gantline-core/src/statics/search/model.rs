@@ -15,6 +15,8 @@ use crate::tree::joint::Motion;
 /// Turn of a joint in one step that is too far, and what is left of it then [rad].
 const TOO_FAR: f64 = 1.0;
 const TURN: f64 = 0.8;
+/// Beyond this imbalance later steps refine the solution.
+const FAR: f64 = 1e-3;
 /// Rounds in which rows change sides within one step.
 const ROUNDS: usize = 12;
 /// The same where rows are led down all the way.
@@ -31,8 +33,12 @@ impl Search {
         self.matrix.extra.fill(0.0);
         self.start_sides(bearings);
         self.guess_sides(system, bearings, *lambda);
+        // What falls over does so as a mass released from rest: there λ keeps turns small as well.
+        let mut falls = false;
         for _ in 0..TRIES {
-            if !self.settle_rows(system, bearings, *lambda) {
+            let settled = self.settle_rows(system, bearings, *lambda);
+            falls |= !settled;
+            if !settled || falls && self.turns_too_far(system).is_some() {
                 *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
             } else if self.turns_little(system, bearings) && self.is_passable(system, *lambda) {
                 return Some(self.promised(system, bearings, *lambda));
@@ -50,7 +56,7 @@ impl Search {
             self.force[dof] = 1.0;
             self.right.fill(0.0);
             let Self { matrix, force, right, answer, .. } = self;
-            matrix.solve(force, right, &mut answer.0, &mut answer.1);
+            matrix.solve_roughly(force, right, &mut answer.0, &mut answer.1);
             let turn = self.step[dof];
             let share = (turn - TURN.copysign(turn)) / self.answer.0[dof];
             self.matrix.extra[dof] += share.abs() / TURN;
@@ -149,9 +155,9 @@ impl Search {
     }
 
     /// Where no row acts, and all would fall by `g/λ`, ropes begin as taut if that takes up their slack: where it is
-    /// wrong one round tells, and where it is right it spares some.
+    /// wrong one round tells, and where it is right it spares some. What wind or current push drifts first.
     fn guess_sides(&mut self, system: &System, bearings: &[Bearing], lambda: f64) {
-        if self.acts.contains(&true) {
+        if self.acts.contains(&true) || !self.here.pushed.is_empty() {
             return;
         }
         let fall = system.tree.gravity.length() / lambda;
@@ -168,7 +174,12 @@ impl Search {
             return false;
         }
         self.right_sides(system, bearings);
-        self.matrix.solve(&self.force, &self.right, &mut self.step, &mut self.tension);
+        let Self { matrix, force, right, step, tension, .. } = self;
+        if self.here.residual(system) > FAR {
+            matrix.solve_roughly(force, right, step, tension);
+        } else {
+            matrix.solve(force, right, step, tension);
+        }
         true
     }
 
