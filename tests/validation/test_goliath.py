@@ -88,13 +88,17 @@ def test_hook_loads_sum_to_weight_and_rigging(recording: Recording) -> None:
 
 
 def test_equalizers_share_after_settling_and_while_hoisting(recording: Recording) -> None:
-    """Slings of one equalizer pull alike upwards: 2 % after settling, 5 % while hoisting."""
-    settled = end_of(recording, "settle")
+    """Slings of one equalizer pull alike upwards: 2 % after settling, 5 % while hoisting.
+
+    After settling they carry 8 kN each and still bounce by 1 % of that: it is the mean of the last 10 s.
+    """
+    settled = during(recording, "settle", 10.0)
     first, last = (int(np.searchsorted(recording.time, t)) for t in bounds(recording, "hoist"))
     for equalizer in EQUALIZERS:
         tension = slings_of(recording, equalizer)
         spread = np.ptp(tension, axis=1) / tension.mean(axis=1).clip(min=1.0)
-        assert spread[settled] < 0.02
+        mean = tension[settled].mean(axis=0)
+        assert np.ptp(mean) < 0.02 * mean.mean()
         assert spread[first:last].max() < 0.05
 
 

@@ -92,12 +92,9 @@ impl Ldl {
 
     /// Solves A x = b with one step of refinement; `b` stays, `x` is written, both by unknown.
     pub fn solve(&mut self, b: &[f64], x: &mut [f64]) {
+        self.solve_roughly(b, x);
         for (place, &unknown) in self.pattern.order.iter().enumerate() {
-            self.work[place] = b[unknown];
-        }
-        self.substitute();
-        for (place, &unknown) in self.pattern.order.iter().enumerate() {
-            x[unknown] = self.work[place];
+            self.work[place] = x[unknown];
             self.residual[place] = b[unknown];
         }
         for (column, bounds) in self.pattern.start.windows(2).enumerate() {
@@ -114,6 +111,18 @@ impl Ldl {
         self.substitute();
         for (place, &unknown) in self.pattern.order.iter().enumerate() {
             x[unknown] += self.work[place];
+            self.work[place] = 0.0;
+        }
+    }
+
+    /// The same without refinement, for steps that are refined by those that follow.
+    pub fn solve_roughly(&mut self, b: &[f64], x: &mut [f64]) {
+        for (place, &unknown) in self.pattern.order.iter().enumerate() {
+            self.work[place] = b[unknown];
+        }
+        self.substitute();
+        for (place, &unknown) in self.pattern.order.iter().enumerate() {
+            x[unknown] = self.work[place];
             self.work[place] = 0.0;
         }
     }

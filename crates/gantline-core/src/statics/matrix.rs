@@ -182,12 +182,26 @@ impl Matrix {
     /// Solves for increments and forces: `force` is the right side of every degree of freedom, `rows` that of every
     /// row. Increments of driven degrees of freedom are zero.
     pub fn solve(&mut self, force: &[f64], rows: &[f64], step: &mut [f64], tension: &mut [f64]) {
+        self.solve_by(Ldl::solve, (force, rows), (step, tension));
+    }
+
+    /// The same without refinement.
+    pub fn solve_roughly(&mut self, force: &[f64], rows: &[f64], step: &mut [f64], tension: &mut [f64]) {
+        self.solve_by(Ldl::solve_roughly, (force, rows), (step, tension));
+    }
+
+    fn solve_by(
+        &mut self,
+        by: fn(&mut Ldl, &[f64], &mut [f64]),
+        (force, rows): (&[f64], &[f64]),
+        (step, tension): (&mut [f64], &mut [f64]),
+    ) {
         let free = self.layout.free.len();
         for (index, &dof) in self.layout.free.iter().enumerate() {
             self.right[index] = force[dof];
         }
         self.right[free..].copy_from_slice(rows);
-        self.ldl.solve(&self.right, &mut self.solution);
+        by(&mut self.ldl, &self.right, &mut self.solution);
         step.fill(0.0);
         for (index, &dof) in self.layout.free.iter().enumerate() {
             step[dof] = self.solution[index];

@@ -89,6 +89,8 @@ pub struct Search {
     pub matrix: Matrix,
     /// True where that is `here`.
     is_linearised: bool,
+    /// True where its factors are near enough: one more step with them leaves rounding.
+    is_near: bool,
     /// What it has taken since the start.
     pub effort: Effort,
     guard: Guard,
@@ -101,6 +103,8 @@ pub struct Search {
     tension: Vec<f64>,
     force: Vec<f64>,
     right: Vec<f64>,
+    /// Increments and forces that a force on one degree of freedom brings.
+    answer: (Vec<f64>, Vec<f64>),
     wraps: Vec<Winding>,
     coils: Vec<Coil>,
 }
@@ -114,6 +118,7 @@ impl Search {
             there: Potential::new(system),
             matrix: Matrix::new(system),
             is_linearised: false,
+            is_near: false,
             effort: Effort::default(),
             guard: Guard::new(system),
             acts: vec![false; rows],
@@ -123,6 +128,7 @@ impl Search {
             tension: vec![0.0; rows],
             force: vec![0.0; size],
             right: vec![0.0; rows],
+            answer: (vec![0.0; size], vec![0.0; rows]),
             wraps: vec![Winding::default(); system.sheaves.len()],
             coils: Vec::new(),
         }
@@ -143,16 +149,22 @@ impl Search {
         let mut lambda = if self.here.residual(system) < 1e-3 { 1e-3 * FIRST } else { FIRST };
         for _ in 0..STEPS {
             self.here.turn_bearings(system, bearings);
-            if self.here.residual(system) <= ROUNDED {
+            let before = self.here.residual(system);
+            if before <= ROUNDED {
                 // Rounding is all that is left: no step could better it.
                 return Ok(());
             }
-            self.linearise(system, state);
-            if !self.find_step(system, state, bearings, &mut lambda)? {
-                return Ok(());
+            if !self.step_again(system, state, bearings) {
+                self.linearise(system, state);
+                if !self.find_step(system, state, bearings, &mut lambda)? {
+                    return Ok(());
+                }
             }
             self.effort.steps += 1;
             std::mem::swap(&mut self.here, &mut self.there);
+            let after = self.here.residual(system);
+            // The same factors leave the same share once more.
+            self.is_near = after * after <= ROUNDED * before && self.acts == self.here.follows;
             self.is_linearised = false;
             state.q.copy_from_slice(&self.here.q);
             self.seat(system, state, bearings);
@@ -167,7 +179,7 @@ impl Search {
     /// Evaluates everything at the poses where it is anew, since `state` remembers something else.
     pub fn evaluate(&mut self, system: &System, state: &State, bearings: &[Bearing]) {
         self.here.evaluate(system, bearings, &Remembered::of(state));
-        self.is_linearised = false;
+        (self.is_near, self.is_linearised) = (false, false);
     }
 
     /// Evaluates M, K and G where it is, unless that is where the matrix has them from.
@@ -177,6 +189,23 @@ impl Search {
             self.matrix.linearise(system, &self.here, &Remembered::of(state));
             self.is_linearised = true;
         }
+    }
+
+    /// Sets `there` to where the factors of the step before lead, which are near enough; false where they are not.
+    fn step_again(&mut self, system: &System, state: &State, bearings: &[Bearing]) -> bool {
+        if !self.is_near {
+            return false;
+        }
+        for (force, slope) in self.force.iter_mut().zip(&self.here.slope) {
+            *force = -slope;
+        }
+        self.right.fill(0.0);
+        let Self { matrix, force, right, step, tension, .. } = self;
+        matrix.solve_roughly(force, right, step, tension);
+        self.is_near = self.is_passable(system, 0.0);
+        self.there.evaluate(system, bearings, &Remembered::of(state));
+        self.is_near &= self.there.residual(system) < 0.5 * self.here.residual(system);
+        self.is_near
     }
 
     /// Sets `there` to where a step that is worth it leads; false where none is needed.

@@ -12,8 +12,11 @@ use crate::statics::potential::{Bearing, Part};
 use crate::system::System;
 use crate::tree::joint::Motion;
 
-/// Largest turn of a joint in one step [rad].
+/// Turn of a joint in one step that is too far, and what is left of it then [rad].
+const TOO_FAR: f64 = 1.0;
 const TURN: f64 = 0.8;
+/// Beyond this imbalance later steps refine the solution.
+const FAR: f64 = 1e-3;
 /// Rounds in which rows change sides within one step.
 const ROUNDS: usize = 12;
 /// The same where rows are led down all the way.
@@ -29,14 +32,50 @@ impl Search {
     pub(super) fn model(&mut self, system: &System, bearings: &[Bearing], lambda: &mut f64) -> Option<f64> {
         self.matrix.extra.fill(0.0);
         self.start_sides(bearings);
+        self.guess_sides(system, bearings, *lambda);
+        // What falls over does so as a mass released from rest: there λ keeps turns small as well.
+        let mut falls = false;
         for _ in 0..TRIES {
-            if !self.settle_rows(system, bearings, *lambda) || self.largest_turn(system) > TURN {
+            let settled = self.settle_rows(system, bearings, *lambda);
+            falls |= !settled;
+            if !settled || falls && self.turns_too_far(system).is_some() {
                 *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
-            } else if self.is_passable(system, *lambda) {
+            } else if self.turns_little(system, bearings) && self.is_passable(system, *lambda) {
                 return Some(self.promised(system, bearings, *lambda));
             }
         }
         None
+    }
+
+    /// What would turn too far turns as far as it may, by a number on its diagonal, and all else follows: one solution
+    /// tells how (Sherman and Morrison 1950). False where rows change sides thereby.
+    fn turns_little(&mut self, system: &System, bearings: &[Bearing]) -> bool {
+        for _ in 0..TRIES {
+            let Some(dof) = self.turns_too_far(system) else { return true };
+            self.force.fill(0.0);
+            self.force[dof] = 1.0;
+            self.right.fill(0.0);
+            let Self { matrix, force, right, answer, .. } = self;
+            matrix.solve_roughly(force, right, &mut answer.0, &mut answer.1);
+            let turn = self.step[dof];
+            let share = (turn - TURN.copysign(turn)) / self.answer.0[dof];
+            self.matrix.extra[dof] += share.abs() / TURN;
+            let forces = self.tension.iter_mut().zip(&self.answer.1);
+            for (number, answer) in self.step.iter_mut().zip(&self.answer.0).chain(forces) {
+                *number -= share * answer;
+            }
+            if !self.take_sides(system, bearings) {
+                return false;
+            }
+        }
+        false
+    }
+
+    /// The degree of freedom that turns farthest, where that is too far.
+    fn turns_too_far(&self, system: &System) -> Option<usize> {
+        let turns = (0..self.step.len()).filter(|&dof| system.tree.motions[dof] == Motion::Turn);
+        let far = turns.filter(|&dof| self.step[dof].abs() > TOO_FAR);
+        far.max_by(|&a, &b| self.step[a].abs().total_cmp(&self.step[b].abs()))
     }
 
     /// Steps of the model until no row changes sides; false where λM + K is not positive definite, or rows go on
@@ -115,6 +154,18 @@ impl Search {
         }
     }
 
+    /// Where no row acts, and all would fall by `g/λ`, ropes begin as taut if that takes up their slack: where it is
+    /// wrong one round tells, and where it is right it spares some. What wind or current push drifts first.
+    fn guess_sides(&mut self, system: &System, bearings: &[Bearing], lambda: f64) {
+        if self.acts.contains(&true) || !self.here.pushed.is_empty() {
+            return;
+        }
+        let fall = system.tree.gravity.length() / lambda;
+        for row in (0..system.rope_rows()).filter(|&row| bearings[row].part == Part::Pull) {
+            self.acts[row] = self.here.value[row] > -fall;
+        }
+    }
+
     /// The step of the model with rows on these sides; false where λM + K is not positive definite.
     fn solve_model(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
         let Self { matrix, acts, .. } = self;
@@ -123,7 +174,12 @@ impl Search {
             return false;
         }
         self.right_sides(system, bearings);
-        self.matrix.solve(&self.force, &self.right, &mut self.step, &mut self.tension);
+        let Self { matrix, force, right, step, tension, .. } = self;
+        if self.here.residual(system) > FAR {
+            matrix.solve_roughly(force, right, step, tension);
+        } else {
+            matrix.solve(force, right, step, tension);
+        }
         true
     }
 
@@ -165,11 +221,6 @@ impl Search {
                 }
             }
         }
-    }
-
-    fn largest_turn(&self, system: &System) -> f64 {
-        let turns = self.step.iter().zip(&system.tree.motions);
-        turns.filter(|(_, motion)| **motion == Motion::Turn).map(|(turn, _)| turn.abs()).fold(0.0, f64::max)
     }
 
     /// The model's energy here less that after the step, both without λ and brakes; by its own equation the quadratic
