@@ -5,8 +5,8 @@
 //! adds or takes; it is computed like any other flow.
 
 use super::Adaptive;
-use super::evaluation::Point;
 use super::light::{Laying, carries};
+use super::point::Point;
 use crate::audit::{Flows, elastic_energy, spring_energy};
 use crate::constraint::Law;
 use crate::force::{AnyForce, At};

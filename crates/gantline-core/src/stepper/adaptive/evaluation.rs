@@ -11,20 +11,15 @@
 
 use glam::DVec3;
 
-use super::light::{Laying, Light};
-use super::rodas::Increment;
+use super::light::Light;
+use super::point::{Point, Schedule};
 use crate::clock::Stage;
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
-use crate::contact::spot::Spot;
-use crate::plan::drive::Timeline;
-use crate::rope::coil::Coil;
 use crate::rope::route::Attachment;
-use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
-use crate::state::State;
 use crate::stepper::coils;
-use crate::stepper::frame::{Frame, Remembered};
+use crate::stepper::frame::Frame;
 use crate::system::System;
 use crate::tree::Body;
 use crate::tree::bias::NewtonEuler;
@@ -339,79 +334,6 @@ impl Evaluation {
         let [x, y] = [1, 2].map(|k| self.trial[normal + k]);
         let size = x.hypot(y).max(f64::MIN_POSITIVE);
         [x / size, y / size]
-    }
-}
-
-/// What drives ask for, and when: at `time` in a step that started at `from` [s].
-#[derive(Clone, Copy)]
-pub struct Schedule<'a> {
-    /// Of all drives.
-    pub timelines: &'a [Timeline],
-    /// Start of the step [s].
-    pub from: f64,
-    /// Now [s].
-    pub time: f64,
-}
-
-impl<'a> Schedule<'a> {
-    /// At `elapsed` [s] after `state`, where a step starts.
-    pub fn after(state: &'a State, elapsed: f64) -> Self {
-        Self { timelines: &state.plan.timelines, from: state.time, time: state.time + elapsed }
-    }
-}
-
-/// Where to evaluate.
-pub struct Point<'a> {
-    /// When.
-    pub schedule: Schedule<'a>,
-    /// q₀.
-    pub base: &'a [f64],
-    /// What rows remember.
-    pub memory: &'a [f64],
-    /// How ropes lie on their sheaves.
-    pub seats: &'a [Seat],
-    /// Where bodies may touch.
-    pub spots: &'a [Spot],
-    /// What drums have wound.
-    pub coils: &'a [Coil],
-    /// φ, with the supplies of drums.
-    pub phi: &'a [f64],
-    /// v.
-    pub v: &'a [f64],
-    /// v̇.
-    pub a: &'a [f64],
-    /// Tensions of inextensible ropes [N], by [`System::rigid`].
-    pub rigid: &'a [f64],
-    /// α, how far anchors have slid [m], by [`System::friction`].
-    pub anchor: &'a [f64],
-    /// How rope is divided over light sheaves.
-    pub laying: Laying<'a>,
-}
-
-impl<'a> Point<'a> {
-    /// At an increment from `state`, where a step starts, `elapsed` [s] later.
-    pub fn of(state: &'a State, by: &'a Increment, elapsed: f64) -> Self {
-        let Increment { phi, v, a, rigid, anchor } = by;
-        let State { q: base, memory, seats, spots, coils, .. } = state;
-        Self {
-            schedule: Schedule::after(state, elapsed),
-            base,
-            memory,
-            seats,
-            spots,
-            coils,
-            phi,
-            v,
-            a,
-            rigid,
-            anchor,
-            laying: Laying::Anew,
-        }
-    }
-
-    fn remembered(&self, modes: &'a [Mode]) -> Remembered<'a> {
-        let Self { memory, seats, spots, coils, .. } = *self;
-        Remembered { memory, seats, spots, coils, modes }
     }
 }
 

@@ -17,7 +17,8 @@
 use std::ops::Range;
 
 use super::Adaptive;
-use super::evaluation::{Evaluation, Point};
+use super::evaluation::Evaluation;
+use super::point::Point;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Moving};
 use crate::rope::light::{Division, Slips, Spans};

@@ -29,10 +29,12 @@
 //! The acceleration is never solved for: the residual of inverse dynamics takes its place, so a mass matrix
 //! that changes with q costs nothing extra.
 
-use super::evaluation::{Evaluation, Point, Schedule};
+use super::evaluation::Evaluation;
 use super::light::{self, Laying};
+use super::point::{Point, Schedule};
 use super::tableau::{A, C, D, GAMMA, H, STAGES, TIMES};
-use super::tangent::{TangentMatrix, brake_of, slip_weights};
+use super::tangent::TangentMatrix;
+use super::tangent::rows::{brake_of, slip_weights};
 use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::solver::complementarity::Mode;

@@ -1,8 +1,9 @@
 //! Changes of the rows' modes: seen along the course of a step, made at its end.
 
 use super::books::WEIGHTS;
-use super::evaluation::{Evaluation, Point};
+use super::evaluation::Evaluation;
 use super::light::Laying;
+use super::point::Point;
 use super::winding::Paid;
 use super::{Adaptive, LOOKS, SWITCHING};
 use crate::audit::Flows;

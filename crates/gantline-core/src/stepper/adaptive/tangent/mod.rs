@@ -10,14 +10,14 @@
 //! rows say T = μ N d instead, d = T*/|T*|, with the anchor's own motion eliminated; an inextensible rope's G + κ γ_v + κ² γ_q P and 0, γ = G v̇ + Ġ v; a slack row is
 //! an identity row.
 
+pub(super) mod rows;
+
 use glam::DVec3;
 
 use super::evaluation::{Evaluation, pull_of};
-use super::light::carries;
 use super::places::{Block, Places};
 use super::spins::Spins;
-use crate::constraint::brake::{At, Brake};
-use crate::constraint::{AnyConstraint, Law, Placed};
+use crate::constraint::Placed;
 use crate::solver::complementarity::Mode;
 use crate::solver::layout::{Group, Layout};
 use crate::solver::ldu::Ldu;
@@ -27,6 +27,7 @@ use crate::stepper::coils::CoilTangent;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 use crate::tree::tangent::DynamicsTangent;
+use rows::brake_of;
 
 /// The matrix, with what is needed to make it anew for another step length.
 #[derive(Debug, Clone)]
@@ -240,152 +241,6 @@ impl TangentMatrix {
         self.ldu.factorise(&self.values)
     }
 
-    fn place_rows(&mut self, system: &System, here: &Evaluation, state: &State, kappa: f64) {
-        let gradient = &here.frame.gradient;
-        for (row, law) in system.rows.laws.iter().enumerate() {
-            let tau = law.damping_time();
-            let entries = system.rows.start[row]..system.rows.start[row + 1];
-            if law.compliance() == 0.0 {
-                self.turned[entries.clone()].copy_from_slice(&self.pull_position[entries]);
-                continue;
-            }
-            let terms = gradient[entries.clone()].iter().zip(&self.turning[entries.clone()]);
-            for (out, (entry, turning)) in self.turned[entries].iter_mut().zip(terms) {
-                *out = entry + tau * turning;
-            }
-        }
-        self.coils.turn_rows(system, &here.frame, (kappa, &mut self.turned));
-        for &(entry, joint) in &self.places.row_triples {
-            let triple = &mut self.turned[entry..entry + 3];
-            let turned = self.spins.turn(joint, [triple[0], triple[1], triple[2]]);
-            triple.copy_from_slice(&turned);
-        }
-        for (row, law) in system.rows.laws.iter().enumerate() {
-            self.place_row(system, here, state, kappa, (row, law));
-        }
-        self.place_light(system, here, &state.modes, kappa);
-    }
-
-    /// Flows of light sheaves: in place of forces, what they hold or how they slip.
-    fn place_light(&mut self, system: &System, here: &Evaluation, modes: &[Mode], kappa: f64) {
-        let mut places = self.places.light.iter();
-        for (light, now) in system.light.iter().zip(&here.light) {
-            let carries = carries(light, modes);
-            for ((sheave, &ratio), places) in light.ratio.iter().enumerate().zip(&mut places) {
-                for &place in &places.all {
-                    self.values[place as usize] = 0.0;
-                }
-                let Some(step) = now.moving.step(sheave, ratio).filter(|_| carries) else {
-                    self.values[places.diagonal as usize] = 1.0;
-                    continue;
-                };
-                let answer = |span: usize| {
-                    let [scale, _, unstretched] = now.answers[span];
-                    let tension = scale * here.tension[light.rows.start + span];
-                    (scale, kappa * kappa * tension / (2.0 * unstretched))
-                };
-                // δL is x₋ − x of the span before and x − x₊ of the one after.
-                let ((before, bend), (after, other_bend)) = (answer(sheave), answer(sheave + 1));
-                let [to_before, to_after] = places.sides.map(|place| place as usize);
-                (self.values[to_before], self.values[to_after]) = (-step * before, after);
-                self.values[places.diagonal as usize] = -step * bend - other_bend;
-                for (place, value) in places.beside.iter().zip([step * bend, other_bend]) {
-                    if let Some(place) = place {
-                        self.values[*place as usize] = value;
-                    }
-                }
-            }
-        }
-    }
-
-    fn place_row(
-        &mut self,
-        system: &System,
-        here: &Evaluation,
-        state: &State,
-        kappa: f64,
-        (row, law): (usize, &Law),
-    ) {
-        let range = system.rows.start[row]..system.rows.start[row + 1];
-        let (tau, compliance) = (law.damping_time(), law.compliance());
-        let gradient = &here.frame.gradient;
-        let at = At { q: &state.q, kinematics: &here.frame.kinematics, seats: &state.seats };
-        let diagonal = self.places.diagonal[row] as usize;
-        self.values[diagonal] = match state.modes[row] {
-            Mode::Acting if compliance == 0.0 => 0.0,
-            Mode::Acting => -compliance / (kappa * (kappa + tau)),
-            Mode::Slack | Mode::Slipping | Mode::Parted => -1.0,
-        };
-        if brake_of(system, row).is_some_and(|brake| system.is_light[brake.dof]) {
-            self.values[diagonal] = -1.0;
-            return;
-        }
-        if !state.modes[row].carries() {
-            return;
-        }
-        for (place, entry) in self.places.in_column[range.clone()].iter().zip(&gradient[range.clone()]) {
-            self.values[*place as usize] = *entry;
-        }
-        let in_row = self.places.in_row[range.clone()].iter().map(|place| *place as usize);
-        let (own, turned) = (&gradient[range.clone()], &self.turned[range.clone()]);
-        match state.modes[row] {
-            Mode::Slack | Mode::Parted => {}
-            Mode::Slipping if matches!(law, Law::Brake { .. }) => {
-                for place in in_row {
-                    self.values[place] = 0.0;
-                }
-                let square = kappa * kappa * state.memory[row];
-                if let Some(brake) = brake_of(system, row) {
-                    let driven = -state.memory[row] * state.v[brake.dof];
-                    let own = self.places.in_row[range.start + brake.own] as usize;
-                    // d(bound · direction)/dv, the direction's square being 1.
-                    if here.held[row].is_none() {
-                        self.values[own] -= kappa * brake.slope(driven);
-                    }
-                    brake.add_slopes(at, &here.frame.feeding, &here.tension, |entry, slope| {
-                        self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
-                    });
-                }
-            }
-            Mode::Slipping => {
-                let [first, second] = slip_weights(law, here, kappa, row);
-                let partner = partner_of(system, law, row);
-                let others = gradient[partner.clone()].iter().zip(&self.turned[partner]);
-                for (((place, entry), turned), (other, other_turned)) in
-                    in_row.zip(own).zip(turned).zip(others)
-                {
-                    self.values[place] = first * (kappa * turned + tau * entry)
-                        + second * (kappa * other_turned + tau * other);
-                }
-            }
-            Mode::Acting if compliance == 0.0 => {
-                let pull = self.pull_velocity[range].iter();
-                for (((place, entry), pull), turned) in in_row.zip(own).zip(pull).zip(turned) {
-                    self.values[place] = entry + kappa * pull + kappa * kappa * turned;
-                }
-            }
-            Mode::Acting => {
-                let [share, rest] = [kappa, tau].map(|part| part / (kappa + tau));
-                for ((place, entry), turned) in in_row.zip(own).zip(turned) {
-                    self.values[place] = share * turned + rest * entry;
-                }
-            }
-        }
-        if state.modes[row] == Mode::Slipping {
-            let brake = brake_of(system, row);
-            let friction = &self.places.friction;
-            let first = friction.partition_point(|&(other, ..)| other < row);
-            for &(_, to, place) in friction[first..].iter().take_while(|&&(other, ..)| other == row) {
-                self.values[place as usize] = match *law {
-                    Law::Friction { coefficient, normal, .. } => {
-                        coefficient * here.slip_direction(normal)[row - normal - 1]
-                    }
-                    _ => brake.map_or(0.0, |brake| brake.weight(at, to) * state.memory[row]),
-                };
-            }
-        }
-    }
-
     /// Makes and factorises [M Gᵀ; G 0] with the inextensible ropes that act: for accelerations, projections and
     /// impacts.
     ///
@@ -452,31 +307,4 @@ impl TangentMatrix {
             out[dof] += scale * (velocity.lower[diagonal] + system.tree.damping[dof]) * x[dof];
         }
     }
-}
-
-/// The brake whose row it is.
-pub fn brake_of(system: &System, row: usize) -> Option<&Brake> {
-    let index = row.checked_sub(system.rows.first[system.first_brake])?;
-    match &system.constraints[system.first_brake + index] {
-        AnyConstraint::Brake(brake) => Some(brake),
-        _ => None,
-    }
-}
-
-/// How κT of a sliding row follows the deflection, with its damper's part, of its own spring and of its partner's
-/// [N s/m]: what is across the force turns it, (μN/|T*|)/ε (1 − d dᵀ), as far as the anchor does not come after.
-pub fn slip_weights(law: &Law, here: &Evaluation, kappa: f64, row: usize) -> [f64; 2] {
-    let Law::Friction { compliance, damping_time: tau, normal, .. } = *law else { return [0.0; 2] };
-    let direction = here.slip_direction(normal);
-    let (own, other) = (direction[row - normal - 1], direction[normal + 2 - row]);
-    // Below its bound it sticks; up to the switching tolerance the course of sliding is followed.
-    let share = here.slip_share(law).min(1.0);
-    let turning = kappa * tau * share / (compliance * (kappa + tau - kappa * share));
-    [turning * (1.0 - own * own), -turning * own * other]
-}
-
-/// Entries of the other tangential row of the same contact.
-fn partner_of(system: &System, law: &Law, row: usize) -> std::ops::Range<usize> {
-    let partner = if let Law::Friction { normal, .. } = *law { 2 * normal + 3 - row } else { row };
-    system.rows.start[partner]..system.rows.start[partner + 1]
 }
