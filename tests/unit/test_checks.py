@@ -104,7 +104,9 @@ def test_load_tilt() -> None:
     tilt = np.linspace(0.0, 0.02, 2001)
     within = only(ringing_lift(tilt=tilt, rig=sample_rig(load_tilt=0.0201)))
     assert within.verdict is Verdict.WARNING
-    assert within.remark.endswith("tan(tilt) = e/2.50 m, 2.29 deg for 100 mm of centre of gravity")
+    assert within.remark.endswith(
+        "tan(tilt) = e/2.50 m with plumb slings, 2.29 deg for 100 mm of centre of gravity"
+    )
     unlimited = {check.name: check for check in check_recording(ringing_lift(tilt=tilt, rig=sample_rig()))}
     assert unlimited["load_tilt"].verdict is Verdict.NOT_CHECKED
     assert unlimited["load_tilt"].remark == within.remark

@@ -86,7 +86,7 @@ def test_the_reference_lift_by_hand() -> None:
     assert found.stiff.rig == pytest.approx(0.0, abs=0.01)
     assert found.period_on_lugs == pytest.approx(5.2, abs=0.03)
     assert found.period == pytest.approx(4.0, abs=0.05)
-    hung = "tan(tilt) = e/2.50 m, 2.29 deg for 100 mm of centre of gravity"
+    hung = "tan(tilt) = e/2.50 m with plumb slings, 2.29 deg for 100 mm of centre of gravity"
     assert str(found.loose) == f"the slings of e1 give {LOAD} no tilt stiffness: {hung}"
     # What the sensitivities say of 100 mm, the lift solved anew says too, but for tan and its argument.
     for axis, per_metre in zip("xy", found.tilt_per_metre, strict=True):

@@ -7,6 +7,7 @@ use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
 use crate::constraint::Law;
 use crate::event::afloat::{Lookout, Vessel};
+use crate::event::hauled_up::Straights;
 use crate::event::{Event, EventKind, EventLog};
 use crate::record::columns::{Columns, tensions_of};
 use crate::record::names::Names;
@@ -103,6 +104,7 @@ pub struct Simulation {
     method: Method,
     recorder: Recorder,
     lookout: Lookout,
+    straights: Straights,
     samples: Samples,
     events: EventLog,
     counters: Counters,
@@ -167,6 +169,7 @@ impl Simulation {
             method: method(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),
             lookout: Lookout::new(&system),
+            straights: Straights::new(&system),
             fingerprint: fingerprint([document, settings]),
             document: fingerprint([document]),
             before: state.clone(),
@@ -198,7 +201,7 @@ impl Simulation {
     /// Makes one step and records what is due.
     ///
     /// # Errors
-    /// [`StepError`]; the state is then the last good one, or that in which a vessel has capsized.
+    /// [`StepError`]; the state is then the last good one, or that in which a vessel has capsized or sheaves have met.
     pub fn step(&mut self) -> Result<(), StepError> {
         self.system.clock.resume();
         let made = self.make_step();
@@ -224,6 +227,7 @@ impl Simulation {
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
         self.record(report.complementarity_residual);
+        self.straights.look(&self.system, &self.frame.kinematics, self.state.time)?;
         let Self { system, method, lookout, events, before, state: after, .. } = self;
         let span = Span { before, after, residual: 0.0 };
         lookout.look(system, &span, events, &mut |span, share, sample| {

@@ -96,11 +96,17 @@ def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> 
             parts.adjusters.append({"name": equalizer.name, "ropes": names, "factor": factor})
             continue
         for place, along in enumerate(sheaves.along, start=1):
+            name = f"{equalizer.name}.{place}"
+            if place not in carried and name not in pins and not equalizer.travel.stops:
+                parts.warnings.append(
+                    f"no sling hangs from moving sheave {name}: without 'stops: true' in 'travel' the rope "
+                    "hauls it up to the fixed sheaves"
+                )
             parts.add_body(
-                f"{equalizer.name}.{place}",
+                name,
                 {  # travel down is positive
                     **_slider((0.0, 0.0, -1.0), None, _travel_stops(equalizer)),
-                    "pin": pins.get(f"{equalizer.name}.{place}"),
+                    "pin": pins.get(name),
                 },
                 parent=equalizer.name,
                 position=(along, 0.0, -sheaves.below_hook),

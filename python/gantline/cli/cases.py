@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from gantline.cli.lift import Lift, Moment, moment_of, output_folder
+from gantline.cli.lift import Lift, Moment, moment_of, output_folder, refuse_beyond
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 
@@ -42,6 +42,7 @@ def cases(
         from gantline.study import run_cases
 
         scenario = load_scenario(lift)
+        refuse_beyond(scenario, moment)
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")

@@ -15,6 +15,7 @@ from gantline.cli.messages import BAD_INPUT, scenario_errors, stop, writing
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
+    from gantline.scenario import Scenario
     from gantline.simulation import Simulation
 
 #: Name of the recording in a folder that `gantline run` wrote.
@@ -72,6 +73,12 @@ def moment_of(time: str | None) -> float | None:
     if moment is not None and moment < 0.0:
         stop(f"--time: {time!r} is before the start of the lift; 0 s is the start")
     return moment
+
+
+def refuse_beyond(scenario: Scenario, moment: float | None) -> None:
+    """Ends the program where a time that was asked for [s] is after the end of the lift."""
+    if moment is not None and moment > scenario.duration:
+        stop(f"--time: {moment:g} s is after the end of the lift at {scenario.duration:g} s")
 
 
 def prepare(lift: Path, overrides: Mapping[str, Setting], side: str = "") -> Simulation:

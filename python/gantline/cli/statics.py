@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gantline.cli.lift import Lift, Moment, moment_of, output_folder
+from gantline.cli.lift import Lift, Moment, moment_of, output_folder, refuse_beyond
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 if TYPE_CHECKING:
@@ -119,6 +119,7 @@ def statics(
         from gantline.statics import NoEquilibriumError, Statics
 
         question = Statics(lift)
+    refuse_beyond(question.scenario, moment)
     try:
         bounds = _bounds(question, moment) if state is None else []
         rest = _rest(question, moment, state, held=held)

@@ -33,12 +33,14 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
     path, first, last, count = _read(text)
     with scenario_errors():
         from gantline.cli.check_table import width_of_terminal
+        from gantline.cli.lift import refuse_beyond
         from gantline.scenario import load_scenario
         from gantline.scenario.tree_path import PathError
         from gantline.study import run_sweep
         from gantline.units import UnitError
 
         scenario = load_scenario(lift)
+        refuse_beyond(scenario, time)
         try:
             points = list(run_sweep(scenario, path, first, last, count, time))
         except (PathError, UnitError) as problem:

@@ -49,7 +49,8 @@ class LooseTilt:
             return f"{no_stiffness}, and its centre of gravity is not below the middle of its lugs"
         tilt = format_quantity(math.atan2(_OFFSET, self.depth), "deg", 2)
         offset = format_quantity(_OFFSET, "mm", 0)
-        return f"{no_stiffness}: tan(tilt) = e/{self.depth:.2f} m, {tilt} for {offset} of centre of gravity"
+        by_hand = f"tan(tilt) = e/{self.depth:.2f} m with plumb slings"
+        return f"{no_stiffness}: {by_hand}, {tilt} for {offset} of centre of gravity"
 
 
 def loose_tilt(recording: Recording, load: Load) -> LooseTilt | None:

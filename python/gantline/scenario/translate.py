@@ -79,7 +79,10 @@ def _unknown_key(key: str, parent: Any) -> str:
     if not isinstance(parent, MapNode) or not parent.allowed:
         return f"'{shown}' is not a key that is known here"
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
-    return f"'{shown}' is not a key of {parent.what}; {nearest(key, unused)}"
+    used = closest(key, [name for name in parent.allowed if name in parent])
+    is_used = used is not None and closest(key, unused) is None
+    likely = f"did you mean '{used}', which is there already?" if is_used else nearest(key, unused)
+    return f"'{shown}' is not a key of {parent.what}; {likely}"
 
 
 def _kind_of_thing(context: Mapping[str, Any], node: Any) -> str:

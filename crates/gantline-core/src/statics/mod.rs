@@ -247,7 +247,8 @@ fn explain(system: &System, stuck: Stuck) -> NoEquilibrium {
         Stuck::Falls(index) => (body(index), "nothing holds it, it falls without end"),
         Stuck::UsedUp(rope) => {
             let name = system.constraints[rope].name().to_owned();
-            (name, "it is hauled in until two of the places that it passes have come together")
+            let cause = "the rope is hauled in until two of the places that it passes have come together";
+            (name, cause)
         }
         Stuck::NoStep(dof) => (body(system.tree.owner[dof]), "no step brings its forces closer to balance"),
     };

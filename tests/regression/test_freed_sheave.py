@@ -1,0 +1,31 @@
+"""A moving sheave that nothing holds any more runs up to the fixed ones.
+
+The sling of an equalizer without stops was cut, its sheave ran up between the fixed ones, and where the parts
+of the rope beside it came to nothing the run stood still: a million steps of 50 ns, and no word.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import gantline
+
+LIFT = Path(__file__).parents[2] / "scenarios" / "equalizer" / "scenario.yaml"
+
+
+@pytest.mark.parametrize("sling", ["S1", "S2", "S3"])
+def test_a_freed_sheave_ends_the_run_with_its_name(tmp_path: Path, sling: str) -> None:
+    text = LIFT.read_text(encoding="utf-8")
+    line = next(line for line in text.splitlines() if line.strip().startswith(f"{sling}:"))
+    assert line.rstrip().endswith("}")
+    path = tmp_path / "scenario.yaml"
+    path.write_text(text.replace(line, line.rstrip()[:-1] + ", cut_at: 28 s}"), encoding="utf-8")
+    with pytest.raises(
+        gantline.SimulationError, match=rf"at e1\.{sling[1]}: it has been hauled up"
+    ) as failed:
+        gantline.simulate(path)
+    # The sheave of 300 kg is let go under 296 kN on either side: 2 m take some hundredths of a second.
+    assert 28.0 < failed.value.time < 28.5
+    assert failed.value.recording.time[-1] == pytest.approx(28.0, abs=0.5)
