@@ -47,7 +47,7 @@ OTHERS = 5
 """Sheaves of the lift whose rest the other codes find."""
 RIGHT = 1e-6
 """Largest error of a sling's tension, relative to the mean, at which a code has found it."""
-RUNS = 8
+RUNS = REPEATS
 """Of another code at one setting."""
 TIMES = 100
 """As fast as the fastest that settles is what an equilibrium is to be."""

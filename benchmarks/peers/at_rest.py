@@ -1,9 +1,9 @@
 """The other codes find where a lift comes to rest, from just-taut slings, each by the way that suits it best.
 
 - MuJoCo has no static solver: the lift is simulated with damping until it rests, with steps with which it
-  follows the lift within 1 % in the race. Its recommended integrator, `implicitfast`, and `discrete`, which
-  takes springs implicitly. Both bear longer steps, with which they no longer follow how the lift settles but
-  find where: up to a second, when a step of `discrete` is nearly one of Newton's method.
+  follows the lift within about 1 %, rms or peak, in the race. Its recommended integrator, `implicitfast`, and
+  `discrete`, which takes springs implicitly. Both bear longer steps, with which they no longer follow how the
+  lift settles but find where: up to a second, when a step of `discrete` is nearly one of Newton's method.
 - Exudyn has a static solver, Newton's method in load steps, with a term that stabilises what nothing holds.
 - OpenSim has none for this (its equilibrium solvers are for muscles): simulated with damping by CPODES.
 

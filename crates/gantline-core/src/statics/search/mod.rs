@@ -105,6 +105,8 @@ pub struct Search {
     right: Vec<f64>,
     /// Increments and forces that a force on one degree of freedom brings.
     answer: (Vec<f64>, Vec<f64>),
+    /// Degrees of freedom that would turn too far, and what holds them.
+    held: Vec<(usize, f64)>,
     wraps: Vec<Winding>,
     coils: Vec<Coil>,
 }
@@ -129,6 +131,7 @@ impl Search {
             force: vec![0.0; size],
             right: vec![0.0; rows],
             answer: (vec![0.0; size], vec![0.0; rows]),
+            held: Vec::new(),
             wraps: vec![Winding::default(); system.sheaves.len()],
             coils: Vec::new(),
         }
@@ -204,7 +207,8 @@ impl Search {
         matrix.solve_roughly(force, right, step, tension);
         self.is_near = self.is_passable(system, 0.0);
         self.there.evaluate(system, bearings, &Remembered::of(state));
-        self.is_near &= self.there.residual(system) < 0.5 * self.here.residual(system);
+        let is_better = self.there.residual(system) < 0.5 * self.here.residual(system);
+        self.is_near &= is_better && self.there.energy.is_finite();
         self.is_near
     }
 

@@ -33,14 +33,17 @@ impl Search {
         self.matrix.extra.fill(0.0);
         self.start_sides(bearings);
         self.guess_sides(system, bearings, *lambda);
-        // What falls over does so as a mass released from rest: there λ keeps turns small as well.
+        // What falls over does so as a mass released from rest: there λ keeps turns small as well. So it does where
+        // rows would change sides under what holds a joint: how much of that they need is not known.
         let mut falls = false;
         for _ in 0..TRIES {
             let settled = self.settle_rows(system, bearings, *lambda);
-            falls |= !settled;
-            if !settled || falls && self.turns_too_far(system).is_some() {
+            let held = settled
+                && (self.turns_too_far(system).is_none() || !falls && self.hold_turns(system, bearings));
+            if !held {
+                falls = true;
                 *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
-            } else if self.turns_little(system, bearings) && self.is_passable(system, *lambda) {
+            } else if self.is_passable(system, *lambda) {
                 return Some(self.promised(system, bearings, *lambda));
             }
         }
@@ -48,21 +51,29 @@ impl Search {
     }
 
     /// What would turn too far turns as far as it may, by a number on its diagonal, and all else follows: one solution
-    /// tells how (Sherman and Morrison 1950). False where rows change sides thereby.
-    fn turns_little(&mut self, system: &System, bearings: &[Bearing]) -> bool {
+    /// for the force that holds it tells how (Sherman and Morrison 1950). False where rows change sides thereby: then
+    /// nothing is held.
+    fn hold_turns(&mut self, system: &System, bearings: &[Bearing]) -> bool {
+        self.held.clear();
         for _ in 0..TRIES {
-            let Some(dof) = self.turns_too_far(system) else { return true };
+            let Some(dof) = self.turns_too_far(system) else {
+                // The number is force over turn; what was held first has turned a little on since.
+                for (dof, hold) in &self.held {
+                    self.matrix.extra[*dof] += hold / self.step[*dof];
+                }
+                return true;
+            };
             self.force.fill(0.0);
             self.force[dof] = 1.0;
             self.right.fill(0.0);
             let Self { matrix, force, right, answer, .. } = self;
             matrix.solve_roughly(force, right, &mut answer.0, &mut answer.1);
             let turn = self.step[dof];
-            let share = (turn - TURN.copysign(turn)) / self.answer.0[dof];
-            self.matrix.extra[dof] += share.abs() / TURN;
+            let hold = (turn - TURN.copysign(turn)) / self.answer.0[dof];
+            self.held.push((dof, hold));
             let forces = self.tension.iter_mut().zip(&self.answer.1);
             for (number, answer) in self.step.iter_mut().zip(&self.answer.0).chain(forces) {
-                *number -= share * answer;
+                *number -= hold * answer;
             }
             if !self.take_sides(system, bearings) {
                 return false;
