@@ -83,7 +83,7 @@ def stiffened(factor: float) -> Recording:
                 rope["material"]["axial_stiffness"] *= factor
         return assembly
 
-    with patch("gantline.statics.assemble", heavier):
+    with patch("gantline.statics.lift.assemble", heavier):
         found = Statics(parse_scenario(text, str(FILE))).equilibrium()
     assert found.is_stable
     return found.recording

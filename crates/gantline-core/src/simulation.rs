@@ -7,7 +7,7 @@ use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
 use crate::constraint::Law;
 use crate::event::afloat::{Lookout, Vessel};
-use crate::event::hauled_up::Straights;
+use crate::event::hauled_up;
 use crate::event::{Event, EventKind, EventLog};
 use crate::record::columns::{Columns, tensions_of};
 use crate::record::names::Names;
@@ -104,7 +104,8 @@ pub struct Simulation {
     method: Method,
     recorder: Recorder,
     lookout: Lookout,
-    straights: Straights,
+    /// Very short steps on end.
+    standing: u32,
     samples: Samples,
     events: EventLog,
     counters: Counters,
@@ -169,7 +170,7 @@ impl Simulation {
             method: method(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),
             lookout: Lookout::new(&system),
-            straights: Straights::new(&system),
+            standing: 0,
             fingerprint: fingerprint([document, settings]),
             document: fingerprint([document]),
             before: state.clone(),
@@ -227,7 +228,11 @@ impl Simulation {
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
         self.record(report.complementarity_residual);
-        self.straights.look(&self.system, &self.frame.kinematics, self.state.time)?;
+        let is_short = self.state.time - self.before.time < hauled_up::STANDING.1;
+        self.standing = if is_short { self.standing + 1 } else { 0 };
+        if self.standing >= hauled_up::STANDING.0 {
+            hauled_up::look(&self.system, &self.frame.kinematics, self.state.time)?;
+        }
         let Self { system, method, lookout, events, before, state: after, .. } = self;
         let span = Span { before, after, residual: 0.0 };
         lookout.look(system, &span, events, &mut |span, share, sample| {
