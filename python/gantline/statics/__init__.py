@@ -1,13 +1,6 @@
 """Statics of a lift: how it hangs at a time of its plan, how it swings about that, how errors change it."""
 
-from gantline.statics.answers import (
-    ContactForce,
-    Equilibrium,
-    Losses,
-    Mode,
-    NoEquilibriumError,
-    Sensitivity,
-)
+from gantline.statics.answers import ContactForce, Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity
 from gantline.statics.lift import Statics
 
 __all__ = ["ContactForce", "Equilibrium", "Losses", "Mode", "NoEquilibriumError", "Sensitivity", "Statics"]

@@ -15,14 +15,7 @@ from gantline.results.derive import recording_of
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.scenario import Scenario, load_scenario
-from gantline.statics.answers import (
-    ContactForce,
-    Equilibrium,
-    Losses,
-    Mode,
-    NoEquilibriumError,
-    Sensitivity,
-)
+from gantline.statics.answers import ContactForce, Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity
 from gantline.statics.motion import in_words
 from gantline.version import version
 
