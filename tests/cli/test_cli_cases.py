@@ -118,7 +118,17 @@ def test_a_sweep_past_the_end_of_equilibria_ends_with_three(lift: Path) -> None:
           ("  SC: {from", "  SC: {cut_at: 9 s, from"))  # fmt: skip
     result = gantline("statics", str(lift), "--sweep", "slings.SA.cut_at=9 s..10 s/2")
     assert result.exit_code == 3
-    assert re.search(r"NONE", result.stdout) and "9 s: no equilibrium: nothing holds it" in result.stdout
+    assert re.search(r"NONE", result.stdout)
+    # The other slings part at 9 s: with SA then too nothing is left.
+    assert re.search(r"no equilibrium: nothing holds it.*: 9 s$", result.stdout, re.MULTILINE)
+
+
+def test_a_sweep_says_which_check_failed_and_where(lift: Path) -> None:
+    spoil(lift, ("cranes:", "limits: {smallest_sling_tension_when_clear: 200 kN}\ncranes:"))
+    result = gantline("statics", str(lift), "--sweep", "load.weight.calculated=60 t..100 t/5")
+    assert result.exit_code == 1
+    # A quarter of the weight: 220.7 kN of 90 t, 196.1 kN of 80 t.
+    assert "smallest_sling_tension_when_clear failed: 60 t to 80 t\n" in result.stdout
 
 
 @pytest.mark.parametrize(

@@ -47,6 +47,37 @@ def test_the_reference_lift(tmp_path: Path) -> None:
     assert str(recording.attributes["status"]).startswith(f"mode 2: {LOAD} moves along")
 
 
+def test_attitude_follows_the_centre_of_gravity() -> None:
+    """By hand: one equalizer pulls with one force, so 0.1 m at a depth of 2.5 m turns the load by atan 0.04
+    about the axis across; slings that lean make it a little more, as the table of tilting has it.
+    """
+    result = statics("equalizer", "--sensitivities", "--modes", 0)
+    turned = re.search(r"100 mm along x +(-?[\d.]+) deg +([\d.]+) deg +0\.000 deg\n", result.stdout)
+    by_table = re.search(r"block +\(-0\.34.* ([\d.]+) deg\n +block +\(0\.94.* ([\d.]+) deg\n", result.stdout)
+    assert turned is not None and by_table is not None
+    soft, stiff = (float(one) for one in by_table.groups())
+    assert stiff == pytest.approx(math.degrees(math.atan(0.04)), abs=0.005)
+    # About the soft axis, which is turned by 20°, and the stiff one: what either does to the offset along x.
+    along = math.hypot(soft * 0.94, stiff * 0.34)
+    assert math.hypot(float(turned[1]), float(turned[2])) == pytest.approx(along, rel=0.01)
+
+
+def test_an_equilibrium_is_held_against_the_limits(tmp_path: Path) -> None:
+    asked = ("smallest_sling_tension_when_clear: 10 kN", "smallest_sling_tension_when_clear: 600 kN")
+    path = lift(tmp_path, asked)
+    result = statics(path, "--modes", 0)
+    assert result.returncode == 1
+    # S3 hangs plumb and has the least: 588.600 kN by the independent solution.
+    assert re.search(
+        r"FAILED +smallest_sling_tension_when_clear +588\.6 kN +>= 600\.0 kN +101\.9 %\s+S3\n", result.stdout
+    )
+    assert "NO-GO: 1 failed, smallest_sling_tension_when_clear 102 %" in result.stdout
+    assert "sling_dynamic_factor" not in result.stdout
+    found = json.loads(statics(path, "--modes", 0, "--json").stdout)
+    failed = [check["name"] for check in found["checks"] if check["verdict"] == "failed"]
+    assert failed == ["smallest_sling_tension_when_clear"] and found["verdict"].startswith("NO-GO")
+
+
 def test_bounds_of_losses(tmp_path: Path) -> None:
     real = ("efficiency: 1.0, rotating_mass: 0 kg", "efficiency: 0.98, rotating_mass: 100 kg")
     lossy = lift(tmp_path, real)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from gantline.cli.table import ABSENT, show, table, tables
 from gantline.study.cases import CasesResult
@@ -39,9 +39,10 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         by_case = {name: result.of(name) for name in result.names}
         groups = [(_name(name, str(len(states)) if len(states) > 1 else ""), states)
                   for name, states in by_case.items()]  # fmt: skip
+    why = notes(result.states, lambda found: _in_cases(result.states, found), width)
     parts = [
         [f"{result.title}, at rest"],
-        [*states_table(groups, "Case", width=width), *_notes(result.states, width)],
+        [*states_table(groups, "Case", width=width), *why],
         *_tensions(result, width),
         _worst(result.worst, width),
         *_bands(result),
@@ -97,29 +98,36 @@ def outcome(states: Sequence[State]) -> str:
     return "FAILED" if any(state.failed for state in states) else "ok"
 
 
-def _notes(states: Sequence[State], width: int) -> Iterator[str]:
-    """Why states are not sound, each reason once with the states that it is true of."""
-    reasons: dict[str, list[State]] = {}
-    for state in states:
+def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width: int) -> Iterator[str]:
+    """Why states are not sound, each reason once.
+
+    Args:
+        states: All of them.
+        where: Says which some of them are, from their places among all, in order.
+        width: Columns that a line may have.
+    """
+    reasons: dict[str, list[int]] = {}
+    for place, state in enumerate(states):
         if state.rest is None:
-            reasons.setdefault(f"no equilibrium: {state.cause}", []).append(state)
+            reasons.setdefault(f"no equilibrium: {state.cause}", []).append(place)
         elif not state.rest.is_stable:
             count = state.rest.unstable
             motions = "one motion leads" if count == 1 else f"{count} motions lead"
-            reasons.setdefault(f"unstable: {motions} away", []).append(state)
+            reasons.setdefault(f"unstable: {motions} away", []).append(place)
         for check in state.failed:
-            reasons.setdefault(f"{check} failed", []).append(state)
+            reasons.setdefault(f"{check} failed", []).append(place)
     for reason, found in reasons.items():
         every = len(found) == len(states) and len(states) > 1
-        line = f"{reason}: {'everywhere' if every else _where(found, states)}"
+        line = f"{reason}: {'everywhere' if every else where(found)}"
         yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
 
 
-def _where(found: Sequence[State], states: Sequence[State]) -> str:
+def _in_cases(states: Sequence[State], found: Sequence[int]) -> str:
     """Cases that some states belong to, and how many of each."""
     parts = []
-    for case in dict.fromkeys(state.case for state in found):
-        some, every = (sum(state.case == case for state in many) for many in (found, states))
+    for case in dict.fromkeys(states[place].case for place in found):
+        some = sum(states[place].case == case for place in found)
+        every = sum(state.case == case for state in states)
         parts.append(_name(case, f"{some} of {every}" if every > 1 else ""))
     return ", ".join(parts)
 

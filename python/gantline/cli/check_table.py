@@ -45,6 +45,7 @@ def check_table(
     style: Callable[[Verdict], str] = styled,
     width: int,
     full: bool,
+    with_unchecked: bool = True,
 ) -> list[str]:
     """Lines of the table of checks, with the verdict on the lift below it.
 
@@ -54,11 +55,13 @@ def check_table(
         style: How a verdict is written, as wide as all others.
         width: Columns that a line may have.
         full: Whether each check shows its meaning, its formula with numbers, and its source.
+        with_unchecked: Whether those that were not checked have a line too.
     """
-    if not checks:
+    shown = [check for check in checks if with_unchecked or check.verdict is not Verdict.NOT_CHECKED]
+    if not shown:
         return []
     title = f"Check ({rule})" if rule else "Check"
-    rows = [_row(check) for check in checks]
+    rows = [_row(check) for check in shown]
     head = (title, "value", "limit", "used")
     # The rule's name may be longer than any check's: then it stands alone.
     fits = len(title) <= max(len(row[0]) for row in rows)
@@ -66,7 +69,7 @@ def check_table(
     widths = [max(map(len, column)) for column in columns]
     lines = [] if fits else [f"{_INDENT}{title}"]
     lines.append(f"{_INDENT}{_line((title if fits else '', *head[1:]), widths)}".rstrip())
-    for check, row in zip(checks, rows, strict=True):
+    for check, row in zip(shown, rows, strict=True):
         line = f"{_line(row, widths)}"
         place = _place(check)
         beside = len(_INDENT) + len(line) + 2 + len(place) <= width

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -12,7 +12,7 @@ from gantline.cli.lift import Lift, Moment, moment_of, output_folder, refuse_bey
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 if TYPE_CHECKING:
-    from gantline.statics import Equilibrium, Mode, Sensitivity, Statics
+    from gantline.statics import Equilibrium, Mode, Statics
 
 #: Modes that are shown where it is not said how many.
 _MODES = 6
@@ -90,7 +90,7 @@ def statics(
     """Find the equilibrium of a lift, and its natural motions about it; nothing is simulated.
 
     An unstable equilibrium is told first, then the stable one that it leads to. Ends with code 1 where the
-    equilibrium is unstable, and with 3 where there is none.
+    equilibrium is unstable or a check fails, and with 3 where there is none.
     """
     moment = moment_of(time)
     if state is not None and (time is not None or sweep is not None):
@@ -130,6 +130,8 @@ def statics(
             rest = _rest(question, moment, state, held=held)
     except NoEquilibriumError as problem:
         stop(str(problem), COULD_NOT_GO_ON)
+    from gantline.checks import check_recording, has_failed
+    from gantline.cli import rest_table
     from gantline.cli.tilting import tilting_lines
     from gantline.cli.vessels import vessels_at_rest
     from gantline.study.tilting import margins_of, tilting_of
@@ -144,28 +146,32 @@ def statics(
     shown = found[: max(modes, rest.unstable)]
     if output is not None:
         _write(question, rest, shown, output, aside=as_json)
+    checks = check_recording(rest.recording)
+    is_sound = rest.is_stable and not has_failed(checks)
     if as_json:
         more = question.sensitivities() if sensitivities else []
-        typer.echo(json.dumps(statics_json(rest, bounds, shown, more), indent=2, allow_nan=False))
-        raise typer.Exit(DONE if rest.is_stable else CHECK_FAILED)
+        numbers = rest_table.statics_json(rest, bounds, shown, more, checks)
+        typer.echo(json.dumps(numbers, indent=2, allow_nan=False))
+        raise typer.Exit(DONE if is_sound else CHECK_FAILED)
     parts = [
-        _heading(question, rest, found),
-        _slings(rest, bounds),
-        _ropes(rest),
-        _hooks(rest),
+        rest_table.heading_of(question, rest, found),
+        rest_table.slings_of(rest, bounds),
+        rest_table.ropes(rest),
+        rest_table.hooks(rest),
         vessels_at_rest(question, rest),
-        _loads(rest),
+        rest_table.loads(rest),
         tilting_lines(tilting_of(question, rest, found), far),
         contact_forces(rest) if rest.losses == "held" else [],
         ranges,
-        _sheaves(rest),
-        _modes(shown),
-        _sensitivities(rest, question.sensitivities()) if sensitivities else [],
+        rest_table.moving_sheaves(rest),
+        rest_table.motions(shown),
+        *(rest_table.changes(rest, question.sensitivities()) if sensitivities else []),
+        rest_table.checks_at_rest(rest, checks),
     ]
     if not rest.is_stable:
         parts += _beyond(question, rest)
     typer.echo("\n".join(line for part in parts if part for line in (*part, "")))
-    raise typer.Exit(DONE if rest.is_stable else CHECK_FAILED)
+    raise typer.Exit(DONE if is_sound else CHECK_FAILED)
 
 
 def _rest(question: Statics, moment: float | None, state: Path | None, *, held: bool) -> Equilibrium:
@@ -182,6 +188,7 @@ def _rest(question: Statics, moment: float | None, state: Path | None, *, held: 
 
 def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
     """Where the lift goes that is left by itself."""
+    from gantline.cli import rest_table
     from gantline.cli.vessels import vessels
     from gantline.statics import NoEquilibriumError
 
@@ -193,154 +200,19 @@ def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
         return []
     state = "the stable equilibrium there" if beyond.is_stable else "still not stable"
     head = [f"Left by itself it goes along motion 1; {state}:"]
-    return [head, _slings(beyond, []), _hooks(beyond), vessels(beyond.recording), _loads(beyond)]
+    return [
+        head,
+        rest_table.slings_of(beyond, []),
+        rest_table.hooks(beyond),
+        vessels(beyond.recording),
+        rest_table.loads(beyond),
+    ]
 
 
 def _bounds(question: Statics, moment: float | None) -> list[Equilibrium]:
     """With all sheaves slipping one way and the other; none where no sheave has losses."""
     along = question.equilibrium(moment, losses="forward")
     return [along, question.equilibrium(moment, losses="backward")] if along.lossy else []
-
-
-def _heading(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
-    from gantline.cli.summary import heading, weights
-
-    lines = [*heading(question.rig), *weights(question.rig)]
-    if rest.is_stable:
-        state = "stable"
-    else:
-        count = "one motion leads" if rest.unstable == 1 else f"{rest.unstable} motions lead"
-        state = f"UNSTABLE: {count} away"
-    lines.append(f"Equilibrium at {rest.time:g} s: {state}")
-    free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
-    lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]
-    if rest.losses == "held":
-        lines.append("  friction of contacts and sheaves holds what it can, from where the lift was")
-        return lines
-    if rest.lossy:
-        lines.append(
-            f"  losses of {len(rest.lossy)} sheaves left out; bounds: all slip along the rope, all against"
-        )
-    if rest.recording.rig.loads:
-        lines.append("  contacts without friction")
-    return lines
-
-
-def _slings(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
-    from gantline.cli.table import ABSENT, show, table
-    from gantline.results import series
-
-    slings = rest.recording.rig.slings
-    tensions = {sling.name: rest.tension(sling.rope) for sling in slings}
-    mean = sum(tensions.values()) / max(len(tensions), 1)
-    rows = [
-        (
-            sling.name,
-            show(tensions[sling.name], "kN", 3),
-            f"{tensions[sling.name] / mean:.4f}" if mean > 0.0 else ABSENT,
-            show(float(series.sling_angle(rest.recording, sling)[-1]), "deg", 2),
-            "slack" if tensions[sling.name] <= 0.0 else "",
-            *(show(bound.tension(sling.rope), "kN", 1) for bound in bounds),
-        )
-        for sling in slings
-    ]
-    head = (
-        "Sling",
-        "tension",
-        "of the mean",
-        "angle",
-        "",
-        *(("slip along", "slip against") if bounds else ()),
-    )
-    return table(head, rows, "lrrrl" + "r" * len(bounds)) if rows else []
-
-
-def _ropes(rest: Equilibrium) -> list[str]:
-    from gantline.cli.table import show, table
-
-    slings = {sling.rope for sling in rest.recording.rig.slings}
-    names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in slings]
-    rows = [(name, show(rest.tension(name), "kN", 3)) for name in names]
-    return table(("Rope", "tension"), rows, "lr") if rows else []
-
-
-def _hooks(rest: Equilibrium) -> list[str]:
-    from gantline.cli.table import show, table
-
-    rows = [
-        (hook.name, *(show(float(rest.recording.column(name, hook.name)[-1]), "kN", 1) for name in loads))
-        for loads in [("hook_load", "hoist_load")]
-        for hook in rest.recording.rig.hooks
-    ]
-    return table(("Hook", "hook load", "hoist load"), rows, "lrr") if rows else []
-
-
-def _loads(rest: Equilibrium) -> list[str]:
-    from gantline.cli.table import show, table
-
-    rows = [
-        (
-            load.name,
-            show(float(rest.recording.column("load_tilt", load.name)[-1]), "deg", 3),
-            # Rounding of a load that stands is no negative share.
-            show(max(0.0, float(rest.recording.column("load_transferred", load.name)[-1])), "%", 1),
-        )
-        for load in rest.recording.rig.loads
-    ]
-    return table(("Load", "tilt", "load transferred"), rows, "lrr") if rows else []
-
-
-def _sheaves(rest: Equilibrium) -> list[str]:
-    from gantline.cli.table import show, table
-
-    rows = [
-        (sheave, show(float(rest.recording.column("sheave_travel", sheave)[-1]), "m", 3))
-        for equalizer in rest.recording.rig.equalizers
-        for sheave in equalizer.moving_sheaves
-    ]
-    return table(("Moving sheave", "travel, down positive"), rows, "lr") if rows else []
-
-
-def _modes(modes: list[Mode]) -> list[str]:
-    from gantline.cli.table import show, table
-
-    def course(mode: Mode) -> str:
-        if mode.growth_time is not None:
-            return f"leads away, e-fold in {show(mode.growth_time, 's', 2)}"
-        return show(mode.period, "s", 3) if mode.period is not None else "nothing holds it"
-
-    rows = [
-        (str(mode.number + 1), course(mode), show(mode.damping_ratio, "%", 2), mode.motion) for mode in modes
-    ]
-    return table(("Motion", "period", "damping ratio", "what moves"), rows, "lrrl") if rows else []
-
-
-#: What one error of each kind is, for the table: its size, and in words.
-_ERRORS = {
-    "length": (0.01, "10 mm longer"),
-    "stiffness": (0.0, "1 % stiffer"),
-    "mass": (1000.0, "1 t heavier"),
-    "centre_x": (0.1, "centre of gravity 100 mm along x"),
-    "centre_y": (0.1, "centre of gravity 100 mm along y"),
-    "centre_z": (0.1, "centre of gravity 100 mm along z"),
-}
-
-
-def _sensitivities(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[str]:
-    """Changes of the slings' tensions, first order."""
-    from gantline.cli.table import show, table
-
-    slings = rest.recording.rig.slings
-    stiffness = rest.recording.attributes["axial_stiffness"]
-    rows = []
-    for one in all_of_them:
-        size, words = _ERRORS[one.kind]
-        if one.kind == "stiffness":
-            size = 0.01 * stiffness.get(one.name, 0.0)
-        changes = [show(one.of(sling.rope) * size, "kN", 3) for sling in slings]
-        rows.append((f"{one.name} {words}", *changes))
-    head = ("Change of tension", *(sling.name for sling in slings))
-    return table(head, rows, "l" + "r" * len(slings)) if slings else []
 
 
 def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path, *, aside: bool) -> None:
@@ -355,32 +227,3 @@ def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path
         for mode in modes:
             written.append(question.swing(mode).save(place / f"motion_{mode.number + 1}.nc"))
     typer.echo("\n".join(f"Recording   {path}" for path in written), err=aside)
-
-
-def statics_json(
-    rest: Equilibrium, bounds: list[Equilibrium], modes: list[Mode], sensitivities: list[Sensitivity]
-) -> dict[str, Any]:
-    """An equilibrium as a JSON object, SI units."""
-    from gantline.study.state import State, values_of
-
-    def numbers(one: Equilibrium) -> dict[str, Any]:
-        values = values_of(State("", "", one.losses, one.time, one))
-        return {**one.to_json(), **{key: of for key, of in values.items() if key != "smallest_sling_tension"}}
-
-    return {
-        **numbers(rest),
-        "bounds": [numbers(one) for one in bounds],
-        "contacts": [
-            {"name": one.contact, "support": one.support, "friction": list(one.friction), "bound": one.bound}
-            for one in rest.contacts
-        ],
-        "modes": [mode.to_json() for mode in modes],
-        "sensitivities": [
-            {
-                "kind": one.kind,
-                "of": one.name,
-                "rope_tension": dict(zip(one.ropes, map(float, one.tension), strict=True)),
-            }
-            for one in sensitivities
-        ],
-    }

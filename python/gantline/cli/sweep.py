@@ -69,7 +69,7 @@ def _read(text: str) -> tuple[str, str, str, int]:
 
 def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
     """The table; slings that find no room beside the others stand below them."""
-    from gantline.cli.cases_table import outcome
+    from gantline.cli.cases_table import notes, outcome
     from gantline.cli.table import show, tables
     from gantline.study.state import QUANTITIES, values_of
 
@@ -84,10 +84,20 @@ def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
     first = [path, *(_shown(point) for point in points)]
     last = ["", *(outcome([point.state]) for point in points)]
     parts = tables(first, columns, last, width=width)
-    causes = [
-        f"  {_shown(point)}: no equilibrium: {point.state.cause}" for point in points if point.state.cause
-    ]
-    return [line for part in (*parts, causes) if part for line in (*part, "")][:-1]
+    why = list(notes([point.state for point in points], lambda found: _runs(points, found), width))
+    return [line for part in (*parts, why) if part for line in (*part, "")][:-1]
+
+
+def _runs(points: Sequence[SweepPoint], found: Sequence[int]) -> str:
+    """Values of some points; those one after another as from the first to the last."""
+    runs: list[list[int]] = []
+    for place in found:
+        if runs and runs[-1][-1] == place - 1:
+            runs[-1].append(place)
+        else:
+            runs.append([place])
+    ends = ((_shown(points[run[0]]), _shown(points[run[-1]])) for run in runs)
+    return ", ".join(first if first == last else f"{first} to {last}" for first, last in ends)
 
 
 def _shown(point: SweepPoint) -> str:

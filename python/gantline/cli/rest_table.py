@@ -1,0 +1,190 @@
+"""What `gantline statics` says of an equilibrium: tables for people, JSON for programs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from gantline.checks import Check, verdict_of
+from gantline.cli.check_table import check_table, width_of_terminal
+from gantline.cli.summary import heading, weights
+from gantline.cli.table import ABSENT, show, table
+from gantline.results import series
+from gantline.statics import Equilibrium, Mode, Sensitivity, Statics
+from gantline.study.state import State, values_of
+
+
+def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
+    """The lift, whether it is stable, and what is left out."""
+    lines = [*heading(question.rig), *weights(question.rig)]
+    if rest.is_stable:
+        state = "stable"
+    else:
+        count = "one motion leads" if rest.unstable == 1 else f"{rest.unstable} motions lead"
+        state = f"UNSTABLE: {count} away"
+    lines.append(f"Equilibrium at {rest.time:g} s: {state}")
+    free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
+    lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]
+    if rest.losses == "held":
+        lines.append("  friction of contacts and sheaves holds what it can, from where the lift was")
+        return lines
+    if rest.lossy:
+        lines.append(
+            f"  losses of {len(rest.lossy)} sheaves left out; bounds: all slip along the rope, all against"
+        )
+    if rest.recording.rig.loads:
+        lines.append("  contacts without friction")
+    return lines
+
+
+def slings_of(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
+    """What each sling carries, and what it would with all sheaves slipping one way and the other."""
+    slings = rest.recording.rig.slings
+    tensions = {sling.name: rest.tension(sling.rope) for sling in slings}
+    mean = sum(tensions.values()) / max(len(tensions), 1)
+    rows = [
+        (
+            sling.name,
+            show(tensions[sling.name], "kN", 3),
+            f"{tensions[sling.name] / mean:.4f}" if mean > 0.0 else ABSENT,
+            show(float(series.sling_angle(rest.recording, sling)[-1]), "deg", 2),
+            "slack" if tensions[sling.name] <= 0.0 else "",
+            *(show(bound.tension(sling.rope), "kN", 1) for bound in bounds),
+        )
+        for sling in slings
+    ]
+    head = (
+        "Sling",
+        "tension",
+        "of the mean",
+        "angle",
+        "",
+        *(("slip along", "slip against") if bounds else ()),
+    )
+    return table(head, rows, "lrrrl" + "r" * len(bounds)) if rows else []
+
+
+def ropes(rest: Equilibrium) -> list[str]:
+    """What all other ropes carry."""
+    slings = {sling.rope for sling in rest.recording.rig.slings}
+    names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in slings]
+    rows = [(name, show(rest.tension(name), "kN", 3)) for name in names]
+    return table(("Rope", "tension"), rows, "lr") if rows else []
+
+
+def hooks(rest: Equilibrium) -> list[str]:
+    """What hooks and hoists bear."""
+    rows = [
+        (hook.name, *(show(float(rest.recording.column(name, hook.name)[-1]), "kN", 1) for name in loads))
+        for loads in [("hook_load", "hoist_load")]
+        for hook in rest.recording.rig.hooks
+    ]
+    return table(("Hook", "hook load", "hoist load"), rows, "lrr") if rows else []
+
+
+def loads(rest: Equilibrium) -> list[str]:
+    """How loads hang."""
+    rows = [
+        (
+            load.name,
+            show(float(rest.recording.column("load_tilt", load.name)[-1]), "deg", 3),
+            # Rounding of a load that stands is no negative share.
+            show(max(0.0, float(rest.recording.column("load_transferred", load.name)[-1])), "%", 1),
+        )
+        for load in rest.recording.rig.loads
+    ]
+    return table(("Load", "tilt", "load transferred"), rows, "lrr") if rows else []
+
+
+def moving_sheaves(rest: Equilibrium) -> list[str]:
+    """How far moving sheaves have travelled."""
+    rows = [
+        (sheave, show(float(rest.recording.column("sheave_travel", sheave)[-1]), "m", 3))
+        for equalizer in rest.recording.rig.equalizers
+        for sheave in equalizer.moving_sheaves
+    ]
+    return table(("Moving sheave", "travel, down positive"), rows, "lr") if rows else []
+
+
+def motions(modes: list[Mode]) -> list[str]:
+    """Natural motions, the slowest first."""
+
+    def course(mode: Mode) -> str:
+        if mode.growth_time is not None:
+            return f"leads away, e-fold in {show(mode.growth_time, 's', 2)}"
+        return show(mode.period, "s", 3) if mode.period is not None else "nothing holds it"
+
+    rows = [
+        (str(mode.number + 1), course(mode), show(mode.damping_ratio, "%", 2), mode.motion) for mode in modes
+    ]
+    return table(("Motion", "period", "damping ratio", "what moves"), rows, "lrrl") if rows else []
+
+
+#: What one error of each kind is, for the table: its size, and in words.
+_ERRORS = {
+    "length": (0.01, "10 mm longer"),
+    "stiffness": (0.0, "1 % stiffer"),
+    "mass": (1000.0, "1 t heavier"),
+    "centre_x": (0.1, "centre of gravity 100 mm along x"),
+    "centre_y": (0.1, "centre of gravity 100 mm along y"),
+    "centre_z": (0.1, "centre of gravity 100 mm along z"),
+}
+
+
+def changes(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[list[str]]:
+    """Changes of the slings' tensions and of the loads' attitudes, first order."""
+    rig = rest.recording.rig
+    stiffness = rest.recording.attributes["axial_stiffness"]
+    pulls, turns = [], []
+    for one in all_of_them:
+        size, words = _ERRORS[one.kind]
+        if one.kind == "stiffness":
+            size = 0.01 * stiffness.get(one.name, 0.0)
+        name = f"{one.name} {words}"
+        pulls.append((name, *(show(one.of(sling.rope) * size, "kN", 3) for sling in rig.slings)))
+        angles = (size * angle for load in rig.loads for angle in one.of_body(load.body)[3:])
+        turns.append((name, *(show(angle, "deg", 3) for angle in angles)))
+    tensions = ("Change of tension", *(sling.name for sling in rig.slings))
+    axes = (f"{load.name} about {axis}" for load in rig.loads for axis in "xyz")
+    tables = ((tensions, pulls), (("Change of attitude", *axes), turns))
+    return [table(head, rows, "l" + "r" * (len(head) - 1)) for head, rows in tables if len(head) > 1]
+
+
+def checks_at_rest(rest: Equilibrium, checks: Sequence[Check]) -> list[str]:
+    """What could be held against a limit, and the verdict on it."""
+    rule = str(rest.recording.rig.limits.get("rule") or "")
+    return check_table(checks, rule, width=width_of_terminal(), full=False, with_unchecked=False)
+
+
+def statics_json(
+    rest: Equilibrium,
+    bounds: list[Equilibrium],
+    modes: list[Mode],
+    sensitivities: list[Sensitivity],
+    checks: Sequence[Check],
+) -> dict[str, Any]:
+    """An equilibrium as a JSON object, SI units."""
+
+    def numbers(one: Equilibrium) -> dict[str, Any]:
+        values = values_of(State("", "", one.losses, one.time, one))
+        return {**one.to_json(), **{key: of for key, of in values.items() if key != "smallest_sling_tension"}}
+
+    return {
+        **numbers(rest),
+        "bounds": [numbers(one) for one in bounds],
+        "contacts": [
+            {"name": one.contact, "support": one.support, "friction": list(one.friction), "bound": one.bound}
+            for one in rest.contacts
+        ],
+        "modes": [mode.to_json() for mode in modes],
+        "sensitivities": [
+            {
+                "kind": one.kind,
+                "of": one.name,
+                "rope_tension": dict(zip(one.ropes, map(float, one.tension), strict=True)),
+            }
+            for one in sensitivities
+        ],
+        "verdict": verdict_of(checks),
+        "checks": [check.to_json() for check in checks],
+    }
