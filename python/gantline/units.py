@@ -33,7 +33,7 @@ DIMENSIONS: Final[dict[str, dict[str, float]]] = {
     "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3},
     "mass": {"t": _TONNE, "kg": 1.0, "g": 1e-3},
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "min": _MINUTE, "h": _HOUR},
-    "force": {"kN": 1e3, "N": 1.0, "MN": 1e6},
+    "force": {"kN": 1e3, "N": 1.0, "MN": 1e6, "GN": 1e9},
     "power": {"kW": 1e3, "W": 1.0, "MW": 1e6},
     "angle": {"deg": _DEGREE, "rad": 1.0},
     "speed": {"m/min": 1 / _MINUTE, "m/s": 1.0, "mm/s": 1e-3, "km/h": 1e3 / _HOUR},
@@ -211,6 +211,6 @@ def _wrong_unit(shown: str, unit: str, dimension: str) -> str:
             return f"'{shown}' is {_WORDS[other][0]}; needed is {name}, written like {examples}"
     known = [symbol for symbol in DIMENSIONS[dimension] if symbol]
     lowered = {symbol.lower(): symbol for symbol in reversed(known)}
-    near = difflib.get_close_matches(unit.lower(), list(lowered), n=1, cutoff=0.5)
+    near = difflib.get_close_matches(unit.lower(), list(lowered), n=1, cutoff=0.7)
     hint = f"did you mean '{lowered[near[0]]}'?" if near else example(dimension)
     return f"'{unit}' in '{shown}' is not a unit of {_WORDS[dimension][0].split(' ', 1)[1]}; {hint}"

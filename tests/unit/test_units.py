@@ -18,6 +18,7 @@ from gantline.units import DIMENSIONS, UnitError, example, format_quantity, quan
         ("20 kg", "mass", 20.0),
         ("250 g", "mass", 0.25),
         ("200 MN", "force", 200e6),
+        ("12 GN", "force", 12e9),
         ("10kN", "force", 10e3),
         ("66 mm", "length", 0.066),
         ("-2.5 m", "length", -2.5),
