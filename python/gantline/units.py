@@ -211,6 +211,6 @@ def _wrong_unit(shown: str, unit: str, dimension: str) -> str:
             return f"'{shown}' is {_WORDS[other][0]}; needed is {name}, written like {examples}"
     known = [symbol for symbol in DIMENSIONS[dimension] if symbol]
     lowered = {symbol.lower(): symbol for symbol in reversed(known)}
-    near = difflib.get_close_matches(unit.lower(), list(lowered), n=1, cutoff=0.7)
+    near = difflib.get_close_matches(unit.lower(), list(lowered), n=1, cutoff=0.5)
     hint = f"did you mean '{lowered[near[0]]}'?" if near else example(dimension)
     return f"'{unit}' in '{shown}' is not a unit of {_WORDS[dimension][0].split(' ', 1)[1]}; {hint}"

@@ -13,7 +13,7 @@ from gantline.cli.hold_points import hold_points
 from gantline.cli.table import ABSENT, pairs, show, table
 from gantline.cli.vessels import vessels
 from gantline.results import series
-from gantline.results.metrics import energy_bound, metrics_of
+from gantline.results.metrics import energy_bound
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
@@ -34,7 +34,7 @@ def summary(
         The lines.
     """
     rig = recording.rig
-    metrics = metrics_of(recording)
+    metrics = recording.metrics()
     parts = [
         heading(rig),
         _loads(recording, metrics),

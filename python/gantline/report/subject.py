@@ -6,7 +6,6 @@ from functools import cached_property
 
 from gantline.checks import Check, check_recording
 from gantline.results import series
-from gantline.results.metrics import metrics_of
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.saved import Beside
@@ -47,7 +46,7 @@ class Subject:
     @cached_property
     def metrics(self) -> dict[str, float]:
         """Key numbers."""
-        return metrics_of(self.recording)
+        return self.recording.metrics()
 
     @cached_property
     def stability(self) -> Stability:

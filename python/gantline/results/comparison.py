@@ -15,7 +15,6 @@ from typing import Any
 
 from gantline.results import series
 from gantline.results.common_time import CommonTime, Deviation
-from gantline.results.metrics import metrics_of
 from gantline.results.recording import Recording, open_recording
 from gantline.results.rig import Rig
 from gantline.results.stability import Stability, stability_of
@@ -183,7 +182,7 @@ def compare(
         b=b,
         names=names or (f"{a.title} ({method_of(a)})", f"{b.title} ({method_of(b)})"),
         common=common,
-        metrics=_differences(metrics_of(a), metrics_of(b)),
+        metrics=_differences(a.metrics(), b.metrics()),
         counters=_differences(a.attributes.get("counters") or {}, b.attributes.get("counters") or {}),
         ropes=[_rope(a, b, common, pair) for pair in _rope_pairs(a, b)],
         hooks=[_hook(a, b, common, pair) for pair in _paired_labels(a, b, "hook", lone=True)]

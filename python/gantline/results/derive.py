@@ -164,6 +164,8 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
     for column, (name, dims, unit, description) in _DIRECT.items():
         if columns[column].size or "event" in dims:
+            # Nobody else has them: no copy is needed to keep them as they are.
+            columns[column].flags.writeable = False
             variables[name] = Variable(dims, columns[column], unit, description)
     for name, source, dim, description in _TEXTS:
         variables[name] = Variable((dim,), np.array(names[source], dtype=np.str_), "1", description)

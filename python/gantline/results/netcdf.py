@@ -11,7 +11,6 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-import zlib
 from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
@@ -20,13 +19,14 @@ from typing import Any
 import h5netcdf
 import h5py
 import numpy as np
+from isal import isal_zlib
 
 from gantline.results.recording import Recording
 from gantline.results.variable import Variable
 
 _FORMAT = 1
 _PLAIN_TEXT = frozenset({"title", "gantline_version", "scenario", "status"})
-_LEVEL = 1  # of gzip: more takes several times as long and saves little
+_LEVEL = 1  # of gzip: higher ones take longer and save nothing
 _COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
 
 
@@ -137,7 +137,7 @@ def _filtered(chunk: np.ndarray[Any, np.dtype[Any]], rows: int) -> bytes:
     if len(chunk) < rows:
         chunk = np.concatenate([chunk, np.zeros((rows - len(chunk), *chunk.shape[1:]))])
     shuffled = np.ascontiguousarray(chunk.reshape(-1).view(np.uint8).reshape(-1, chunk.itemsize).T)
-    return zlib.compress(shuffled.data, _LEVEL)
+    return isal_zlib.compress(shuffled.data, _LEVEL)
 
 
 def _chunks(values: np.ndarray[Any, np.dtype[Any]]) -> tuple[int, ...]:
@@ -157,6 +157,7 @@ def _read(file: h5netcdf.File) -> Recording:
     coordinates: dict[str, list[str]] = {}
     for name, stored in file.variables.items():
         values = np.asarray(stored[...])
+        values.flags.writeable = False
         if "units" not in stored.attrs:
             coordinates[name] = [str(label) for label in _text(values)]
             continue

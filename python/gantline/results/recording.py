@@ -12,8 +12,6 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from gantline.results.rig import Rig
 from gantline.results.variable import FloatArray, Variable
 
@@ -128,7 +126,7 @@ class Recording:
             label: A name along that dimension.
 
         Returns:
-            The values for that name; shape (time,) for a variable over time.
+            The values for that name, read-only; shape (time,) for a variable over time.
 
         Raises:
             KeyError: If there is no such variable or name.
@@ -137,7 +135,7 @@ class Recording:
         for axis, dim in enumerate(variable.dims):
             labels = self._coordinates.get(dim, ())
             if dim != "xyz" and dim != "wxyz" and label in labels:
-                values: FloatArray = np.take(variable.values, labels.index(label), axis=axis)
+                values: FloatArray = variable.values[(slice(None),) * axis + (labels.index(label),)]
                 return values
         raise KeyError(f"{name} has no {label!r}")
 
@@ -162,6 +160,10 @@ class Recording:
 
     def metrics(self) -> dict[str, float]:
         """The lift in key numbers, SI units; `gantline.results.metrics` defines each."""
+        return dict(self._metrics)
+
+    @cached_property
+    def _metrics(self) -> Mapping[str, float]:
         from gantline.results.metrics import metrics_of
 
         return metrics_of(self)

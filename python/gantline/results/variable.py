@@ -18,7 +18,8 @@ class Variable:
 
     Attributes:
         dims: Names of the dimensions, one for each axis of `values`.
-        values: Floating-point numbers, or text (`event_kind`, `event_name`).
+        values: Floating-point numbers, or text (`event_kind`, `event_name`). A read-only array is taken as it
+            is, any other is copied.
         unit: SI unit, for example `N`; `1` for pure numbers and text.
         description: What it is, in one line.
     """
@@ -29,7 +30,8 @@ class Variable:
     description: str
 
     def __post_init__(self) -> None:
-        values = np.array(self.values)
+        given = np.asarray(self.values)
+        values = given.copy() if given.flags.writeable else given
         if values.dtype.kind not in "fU":
             values = values.astype(np.float64) if values.dtype.kind in "biu" else values.astype(np.str_)
         if values.ndim != len(self.dims):
