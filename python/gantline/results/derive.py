@@ -206,10 +206,10 @@ def _sheave_travel(columns: Columns, names: Names, rig: Rig) -> _Derived:
     # Sheaves of an approximated equalizer are no bodies, and stand still.
     still = np.zeros(len(columns["time"]))
     own = [columns["joint_position"][:, joints.index(s)] if s in joints else still for s in sheaves]
-    position = np.stack(own, axis=1)
+    # Joints count from where the lift file has them, as stops do: a start at rest may be elsewhere.
     travel = Variable(
         ("time", "moving_sheave"),
-        position - position[:1],
+        np.stack(own, axis=1),
         "m",
         "travel of a moving sheave in its frame, down positive",
     )

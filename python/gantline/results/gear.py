@@ -49,8 +49,8 @@ class Equalizer(FromJson):
         equalizing_rope: Name of the rope.
         slings: Ropes that hang from its moving sheaves, in the order of the sheaves.
         moving_sheaves: Bodies (and joints) of the moving sheaves.
-        travel_up: Stroke above the start position [m]; None if not limited.
-        travel_down: Stroke below the start position [m]; None if not limited.
+        travel_up: Stroke above the place in the lift file [m]; None if not limited.
+        travel_down: Stroke below the place in the lift file [m]; None if not limited.
         stops: Whether stops at both ends of the stroke are simulated.
         rated_capacity: Below the moving sheaves [N]; None if not said.
         heading_joint: Joint about which the frame turns under its hook.

@@ -254,7 +254,7 @@ class LockedReader(Reader):
 
 
 class Travel(Element):
-    """How far moving sheaves may travel from where they start."""
+    """How far moving sheaves may travel from where the lift file has them."""
 
     what: ClassVar[str] = "travel"
 

@@ -196,7 +196,7 @@ impl StaticLift {
     fn sample(&mut self, from_start: bool) {
         self.samples = Samples::default();
         if from_start {
-            // Travel counts from here.
+            // What has moved is told from here.
             self.samples.push_state(&self.system, 0.0, &self.first);
         }
         self.samples.push_state(&self.system, self.state.time, &self.state);

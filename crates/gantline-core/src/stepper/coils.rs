@@ -52,6 +52,13 @@ pub struct CoilFlow {
     pub friction: f64,
 }
 
+/// Strain of what passes a drum, and unstretched rope that it lets go per way of its flow, where the rope outside is
+/// strained by `outside`.
+pub fn feeding(place: &CoilPlace, coil: &Coil, q: &[f64], outside: f64) -> (f64, f64) {
+    let passing = coil.passing(place.wound(q), outside);
+    (passing, place.rate_at(q) / (1.0 + passing))
+}
+
 /// The span that a drum feeds.
 pub fn span_of<'a>(system: &'a System, place: &CoilPlace) -> Option<&'a Span> {
     match &system.constraints[place.rope] {
@@ -68,9 +75,9 @@ impl Frame {
             let (unstretched, scale) = (span.unstretched(q), span.scale(q));
             let strain = self.value[place.row] / (scale * unstretched);
             let outside = if by.modes[place.row].carries() { strain.max(0.0) } else { 0.0 };
-            let passing = coil.passing(place.wound(q), outside);
+            let (passing, feeding) = feeding(place, coil, q, outside);
             self.passing[index] = Passing { outside, strain: passing, supply: -scale * (1.0 + 0.5 * strain) };
-            self.feeding[index] = place.rate_at(q) / (1.0 + passing);
+            self.feeding[index] = feeding;
         }
     }
 

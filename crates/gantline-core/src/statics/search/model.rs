@@ -15,7 +15,8 @@ use crate::tree::joint::Motion;
 /// Turn of a joint in one step that is too far, and what is left of it then [rad].
 const TOO_FAR: f64 = 1.0;
 const TURN: f64 = 0.8;
-/// Beyond this imbalance later steps refine the solution.
+/// Beyond this imbalance later steps refine the first solution of a model. What follows that is refined: by rounding, rows
+/// of friction between soft and stiff ones change sides for ever.
 const FAR: f64 = 1e-3;
 /// Rounds in which rows change sides within one step.
 const ROUNDS: usize = 12;
@@ -93,7 +94,8 @@ impl Search {
     /// changing.
     fn settle_rows(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
         for round in 1..=ROUNDS {
-            if !self.solve_model(system, bearings, lambda) {
+            let is_rough = round == 1 && self.here.residual(system) > FAR;
+            if !self.solve_model(system, bearings, lambda, is_rough) {
                 return false;
             }
             if self.take_sides(system, bearings) {
@@ -122,7 +124,7 @@ impl Search {
         let mut reached = self.here.value.clone();
         self.start_sides(bearings);
         for _ in 0..SURE_ROUNDS {
-            if !self.solve_model(system, bearings, lambda) {
+            if !self.solve_model(system, bearings, lambda, false) {
                 return false;
             }
             // By the candidate's own equation.
@@ -178,7 +180,7 @@ impl Search {
     }
 
     /// The step of the model with rows on these sides; false where λM + K is not positive definite.
-    fn solve_model(&mut self, system: &System, bearings: &[Bearing], lambda: f64) -> bool {
+    fn solve_model(&mut self, system: &System, bearings: &[Bearing], lambda: f64, is_rough: bool) -> bool {
         let Self { matrix, acts, .. } = self;
         let compliance = |row: usize| acts[row].then_some(bearings[row].compliance);
         if matrix.factorise(system, lambda, compliance).is_err() || matrix.below(system) > 0 {
@@ -186,7 +188,7 @@ impl Search {
         }
         self.right_sides(system, bearings);
         let Self { matrix, force, right, step, tension, .. } = self;
-        if self.here.residual(system) > FAR {
+        if is_rough {
             matrix.solve_roughly(force, right, step, tension);
         } else {
             matrix.solve(force, right, step, tension);

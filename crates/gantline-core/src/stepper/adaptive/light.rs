@@ -21,9 +21,11 @@ use super::evaluation::Evaluation;
 use super::point::Point;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Moving};
+use crate::rope::coil::Coil;
 use crate::rope::light::{Division, Slips, Spans};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
+use crate::stepper::coils::feeding;
 use crate::system::{LightSheaves, System};
 
 /// How far the tensions over a row of light sheaves, root mean square, may be from what they should be before the step is
@@ -182,6 +184,7 @@ impl Evaluation {
             first = own.end;
             let mut both = std::mem::take(&mut self.light[index]);
             let on = (light, rope, spans);
+            let drums = (at.coils, modes);
             place_all(light, &mut self.q, |sheave| at.base[light.positions[sheave]]);
             match at.laying {
                 Laying::Anew => {
@@ -189,21 +192,21 @@ impl Evaluation {
                         *way = way_of(modes, at.memory, row);
                     }
                     self.lay(on.clone(), &mut both.lies, false);
-                    self.run(system, on, (&mut both, false));
+                    self.run(system, on, drums, (&mut both, false));
                 }
-                Laying::Frozen(frozen) => self.freeze(system, on, (&mut both, &frozen[index])),
+                Laying::Frozen(frozen) => self.freeze(system, on, drums, (&mut both, &frozen[index])),
                 Laying::Watched(frozen, laid) => {
-                    self.freeze(system, on.clone(), (&mut both, &frozen[index]));
+                    self.freeze(system, on.clone(), drums, (&mut both, &frozen[index]));
                     self.judge(on, &mut both, (laid, own), at.schedule.time);
                     let passed = &both.lies.passed;
                     place_all(light, &mut self.q, |sheave| at.base[light.positions[sheave]] + passed[sheave]);
                 }
                 Laying::Laid(frozen, laid) => {
-                    self.freeze(system, on.clone(), (&mut both, &frozen[index]));
+                    self.freeze(system, on.clone(), drums, (&mut both, &frozen[index]));
                     self.judge(on.clone(), &mut both, (laid, own), at.schedule.time);
                     let Light { lies, other, .. } = &mut both;
                     std::mem::swap(lies, other);
-                    self.run(system, on, (&mut both, false));
+                    self.run(system, on, drums, (&mut both, false));
                 }
             }
             self.light[index] = both;
@@ -225,11 +228,12 @@ impl Evaluation {
         &mut self,
         system: &System,
         on: (&LightSheaves, &Rope, Range<usize>),
+        drums: (&[Coil], &[Mode]),
         (both, frozen): (&mut Light, &Light),
     ) {
         both.lies.slips.copy_from(&frozen.moving);
         self.lay(on.clone(), &mut both.lies, true);
-        self.run(system, on, (both, true));
+        self.run(system, on, drums, (both, true));
     }
 
     /// Divides a rope that has been frozen as it should be, from where it was laid.
@@ -306,6 +310,7 @@ impl Evaluation {
         &mut self,
         system: &System,
         (light, rope, spans): (&LightSheaves, &Rope, Range<usize>),
+        (wound, modes): (&[Coil], &[Mode]),
         (both, is_frozen): (&mut Light, bool),
     ) {
         let rows = light.rows.clone();
@@ -318,9 +323,12 @@ impl Evaluation {
             let strain = self.frame.value[row] / unstretched - 1.0;
             let supply = scale * (1.0 + 0.5 * strain);
             *answer = [scale, supply, unstretched];
+            let outside = if modes[row].carries() { strain.max(0.0) } else { 0.0 };
             let coils = span.feeds.iter().filter_map(|feed| Some((feed.coil?, feed.dof)));
-            let wound: f64 = coils.map(|(coil, dof)| self.frame.feeding[coil] * self.v[dof]).sum();
-            self.stretch[row] = scale * self.rate[row] / supply - span.speed(&self.v) - wound;
+            let let_go = coils.map(|(coil, dof)| {
+                feeding(&system.coils[coil], &wound[coil], &self.q, outside).1 * self.v[dof]
+            });
+            self.stretch[row] = scale * self.rate[row] / supply - span.speed(&self.v) - let_go.sum::<f64>();
             self.compliance[row] = system.rows.laws[row].compliance() / (scale * supply);
         }
         let Light { lies, runs, moving, .. } = both;

@@ -243,6 +243,8 @@ impl Adaptive {
         state.next_step = h * stretch;
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
             .map_err(|pivot| self.singular(system, state, pivot))?;
+        // Rope over light sheaves is divided anew from what the state knows, as after a restore: the same bytes.
+        self.current &= system.light.is_empty();
         Ok(report)
     }
 
@@ -307,6 +309,14 @@ impl Adaptive {
     fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
         let laying = Laying::Watched(&self.rodas.here.light, &self.laid_before);
+        let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
+        self.probe.rows(system, &point, &state.modes);
+    }
+
+    /// The same with light sheaves going on as they do, whatever was looked at.
+    fn probe_frozen(&mut self, system: &System, state: &State, theta: f64) {
+        self.rodas.course.at(theta, &mut self.point);
+        let laying = Laying::Frozen(&self.rodas.here.light);
         let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
         self.probe.rows(system, &point, &state.modes);
     }

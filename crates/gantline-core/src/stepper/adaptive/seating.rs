@@ -104,7 +104,7 @@ impl Adaptive {
         if state.seats.is_empty() {
             return true;
         }
-        self.probe_rows(system, state, 1.0);
+        self.probe_frozen(system, state, 1.0);
         let values = self.probe.frame.value.iter().zip(&state.modes);
         values.into_iter().all(|(value, mode)| value.is_finite() || *mode == Mode::Parted)
     }

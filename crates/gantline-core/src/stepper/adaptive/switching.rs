@@ -65,10 +65,21 @@ impl Adaptive {
             }
         }
         self.arrive(system, state);
-        self.looks.note(system, LOOKS.len(), &self.next);
+        self.note_arrival(system, state);
         let last = LOOKS.len() - 1;
         self.looks.far[last] = self.farthest(system, state, &self.next);
         (self.looks.far[last] > allowed).then_some(last)
+    }
+
+    /// Keeps the forces at the end of the part that is made, before light sheaves turn over: forces jump there, and no
+    /// polynomial goes through a jump. Those after it are the first of the next step.
+    fn note_arrival(&mut self, system: &System, state: &State) {
+        if system.light.is_empty() {
+            self.looks.note(system, LOOKS.len(), &self.next);
+        } else {
+            self.probe_frozen(system, state, self.made);
+            self.looks.note(system, LOOKS.len(), &self.probe);
+        }
     }
 
     /// Evaluates the end of the part that is made. Driven joints are put exactly where their drives are, so that
