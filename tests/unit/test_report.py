@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import dataclasses
 import hashlib
 import json
 import re
@@ -13,6 +14,7 @@ import numpy as np
 import pytest
 
 import gantline.report.page
+from gantline.checks import check_recording
 from gantline.report import render_report, write_report
 from gantline.report.first_page import FirstPage
 from gantline.report.sketch import sketches
@@ -131,11 +133,38 @@ def test_the_first_page_counts_from_calculated_weight_to_hoist_load() -> None:
     assert weights["× contingency 1.00 = design weight"] == "300.0 t"
     # Static hook load 3000 kN + 21.5 t x g, of which 300 t x g are the load.
     rigging = (3000e3 + 21.5e3 * 9.81) / 9.81 / 1e3 - 300.0
-    assert weights["rigging below the hooks"] == f"{rigging:.1f} t"
+    assert weights["+ rigging below the hooks"] == f"{rigging:.1f} t"
     # The sample nearest to the ringing's peak is 0.01 s from it.
     ringing = 500e3 * np.cos(2 * np.pi * 0.01)
     peak = (3000e3 + ringing + 21.5e3 * 9.81 + 50e3) / 9.81 / 1e3
     assert weights["largest hoist load, simulated"] == f"{peak:.1f} t"
+
+
+def test_weights_with_contingency_add_up_to_what_is_checked() -> None:
+    rig = sample_rig()
+    load = rig["loads"][0]
+    load["contingency"], load["design_mass"], load["simulated_mass"] = 1.05, 315e3, 300e3
+    recording = ringing_lift(rig=rig)
+    weights = dict(content(recording)["weights"])  # type: ignore[call-overload]
+    checked = {check.name: check.value for check in check_recording(recording)}["static_hook_load"]
+    assert checked is not None
+    assert weights["= static hook load"] == f"{checked / 9.81e3:.1f} t"
+    # What slings carry, 3000 kN, is raised by 5 %, the frame with its sheaves is not. They lean: cos > 0.98.
+    raised = (1.05 * 3000e3 + 21.5e3 * 9.81) / 9.81e3
+    assert float(weights["= static hook load"].split()[0]) == pytest.approx(raised, abs=0.02 * 15.3)
+
+
+def test_a_load_cell_is_read_when_the_load_has_come_clear_and_not_at_the_end() -> None:
+    clear = ringing_lift()
+    hoist = clear["hoist_load"]
+    # From 25 s on, when the load has hung for 15 s, half of it is gone.
+    halved = np.where(clear.time[:, None] < 25.0, hoist.values, 0.5 * hoist.values)
+    variables = {**clear.variables, "hoist_load": dataclasses.replace(hoist, values=halved)}
+    later = Recording(variables, clear.coordinates, clear.attributes)
+    rows = [content(one)["hooks"] for one in (clear, later)]
+    readings = [row[0]["readings"][3] for row in rows]  # type: ignore[index]
+    assert readings[0] == readings[1]
+    assert rows[1][0]["static"] != readings[1]  # type: ignore[index]
 
 
 def test_verdicts_have_their_tone() -> None:

@@ -45,7 +45,7 @@ def check_table(
     style: Callable[[Verdict], str] = styled,
     width: int,
     full: bool,
-    with_unchecked: bool = True,
+    with_unlimited: bool = True,
 ) -> list[str]:
     """Lines of the table of checks, with the verdict on the lift below it.
 
@@ -55,9 +55,9 @@ def check_table(
         style: How a verdict is written, as wide as all others.
         width: Columns that a line may have.
         full: Whether each check shows its meaning, its formula with numbers, and its source.
-        with_unchecked: Whether those that were not checked have a line too.
+        with_unlimited: Whether quantities that have no limit have a line too.
     """
-    shown = [check for check in checks if with_unchecked or check.verdict is not Verdict.NOT_CHECKED]
+    shown = [check for check in checks if with_unlimited or not _is_unlimited(check)]
     if not shown:
         return []
     title = f"Check ({rule})" if rule else "Check"
@@ -85,6 +85,11 @@ def check_table(
                 break_on_hyphens=False,
             )
     return [*lines, "", *textwrap.wrap(verdict_of(checks), max(width, 60), subsequent_indent="  ")]
+
+
+def _is_unlimited(check: Check) -> bool:
+    """Whether a quantity is shown because everybody has to hand it in, and has nothing to be held against."""
+    return check.verdict is Verdict.NOT_CHECKED and check.limit is None and bool(check.meaning)
 
 
 def _row(check: Check) -> tuple[str, str, str, str]:

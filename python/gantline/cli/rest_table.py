@@ -151,9 +151,9 @@ def changes(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[list[str]
 
 
 def checks_at_rest(rest: Equilibrium, checks: Sequence[Check]) -> list[str]:
-    """What could be held against a limit, and the verdict on it."""
+    """What has a limit, and the verdict on it."""
     rule = str(rest.recording.rig.limits.get("rule") or "")
-    return check_table(checks, rule, width=width_of_terminal(), full=False, with_unchecked=False)
+    return check_table(checks, rule, width=width_of_terminal(), full=False, with_unlimited=False)
 
 
 def statics_json(

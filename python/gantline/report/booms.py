@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, number, show
 from gantline.results.boom import Boom
 from gantline.results.crawler import Crawler
@@ -54,8 +55,8 @@ def _range(values: list[FloatArray], unit: str, digits: int) -> str:
 
 
 def _rated(subject: Subject, chart: RatingChart | None) -> dict[str, str]:
-    """What hangs and what may at the moment that uses most of the chart."""
-    nothing = {"hangs": ABSENT, "may": ABSENT, "place": ABSENT, "used": ABSENT}
+    """What hangs and what may at the moment that uses most of the chart, and what the check makes of that."""
+    nothing = {"hangs": ABSENT, "may": ABSENT, "place": ABSENT, "used": ABSENT, "checked": ABSENT}
     if chart is None:
         return nothing
     recording, gravity = subject.recording, subject.rig.gravity
@@ -66,12 +67,14 @@ def _rated(subject: Subject, chart: RatingChart | None) -> dict[str, str]:
     at = int(np.argmax(used))
     rated = chart.rated_at(chart_places(recording, chart, chart.hooks)[at])
     place = float(chart_places(recording, chart, chart.hooks)[at][int(np.argmin(rated))])
+    checked = values_of(recording, "hoist_load_of_rating")
     unit, digits = ("deg", 1) if chart.over == "angle" else ("m", 1)
     return {
         "hangs": number(float(load[at]) / gravity, "t", 1),
         "may": number(float(rated.min()) / gravity, "t", 1),
         "place": show(place, unit, digits),
         "used": number(float(used[at]), "%", 1) if np.isfinite(used[at]) else "outside",
+        "checked": number(checked.get(f"crane {chart.crane}"), "%", 1),
     }
 
 

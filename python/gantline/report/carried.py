@@ -11,10 +11,13 @@ from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
 from gantline.results.gear import Equalizer, Hook, Sling
+from gantline.results.parting import partings
 from gantline.results.variable import FloatArray
 
 #: Shares of the weight over at which a load cell is read.
 READINGS = (0.25, 0.5, 0.75, 1.0)
+#: A load cell is read over this time once the load is clear, some swings of the load on its ropes [s].
+_READ_OVER = 5.0
 
 
 def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
@@ -72,7 +75,20 @@ def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
         low, high = float(transferred[at - 1]), float(transferred[at])
         between = (part - low) / (high - low)
         found.append(float(load[at - 1] + between * (load[at] - load[at - 1])) / subject.rig.gravity)
-    return [*found, _mass(subject, subject.static(load))]
+    return [*found, _mass(subject, _once_clear(subject, load))]
+
+
+def _once_clear(subject: Subject, load: FloatArray) -> float | None:
+    """Mean of a series over the first seconds in which nothing supports a load; None if one never hangs."""
+    time, clear = subject.recording.time, series.is_clear(subject.recording)
+    if not clear.any():
+        return None
+    begin = int(np.argmax(clear))
+    standing = np.flatnonzero(~clear[begin:])
+    end = begin + int(standing[0]) if standing.size else len(time)
+    parted = [one.time for one in partings(subject.recording) if one.time > time[begin]]
+    until = min([time[begin] + _READ_OVER, *parted])
+    return float(load[begin:end][time[begin:end] <= until].mean())
 
 
 def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:

@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 
 from gantline.checks import LIMITS, Check, Verdict, past_limits, verdict_of
+from gantline.checks.forces import hook_force
+from gantline.checks.measure import everywhere
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
 from gantline.report.booms import boom_rows
@@ -145,20 +147,20 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
             rows.append((f"{load.name}, as simulated", show(load.weight / rig.gravity, "t", 1)))
     if not rig.hooks:
         return rows
-    statics = [subject.static(subject.recording.column("hook_load", hook.name)) for hook in rig.hooks]
-    if all(value is not None for value in statics):
-        total = sum(value for value in statics if value is not None) / rig.gravity
-        carried = sum(load.weight for load in rig.loads) / rig.gravity
-        if rig.loads and total > carried:
-            rows.append(("rigging below the hooks", show(total - carried, "t", 1)))
-        rows.append(("static hook load", show(total, "t", 1)))
-    every = np.sum([subject.recording.column("hoist_load", hook.name) for hook in rig.hooks], axis=0)
+    hooks = [hook.name for hook in rig.hooks]
+    during = everywhere(subject.recording)
+    force = hook_force(subject.recording, hooks, "hook_load", during)
+    if force.static is not None:
+        simulated = sum(subject.static(subject.recording.column("hook_load", hook)) or 0.0 for hook in hooks)
+        loads = sum(load.simulated_mass or load.weight / rig.gravity for load in rig.loads)
+        if rig.loads and simulated / rig.gravity > loads:
+            rows.append(("+ rigging below the hooks", show(simulated / rig.gravity - loads, "t", 1)))
+        rows.append(("= static hook load", show(force.static / rig.gravity, "t", 1)))
     factor = rig.factors.get("dynamic_amplification_factor")
-    if factor is not None:
+    if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
-        known = [value for value in statics if value is not None]
-        times = factor.value * sum(known) / rig.gravity if len(known) == len(statics) else None
-        rows.append((text, show(times, "t", 1)))
+        rows.append((text, show(force.rule / rig.gravity, "t", 1)))
+    every = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
     largest = float(every.max())
     # Of what one crane is rated for with its hook blocks, or one hook alone.
     level = "crane" if any(rating.level == "crane" for rating in rig.ratings) else "hook"
