@@ -172,7 +172,7 @@ def _pins(subject: Subject, equalizer: Equalizer) -> str:
 
     pulled, put_in = steps("pull_pins"), steps("put_in_pins")
     if not equalizer.locked:
-        text = "pull all before the first step"
+        text = "any out before the first step"
     elif pulled:
         text = f"in at the start; pull before step {', '.join(pulled)}"
     else:

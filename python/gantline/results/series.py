@@ -17,6 +17,7 @@ import math
 import numpy as np
 
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
+from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
@@ -188,10 +189,18 @@ def out_of_plane_angles(recording: Recording, sling: Sling) -> dict[str, FloatAr
 
 
 def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
-    """(max - min)/mean over the slings of one equalizer, shape (time,); 0 where all are slack."""
+    """(max - min)/mean over the slings of one equalizer, shape (time,); 0 where all are slack.
+
+    What has parted is not counted from then on.
+    """
     tensions = np.array([recording.column("rope_tension", rope) for rope in equalizer.slings])
-    mean = tensions.mean(axis=0)
-    spread = tensions.max(axis=0) - tensions.min(axis=0)
+    counts = np.ones(tensions.shape, dtype=np.bool_)
+    for parting in partings(recording):
+        if parting.rope in equalizer.slings:
+            counts[equalizer.slings.index(parting.rope), recording.time > parting.time] = False
+    mean = np.divide(np.sum(tensions, axis=0, where=counts), np.maximum(counts.sum(axis=0), 1))
+    highest = np.max(tensions, axis=0, where=counts, initial=0.0)
+    spread = highest - np.minimum(np.min(tensions, axis=0, where=counts, initial=np.inf), highest)
     ratio: FloatArray = np.divide(spread, mean, out=np.zeros_like(mean), where=mean > 0.0)
     return ratio
 
