@@ -97,6 +97,22 @@ def test_no_equilibrium_ends_with_three(lift: Path) -> None:
     assert "5 cases, 11 equilibria asked for: 1 no equilibrium" in result.stdout
 
 
+def test_a_load_that_stands_in_a_case_and_hangs_as_given_is_told(tmp_path: Path) -> None:
+    # With its hook 2.2 m lower the load, which is lifted by 2 m, is still on the ground.
+    reference = Path(__file__).parents[2] / "scenarios" / "equalizer" / "scenario.yaml"
+    path = tmp_path / "lift.yaml"
+    low = "cases:\n  low: {vary: {cranes.test_hook.at.z: [-2.2 m, 0.01 m]}}\n"
+    path.write_text(reference.read_text(encoding="utf-8") + low, encoding="utf-8")
+    result = gantline("cases", str(path), "--variants", columns=120)
+    assert result.exit_code == 1
+    assert re.search(r"test_hook\.at\.z −2\.2 m\) .* STANDS\n", result.stdout)
+    assert re.search(r"test_hook\.at\.z \+0\.01 m\) .* ok\n", result.stdout)
+    assert "stands on its supports, and hangs as given: low (1 of 2)\n" in result.stdout
+    assert "3 equilibria asked for: 1 on its supports" in result.stdout
+    states = json.loads(gantline("cases", str(path), "--json").stdout)["cases"][1]["states"]
+    assert [len(state["stands"]) for state in states] == [1, 0]
+
+
 def test_a_file_without_cases(lift: Path) -> None:
     result = gantline("cases", "equalizer")
     assert result.exit_code == 2

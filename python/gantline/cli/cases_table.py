@@ -95,6 +95,8 @@ def outcome(states: Sequence[State]) -> str:
         return "NONE"
     if any(state.rest is not None and not state.rest.is_stable for state in states):
         return "UNSTABLE"
+    if any(state.stands for state in states):
+        return "STANDS"
     return "FAILED" if any(state.failed for state in states) else "ok"
 
 
@@ -114,6 +116,8 @@ def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width:
             count = state.rest.unstable
             motions = "one motion leads" if count == 1 else f"{count} motions lead"
             reasons.setdefault(f"unstable: {motions} away", []).append(place)
+        for load in state.stands:
+            reasons.setdefault(f"{load} stands on its supports, and hangs as given", []).append(place)
         for check in state.failed:
             reasons.setdefault(f"{check} failed", []).append(place)
     for reason, found in reasons.items():
@@ -204,12 +208,14 @@ def _band(values: Iterable[float]) -> str:
 
 
 def _verdict(result: CasesResult) -> str:
-    counts = {"no equilibrium": 0, "unstable": 0, "failed a check": 0}
+    counts = {"no equilibrium": 0, "unstable": 0, "on its supports": 0, "failed a check": 0}
     for state in result.states:
         if state.rest is None:
             counts["no equilibrium"] += 1
         elif not state.rest.is_stable:
             counts["unstable"] += 1
+        elif state.stands:
+            counts["on its supports"] += 1
         elif state.failed:
             counts["failed a check"] += 1
     bad = ", ".join(f"{count} {what}" for what, count in counts.items() if count)

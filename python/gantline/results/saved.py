@@ -65,7 +65,8 @@ class SavedCase:
     Attributes:
         name: Its name; empty for the lift as it is given.
         states: How many equilibria were asked for.
-        troubles: What is wrong in them, each once: no equilibrium and why, instability, failed checks.
+        troubles: What is wrong in them, each once: no equilibrium and why, instability, loads that stand and
+            should hang, failed checks.
     """
 
     name: str
@@ -100,7 +101,7 @@ class SavedCases:
 
     Attributes:
         scenario_sha256: Of the lift file's text.
-        is_sound: Whether every state has a stable equilibrium in which no check failed.
+        is_sound: Whether every state has a stable equilibrium, what should hang does, and no check failed.
         cases: The cases in the order of the file, the lift as it is given first.
         worst: The worst of each element.
     """
@@ -248,6 +249,8 @@ def _case(given: Mapping[str, Any]) -> SavedCase:
             troubles.append(f"no equilibrium: {_text(state, 'cause')}")
         elif state.get("stable") is not True:
             troubles.append("unstable")
+        standing = _list(state, "stands") if "stands" in state else []
+        troubles += [f"{load} stands" for load in standing if isinstance(load, str)]
         troubles += [f"{name} failed" for name in _list(state, "failed") if isinstance(name, str)]
     return SavedCase(_text(given, "case"), len(states), tuple(dict.fromkeys(troubles)))
 

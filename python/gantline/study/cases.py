@@ -31,7 +31,7 @@ from gantline.study.pattern import (
     single_patterns,
     worst_patterns,
 )
-from gantline.study.state import State, Worst, settled, worst_of
+from gantline.study.state import State, Worst, settled, stands, worst_of
 
 __all__ = ["CasesResult", "run_cases"]
 
@@ -76,7 +76,7 @@ class CasesResult:
 
     @property
     def is_sound(self) -> bool:
-        """Whether every state has a stable equilibrium in which no check failed."""
+        """Whether every state has a stable equilibrium in which what should hang does and no check failed."""
         return all(state.is_sound for state in self.states)
 
     def to_json(self) -> dict[str, Any]:
@@ -133,7 +133,9 @@ def run_cases(
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
-    return CasesResult(scenario.lift.title, scenario.text, states[0], states)
+    given = states[0]
+    states = [replace(state, stands=stands(state, given)) for state in states]
+    return CasesResult(scenario.lift.title, scenario.text, given, states)
 
 
 #: States of a variant, which may still be worked on.

@@ -12,7 +12,7 @@ from gantline.results.recording import Recording
 from gantline.results.saved import LOSSES, QUANTITIES
 from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
 
-__all__ = ["LOSSES", "QUANTITIES", "State", "Worst", "settled", "values_of", "worst_of"]
+__all__ = ["LOSSES", "QUANTITIES", "State", "Worst", "settled", "stands", "values_of", "worst_of"]
 
 _ROUNDING = 1e-9
 
@@ -29,6 +29,7 @@ class State:
         rest: The equilibrium; None where there is none.
         cause: Why there is none, in one sentence.
         cut: Slings and ropes that the case cuts.
+        stands: Loads that something supports, which hang clear at that time in the lift as it is given.
         checks: Its checks, of slings that the case cuts none.
         first_order: Tensions of slings by sensitivities about the lift as it is given [N]; of a case that
             varies lengths of slings.
@@ -41,6 +42,7 @@ class State:
     rest: Equilibrium | None = None
     cause: str = ""
     cut: tuple[str, ...] = ()
+    stands: tuple[str, ...] = ()
     checks: Sequence[Check] = ()
     first_order: Mapping[str, float] = field(default_factory=dict)
 
@@ -56,8 +58,9 @@ class State:
 
     @property
     def is_sound(self) -> bool:
-        """Whether there is an equilibrium, it is stable, and no check failed."""
-        return self.rest is not None and self.rest.is_stable and not has_failed(self.checks)
+        """Whether there is an equilibrium, it is stable, what should hang does, and no check failed."""
+        is_stable = self.rest is not None and self.rest.is_stable
+        return is_stable and not self.stands and not has_failed(self.checks)
 
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""
@@ -72,6 +75,7 @@ class State:
             "unstable_motions": None if rest is None else rest.unstable,
             "neutral_motions": None if rest is None else rest.neutral,
             "cut": list(self.cut),
+            "stands": list(self.stands),
             **values_of(self),
             "first_order_sling_tension": dict(self.first_order) or None,
             "failed": list(self.failed),
@@ -111,6 +115,21 @@ def settled(question: Statics, time: float | None, state: State) -> State:
         state.case, state.variant, state.losses, rest.time, rest, cut=state.cut, checks=checks,
         first_order=state.first_order,
     )  # fmt: skip
+
+
+def stands(state: State, given: State) -> tuple[str, ...]:
+    """Loads that something supports in a state and nothing in another one of the same time."""
+    if state.rest is None or given.rest is None or state.time != given.time:
+        return ()
+    here, there = state.rest.recording, given.rest.recording
+    of_given = {load.name: load for load in there.rig.loads}
+    return tuple(
+        load.name
+        for load in here.rig.loads
+        if load.name in of_given
+        and not series.load_is_clear(here, load)[-1]
+        and series.load_is_clear(there, of_given[load.name])[-1]
+    )
 
 
 def values_of(state: State) -> dict[str, dict[str, float]]:
