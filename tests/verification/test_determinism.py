@@ -2,18 +2,28 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
+from gantline import _core
 from gantline.simulation import Simulation
+from mechanics import body, contact, document, free
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 #: Duration and time of the break [s]: while slings bounce, and while a step waits for its condition.
-LIFTS = {"pulleys": (5.0, 1.2345), "equalizer": (40.0, 7.7777), "equalizer_yard": (90.0, 78.9012)}
+LIFTS = {
+    "pulleys": (5.0, 1.2345),
+    "equalizer": (40.0, 7.7777),
+    "equalizer_yard": (90.0, 78.9012),
+    "reeved_hoist": (60.0, 41.0),
+}
 PROCESS = """
 import sys
 from gantline.simulation import Simulation
@@ -80,6 +90,34 @@ def test_a_run_taken_up_by_another_process_gives_the_same_bytes(name: str, tmp_p
     """The same with the state restored in another process, byte by byte."""
     state = saved_in_the_middle(name, tmp_path)
     assert other_process(name, tmp_path, state) == whole_run(name, tmp_path)
+
+
+METHODS = [
+    {"type": "adaptive", "tension_tolerance": 1.0, "position_tolerance": 1e-6},
+    {"type": "del", "step": 2e-4},
+    {"type": "explicit", "step": 2e-4},
+]
+
+
+@pytest.mark.parametrize("integrator", METHODS, ids=lambda one: one["type"])
+def test_what_slides_goes_on_as_it_slid(integrator: dict[str, Any]) -> None:
+    """A box that slides and turns: where `del` begins to look for its friction is the friction of before."""
+    corners = [(x, y, -0.5) for x in (0.5, -0.5) for y in (0.5, -0.5)]
+    law = {"stiffness": 1e6, "friction": 0.3, "damping_time": 0.002}
+    box = free((0, 0, 0.5), velocity=[1, 0.4, 0], angular_velocity=[0, 0, 2])
+    system = document(
+        [body("box", box, 100.0, inertia=(20, 20, 20))],
+        contacts=[contact(f"c{k}", "box", at, **law) for k, at in enumerate(corners)],
+    )
+    settings = json.dumps({"integrator": integrator, "duration": 0.5, "sample_interval": 0.01})
+    whole, first, second = (_core.Simulation(json.dumps(system), settings) for _ in range(3))
+    whole.run()
+    first.run(None, 0.1)
+    second.restore(first.save())
+    second.run()
+    for column in ("body_position", "contact_force"):
+        ends = (run.columns()[column][-40:] for run in (whole, second))
+        assert np.array_equal(*ends)
 
 
 def test_restoring_goes_back(tmp_path: Path) -> None:

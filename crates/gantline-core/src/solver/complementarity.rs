@@ -99,8 +99,10 @@ impl Complementarity {
         }
     }
 
-    /// Says that the matrix has changed.
-    pub fn matrix_changed(&mut self) {
+    /// Begins a step, of another matrix, with the modes and forces of the one before [N]: what slid begins with its force.
+    pub fn begin(&mut self, modes: &[Mode], force: &[f64]) {
+        self.modes.copy_from_slice(modes);
+        self.slip.copy_from_slice(force);
         self.factored = false;
     }
 

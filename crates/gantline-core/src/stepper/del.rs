@@ -141,8 +141,7 @@ impl Del {
             self.kkt.stiffness.update(system, state, frame, h, self.geometric_stiffness);
             self.kkt.assemble(system, &frame.mass, &frame.gradient, h);
         });
-        self.rows.modes.copy_from_slice(&state.modes);
-        self.rows.matrix_changed();
+        self.rows.begin(&state.modes, &state.tension);
 
         // Driven coordinates are known: their mean velocity over the step.
         self.v.copy_from_slice(&state.v);

@@ -243,8 +243,10 @@ impl Adaptive {
         state.next_step = h * stretch;
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
             .map_err(|pivot| self.singular(system, state, pivot))?;
-        // Rope over light sheaves is divided anew from what the state knows, as after a restore: the same bytes.
-        self.current &= system.light.is_empty();
+        // Rope over light sheaves and on drums, and what slides, is evaluated anew from what the state knows, as after a
+        // restore: the same bytes.
+        let slides = system.friction.iter().any(|&row| state.modes[row] == Mode::Slipping);
+        self.current &= system.light.is_empty() && system.coils.is_empty() && !slides;
         Ok(report)
     }
 
