@@ -28,6 +28,8 @@ from gantline.results.tanks import pump_warnings
 from gantline.results.vessels import vessel_warnings
 from gantline.scenario import Scenario, ScenarioError, load_scenario, resolve
 from gantline.scenario.errors import Problem
+from gantline.scenario.quantities import SMALLEST
+from gantline.scenario.times import wrong_times
 from gantline.version import version
 
 Progress = Callable[[float], bool | None]
@@ -327,6 +329,8 @@ def _overridden(
         wanted = _ABOVE_ZERO.get(name)
         if wanted and not (_is_number(value) and math.isfinite(value) and value > 0.0):
             raise SettingError(f"{name}: {value!r} is not {wanted}")
+        if wanted and value < SMALLEST:
+            raise SettingError(f"{name}: {value!r} is absurdly small; check the number and its unit")
         if name in _OF_RUN:
             merged[name] = float(value)
         elif name in integrator:
@@ -334,6 +338,9 @@ def _overridden(
         else:
             known = ", ".join(("integrator", *list(integrator)[1:], *_OF_RUN))
             raise SettingError(f"{name}: not a setting of the integrator {kind}; there are {known}")
+    times = wrong_times(merged["duration"], integrator.get("step"), merged["sample_interval"])
+    for name, sentence in times:
+        raise SettingError(f"{name}: {sentence}")
     return merged
 
 

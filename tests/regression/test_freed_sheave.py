@@ -31,3 +31,14 @@ def test_a_freed_sheave_ends_the_run_with_its_name(tmp_path: Path, sling: str) -
     # What is recorded goes on to the last sample before that.
     interval = gantline.load_scenario(LIFT).simulation.sample_interval
     assert 0.0 <= failed.value.time - failed.value.recording.time[-1] <= interval
+
+
+def test_a_sling_that_is_too_long_ends_the_run_too(tmp_path: Path) -> None:
+    """With S1 of 28 m in place of 23 m its sheave stood at the fixed ones in steps of 10 µs, for hours."""
+    text = (LIFT.parents[1] / "equalizer_yard" / "scenario.yaml").read_text(encoding="utf-8")
+    line = next(line for line in text.splitlines() if line.strip().startswith("S1:"))
+    assert "length: 23 m" in line
+    path = tmp_path / "scenario.yaml"
+    path.write_text(text.replace(line, line.replace("23 m", "28 m")), encoding="utf-8")
+    with pytest.raises(gantline.SimulationError, match=r"at e1\.1: it has been hauled up"):
+        gantline.simulate(path)

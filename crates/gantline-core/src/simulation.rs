@@ -7,7 +7,7 @@ use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
 use crate::constraint::Law;
 use crate::event::afloat::{Lookout, Vessel};
-use crate::event::hauled_up;
+use crate::event::standstill;
 use crate::event::{Event, EventKind, EventLog};
 use crate::record::columns::{Columns, tensions_of};
 use crate::record::names::Names;
@@ -104,8 +104,8 @@ pub struct Simulation {
     method: Method,
     recorder: Recorder,
     lookout: Lookout,
-    /// Very short steps on end.
-    standing: u32,
+    /// Steps and time [s] at which it was last asked whether the run gets on.
+    asked: (u64, f64),
     samples: Samples,
     events: EventLog,
     counters: Counters,
@@ -170,7 +170,7 @@ impl Simulation {
             method: method(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),
             lookout: Lookout::new(&system),
-            standing: 0,
+            asked: (0, 0.0),
             fingerprint: fingerprint([document, settings]),
             document: fingerprint([document]),
             before: state.clone(),
@@ -228,10 +228,10 @@ impl Simulation {
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
         self.record(report.complementarity_residual);
-        let is_short = self.state.time - self.before.time < hauled_up::STANDING.1;
-        self.standing = if is_short { self.standing + 1 } else { 0 };
-        if self.standing >= hauled_up::STANDING.0 {
-            hauled_up::look(&self.system, &self.frame.kinematics, self.state.time)?;
+        let (steps, since) = self.asked;
+        if self.counters.steps - steps >= standstill::STEPS {
+            self.asked = (self.counters.steps, self.state.time);
+            standstill::look(&self.system, &self.frame.kinematics, [since, self.state.time])?;
         }
         let Self { system, method, lookout, events, before, state: after, .. } = self;
         let span = Span { before, after, residual: 0.0 };

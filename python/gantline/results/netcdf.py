@@ -69,12 +69,15 @@ def load_recording(path: Path) -> Recording:
         FileNotFoundError: If there is no such file.
         ValueError: If it is not a recording.
     """
-    if not path.is_file():
-        raise FileNotFoundError(f"{path}: no such file")
     try:
+        if not path.is_file():
+            raise FileNotFoundError(f"{path}: no such file")
         with h5netcdf.File(path, "r") as file:
             return _read(file)
-    except (OSError, KeyError) as problem:
+    except FileNotFoundError:
+        raise
+    except (OSError, LookupError, RuntimeError, TypeError, AttributeError, ValueError) as problem:
+        # What h5py says of a damaged file has many forms.
         raise ValueError(f"{path}: not a recording of gantline ({problem})") from problem
 
 

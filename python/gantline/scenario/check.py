@@ -25,11 +25,9 @@ from gantline.scenario.pins import check_pins, pins_of
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
 from gantline.scenario.sheave import taken_together
+from gantline.scenario.times import wrong_times
 
 __all__ = ["check"]
-
-_MOST_STEPS = 100_000_000
-_MOST_SAMPLES = 1_000_000
 
 
 def check(scenario: Scenario) -> None:
@@ -147,18 +145,9 @@ def _check_simulation(findings: Findings) -> None:
     if settings.integrator != "adaptive" and _has_friction(findings.scenario):
         sentence = f"'{settings.integrator}' knows no friction of sheaves and joints and no brakes"
         findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' is right here")
-    if settings.step > duration:
-        sentence = (
-            f"the step of {settings.step:g} s is longer than the duration of {duration:g} s; 1 ms is usual"
-        )
-        findings.add(("simulation", "step"), sentence)
-    for key, interval, most, usual in (
-        ("step", settings.step, _MOST_STEPS, "1 ms"),
-        ("sample_interval", settings.sample_interval, _MOST_SAMPLES, "20 ms"),
-    ):
-        if duration / interval > most:
-            sentence = f"{duration:g} s in parts of {interval:g} s are more than {most // 10**6} million"
-            findings.add(("simulation", key), f"{sentence}; {usual} is usual")
+    step = None if settings.integrator == "adaptive" else settings.step
+    for key, sentence in wrong_times(duration, step, settings.sample_interval):
+        findings.add(("simulation", key), sentence)
 
 
 def _has_friction(scenario: Scenario) -> bool:

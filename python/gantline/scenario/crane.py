@@ -155,7 +155,7 @@ class FixedHook(Element):
         kind = data.get("type")
         if kind is None or kind == "fixed_hook":
             return
-        if kind in _MEANT:
+        if isinstance(kind, str) and kind in _MEANT:
             raise refuse(f"a {found(kind)} is written as 'type: {_MEANT[str(kind)]}' here", "type")
         raise refuse(f"{found(kind)} is not a type of crane; {nearest(str(kind), _CRANES)}", "type")
 

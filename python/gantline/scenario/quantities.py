@@ -48,7 +48,7 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
 }
 
 #: Smallest size of a quantity that has to be above zero [SI]; below it arithmetic has no room left.
-_SMALLEST: Final = 1e-9
+SMALLEST: Final = 1e-9
 
 _NUMBER: Final = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
 NAME_PATTERN: Final = r"[A-Za-z0-9_.\-]+"
@@ -127,7 +127,7 @@ class Quantity(Reader):
             raise refuse(f"'{text}' is negative; this {name} has to be {bound}")
         if self.sign == "positive" and number == 0:
             raise refuse(f"'{text}' is zero; this {name} has to be above zero")
-        if self.sign == "positive" and number < _SMALLEST:
+        if self.sign == "positive" and number < SMALLEST:
             raise refuse(f"'{text}' is absurdly small; check the number and its unit")
         if abs(number) > largest:
             raise refuse(f"'{text}' is absurdly large (more than {shown}); check the number and its unit")

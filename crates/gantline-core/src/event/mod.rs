@@ -1,7 +1,7 @@
 //! What happens at a moment: ropes going taut or slack, lift-off, flooding, steps of the plan.
 
 pub mod afloat;
-pub mod hauled_up;
+pub mod standstill;
 
 use serde::{Deserialize, Serialize};
 

@@ -214,7 +214,8 @@ impl Evaluation {
         for &(row, drive) in &system.motors {
             let timeline = &at.schedule.timelines[drive];
             self.asked[row] = timeline.motion(at.schedule.time).velocity;
-            self.held[row] = timeline.braked(at.schedule.time);
+            // A brake that comes in where the step ends is the next one's: it may not hold.
+            self.held[row] = timeline.braked(at.schedule.from);
             self.rate[row] -= self.asked[row];
         }
     }

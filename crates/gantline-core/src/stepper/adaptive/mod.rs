@@ -270,6 +270,11 @@ impl Adaptive {
             state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
             state.v[dof] = timeline.motion(state.time).velocity;
         }
+        for &(row, drive) in &system.motors {
+            let is_same = state.plan.timelines[drive].braked(state.time) == self.rodas.here.held[row];
+            self.current &= is_same;
+            state.restart |= !is_same;
+        }
         self.current &= !coils::turn(system, state);
         loop {
             self.settle_forces(system, state, frame)?;
