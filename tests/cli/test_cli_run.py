@@ -172,6 +172,22 @@ def test_an_open_balance_is_said_in_so_many_words(core: type[FakeCore], tmp_path
     assert "Warning: the energy balance does not close" in result.stdout
 
 
+def test_an_interrupt_after_the_last_step_waits_until_the_run_is_saved(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    saved = gantline.Recording.save
+
+    def interrupted(self: gantline.Recording, path: Path) -> Path:
+        os.kill(os.getpid(), signal.SIGINT)
+        return saved(self, path)
+
+    monkeypatch.setattr(gantline.Recording, "save", interrupted)
+    result = CliRunner().invoke(app, ["run", "pulleys", "-o", str(tmp_path), "--no-plots", "--no-report"])
+    assert result.exit_code == 130
+    assert "interrupted after the last step; the recording is" in result.stderr
+    assert gantline.open_recording(tmp_path / "recording.nc").attributes["status"] == "done"
+
+
 def test_an_interrupt_saves_what_there_is(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "gantline", "run", str(SCENARIOS / "equalizer_yard"), "--no-plots"]
     command += ["-o", str(tmp_path), "--duration", "4000 s", "--sample-interval", "1 s"]

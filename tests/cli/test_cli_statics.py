@@ -234,3 +234,10 @@ def test_a_sweep_as_json() -> None:
     assert (result.returncode, document["path"]) == (0, path)
     assert [point["value"] for point in document["points"]] == [36.4, 36.5]
     assert all(point["sling_tension"]["S1"] > 580e3 for point in document["points"])
+
+
+@pytest.mark.parametrize("names", ["", ","])
+def test_an_empty_choice_is_refused(names: str) -> None:
+    result = statics("equalizer", "--level", "--adjust", names)
+    assert result.returncode == 2
+    assert "--adjust: names nothing" in result.stderr

@@ -51,6 +51,12 @@ def test_travel_over_its_limit_is_a_warning_and_over_its_stroke_a_failure() -> N
     assert failed.remark == "e1.1 up 101.0 % at 1.00 s: it would have met its stop, which is not simulated"
 
 
+def test_what_is_no_number_fails() -> None:
+    # A file that somebody else wrote, or that is damaged: a comparison with NaN is false whatever is asked.
+    found = with_travel(up=math.nan)
+    assert (found.verdict, found.element) == (Verdict.FAILED, "e1.1 up")
+
+
 def test_travel_past_the_stroke_before_the_load_is_clear_is_a_warning() -> None:
     travel = np.zeros((3, 5))
     travel[:, 2] = [0.0, -1.05 * 1.4, -0.5 * 1.4]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
@@ -84,8 +85,10 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
     findings = list(measure.findings(recording, inside)) if inside.any() else []
     values = [one for one in findings if isinstance(one, Found)]
     pick = min if measure.at_least else max
+    worst = pick(values, key=lambda one: one.value, default=None)
     return _Outcome(
-        worst=pick(values, key=lambda one: one.value, default=None),
+        # Nothing compares with what is no number: that governs.
+        worst=next((one for one in values if math.isnan(one.value)), worst),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
         cautions="; ".join(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
@@ -235,6 +238,8 @@ def end_of_step(recording: Recording, step: str) -> BoolArray | None:
 
 
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:
+    if math.isnan(value):
+        return Verdict.FAILED
     if measure.warns_up_to is not None and value > measure.warns_up_to:
         return Verdict.FAILED
     if value >= limit if measure.at_least else value <= limit:

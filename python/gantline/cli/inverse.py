@@ -63,6 +63,10 @@ def hang_as_wanted(
     if limit is not None and limit <= 0.0:
         stop(f"--most: '{most}' is no change of a length; more than 0 mm is right")
     chosen = None if adjust is None else [name.strip() for name in adjust.split(",") if name.strip()]
+    if chosen == []:
+        stop(
+            "--adjust: names nothing; slings or hooks are written like 'S1,S2', and without it all may change"
+        )
     with scenario_errors():
         from gantline.statics import NoEquilibriumError
         from gantline.study import CannotBeError, adjust_lengths, plumb_hooks

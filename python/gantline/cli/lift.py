@@ -127,9 +127,9 @@ def name_of(lift: Path) -> str:
 
 def output_folder(folder: Path) -> Path:
     """The folder to write into, made and tried before a long run."""
-    if folder.exists() and not folder.is_dir():
-        stop(f"{folder}: is a file; --output needs a folder")
     with writing(folder):
+        if folder.exists() and not folder.is_dir():
+            stop(f"{folder}: is a file; --output needs a folder")
         folder.mkdir(parents=True, exist_ok=True)
         handle, trial = tempfile.mkstemp(prefix=".trial.", dir=folder)
         os.close(handle)

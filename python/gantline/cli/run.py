@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
+from gantline.cli.interrupt import finished_first
 from gantline.cli.lift import RECORDING, Lift, Setting, name_of, output_folder, prepare, quantity_of
 from gantline.cli.live import live_view
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
@@ -81,11 +82,15 @@ def run(
     folder = output_folder(output if output is not None else Path("results") / name_of(lift))
     clock.lap("prepare")
     with live_view(simulation, browser=browser, aside=as_json) if live else nullcontext() as view:
-        recording = _simulate(simulation, folder, view)
-        clock.lap("simulate")
-        with writing(folder):
-            written = recording.save(folder / RECORDING)
-        clock.lap("save")
+        with finished_first() as is_interrupted:
+            recording = _simulate(simulation, folder, view)
+            clock.lap("simulate")
+            with writing(folder):
+                written = recording.save(folder / RECORDING)
+            clock.lap("save")
+        if is_interrupted():
+            warn(f"interrupted after the last step; the recording is {written}")
+            raise typer.Exit(INTERRUPTED)
         failed = _print_json(recording) if as_json else _print_table(recording, simulation)
         clock.lap("table")
         typer.echo(f"Recording   {written}", err=as_json)
