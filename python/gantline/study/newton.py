@@ -114,7 +114,7 @@ class Search:
         changes = np.zeros(len(self._unknowns))
         while self.now.residual > RESIDUAL:
             if self.steps == _STEPS:
-                raise CannotBeError(f"no answer in {_STEPS} steps; {self.now.residual:.2g} is left")
+                raise CannotBeError(f"no answer in {_STEPS} steps; {self._left()}")
             target = self._target(changes)
             if target is None:
                 break
@@ -155,7 +155,7 @@ class Search:
                 self.now = found
                 return step
         self.refuse_too_far(target)
-        raise CannotBeError(f"{cause}; {self.now.residual:.2g} is left")
+        raise CannotBeError(f"{cause}; {self._left()}")
 
     def _try(self, changes: Floats) -> _Try:
         texts = {
@@ -193,6 +193,9 @@ class Search:
         worst = int(np.argmax(beyond))
         if beyond[worst] > 0.0:
             raise CannotBeError(self._too_far(self._unknowns[worst], float(changes[worst])))
+
+    def _left(self) -> str:
+        return f"{self.now.residual:.2g} is left of slope or heading [rad], or share"
 
     def _no_effect(self, slope: Floats, value: Floats) -> str:
         worst = int(np.argmax(np.abs(value)))
