@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import json
 import math
-import signal
-import threading
 import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
+from gantline.interrupt import noted_interrupt
 from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.crawler import tipping_warnings
 from gantline.results.derive import recording_of
@@ -167,7 +164,7 @@ class Simulation:
             SimulationError: If the simulation could not go on.
         """
         started = time.perf_counter()
-        with _stop_on_interrupt() as is_interrupted:
+        with noted_interrupt() as is_interrupted:
 
             def goes_on(now: float) -> bool:
                 return not (is_interrupted() or (on_progress is not None and on_progress(now) is False))
@@ -346,23 +343,3 @@ def _overridden(
 
 def _is_number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
-
-
-@contextmanager
-def _stop_on_interrupt() -> Iterator[Callable[[], bool]]:
-    """Turn the first Ctrl-C into a wish to stop; a second one interrupts at once."""
-    if threading.current_thread() is not threading.main_thread():
-        yield lambda: False
-        return
-    wished = threading.Event()
-    before = signal.getsignal(signal.SIGINT)
-
-    def wish(_signal: int, _frame: FrameType | None) -> None:
-        wished.set()
-        signal.signal(signal.SIGINT, before)
-
-    signal.signal(signal.SIGINT, wish)
-    try:
-        yield wished.is_set
-    finally:
-        signal.signal(signal.SIGINT, before)

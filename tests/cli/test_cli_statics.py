@@ -57,6 +57,7 @@ def test_attitude_follows_the_centre_of_gravity() -> None:
     by_table = re.search(r" +".join(row % axis for axis in (r"-0\.34", r"0\.94")), result.stdout)
     assert turned is not None and by_table is not None
     soft, stiff = (float(one) for one in by_table.groups())
+    # The table has two decimals, of angles and of axes; an axis off by 0.005 is 1 % of the share along x.
     assert stiff == pytest.approx(math.degrees(math.atan(0.04)), abs=0.005)
     # About the soft axis, which is turned by 20°, and the stiff one: what either does to the offset along x.
     along = math.hypot(soft * 0.94, stiff * 0.34)

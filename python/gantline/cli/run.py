@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gantline.cli.interrupt import finished_first
 from gantline.cli.lift import RECORDING, Lift, Setting, name_of, output_folder, prepare, quantity_of
 from gantline.cli.live import live_view
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
 from gantline.cli.report import REPORT, write_beside
+from gantline.interrupt import noted_interrupt
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -82,7 +82,7 @@ def run(
     folder = output_folder(output if output is not None else Path("results") / name_of(lift))
     clock.lap("prepare")
     with live_view(simulation, browser=browser, aside=as_json) if live else nullcontext() as view:
-        with finished_first() as is_interrupted:
+        with noted_interrupt() as is_interrupted:
             recording = _simulate(simulation, folder, view)
             clock.lap("simulate")
             with writing(folder):

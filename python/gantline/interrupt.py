@@ -1,4 +1,4 @@
-"""Ctrl-C while something is written that took long to work out."""
+"""Ctrl-C as a wish, where what goes on should be ended well."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-__all__ = ["finished_first"]
+__all__ = ["noted_interrupt"]
 
 
 @contextmanager
-def finished_first() -> Iterator[Callable[[], bool]]:
-    """Let a first Ctrl-C wait until what is inside is done; a second one ends that at once.
+def noted_interrupt() -> Iterator[Callable[[], bool]]:
+    """Note the first Ctrl-C in place of raising it; a second one goes where it would have gone.
 
     Yields:
         Whether there was one.
@@ -25,9 +25,8 @@ def finished_first() -> Iterator[Callable[[], bool]]:
     before = signal.getsignal(signal.SIGINT)
 
     def wish(_signal: int, _frame: FrameType | None) -> None:
-        if wished.is_set():
-            raise KeyboardInterrupt
         wished.set()
+        signal.signal(signal.SIGINT, before)
 
     signal.signal(signal.SIGINT, wish)
     try:
