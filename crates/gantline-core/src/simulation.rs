@@ -156,7 +156,7 @@ impl Simulation {
         }
         let (system, mut state) = build(&spec)?;
         if parsed.start == StartSpec::Rest {
-            Statics::new(&system).settle(&system, &mut state, Losses::None)?;
+            Statics::new(&system).settle(&system, &mut state, Losses::Held)?;
         }
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);

@@ -59,9 +59,9 @@ class Scenario(Element):
     duration: PositiveTime = Field(description="Time to simulate.")
     start: Literal["rest", "settled", "as_given"] | None = Field(
         None,
-        description="'rest': everything in equilibrium, found from the positions given; 'settled': the load "
-        "has settled on the ground, all else is as given; 'as_given': from the positions given. If not "
-        "given: 'rest' for a lift with a 'load' or 'vessels', else 'as_given'.",
+        description="'rest': everything in equilibrium, found from the positions given, friction held; "
+        "'settled': the load has settled on the ground, all else is as given; 'as_given': from the "
+        "positions given. If not given: 'rest' for a lift with a 'load' or 'vessels', else 'as_given'.",
     )
     axes: Axes | None = Field(None, description="Where the axes point, for people.")
     wind: WindOfLift | None = Field(
