@@ -83,6 +83,26 @@ impl std::ops::AddAssign for Flows {
     }
 }
 
+impl std::ops::Sub for Flows {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self {
+            drive_work: self.drive_work - other.drive_work,
+            fluid_work: self.fluid_work - other.fluid_work,
+            rope_damping: self.rope_damping - other.rope_damping,
+            joint_damping: self.joint_damping - other.joint_damping,
+            contact_damping: self.contact_damping - other.contact_damping,
+            drag: self.drag - other.drag,
+            friction: self.friction - other.friction,
+            impact: self.impact - other.impact,
+            parting: self.parting - other.parting,
+            adjusting: self.adjusting - other.adjusting,
+            method: self.method - other.method,
+        }
+    }
+}
+
 /// Stored energies [J].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stored {
@@ -173,6 +193,20 @@ impl Ledger {
             + self.flows.adjusting
             + self.flows.method;
         stored - self.flows.drive_work - self.flows.fluid_work + lost
+    }
+
+    /// What the balance explains less than at `before`, relative to the largest energy so far.
+    pub fn gap_since(&self, before: &Self) -> f64 {
+        let gap = (self.remainder() - before.remainder()).abs();
+        if self.scale > 0.0 { gap / self.scale } else { 0.0 }
+    }
+
+    /// Takes flows since `before` for others, known better.
+    pub fn correct(&mut self, before: &Self, (known, better): (Flows, Flows)) {
+        self.flows += better - known;
+        (self.scale, self.worst) = (before.scale, before.worst);
+        let Self { kinetic, gravity, elastic, fluid, .. } = *self;
+        self.store(Stored { kinetic, gravity, elastic, fluid });
     }
 
     /// Largest |remainder| relative to the largest of kinetic + elastic + |drive work| + |fluid work|.

@@ -222,6 +222,9 @@ impl Simulation {
             self.state.copy_from(&self.before);
             self.frame.update(&self.system, &self.state);
         })?;
+        if let Method::Adaptive(adaptive) = &mut self.method {
+            adaptive.close_books(&self.system, &self.before, &mut self.state);
+        }
         self.counters.rejected += report.rejected;
         self.counters.cut += u64::from(report.cut);
         self.counters.steps += 1;

@@ -25,6 +25,9 @@ from gantline.results.vessels import vessel_state
 Columns = Mapping[str, FloatArray]
 Names = Mapping[str, Sequence[str]]
 
+#: A drawn path is kept to 60 nm; a power of two, so that the last bits of its numbers are zeros, which pack.
+_POINTS_PER_METRE = 2.0**24
+
 # name in the columns -> name in the recording, dimensions, unit, description
 _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
     "rope_tension": (
@@ -190,9 +193,20 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     of_cranes, labels = _cranes(columns, names, lift, variables)
     variables |= of_cranes
     coordinates |= labels
+    if "rope_point" in variables:
+        variables["rope_point"] = _rounded(variables["rope_point"])
     used = {dim for variable in variables.values() for dim in variable.dims}
     coordinates = {dim: labels for dim, labels in coordinates.items() if dim in used}
     return Recording(variables, coordinates, {**attributes, "rig": dict(rig)})
+
+
+def _rounded(path: Variable) -> Variable:
+    """Drawn points, rounded after forces have been found by them: their last digits fill half of a file."""
+    points = path.values * _POINTS_PER_METRE
+    np.rint(points, out=points)
+    points /= _POINTS_PER_METRE
+    points.flags.writeable = False
+    return replace(path, values=points)
 
 
 _Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]

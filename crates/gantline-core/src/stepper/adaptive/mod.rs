@@ -89,8 +89,9 @@ pub struct Adaptive {
     probe: Evaluation,
     /// The end of the part of the step that is made.
     next: Evaluation,
-    /// What flows in it.
+    /// What flows in it, and the part of that which looks along its course have seen.
     flows: Flows,
+    looked: Flows,
     /// Motion there.
     end: Increment,
     point: Increment,
@@ -134,6 +135,7 @@ impl Adaptive {
             next: probe.clone(),
             probe,
             flows: Flows::default(),
+            looked: Flows::default(),
             end: Increment::zero(system),
             point: Increment::zero(system),
             rate: Increment::zero(system),
@@ -337,6 +339,7 @@ impl Adaptive {
         log: &mut EventLog,
         stop: Option<f64>,
     ) -> Result<(), ZeroPivot> {
+        self.looked = self.flows;
         self.book_springs(system, state, -1.0);
         let (start, length) = (state.time, self.made * self.rodas.course.h);
         state.v.copy_from_slice(&self.end.v);
@@ -351,7 +354,9 @@ impl Adaptive {
         }
         // The last look was at the end of the step: it is the start of the next.
         std::mem::swap(&mut self.next, &mut self.rodas.here);
+        let method = self.flows.method;
         self.book_pieces(system, state);
+        self.looked.method += self.flows.method - method;
         let here = &mut self.rodas.here;
         state.q.copy_from_slice(&here.q);
         light::keep(system, here, state);

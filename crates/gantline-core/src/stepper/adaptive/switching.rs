@@ -4,9 +4,7 @@ use super::books::WEIGHTS;
 use super::evaluation::Evaluation;
 use super::light::Laying;
 use super::point::Point;
-use super::winding::Paid;
 use super::{Adaptive, LOOKS, SWITCHING};
-use crate::audit::Flows;
 use crate::constraint::brake::Brake;
 use crate::constraint::contact::Contact;
 use crate::constraint::touch::Touch;
@@ -50,10 +48,8 @@ impl Adaptive {
     /// Looks along the part of the step that is made: what flows, and how far rows are from their laws; ends at the
     /// first look that is further than `allowed` [N] and tells which.
     fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
-        self.flows = Flows::default();
-        self.laid.start(system, state);
+        self.begin_looks(system, state);
         self.laid_before.start(system, state);
-        self.paid.fill(Paid::default());
         let length = self.made * self.rodas.course.h;
         for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
             self.book_look(system, state, theta * self.made, weight * length);
