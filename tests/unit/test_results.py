@@ -197,7 +197,7 @@ def test_large_variables_are_read_by_any_library(tmp_path: Path) -> None:
             "long": Variable(("sample",), series, "N", "a long series"),
         },
         {"xyz": list("abcdefghi")},
-        {},
+        {"rig": {}, "settings": {"integrator": {"type": "del"}}, "status": "done"},
     )
     path = recording.save(tmp_path / "large.nc")
     back = open_recording(path)

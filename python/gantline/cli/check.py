@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gantline.cli.lift import lifts_that_begin, opened, recording_file
+from gantline.cli.lift import lifts_that_begin, opened, recording_file, warn_of_gaps
 from gantline.cli.messages import (
     CHECK_FAILED,
     COULD_NOT_GO_ON,
@@ -74,6 +74,7 @@ def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
         rule = str(rig.limits.get("rule") or "")
         table = check_table(checks, rule, width=width_of_terminal(), full=True)
         typer.echo("\n".join([*heading(rig), *weights(rig), "", *table]))
+    warn_of_gaps(recording)
     status = recording.attributes.get("status")
     if status in ("stopped", "failed"):
         end = f"{recording.time[-1]:.2f} s" if len(recording.time) else "its start"

@@ -12,6 +12,7 @@ import typer
 
 from gantline.checks import Check, Verdict, has_failed, verdict_of
 from gantline.cli.table import ABSENT
+from gantline.results.gaps import without_gaps
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -129,7 +130,7 @@ def _notes(check: Check, *, full: bool) -> Iterator[str]:
 
 
 def checks_json(recording: Recording, checks: Sequence[Check]) -> str:
-    """All checks of a recording as a JSON document, SI units."""
+    """All checks of a recording as a JSON document, SI units; null for a value that is no number."""
     rig = recording.rig
     document = {
         "title": rig.title,
@@ -141,4 +142,4 @@ def checks_json(recording: Recording, checks: Sequence[Check]) -> str:
         "verdict": verdict_of(checks),
         "checks": [check.to_json() for check in checks],
     }
-    return json.dumps(document, indent=2, allow_nan=False)
+    return json.dumps(without_gaps(document), indent=2, allow_nan=False)

@@ -18,6 +18,7 @@ from gantline.cli.lift import (
     prepare,
     quantity_of,
     recording_file,
+    warn_of_gaps,
 )
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, complain, stop, warn, writing
 from gantline.cli.progress import progress
@@ -202,6 +203,8 @@ def _compare(sides: list[_Side], folder: Path) -> Comparison:
         (folder / "comparison.json").write_text(f"{numbers}\n", encoding="utf-8")
         (folder / "comparison.txt").write_text(f"{text}\n", encoding="utf-8")
     typer.echo(text)
+    for side in (a, b):
+        warn_of_gaps(side, "A: " if side is a else "B: ")
     names = ("a.nc", "b.nc", "comparison.json", "comparison.txt")
     for index, name in enumerate(names):
         typer.echo(f"{'Written' if index == 0 else '':<12}{folder / name}")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import opened, quantity_of
+from gantline.cli.lift import opened, quantity_of, warn_of_gaps
 from gantline.cli.messages import stop, writing
 from gantline.cli.report import Recorded, asked_for
 
@@ -65,6 +65,7 @@ def export(
             _write(found, output, kind, variable or [], moment, speed)
     except ValueError as problem:
         stop(f"{file}: {problem}")
+    warn_of_gaps(found)
     typer.echo(f"Written     {output}")
 
 

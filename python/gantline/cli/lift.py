@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.messages import BAD_INPUT, scenario_errors, stop, writing
+from gantline.cli.messages import BAD_INPUT, scenario_errors, stop, warn, writing
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -115,6 +115,14 @@ def opened(file: Path) -> Recording:
         return open_recording(file)
     except (FileNotFoundError, ValueError) as problem:
         stop(str(problem))
+
+
+def warn_of_gaps(recording: Recording, side: str = "") -> None:
+    """Warn of values of a recording that are no numbers; `side` is what each warning begins with."""
+    from gantline.results.gaps import gaps
+
+    for sentence in gaps(recording):
+        warn(f"{side}{sentence}")
 
 
 def name_of(lift: Path) -> str:

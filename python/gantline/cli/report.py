@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import opened, recording_file
+from gantline.cli.lift import opened, recording_file, warn_of_gaps
 from gantline.cli.messages import stop, warn, writing
 
 if TYPE_CHECKING:
@@ -53,6 +53,7 @@ def report(
             written = write_report(found, target, beside=beside)
     except (BundleMissing, ValueError) as problem:
         stop(f"{file}: {problem}")
+    warn_of_gaps(found)
     for sentence in beside.left_out:
         warn(f"not in the report: {sentence}")
     typer.echo(f"Report      {written}")

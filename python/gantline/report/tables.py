@@ -13,6 +13,7 @@ from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, show
 from gantline.results import series
 from gantline.results.equalising import equalising
+from gantline.results.gaps import gaps
 from gantline.results.gear import Equalizer
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
@@ -174,7 +175,7 @@ class Energy(Section):
         return {
             "rows": rows,
             "sentences": [*_accuracy(recording), *subject.stability.sentences()],
-            "warnings": [str(one) for one in recording.attributes.get("warnings") or []],
+            "warnings": [*gaps(recording), *map(str, recording.attributes.get("warnings") or ())],
             "counters": [
                 (str(name), f"{int(count):,}".replace(",", " ")) for name, count in counters.items()
             ],

@@ -12,6 +12,7 @@ from typing import Any, Self
 import numpy as np
 
 from gantline.results.crane import CraneHook, bearing_and_falls
+from gantline.results.form import Range, Vector
 from gantline.results.rotation import axes
 from gantline.results.strength import FromJson
 from gantline.results.variable import FloatArray, Variable
@@ -43,9 +44,9 @@ class Boom(FromJson):
     base: str = ""
     ropes: Sequence[str] = ()
     parts: int = 0
-    range: Sequence[float] | None = None
-    reach_from: Sequence[float] = (0.0, 0.0, 0.0)
-    base_from: Sequence[float] = (0.0, 0.0, 0.0)
+    range: Range | None = None
+    reach_from: Vector = (0.0, 0.0, 0.0)
+    base_from: Vector = (0.0, 0.0, 0.0)
     hooks: Sequence[CraneHook] = ()
 
     @classmethod

@@ -15,6 +15,7 @@ from typing import Any
 
 from gantline.results import series
 from gantline.results.common_time import CommonTime, Deviation
+from gantline.results.gaps import without_gaps
 from gantline.results.recording import Recording, open_recording
 from gantline.results.rig import Rig
 from gantline.results.stability import Stability, stability_of
@@ -135,9 +136,9 @@ class Comparison:
     stability: tuple[Stability, Stability]
 
     def to_json(self) -> dict[str, Any]:
-        """All numbers as a JSON object, SI units, under the names of the attributes."""
+        """All numbers as a JSON object, SI units, under the names of the attributes; null for none."""
         times = self.common.times if self.common else None
-        return {
+        document = {
             "names": list(self.names),
             "methods": [method_of(self.a), method_of(self.b)],
             "common_time": None if times is None else [float(times[0]), float(times[-1])],
@@ -151,6 +152,7 @@ class Comparison:
             "only_b": {kind: list(names) for kind, names in self.only_b.items()},
             "stability": [dataclasses.asdict(side) for side in self.stability],
         }
+        return dict(without_gaps(document))
 
 
 def compare(

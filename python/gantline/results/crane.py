@@ -11,6 +11,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from gantline.results.form import Vector
 from gantline.results.passing import passed
 from gantline.results.rotation import axes
 from gantline.results.strength import FromJson, Rating
@@ -51,10 +52,10 @@ class CraneHook(FromJson):
 
     name: str
     highest: float | None = None
-    bearing: Sequence[float] = (0.0, 0.0, 0.0)
+    bearing: Vector = (0.0, 0.0, 0.0)
     sheaves_above: float = 0.0
     top: str = ""
-    top_from: Sequence[float] = (0.0, 0.0, 0.0)
+    top_from: Vector = (0.0, 0.0, 0.0)
     along: float = 0.0
     across: float = 0.0
 

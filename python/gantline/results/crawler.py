@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from gantline.results.form import Vector
 from gantline.results.passing import passed
 from gantline.results.rotation import axes, heading, tilt
 from gantline.results.strength import FromJson
@@ -57,7 +58,7 @@ class Crawler(FromJson):
     gauge: float = 0.0
     mats: float | None = None
     allowed_pressure: float | None = None
-    centre: Sequence[float] = (0.0, 0.0, 0.0)
+    centre: Vector = (0.0, 0.0, 0.0)
     corners: Sequence[str] = ()
     weights: Mapping[str, float] = field(default_factory=dict)
     hooks: Sequence[str] = ()

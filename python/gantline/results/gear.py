@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 from gantline.results.strength import FromJson, Shackle
 
@@ -92,6 +92,8 @@ class Sling(FromJson):
         shackles: Shackles at `top` and `bottom`.
     """
 
+    json_names: ClassVar[Mapping[str, str]] = {"from_body": "from"}
+
     name: str
     rope: str
     from_body: str = ""
@@ -108,7 +110,7 @@ class Sling(FromJson):
         """Make one from its JSON object."""
         lug = document.get("to_lug")
         parts = {
-            "from_body": document.get("from", ""),
+            "from_body": document.get(cls.json_names["from_body"], ""),
             "lugs": () if lug is None else (lug,),
             **document,
             "shackles": {

@@ -21,7 +21,10 @@ import h5py
 import numpy as np
 from isal import isal_zlib
 
+from gantline.results.form import FormError
+from gantline.results.layout import hold_variable
 from gantline.results.recording import Recording
+from gantline.results.validity import hold_recording
 from gantline.results.variable import Variable
 
 _FORMAT = 1
@@ -67,7 +70,7 @@ def load_recording(path: Path) -> Recording:
 
     Raises:
         FileNotFoundError: If there is no such file.
-        ValueError: If it is not a recording.
+        ValueError: If it is not a recording, or one that is damaged; the message says what is wrong.
     """
     try:
         if not path.is_file():
@@ -76,6 +79,11 @@ def load_recording(path: Path) -> Recording:
             return _read(file)
     except FileNotFoundError:
         raise
+    except FormError as problem:
+        raise ValueError(
+            f"{path}: {problem}. The recording is damaged, or another program has changed it: "
+            "run the lift again"
+        ) from None
     except (OSError, LookupError, RuntimeError, TypeError, AttributeError, ValueError) as problem:
         # What h5py says of a damaged file has many forms.
         raise ValueError(f"{path}: not a recording of gantline ({problem})") from problem
@@ -159,6 +167,9 @@ def _read(file: h5netcdf.File) -> Recording:
     variables: dict[str, Variable] = {}
     coordinates: dict[str, list[str]] = {}
     for name, stored in file.variables.items():
+        hold_variable(name, tuple(stored.dimensions), stored.dtype)
+        if "units" not in stored.attrs and stored.dimensions != (name,):
+            raise FormError(f"variable '{name}' has no attribute 'units'")
         values = np.asarray(stored[...])
         values.flags.writeable = False
         if "units" not in stored.attrs:
@@ -168,12 +179,17 @@ def _read(file: h5netcdf.File) -> Recording:
             tuple(stored.dimensions),
             values if values.dtype.kind == "f" else _text(values),
             str(stored.attrs["units"]),
-            str(stored.attrs["long_name"]),
+            str(stored.attrs.get("long_name", "")),
         )
     attributes = {
         name: _attribute(name, value) for name, value in file.attrs.items() if name != "recording_format"
     }
-    return Recording(variables, coordinates, attributes)
+    try:
+        recording = Recording(variables, coordinates, attributes)
+    except ValueError as problem:
+        raise FormError(str(problem)) from None
+    hold_recording(recording)
+    return recording
 
 
 def _text(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[np.str_]]:
@@ -182,7 +198,13 @@ def _text(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[np
 
 
 def _attribute(name: str, value: Any) -> Any:
-    return str(value) if name in _PLAIN_TEXT else json.loads(str(value))
+    """What an attribute says; text that is no JSON is what another program has added, such as `history`."""
+    if name in _PLAIN_TEXT:
+        return str(value)
+    try:
+        return json.loads(str(value))
+    except ValueError:
+        return str(value)
 
 
 def _umask() -> int:

@@ -13,6 +13,7 @@ from typing import Any, Self
 from gantline.results.boom import Boom
 from gantline.results.crane import Crane, CraneHook
 from gantline.results.crawler import Crawler
+from gantline.results.form import Vector
 from gantline.results.gear import Drum, Equalizer, Hook, Rope, Sheave, Sling, WrappedSheave
 from gantline.results.moorings import Fender, MooringLine
 from gantline.results.rating_chart import RatingChart
@@ -33,8 +34,8 @@ class Lug(FromJson):
         capacity: What it may carry [N]; None if not said.
     """
 
-    at: Sequence[float]
-    main_plate_normal: Sequence[float] | None = None
+    at: Vector
+    main_plate_normal: Vector | None = None
     capacity: float | None = None
 
 
@@ -66,7 +67,7 @@ class Load(FromJson):
     contingency: float | None = None
     design_mass: float | None = None
     lugs: Mapping[str, Lug] = field(default_factory=dict)
-    centre_envelope: Sequence[float] = (0.0, 0.0, 0.0)
+    centre_envelope: Vector = (0.0, 0.0, 0.0)
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
@@ -155,7 +156,7 @@ class Rig(FromJson):
 
     Attributes:
         title: Title of the lift.
-        number: Number of the lift.
+        number: Number of the lift; None if not said, as the next two.
         revision: Revision of the lift file.
         remark: Remark of its author.
         gravity: Acceleration of gravity [m/s^2].
@@ -188,9 +189,9 @@ class Rig(FromJson):
     """
 
     title: str = ""
-    number: str = ""
-    revision: str = ""
-    remark: str = ""
+    number: str | None = ""
+    revision: str | None = ""
+    remark: str | None = ""
     gravity: float = 9.81
     loads: Sequence[Load] = ()
     supports: Sequence[Support] = ()

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Self
 
+from gantline.results.form import Range
 from gantline.rule_data import SIDE_LOAD, SIDE_LOAD_SOURCE
 
 
@@ -96,5 +97,5 @@ class SideLoad(FromJson):
         source: Where the chart comes from.
     """
 
-    rows: Sequence[Sequence[float]] = SIDE_LOAD
+    rows: Sequence[Range] = SIDE_LOAD
     source: str = SIDE_LOAD_SOURCE

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gantline.results.attitude import Lie
+from gantline.results.form import Range, Vector
 from gantline.results.rotation import axes
 from gantline.results.strength import FromJson
 from gantline.results.variable import FloatArray, Variable
@@ -39,12 +40,12 @@ class Vessel(FromJson):
 
     name: str
     body: str
-    centre_of_gravity: Sequence[float] = (0.0, 0.0, 0.0)
-    ends: Sequence[float] = (0.0, 0.0)
+    centre_of_gravity: Vector = (0.0, 0.0, 0.0)
+    ends: Range = (0.0, 0.0)
     level: float = 0.0
     density: float = 1025.0
     hull: str = ""
-    marks: Mapping[str, Sequence[Sequence[float]]] = field(default_factory=dict)
+    marks: Mapping[str, Sequence[Vector]] = field(default_factory=dict)
 
 
 _Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]

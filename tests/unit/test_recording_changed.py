@@ -1,0 +1,308 @@
+"""Recordings that are damaged or that another program has changed: refused when read, in one line."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import gantline
+from gantline.cli.app import app
+from gantline.results.form import FormError
+from gantline.results.gaps import gaps
+from gantline.results.layout import DIMS
+from gantline.results.recording import Recording
+from gantline.results.validity import hold_recording
+from gantline.results.variable import Variable
+from sample_lift import ringing_lift, sample_recording
+
+ADVICE = ". The recording is damaged, or another program has changed it: run the lift again"
+#: Variables that the sample lift has and that nothing needs.
+UNNEEDED = ("residual_constraint", "residual_complementarity")
+
+
+@cache
+def sample() -> Recording:
+    return sample_recording(
+        np.linspace(0.0, 10.0, 5),
+        tension=np.linspace(0.0, 600e3, 5)[:, None] + np.zeros((5, 5)),
+        contact=np.linspace(700e3, 0.0, 5)[:, None] + np.zeros((5, 4)),
+        events=[(0.0, "step_begin", "hoist"), (9.0, "lift_off", "block")],
+    )
+
+
+NAMES = list(sample().variables)
+COORDINATES = list(sample().coordinates)
+
+
+def refusal(folder: Path, variables: Mapping[str, Variable] | None = None, **changed: Any) -> str:
+    """What is said of the sample lift with other variables, names or attributes, without file and advice."""
+    whole = sample()
+    file = Recording(
+        whole.variables if variables is None else variables,
+        changed.get("coordinates", whole.coordinates),
+        changed.get("attributes", whole.attributes),
+    ).save(folder / "changed.nc")
+    with pytest.raises(ValueError) as problem:
+        gantline.open_recording(file)
+    said = str(problem.value)
+    assert said.startswith(f"{file}: ") and said.endswith(ADVICE) and "\n" not in said
+    return said.removeprefix(f"{file}: ").removesuffix(ADVICE)
+
+
+def changed(name: str, dims: tuple[str, ...] | None = None, values: Any = None) -> dict[str, Variable]:
+    one = sample()[name]
+    other = Variable(dims or one.dims, one.values if values is None else values, one.unit, one.description)
+    return {**sample().variables, name: other}
+
+
+def test_the_sample_itself_is_read(tmp_path: Path) -> None:
+    gantline.open_recording(sample().save(tmp_path / "whole.nc"))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_variable_that_is_missing_is_named(tmp_path: Path, name: str) -> None:
+    others = {other: one for other, one in sample().variables.items() if other != name}
+    if name in UNNEEDED:
+        gantline.open_recording(
+            Recording(others, sample().coordinates, sample().attributes).save(tmp_path / "r.nc")
+        )
+        return
+    assert refusal(tmp_path, others) == f"variable '{name}' is missing"
+    assert refusal(tmp_path, {**others, f"{name}_old": sample()[name]}) == f"variable '{name}' is missing"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_variable_of_another_type_is_named(tmp_path: Path, name: str) -> None:
+    one = sample()[name]
+    if one.is_text:
+        said = refusal(tmp_path, changed(name, values=np.zeros(one.values.shape)))
+        assert said == f"variable '{name}' has values of type float64; expected text"
+    else:
+        said = refusal(tmp_path, changed(name, values=np.full(one.values.shape, "7 kN")))
+        assert said == f"variable '{name}' has text; expected floating-point numbers"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_variable_with_other_dimensions_is_named(tmp_path: Path, name: str) -> None:
+    dims = sample()[name].dims
+    other = tuple(f"other_{dim}" for dim in dims)
+    said = refusal(tmp_path, changed(name, dims=other))
+    assert said == f"variable '{name}' has the dimensions ({', '.join(other)}); expected ({', '.join(dims)})"
+
+
+def test_the_layout_has_the_variables_of_the_results_table() -> None:
+    text = (Path(__file__).parents[2] / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    table = text.split("## Results")[1].split("## Decisions")[0]
+    rows = [row.split("|")[1] for row in table.splitlines() if row.startswith("| `")]
+    documented = {name for row in rows for name in re.findall("`([a-z_]+)`", row)}
+    assert documented | {"time", "displaced_volume", "rope_of_point", "joint_position"} == set(DIMS)
+
+
+def test_integers_are_no_forces(tmp_path: Path) -> None:
+    """Whole numbers are what packing by scale and offset leaves, and mean something else then."""
+    file = sample().save(tmp_path / "packed.nc")
+    with h5py.File(file, "r+") as opened:
+        tension = opened["rope_tension"]
+        scales = [dim[0] for dim in tension.dims]
+        del opened["rope_tension"]
+        packed = opened.create_dataset("rope_tension", data=np.ones((5, 6), dtype="<i2"))
+        packed.attrs["units"], packed.attrs["long_name"] = "N", "tension"
+        for axis, scale in enumerate(scales):
+            packed.dims[axis].attach_scale(scale)
+    with pytest.raises(ValueError, match="'rope_tension' has values of type int16; expected floating-point"):
+        gantline.open_recording(file)
+
+
+def test_a_variable_without_its_unit_is_named(tmp_path: Path) -> None:
+    file = sample().save(tmp_path / "bare.nc")
+    with h5py.File(file, "r+") as opened:
+        del opened["rope_tension"].attrs["units"]
+    with pytest.raises(ValueError, match="variable 'rope_tension' has no attribute 'units'"):
+        gantline.open_recording(file)
+
+
+@pytest.mark.parametrize("dim", COORDINATES)
+def test_names_that_are_missing_are_told(tmp_path: Path, dim: str) -> None:
+    left = {other: labels for other, labels in sample().coordinates.items() if other != dim}
+    assert refusal(tmp_path, coordinates=left) == f"the names '{dim}' are missing"
+
+
+@pytest.mark.parametrize("dim", [dim for dim in COORDINATES if dim not in ("segment", "joint")])
+def test_names_that_the_rig_counts_on_are_told(tmp_path: Path, dim: str) -> None:
+    """Segments and joints are named by rigs with reeved hooks and trolleys alone."""
+    labels = sample().coordinates[dim]
+    other = {**sample().coordinates, dim: [f"{label}'" for label in labels]}
+    said = refusal(tmp_path, coordinates=other)
+    assert said.startswith(f"the names '{dim}' ") and any(label in said for label in labels)
+
+
+def test_times_rise(tmp_path: Path) -> None:
+    words = "variable 'time' has values that do not rise; expected the times of the samples"
+    assert refusal(tmp_path, changed("time", values=sample().time[::-1])) == words
+    assert refusal(tmp_path, changed("time", values=np.full(5, np.nan))) == words
+
+
+ODD: tuple[Any, ...] = ([], {}, "x", 5, None, True)
+
+
+def places(document: Any, place: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """Every key of JSON, of lists the first entry."""
+    entries = document.items() if isinstance(document, dict) else enumerate(document[:1])
+    for key, one in entries:
+        yield (*place, key)
+        if isinstance(one, dict | list):
+            yield from places(one, (*place, key))
+
+
+def replaced(document: Any, place: tuple[Any, ...], value: Any) -> Any:
+    copy = json.loads(json.dumps(document))
+    at = copy
+    for key in place[:-1]:
+        at = at[key]
+    at[place[-1]] = value
+    return copy
+
+
+def test_attributes_are_of_the_right_form_or_do_no_harm() -> None:
+    """Whatever stands in the place of any part of an attribute: a refusal that names it, or no trouble."""
+    given = {
+        name: one
+        for name, one in json.loads(json.dumps(dict(sample().attributes))).items()
+        if name not in ("title", "gantline_version", "scenario", "status")  # text in every file
+    }
+    refused = 0
+    for place in places(given):
+        for value in ODD:
+            attributes = {**replaced(given, place, value), "status": "done"}
+            recording = Recording(sample().variables, sample().coordinates, attributes)
+            try:
+                hold_recording(recording)
+            except FormError as problem:
+                refused += 1
+                said = str(problem)
+                assert said.startswith("attribute ") or " of the rig" in said, (place, said)
+            else:
+                recording.metrics()
+    assert refused > 600
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "said"),
+    [
+        (("rig",), [], "attribute rig is a list; expected an object"),
+        (("scene",), [], "attribute scene is a list; expected an object"),
+        (("settings",), {}, "attribute settings has no 'integrator'"),
+        (("settings", "integrator", "type"), "euler", "attribute settings.integrator.type is 'euler'; "
+         "expected one of del, adaptive, explicit"),
+        (("warnings",), {}, "attribute warnings is an object; expected a list"),
+        (("counters",), [], "attribute counters is a list; expected an object"),
+        (("rig", "slings", 0, "length"), "9 m", "attribute rig.slings[0].length is '9 m'; expected a number"),
+        (("rig", "slings", 0), {}, "attribute rig.slings[0] has no 'name'"),
+        (("rig", "slings", 0, "from"), [], "attribute rig.slings[0].from is a list; expected text"),
+        (("rig", "slings", 0, "rope"), "sling.X", "the names 'rope' lack 'sling.X' of the rig"),
+        (("rig", "limits", "load_tilt"), "2", "attribute rig.limits.load_tilt is '2'; expected a number"),
+        (("rig", "loads", 0, "lugs", "L1", "at"), [1.0], "attribute rig.loads[0].lugs.L1.at has 1 entries; "
+         "expected 3"),
+        (("scene", "bodies", 1, "shape", "size"), 3, "attribute scene.bodies[1].shape.size is 3; "
+         "expected a list"),
+        (("scene", "sheaves", 0, "radius"), True, "attribute scene.sheaves[0].radius is true; "
+         "expected a number"),
+    ],
+)  # fmt: skip
+def test_attributes_of_another_form_are_told_with_their_place(
+    tmp_path: Path, place: tuple[Any, ...], value: Any, said: str
+) -> None:
+    given = json.loads(json.dumps(dict(sample().attributes)))
+    assert refusal(tmp_path, attributes=replaced(given, place, value)) == said
+
+
+@pytest.mark.parametrize("name", ["rig", "settings", "status"])
+def test_an_attribute_that_is_missing_is_named(tmp_path: Path, name: str) -> None:
+    left = {other: one for other, one in sample().attributes.items() if other != name}
+    assert refusal(tmp_path, attributes=left) == f"attribute '{name}' is missing"
+
+
+def test_what_other_programs_add_does_no_harm(tmp_path: Path) -> None:
+    """NCO and others leave a line of history, which is no JSON."""
+    file = sample().save(tmp_path / "more.nc")
+    with h5py.File(file, "r+") as opened:
+        opened.attrs["history"] = "Mon: ncks -A more.nc"
+    recording = gantline.open_recording(file)
+    assert recording.attributes["history"] == "Mon: ncks -A more.nc"
+    again = gantline.open_recording(recording.save(tmp_path / "again.nc"))
+    assert again.attributes["history"] == "Mon: ncks -A more.nc"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("check", "{}"),
+        ("report", "{}"),
+        ("view", "{}", "--no-browser"),
+        ("export", "{}", "{}.csv"),
+        ("compare", "{}", "{}", "--no-plots", "-o", "{}.out"),
+    ],
+    ids=lambda words: words[0],
+)
+def test_every_verb_says_it_in_one_line(tmp_path: Path, words: tuple[str, ...]) -> None:
+    others = {name: one for name, one in sample().variables.items() if name != "rope_tension"}
+    file = Recording(others, sample().coordinates, sample().attributes).save(tmp_path / "bad.nc")
+    result = CliRunner().invoke(app, [word.format(file) for word in words])
+    assert result.exit_code == 2
+    assert result.output == f"error: {file}: variable 'rope_tension' is missing{ADVICE}\n"
+
+
+def with_a_gap() -> Recording:
+    whole = ringing_lift()
+    tension = whole["rope_tension"].values.copy()
+    tension[1000:1003, 2] = np.nan
+    holed = Variable(("time", "rope"), tension, "N", "tension")
+    return Recording({**whole.variables, "rope_tension": holed}, whole.coordinates, whole.attributes)
+
+
+def test_what_is_no_number_is_told_with_element_and_time() -> None:
+    assert gaps(ringing_lift()) == []
+    assert gaps(with_a_gap()) == [
+        "rope_tension of sling.S2 is no number at 3 samples, first at 20.00 s: "
+        "what follows from it is not known"
+    ]
+
+
+def test_large_numbers_are_no_gap() -> None:
+    whole = sample()
+    large = Variable(("time", "rope"), np.full((5, 6), 1e308), "N", "tension")
+    assert gaps(Recording({**whole.variables, "rope_tension": large}, whole.coordinates, {})) == []
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("check", "{}"),
+        ("check", "{}", "--json"),
+        ("report", "{}"),
+        ("export", "{}", "{}.csv"),
+        ("compare", "{}", "{}", "--no-plots", "-o", "{}.out"),
+    ],
+    ids=lambda words: " ".join(words[::2]).replace("{}", ""),
+)
+def test_every_verb_tells_of_what_is_no_number(tmp_path: Path, words: tuple[str, ...]) -> None:
+    file = with_a_gap().save(tmp_path / "holed.nc")
+    result = CliRunner().invoke(app, [word.format(file) for word in words])
+    assert result.exit_code in (0, 1), result.output
+    assert "rope_tension of sling.S2 is no number at 3 samples, first at 20.00 s" in result.stderr
+    if words[0] == "report":
+        assert "rope_tension of sling.S2 is no number" in (tmp_path / "report.html").read_text("utf-8")
+    if words[0] == "compare":
+        numbers = json.loads((tmp_path / "holed.nc.out" / "comparison.json").read_text("utf-8"))
+        ropes = {one["name"]: one for one in numbers["ropes"]}
+        assert ropes["sling.S2"]["deviation"]["rms"] is None
+        assert ropes["sling.S1"]["deviation"]["rms"] == 0.0
