@@ -87,6 +87,30 @@ def test_a_shell_completes_verbs_lifts_and_files(tmp_path: Path) -> None:
     assert completed("check", "equat", folder=tmp_path) == ["equations/"]
 
 
+@pytest.mark.parametrize(
+    "module", ["gantline.cli.app", "typer", "gantline.cli.statics", "gantline.simulation", "numpy"]
+)
+def test_ctrl_c_while_the_program_loads_ends_it_quietly(module: str) -> None:
+    """The process sends itself the signal when it begins to load a module: of the program, or of a verb."""
+    code = f"""
+import os, signal, sys
+
+class CtrlC:
+    def find_spec(self, name, path=None, target=None):
+        if name == {module!r}:
+            os.kill(os.getpid(), signal.SIGINT)
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs in the background begin without
+sys.meta_path.insert(0, CtrlC())
+sys.argv = ["gantline", "check", "equalizer"]
+from gantline.cli import main
+main()
+"""
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert result.returncode == 130
+    assert "Traceback" not in result.stderr and not result.stdout
+
+
 def test_version_is_that_of_the_package() -> None:
     assert gantline_says("--version") == (0, f"gantline {gantline.__version__}\n", "")
 

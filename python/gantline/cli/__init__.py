@@ -1,5 +1,26 @@
 """The command line. Verbs load what they need when they run, so `gantline --help` loads nothing else."""
 
-from gantline.cli.app import main
+__all__ = ["INTERRUPTED", "main"]
 
-__all__ = ["main"]
+#: Exit code of an end by Ctrl-C, as shells count it.
+INTERRUPTED = 130
+
+
+def main() -> None:
+    """Entry point of the command; Ctrl-C while it loads ends it without a word."""
+    # This module loads nothing else, so that this comes before all that takes time.
+    import os
+    import signal
+
+    is_own = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    if is_own:
+        # An exit and no exception, which what is being loaded may take for one of its own.
+        signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
+    from gantline.cli.app import run_app
+
+    if is_own:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        run_app()
+    except KeyboardInterrupt:
+        raise SystemExit(INTERRUPTED) from None

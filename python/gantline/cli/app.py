@@ -63,6 +63,6 @@ def _gantline(
     """Simulate heavy lifts: what every rope, sheave, lug and hook carries, and when."""
 
 
-def main() -> None:
-    """Entry point of the command."""
+def run_app() -> None:
+    """Run the command with the words of this process; `gantline.cli.main` calls it."""
     app(prog_name="gantline")

@@ -8,11 +8,25 @@ from typing import NoReturn
 
 import typer
 
+from gantline.cli import INTERRUPTED
+
+__all__ = [
+    "BAD_INPUT",
+    "CHECK_FAILED",
+    "COULD_NOT_GO_ON",
+    "DONE",
+    "INTERRUPTED",
+    "complain",
+    "scenario_errors",
+    "stop",
+    "warn",
+    "writing",
+]
+
 DONE = 0
 CHECK_FAILED = 1
 BAD_INPUT = 2
 COULD_NOT_GO_ON = 3
-INTERRUPTED = 130  # as shells count an end by Ctrl-C
 
 
 def stop(message: str, code: int = BAD_INPUT) -> NoReturn:
