@@ -190,6 +190,30 @@ def test_glb_is_in_metres_with_y_up(tmp_path: Path) -> None:
     assert as_it_is.properties.centre == pytest.approx([1, 10, 0]) and as_it_is.doubts == ()
 
 
+def gltf(indices: list[int], size: float = 1.0) -> str:
+    """One triangle of the given size, with whatever stands for its corners."""
+    points = (np.eye(3) * size).astype("<f4").tobytes()
+    body = points + np.array(indices, dtype="<u2").tobytes()
+    parts = [(0, len(points)), (len(points), len(body) - len(points))]
+    kinds = [(5126, 3, "VEC3"), (5123, len(indices), "SCALAR")]
+    document = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "name": "girder"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": view, "componentType": component, "count": count, "type": kind}
+            for view, (component, count, kind) in enumerate(kinds)
+        ],
+        "bufferViews": [{"buffer": 0, "byteOffset": at, "byteLength": long} for at, long in parts],
+        "buffers": [
+            {"byteLength": len(body), "uri": f"data:;base64,{base64.b64encode(body).decode('ascii')}"}
+        ],
+    }
+    return json.dumps(document)
+
+
 @pytest.mark.parametrize(
     ("name", "content", "says"),
     [
@@ -202,7 +226,13 @@ def test_glb_is_in_metres_with_y_up(tmp_path: Path) -> None:
         ("a.stl", text_stl(box((1, 1, 1))).replace("0.5", "nan", 1), "not a finite number"),
         ("a.stl.gz", gzip.compress(b"solid x" * 99)[:-20], "cannot be read"),
         ("a.stl.gz", b"no gzip at all", "cannot be read"),
-        ("a.obj", "v 1 2 3\nf 1 2 3\n", "it is no OBJ file, or a broken one"),
+        ("a.obj", "v 1 2 3\nf 1 2 3\n", "line 2 names vertex 3, but the file has only 1"),
+        ("a.obj", "v 1e308 0 0\nv 0 1e308 0\nv 0 0 -1e308\nf 1 2 3\n", "a coordinate is 1e+308, which"),
+        ("a.stl", text_stl(box((1, 1, 1))).replace("0.5", "1e200"), "a coordinate is 1e+200, which"),
+        ("a.gltf", gltf([0, 1, 2, 0, 2, 77]),
+         "'girder' is broken: a triangle names vertex 77, but there are 3 vertices, counted from 0"),
+        ("a.gltf", gltf([0, 1, 2, 0]), "the corners of its triangles, or their coordinates, do not come"),
+        ("a.gltf", gltf([0, 1, 2], 3e38), "a coordinate is 3e+38, which is no place"),
         ("a.stl", text_stl(box((1, 1, 1))).replace("0.5", "one", 1), "a corner in it is no three numbers"),
         ("a.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\nendsolid\n", "no three corners"),
         ("a.obj", "hello\n", "there are no triangles in this OBJ file"),

@@ -94,8 +94,17 @@ def test_a_box_in_words() -> None:
         ("hull.stl", b"solid nothing", "it does not end on 'endsolid'"),
         ("hull.stl.gz", b"solid", "cannot be read"),
         ("hull.obj", b"v 0 0 0\nv 1 x 0\n", "line 2, 'v 1 x 0'"),
-        ("hull.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "names vertex 3, but there are 3 vertices"),
+        (
+            "hull.obj",
+            b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+            "line 4 names vertex 4, but the file has only 3",
+        ),
         ("hull.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "enclose no volume"),
+        (
+            "hull.obj",
+            b"v 0 0 0\nv 1e308 0 0\nv 0 1 0\nf 1 2 3\n",
+            "hull.obj: a coordinate is 1e+308, which is",
+        ),
         ("hull.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "not a finite number"),
     ],
 )

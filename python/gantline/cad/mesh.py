@@ -60,7 +60,7 @@ class TriangleMesh:
         if given.size and (int(given.min()) < 0 or int(given.max()) >= len(points)):
             wrong = int(given.min()) if int(given.min()) < 0 else int(given.max())
             raise ValueError(
-                f"a triangle names vertex {wrong}, but there are {len(points)} vertices, from 0 on"
+                f"a triangle names vertex {wrong}, but there are {len(points)} vertices, counted from 0"
             )
         indices = given.astype(np.int32)
         points.setflags(write=False)

@@ -25,6 +25,8 @@ __all__ = ["MESH_FORMATS", "mesh_format", "read_mesh_file", "read_surface_file"]
 MESH_FORMATS = {".stl": "STL", ".obj": "OBJ", ".gltf": "glTF", ".glb": "GLB"}
 #: Triangles of all meshes together: 3 GB and half a minute.
 _MOST_TRIANGLES = 2_000_000
+#: Largest coordinate, in whatever unit: volumes and inertias of larger ones leave what numbers can hold.
+_LARGEST = 1e12
 #: From y up to z up.
 _STAND_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
@@ -83,6 +85,12 @@ def _read(path: Path, given: Assumptions) -> _Placed:
         raise _too_many(path)
     doubts = []
     whole = TriangleMesh.combined(used)
+    largest = float(np.abs(whole.vertices).max())
+    if largest > _LARGEST:
+        raise CadError(
+            f"{path}: a coordinate is {largest:.3g}, which is no place of a thing that is lifted or floats; "
+            f"expected less than {_LARGEST:g} in any unit"
+        )
     if not whole.size > 0:
         raise CadError(f"{path}: all vertices are in one place")
     standard = form in ("glTF", "GLB")  # their standard says: metres, y up
@@ -138,24 +146,25 @@ def _scene(path: Path, kind: str, data: bytes) -> Iterator[tuple[str, TriangleMe
         raise CadError(f"{path}: it needs too much memory") from None
     except Exception as problem:  # whatever a broken file makes of its reader
         reason = str(problem).strip().splitlines()
-        raise CadError(
-            f"{path}: it is no {MESH_FORMATS['.' + kind]} file, or a broken one: "
-            f"{reason[0] if reason else type(problem).__name__}"
-        ) from None
+        said = reason[0] if reason else type(problem).__name__
+        if "reshape" in said:
+            said = "the corners of its triangles, or their coordinates, do not come in threes"
+        raise CadError(f"{path}: it is no {MESH_FORMATS['.' + kind]} file, or a broken one: {said}") from None
     for node, matrix, geometry in placed:
         mesh = scene.geometry[geometry]
         if not isinstance(mesh, trimesh.Trimesh):
             continue
-        yield _name(path, str(node), str(geometry)), _placed(path, mesh.vertices, mesh.faces, matrix)
+        name = _name(path, str(node), str(geometry))
+        yield name, _placed(f"{path}: '{name}'", mesh.vertices, mesh.faces, matrix)
 
 
-def _placed(path: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike, matrix: npt.ArrayLike) -> TriangleMesh:
+def _placed(what: str, vertices: npt.ArrayLike, faces: npt.ArrayLike, matrix: npt.ArrayLike) -> TriangleMesh:
     """A mesh where its node puts it; nodes may scale and mirror."""
     place = np.asarray(matrix, dtype=float)
     try:
         mesh = TriangleMesh(np.asarray(vertices, dtype=float) @ place[:3, :3].T + place[:3, 3], faces)
     except ValueError as problem:
-        raise CadError(f"{path}: {problem}") from None
+        raise CadError(f"{what} is broken: {problem}") from None
     return mesh.flipped() if np.linalg.det(place[:3, :3]) < 0 else mesh
 
 

@@ -78,6 +78,7 @@ def read_obj(data: bytes, most: int) -> dict[str, TriangleMesh]:
     objects: dict[str, list[tuple[int, int, int]]] = {}
     triangles = objects.setdefault("", [])
     count = 0
+    last, named_by = -1, 0  # the highest vertex that a face names, from 0 on, and the line that does
     for number, line in enumerate(data.decode("utf-8", errors="replace").split("\n"), 1):
         words = line.split()
         if not words:
@@ -92,6 +93,8 @@ def read_obj(data: bytes, most: int) -> dict[str, TriangleMesh]:
                     raise ValueError("a face has three corners or more")
                 triangles += [(corners[0], *pair) for pair in pairwise(corners[1:])]
                 count += len(corners) - 2
+                if max(corners) > last:
+                    last, named_by = max(corners), number
                 if count > most:
                     raise TooManyTrianglesError
             elif words[0] == "o":
@@ -102,6 +105,11 @@ def read_obj(data: bytes, most: int) -> dict[str, TriangleMesh]:
             raise ValueError(
                 f"it is no OBJ file, or a broken one: line {number}, '{line.strip()[:60]}'"
             ) from None
+    if last >= len(vertices):
+        raise ValueError(
+            f"it is no OBJ file, or a broken one: line {named_by} names vertex {last + 1}, "
+            f"but the file has only {len(vertices)}"
+        )
     return {name: _object(vertices, faces) for name, faces in objects.items() if faces}
 
 
