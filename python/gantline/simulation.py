@@ -12,6 +12,7 @@ from typing import Any
 
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
+from gantline.assembly.origin import refused
 from gantline.interrupt import noted_interrupt
 from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.crawler import tipping_warnings
@@ -23,8 +24,7 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.tanks import pump_warnings
 from gantline.results.vessels import vessel_warnings
-from gantline.scenario import Scenario, ScenarioError, load_scenario, resolve
-from gantline.scenario.errors import Problem
+from gantline.scenario import Scenario, load_scenario, resolve
 from gantline.scenario.quantities import SMALLEST
 from gantline.scenario.times import wrong_times
 from gantline.version import version
@@ -125,7 +125,7 @@ class Simulation:
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
             )
         except ValueError as problem:
-            raise _refused(self.scenario, str(problem)) from problem
+            raise refused(self.scenario, str(problem)) from problem
 
     @property
     def duration(self) -> float:
@@ -245,16 +245,6 @@ class Simulation:
         self._core.restore(state)
         self.status = "ready"
         self._failure = None
-
-
-def _refused(scenario: Scenario, message: str) -> ScenarioError:
-    """What the core refuses, at the line of the element that it names."""
-    element, _, sentence = message.partition(": ")
-    if scenario.mechanics is not None:
-        for kind in ("bodies", "drums", "ropes", "contacts"):
-            if element in (getattr(scenario.mechanics, kind) or {}):
-                return scenario.error(("mechanics", kind, element), sentence)
-    return ScenarioError(str(scenario.source), [Problem(None, "", message)])
 
 
 def _off_sheaves(rig: Mapping[str, Any], columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:

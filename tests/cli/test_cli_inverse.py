@@ -95,10 +95,10 @@ def test_what_cannot_be_ends_with_three(lift: Path, arguments: tuple[str, ...], 
         (("--want", "slope_x=0 deg,slope_y=95 deg"), "--want: a slope is less than 90 deg"),
         (("--want", "S1=3 kN"), "--want: S1: "),
         (("--want", "S9=20 %"), "'S9' is not a sling"),
-        (("--level", "--adjust", "S9"), "'S9' is not a sling"),
+        (("--level", "--adjust", "S9"), "error: --level: 'S9' is not a sling"),
         (("--level", "--most", "-1 m"), "--most: '-1 m' is no change of a length"),
         (("--adjust", "S1"), "--adjust and --most belong to --level, --want or --plumb"),
-        (("--plumb", "--adjust", "C"), "'C' is not a hook in which slings hang"),
+        (("--plumb", "--adjust", "C"), "--plumb: 'C' is not a hook in which slings hang"),
     ],
 )
 def test_bad_input_is_named(lift: Path, arguments: tuple[str, ...], message: str) -> None:
@@ -106,3 +106,12 @@ def test_bad_input_is_named(lift: Path, arguments: tuple[str, ...], message: str
     assert result.returncode == 2, result.stdout
     assert message in result.stderr
     assert "Traceback" not in result.stderr
+
+
+def test_hooks_under_trolleys_have_no_place_of_their_own() -> None:
+    result = statics(Path(__file__).parents[2] / "scenarios" / "goliath" / "scenario.yaml", "--plumb")
+    assert result.returncode == 2
+    assert result.stderr == (
+        "error: --plumb: the hook 'goliath.U1' has no place of its own in the lift file that could be moved; "
+        "only hooks of 'type: fixed_hook' have, by 'at'\n"
+    )

@@ -8,11 +8,14 @@ import numpy as np
 import pytest
 
 from gantline.assembly import assemble
+from gantline.assembly.origin import origin_of
 from gantline.checks import check_recording
-from gantline.scenario import ScenarioError, parse_scenario
+from gantline.scenario import ScenarioError, load_scenario, parse_scenario
 from gantline.simulation import Simulation
+from gantline.statics import Statics
 from goliath_lift import TO_SHEAVES, goliath_lift
 from lift_text import MOORED, spoiled
+from reference_lift import SCENARIO
 
 
 def test_lines_and_fenders_in_the_document() -> None:
@@ -55,9 +58,12 @@ def test_the_least_pretension_is_named() -> None:
     """No length pulls less than what the weight of the line does at best."""
     text = spoiled("pretension: 150 kN", "pretension: 1 kN", MOORED)
     with pytest.raises(
-        ScenarioError, match=r"mooring\.stern.*pretension of 1000 N; its weight alone .* 6059 N"
+        ScenarioError,
+        match=r":\d+: mooring_lines\.stern: no length.*pretension of 1000 N; its weight alone .* 6059 N",
     ):
         Simulation(parse_scenario(text))
+    with pytest.raises(ScenarioError, match=r":\d+: mooring_lines\.stern: no length"):
+        Statics(parse_scenario(text))
 
 
 def test_cut_lines_and_limits() -> None:
@@ -94,3 +100,32 @@ def test_a_step_waits_until_falls_are_plumb() -> None:
     at_end = np.interp(times["wait"], recording.time, angle)
     # Between samples 0.1 s apart the angle goes 1e-5 rad from a straight line.
     assert at_end == pytest.approx(bound, abs=2e-5)
+
+
+@pytest.mark.parametrize(
+    ("element", "path"),
+    [
+        ("barge", ("mechanics", "bodies", "barge")),
+        ("barge.deck_edge", ("mechanics", "bodies", "barge")),
+        ("mooring.bow.winch", ("mooring_lines", "bow")),
+        ("nobody", None),
+    ],
+)
+def test_elements_of_the_core_lead_back_to_the_lift_file(element: str, path: tuple[str, ...] | None) -> None:
+    assert origin_of(parse_scenario(MOORED), element) == path
+
+
+@pytest.mark.parametrize(
+    ("element", "path"),
+    [
+        ("sling.S1", ("slings", "S1")),
+        ("e1", ("equalizers", "e1")),
+        ("e1.equalizing", ("equalizers", "e1")),
+        ("e1.3", ("equalizers", "e1")),
+        ("test_hook", ("cranes", "test_hook")),
+        ("block.corner_1", ("load",)),
+        ("hoist", ("plan", 0)),
+    ],
+)
+def test_gear_leads_back_to_the_lift_file(element: str, path: tuple[str | int, ...]) -> None:
+    assert origin_of(load_scenario(SCENARIO), element) == path

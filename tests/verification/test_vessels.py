@@ -414,7 +414,7 @@ def test_what_capsizes_or_sinks_at_rest_is_told(tmp_path: Path) -> None:
     from gantline.statics import NoEquilibriumError
 
     path = written(tmp_path, lift_of(barge(heel="-2 deg", **TOP_HEAVY)))
-    with pytest.raises(ScenarioError, match="barge: it cannot start at rest: it capsizes before"):
+    with pytest.raises(ScenarioError, match=r"vessels\.barge: it cannot start at rest: it capsizes before"):
         Simulation(path)
     masses = {"hull": {"mass": "25000 t", "at": ["50 m", "0 m", "5 m"]}}
     question = Statics(written(tmp_path, lift_of(barge(masses=masses))))

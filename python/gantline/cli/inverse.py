@@ -67,7 +67,9 @@ def hang_as_wanted(
         stop(
             "--adjust: names nothing; slings or hooks are written like 'S1,S2', and without it all may change"
         )
+    option = "--plumb" if plumb else "--level" if want is None else "--want"
     with scenario_errors():
+        from gantline.scenario import ScenarioError
         from gantline.statics import NoEquilibriumError
         from gantline.study import CannotBeError, adjust_lengths, plumb_hooks
 
@@ -90,12 +92,11 @@ def hang_as_wanted(
         except NoEquilibriumError as problem:
             stop(str(problem), COULD_NOT_GO_ON)
         except CannotBeError as problem:
-            stop(
-                f"{'--plumb' if plumb else '--level' if want is None else '--want'}: {problem}",
-                COULD_NOT_GO_ON,
-            )
+            stop(f"{option}: {problem}", COULD_NOT_GO_ON)
+        except ScenarioError:
+            raise
         except ValueError as problem:
-            stop(str(problem))
+            stop(f"{option}: {problem}")
     typer.echo("\n".join(lines))
     if output is not None:
         place = output_folder(output)

@@ -11,6 +11,7 @@ import numpy as np
 
 from gantline import _core
 from gantline.assembly import assemble
+from gantline.assembly.origin import refused
 from gantline.results.derive import recording_of
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
@@ -41,7 +42,7 @@ class Statics:
         try:
             self._core = _core.Statics(self.assembly.document_text())
         except ValueError as problem:
-            raise self.scenario.error((), str(problem)) from problem
+            raise refused(self.scenario, str(problem)) from problem
         self._losses: Losses = "none"
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
 

@@ -175,9 +175,11 @@ def plumb_hooks(
     told = {name: at for name, at in places.items() if at is not None and name in used}
     chosen = used if hooks is None else list(hooks)
     for name in chosen:
+        if name not in used:
+            raise ValueError(f"'{name}' is not a hook in which slings hang; {nearest(name, used)}")
         if name not in told:
-            sentence = f"'{name}' is not a hook in which slings hang and whose place stands in the lift file"
-            raise ValueError(f"{sentence}; {nearest(name, told)}")
+            sentence = f"the hook '{name}' has no place of its own in the lift file that could be moved"
+            raise ValueError(f"{sentence}; only hooks of 'type: fixed_hook' have, by 'at'")
     unknowns = [
         Unknown(f"cranes.{name}.at.{axis}", (f"place_{axis}", name), told[name][place], math.inf)
         for name in chosen

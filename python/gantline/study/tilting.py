@@ -26,6 +26,8 @@ Floats = npt.NDArray[np.float64]
 
 #: Tilt per metre of centre of gravity that is rounding [rad/m].
 _RIGID = 1e-12
+#: Where lift files state the centre of gravity, which has to be within the load.
+_CENTRE = "load.centre_of_gravity.at"
 #: Length to which a margin is known [m].
 _TO = 1e-3
 #: Margins beyond this are not looked for [m].
@@ -183,6 +185,8 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
             question = Statics(with_values(scenario, texts))
             found = question.equilibrium(rest.time)
         except ScenarioError as problem:
+            if problem.problems[0].path == _CENTRE:
+                return "nothing; further on it is outside the load"
             return problem.problems[0].sentence.partition(";")[0]
         except NoEquilibriumError as problem:
             return f"no equilibrium: {problem.cause} ({problem.element})"

@@ -1,0 +1,71 @@
+"""From an element that the core names back to the place in the lift file that it was made of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from gantline.scenario import Scenario
+from gantline.scenario.errors import PathPart, Problem, ScenarioError
+
+__all__ = ["origin_of", "refused"]
+
+#: Keys of the lift file whose elements bear a prefix in the core.
+_PREFIXED = {
+    "sling": "slings",
+    "mooring": "mooring_lines",
+    "fender": "fenders",
+    "support": "supports",
+    "hoist": "cranes",
+}
+#: Keys whose elements, and what is made of them, bear their names.
+_NAMED = ("vessels", "equalizers", "cranes", "structures", "extension_sheaves", "slings")
+_OF_MECHANICS = ("bodies", "drums", "ropes", "contacts")
+
+
+def refused(scenario: Scenario, message: str) -> ScenarioError:
+    """What the core refuses, at the line of the element that it names.
+
+    Args:
+        scenario: The lift.
+        message: As the core says it: the element, a colon, and what is wrong; or a sentence of no element.
+    """
+    element, _, sentence = message.partition(": ")
+    path = origin_of(scenario, element) if sentence else None
+    if path is None:
+        return ScenarioError(str(scenario.source), [Problem(None, "", message)])
+    # Of what is made of an element the name says more than the path.
+    is_itself = element in (path[-1], f"{element.partition('.')[0]}.{path[-1]}")
+    return scenario.error(path, sentence if is_itself else message)
+
+
+def origin_of(scenario: Scenario, element: str) -> tuple[PathPart, ...] | None:
+    """Path of the lift file that an element of the core was made of; None if none is known.
+
+    Args:
+        scenario: The lift.
+        element: A body, rope, contact, drive or step as the core names it, such as `mooring.bow`.
+    """
+    if scenario.mechanics is not None:
+        for kind in _OF_MECHANICS:
+            name = _longest(element, getattr(scenario.mechanics, kind) or {})
+            if name is not None:
+                return "mechanics", kind, name
+    prefix, _, rest = element.partition(".")
+    if prefix in _PREFIXED:
+        name = _longest(rest, getattr(scenario, _PREFIXED[prefix]) or {})
+        if name is not None:
+            return _PREFIXED[prefix], name
+    for key in _NAMED:
+        name = _longest(element, getattr(scenario, key) or {})
+        if name is not None:
+            return key, name
+    if scenario.load is not None and _longest(element, [scenario.load.name]) is not None:
+        return ("load",)
+    steps = [step.step for step in scenario.plan]
+    return ("plan", steps.index(element)) if element in steps else None
+
+
+def _longest(element: str, names: Iterable[str]) -> str | None:
+    """The longest of these names that an element bears, by itself or before a dot or slash."""
+    borne = [name for name in names if element == name or element.startswith((f"{name}.", f"{name}/"))]
+    return max(borne, key=len, default=None)
