@@ -10,6 +10,7 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from gantline.cli.app import app
+from gantline.results.saved import SavedCases
 from plumb_lift import WEIGHT, plumb_lift
 
 ALL = """\
@@ -97,6 +98,39 @@ def test_no_equilibrium_ends_with_three(lift: Path) -> None:
     assert "5 cases, 11 equilibria asked for: 1 no equilibrium" in result.stdout
 
 
+def test_a_case_that_cannot_start_is_a_line_of_the_table(lift: Path, tmp_path: Path) -> None:
+    """Its sling would be stretched by 0.5 m in 9.5 m; all else is shown as ever."""
+    spoil(lift, ("  heavy: ", "  short: {set: {slings.SA.length: 9.5 m}}\n  heavy: "))
+    result = gantline("cases", str(lift), "-o", str(tmp_path / "out"))
+    assert result.exit_code == 1, result.stderr
+    assert max(map(len, result.stdout.split("\nCases ")[0].splitlines())) <= 80
+    assert re.search(r"short +- +- +- +- +- +NO START\n", result.stdout)
+    assert re.search(r"heavy +809\.3 kN .* ok\n", result.stdout)
+    why = " ".join(result.stdout.split())
+    assert "cannot start: slings.SA: the sling is 9.5 m, but from 'A' to 'girder.A' it is 10.000 m" in why
+    assert "it would be stretched by 5.26 %, and a start allows 2 %; lower the hook" in why
+    assert "5 cases, 11 equilibria asked for: 1 cannot start" in why
+    saved = json.loads((tmp_path / "out" / "cases.json").read_text(encoding="utf-8"))
+    troubles = {one.name: one.troubles for one in SavedCases.from_json(saved).cases}
+    assert troubles["short"][0].startswith("cannot start: slings.SA: the sling is 9.5 m")
+    assert not saved["sound"] and not troubles["heavy"]
+
+
+def test_a_lift_that_cannot_start_as_given_is_bad_input(lift: Path) -> None:
+    spoil(lift, ("  SA: {from", "  SA: {length: 9.5 m, from"))
+    result = gantline("cases", str(lift))
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "slings.SA: the sling is 9.5 m, but" in result.stderr
+
+
+def test_no_equilibrium_outweighs_a_case_that_cannot_start(lift: Path) -> None:
+    more = "  gone: {cut: [SA, SB, SC, SD]}\n  short: {set: {slings.SA.length: 9.5 m}}\n  heavy: "
+    spoil(lift, ("  heavy: ", more))
+    result = gantline("cases", str(lift))
+    assert result.exit_code == 3
+    assert "equilibria asked for: 1 no equilibrium, 1 cannot start" in result.stdout
+
+
 def test_a_load_that_stands_in_a_case_and_hangs_as_given_is_told(tmp_path: Path) -> None:
     # With its hook 2.2 m lower the load, which is lifted by 2 m, is still on the ground.
     reference = Path(__file__).parents[2] / "scenarios" / "equalizer" / "scenario.yaml"
@@ -139,6 +173,16 @@ def test_a_sweep_past_the_end_of_equilibria_ends_with_three(lift: Path) -> None:
     assert re.search(r"no equilibrium: nothing holds it.*: 9 s$", result.stdout, re.MULTILINE)
 
 
+def test_a_sweep_goes_on_where_the_lift_cannot_start(lift: Path) -> None:
+    # 2 % of 10 m allow a hook at 12.7 m.
+    swept = "cranes.A.at.z=12.5 m..12.8 m/3"
+    result = gantline("statics", str(lift), "--sweep", swept, columns=200)
+    assert result.exit_code == 1, result.stderr
+    assert re.search(r" 12\.65 m .* ok\n", result.stdout)
+    assert re.search(r" 12\.8 m +-.* NO START\n", result.stdout)
+    assert re.search(r"stretched by 3\.00 %, and a start allows 2 %;[^:]*:\s+12\.8 m\n", result.stdout)
+
+
 def test_a_sweep_says_which_check_failed_and_where(lift: Path) -> None:
     spoil(lift, ("cranes:", "limits: {smallest_sling_tension_when_clear: 200 kN}\ncranes:"))
     result = gantline("statics", str(lift), "--sweep", "load.weight.calculated=60 t..100 t/5")
@@ -171,7 +215,7 @@ def test_a_sweep_takes_no_options_of_one_equilibrium(lift: Path) -> None:
 
 
 def test_cases_are_saved_for_a_report_and_do_not_depend_on_the_workers(lift: Path, tmp_path: Path) -> None:
-    from gantline.results.saved import CASES, SavedCases
+    from gantline.results.saved import CASES
     from gantline.study import run_cases
 
     folder = tmp_path / "out"

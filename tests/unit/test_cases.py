@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from gantline.scenario import ScenarioError, load_scenario, parse_scenario
+from gantline.scenario import ScenarioError, StartError, load_scenario, parse_scenario
 from gantline.scenario.tree import MapNode, parse_text
 from gantline.scenario.tree_path import PathError, node_at, put, text_node
 from gantline.scenario.variants import variants_of, without_cases
@@ -166,14 +166,38 @@ def test_slack_slings_answer_to_no_length() -> None:
     assert state.variant == "lengths change no tension" and state.rest is not None
 
 
-def test_a_length_that_cannot_be_built_is_said_at_its_case() -> None:
+def test_a_length_with_which_nothing_can_start_is_a_result() -> None:
     """Slings that do not stretch and are too short for where the load starts."""
     text = plumb_lift(
-        "off: {vary: {slings.SA.length: [-1 m]}}", lugs=TRIANGLE, rope=INEXTENSIBLE
+        "off: {vary: {slings.SA.length: [-1 m, 0 m]}}", lugs=TRIANGLE, rope=INEXTENSIBLE
     ).replace("SA: {from", "SA: {length: 10 m, from")  # fmt: skip
-    with pytest.raises(ScenarioError) as caught:
+    result = run_cases(parse_scenario(text), 5.0)
+    short, right = result.of("off")
+    assert not short.starts and short.rest is None and short.time == 5.0
+    assert short.cause.startswith("slings.SA: the sling is 9 m, but from 'A' to 'girder.A' it is 10.000 m")
+    assert "2 %" not in short.cause, "what does not stretch has no share by which it may"
+    assert right.is_sound
+    assert result.has_equilibria and not result.is_sound
+    states = result.to_json()["cases"][1]["states"]
+    assert [(one["starts"], one["equilibrium"]) for one in states] == [(False, False), (True, True)]
+
+
+def test_slings_may_be_stretched_by_a_fiftieth_at_the_start() -> None:
+    """10 m to go: 9.8040 m are 1.9992 % too short, and 9.8038 m 2.0013 %."""
+    lengths = "near: {set: {slings.SA.length: 9.8040 m}}\nfar: {set: {slings.SA.length: 9.8038 m}}"
+    result = run_cases(parse_scenario(plumb_lift(lengths)))
+    assert result.of("near")[0].starts
+    assert "stretched by 2.0013 %, and a start allows 2 %; lower the hook" in result.of("far")[0].cause
+
+
+def test_a_change_that_is_wrong_as_such_is_no_case_that_cannot_start() -> None:
+    """A tolerance of more than the length itself leaves no sling."""
+    text = plumb_lift("off: {vary: slings.tolerance, pattern: each}", tolerance="200 %")
+    with pytest.raises(
+        ScenarioError, match=r"cases\.off\.vary: slings\.SA\.length: .* is negative"
+    ) as caught:
         run_cases(parse_scenario(text))
-    assert "cases.off: slings.SA.length −1 m: slings.SA: the sling is 9 m, but" in str(caught.value)
+    assert not isinstance(caught.value, StartError)
 
 
 def test_when_steps_begin() -> None:

@@ -118,7 +118,7 @@ def _stands(scenario: Scenario, name: str, crane: Crawler) -> tuple[float, float
         x, y = centre[:2]
         sentence = f"'{name}' would tip over as it stands: its centre of gravity is {x:z.2f} m ahead of and"
         sentence += f" {y:z.2f} m to the left of the middle of its tracks"
-        raise scenario.error(
+        raise scenario.start_error(
             ("cranes", name),
             f"{sentence}; move it to within {tracks.length / 2:g} m and {tracks.gauge / 2:g} m",
         ) from None

@@ -53,7 +53,7 @@ def add_extension_sheaves(
     places = _balance(lines, masses * scenario.simulation.gravity, start)
     if places is None:
         sentence = "no place was found where the extension sheaves hang at rest: they are not held in balance"
-        raise scenario.error(
+        raise scenario.start_error(
             ("extension_sheaves",),
             f"{sentence}; two on one sling have equal masses, or slings that hold them",
         )
@@ -62,7 +62,7 @@ def add_extension_sheaves(
             below = float(parts.place(scenario.load.name, lugs[lug])[2] - places[number][2])
             if below > 0:
                 sentence = f"it would hang {below:.3g} m below lug '{scenario.load.name}.{lug}' at the start"
-                raise scenario.error(
+                raise scenario.start_error(
                     ("extension_sheaves", name), f"{sentence}; raise the hook, or make its slings shorter"
                 )
         position = [float(part) for part in places[number]]

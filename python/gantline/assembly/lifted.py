@@ -21,7 +21,7 @@ from gantline.assembly.spatial import (
 from gantline.assembly.yard import lower_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.check_supports import foot_of
-from gantline.scenario.errors import ScenarioError
+from gantline.scenario.errors import StartError
 from gantline.scenario.load import Load
 from gantline.scenario.structures import dock_of
 from gantline.scenario.supports import supports_of
@@ -137,7 +137,7 @@ def _at_rest(
     depth = weight / (4 * ground.stiffness)
     if depth > _DEEPEST * float(np.ptp(corners[:, 2])):
         sentence = f"the load would sink {depth:.3g} m into this ground; a greater stiffness is right"
-        raise scenario.error(("ground", "stiffness"), f"{sentence}, such as 200 MN/m")
+        raise scenario.start_error(("ground", "stiffness"), f"{sentence}, such as 200 MN/m")
     try:
         resting = rest_on_ground(corners, weight, ground.stiffness)
     except TipsOver:
@@ -172,8 +172,8 @@ def _on_supports(
     return foot + highest + resting.height, rotation_vector(resting.turn)
 
 
-def _tips_over(scenario: Scenario, lifted: LiftedLoad, what: str) -> ScenarioError:
+def _tips_over(scenario: Scenario, lifted: LiftedLoad, what: str) -> StartError:
     x, y, _ = lifted.centre
     sentence = f"the load would tip over: its centre of gravity, with rigging, is at ({x:g}, {y:g}) m"
     advice = f"which is not well within the {what} it stands on; move it towards the middle"
-    return scenario.error(("load", "centre_of_gravity"), f"{sentence}, {advice}")
+    return scenario.start_error(("load", "centre_of_gravity"), f"{sentence}, {advice}")

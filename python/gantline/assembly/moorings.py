@@ -58,13 +58,13 @@ def _check_length(
     path = ("mooring_lines", name)
     chord = float(np.linalg.norm(parts.place(line.vessel, line.fairlead) - np.array(line.to)))
     if chord == 0:
-        raise scenario.error((*path, "to"), "is where the fairlead is; a line has two ends")
+        raise scenario.start_error((*path, "to"), "is where the fairlead is; a line has two ends")
     limits = [limit for limit in (parting.breaks_at, kind.breaking_force) if limit is not None]
     if line.length is not None and kind.stiffness is not None:
         pull = kind.stiffness * (chord / line.length - 1)
         if (limits and pull >= min(limits)) or pull > 0.1 * kind.stiffness:
             sentence = f"{line.length:g} m are too short for ends that are {chord:.6g} m apart at the start"
-            raise scenario.error(
+            raise scenario.start_error(
                 (*path, "length"),
                 f"{sentence}: it would pull with {pull / 1e3:.4g} kN; make it longer, or give 'pretension'",
             )
@@ -75,7 +75,9 @@ def _check_length(
         above = float(parts.place(line.vessel, line.fairlead)[2]) - line.sea_bed
         if above <= 0:
             sentence = f"its fairlead is {-above:g} m below the sea bed at the start"
-            raise scenario.error((*path, "sea_bed"), f"{sentence}; the bed is lower, or the fairlead higher")
+            raise scenario.start_error(
+                (*path, "sea_bed"), f"{sentence}; the bed is lower, or the fairlead higher"
+            )
 
 
 def _add_spring(parts: Parts, name: str, line: MooringLine, kind: RopeMaterial) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from gantline.scenario import Scenario
-from gantline.scenario.errors import PathPart, Problem, ScenarioError
+from gantline.scenario.errors import PathPart, Problem, StartError
 
 __all__ = ["origin_of", "refused"]
 
@@ -22,7 +22,7 @@ _NAMED = ("vessels", "equalizers", "cranes", "structures", "extension_sheaves", 
 _OF_MECHANICS = ("bodies", "drums", "ropes", "contacts")
 
 
-def refused(scenario: Scenario, message: str) -> ScenarioError:
+def refused(scenario: Scenario, message: str) -> StartError:
     """What the core refuses, at the line of the element that it names.
 
     Args:
@@ -32,10 +32,10 @@ def refused(scenario: Scenario, message: str) -> ScenarioError:
     element, _, sentence = message.partition(": ")
     path = origin_of(scenario, element) if sentence else None
     if path is None:
-        return ScenarioError(str(scenario.source), [Problem(None, "", message)])
+        return StartError(str(scenario.source), [Problem(None, "", message)])
     # Of what is made of an element the name says more than the path.
     is_itself = element in (path[-1], f"{element.partition('.')[0]}.{path[-1]}")
-    return scenario.error(path, sentence if is_itself else message)
+    return scenario.start_error(path, sentence if is_itself else message)
 
 
 def origin_of(scenario: Scenario, element: str) -> tuple[PathPart, ...] | None:

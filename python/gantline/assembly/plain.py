@@ -7,7 +7,7 @@ from typing import Any
 
 from gantline.assembly.parts import Json, Parts, drum_layers, end, eye, half_turn, material, sheave
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
-from gantline.assembly.route import route_length, route_lengths
+from gantline.assembly.route import MOST_STRAIN, route_length, route_lengths, too_far
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import IDENTITY, about_axis
 from gantline.scenario import Scenario
@@ -38,8 +38,6 @@ from gantline.scenario.sheave import sheave_losses
 __all__ = ["add_mechanics", "drum_drive"]
 
 _WORLD = "world"
-#: Largest stretch of a rope at the start.
-_MOST_STRAIN = 0.02
 _ROUNDING = 1e-9
 
 
@@ -105,15 +103,16 @@ def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) 
     # Where the rope touches sheaves with true tangents, and so how long it is, is the core's to say.
     if not any(guide["type"] == "sheave" for guide in route):
         routed = route_length(parts, route)
-        allowed = _ROUNDING if kind.inextensible else _MOST_STRAIN
+        allowed = _ROUNDING if kind.inextensible else MOST_STRAIN
         if length is not None and routed > length * (1 + allowed):
             sentence = f"the rope is {length:g} m, but its route has {routed:.9g} m at the start"
-            raise scenario.error(
+            sentence += "" if kind.inextensible else f": {too_far(routed, length)}"
+            raise scenario.start_error(
                 ("mechanics", "ropes", name, "length"),
                 f"{sentence}; make it longer, or write 'length: as_routed'",
             )
         if routed < _ROUNDING:
-            raise scenario.error(
+            raise scenario.start_error(
                 ("mechanics", "ropes", name, "route"), "has no length; its ends are in one place"
             )
     weight = rope_weight(kind, rope.rope_weight, rope.rope_nodes)

@@ -168,7 +168,7 @@ def _add_at_boom(parts: Parts, scenario: Scenario, hook: ReevedHook, boom: str, 
         sentence = f"the sheaves of the hook block start at {highest:g} m, and the upper ones hang at"
         sentence += f" {pin[2] - below:.3f} m under the boom head, not a sheave's diameter above"
         right = f"a 'height' of {lowest - hook.hook_block.height:.3f} m or less is right"
-        raise scenario.error((*hook.hook.paths[""], "height"), f"{sentence}; {right}")
+        raise scenario.start_error((*hook.hook.paths[""], "height"), f"{sentence}; {right}")
     heading = math.atan2(-axes[0, 1], axes[1, 1])
     _add_swinging(parts, hook, (pin[0], pin[1], hook.hook.height), heading, mass)
     up = axes.T @ np.array((0.0, 0.0, 1.0))

@@ -96,5 +96,7 @@ def add_free_rope(
         hanging = hang(first, last, length, kind.stiffness, masses * scenario.simulation.gravity)
     except NoRest:
         sentence = "no place was found where this rope hangs at rest"
-        raise scenario.error(path, f"{sentence}; fewer nodes or 'rope_weight: lumped' may be right") from None
+        raise scenario.start_error(
+            path, f"{sentence}; fewer nodes or 'rope_weight: lumped' may be right"
+        ) from None
     parts.add_rope_with_nodes(name, length, made_of, ends, hanging.points[1:-1].tolist(), masses.tolist())

@@ -11,10 +11,20 @@ import numpy as np
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array
 
-__all__ = ["route_length", "route_lengths"]
+__all__ = ["MOST_STRAIN", "route_length", "route_lengths", "too_far"]
 
 #: Rounds of going back and forth between two sheaves; each leaves of the error a share, radius by distance.
 _ROUNDS = 40
+#: Largest strain of a rope at the start of a lift that is not at rest.
+MOST_STRAIN = 0.02
+
+
+def too_far(distance: float, length: float) -> str:
+    """That a rope of some length [m] would be stretched too far over a distance [m], in words."""
+    strain = distance / length - 1.0
+    digits = max(2, 1 - math.floor(math.log10(max(100.0 * (strain - MOST_STRAIN), 1e-9))))
+    stretched = f"{100.0 * strain:.{min(digits, 9)}f} %"
+    return f"it would be stretched by {stretched}, and a start allows {100.0 * MOST_STRAIN:g} %"
 
 
 def route_length(parts: Parts, route: Sequence[Json]) -> float:

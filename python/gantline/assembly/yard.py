@@ -10,7 +10,7 @@ import numpy as np
 from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
 from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
-from gantline.assembly.route import route_length
+from gantline.assembly.route import MOST_STRAIN, route_length, too_far
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario
@@ -30,8 +30,6 @@ __all__ = [
 
 #: A load that has settled hangs in slack slings: they may be too short by this much at most [m].
 _TAUT = 1e-6
-#: Largest stretch of a sling at the start of a lift that is not at rest.
-_MOST_STRAIN = 0.02
 
 
 def hoist_drive(hook: str) -> str:
@@ -222,14 +220,16 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         short = distance - sling.length
         # One that an extension sheave hangs on stretches under its weight.
         at_rest = scenario.load_has_settled and sling.lugs
-        allowed = _TAUT if at_rest or sling.rope.inextensible else _MOST_STRAIN * sling.length
+        may_stretch = not (at_rest or sling.rope.inextensible)
+        allowed = MOST_STRAIN * sling.length if may_stretch else _TAUT
         if short > allowed:
             apart = f"{_way(scenario.load.name, sling)} it is {_not_shorter(distance, sling.length)} m"
-            sentence = f"the sling is {sling.length:g} m, but {apart} at the start; "
+            sentence = f"the sling is {sling.length:g} m, but {apart} at the start"
+            sentence += f": {too_far(distance, sling.length)}; " if may_stretch else "; "
             advice = "lower the hook or make the sling longer"
-            if scenario.load_has_settled and short <= _MOST_STRAIN * sling.length:
+            if scenario.load_has_settled and short <= MOST_STRAIN * sling.length:
                 advice += ", or write 'start: as_given' if it shall pull from the start"
-            raise scenario.error(("slings", sling.name), sentence + advice)
+            raise scenario.start_error(("slings", sling.name), sentence + advice)
         path = ("slings", sling.name)
         rope = f"sling.{sling.name}"
         if sling.weight.mass_per_length > 0:  # lumped where hook, sheaves and load are made

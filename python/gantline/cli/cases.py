@@ -31,7 +31,8 @@ def cases(
 ) -> None:
     """Find how a lift hangs in each of its cases, and the worst case of each element; nothing is simulated.
 
-    Ends with code 1 where a check fails or an equilibrium is unstable, and with 3 where there is none.
+    Ends with code 1 where a check fails, an equilibrium is unstable or a case cannot start, and with 3
+    where there is no equilibrium.
     """
     from gantline.results.saved import CASES, replace_text
 

@@ -91,8 +91,10 @@ def _largest(states: Iterable[State], quantity: str, *, smallest: bool = False) 
 
 def outcome(states: Sequence[State]) -> str:
     """What is wrong with the worst of some states, in a word."""
-    if any(state.rest is None for state in states):
+    if any(state.rest is None and state.starts for state in states):
         return "NONE"
+    if any(not state.starts for state in states):
+        return "NO START"
     if any(state.rest is not None and not state.rest.is_stable for state in states):
         return "UNSTABLE"
     if any(state.stands for state in states):
@@ -111,7 +113,8 @@ def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width:
     reasons: dict[str, list[int]] = {}
     for place, state in enumerate(states):
         if state.rest is None:
-            reasons.setdefault(f"no equilibrium: {state.cause}", []).append(place)
+            what = "no equilibrium" if state.starts else "cannot start"
+            reasons.setdefault(f"{what}: {state.cause}", []).append(place)
         elif not state.rest.is_stable:
             count = state.rest.unstable
             motions = "one motion leads" if count == 1 else f"{count} motions lead"
@@ -208,10 +211,16 @@ def _band(values: Iterable[float]) -> str:
 
 
 def _verdict(result: CasesResult) -> str:
-    counts = {"no equilibrium": 0, "unstable": 0, "on its supports": 0, "failed a check": 0}
+    counts = {
+        "no equilibrium": 0,
+        "cannot start": 0,
+        "unstable": 0,
+        "on its supports": 0,
+        "failed a check": 0,
+    }
     for state in result.states:
         if state.rest is None:
-            counts["no equilibrium"] += 1
+            counts["no equilibrium" if state.starts else "cannot start"] += 1
         elif not state.rest.is_stable:
             counts["unstable"] += 1
         elif state.stands:

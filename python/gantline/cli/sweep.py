@@ -28,7 +28,8 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
         as_json: Whether all numbers are printed as JSON in place of the table.
 
     Raises:
-        typer.Exit: Always; with 1 where a check fails or a lift is unstable, and with 3 where it falls.
+        typer.Exit: Always; with 1 where a check fails, a lift is unstable or cannot start, and with 3 where
+            it falls.
     """
     path, first, last, count = _read(text)
     with scenario_errors():
@@ -50,7 +51,7 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
         typer.echo(json.dumps({"path": path, "points": found}, indent=2, allow_nan=False))
     else:
         typer.echo("\n".join(_lines(path, points, width_of_terminal())))
-    if any(point.state.rest is None for point in points):
+    if any(point.state.starts and point.state.rest is None for point in points):
         raise typer.Exit(COULD_NOT_GO_ON)
     raise typer.Exit(DONE if all(point.state.is_sound for point in points) else CHECK_FAILED)
 

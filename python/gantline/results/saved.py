@@ -65,8 +65,8 @@ class SavedCase:
     Attributes:
         name: Its name; empty for the lift as it is given.
         states: How many equilibria were asked for.
-        troubles: What is wrong in them, each once: no equilibrium and why, instability, loads that stand and
-            should hang, failed checks.
+        troubles: What is wrong in them, each once: no start or no equilibrium and why, instability, loads
+            that stand and should hang, failed checks.
     """
 
     name: str
@@ -101,7 +101,8 @@ class SavedCases:
 
     Attributes:
         scenario_sha256: Of the lift file's text.
-        is_sound: Whether every state has a stable equilibrium, what should hang does, and no check failed.
+        is_sound: Whether every state can start and has a stable equilibrium, what should hang does, and no
+            check failed.
         cases: The cases in the order of the file, the lift as it is given first.
         worst: The worst of each element.
     """
@@ -246,7 +247,9 @@ def _case(given: Mapping[str, Any]) -> SavedCase:
     troubles: list[str] = []
     for state in states:
         if state.get("equilibrium") is not True:
-            troubles.append(f"no equilibrium: {_text(state, 'cause')}")
+            # Of files from before there was the word, every state could start.
+            what = "cannot start" if state.get("starts") is False else "no equilibrium"
+            troubles.append(f"{what}: {_text(state, 'cause')}")
         elif state.get("stable") is not True:
             troubles.append("unstable")
         standing = _list(state, "stands") if "stands" in state else []

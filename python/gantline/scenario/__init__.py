@@ -1,6 +1,6 @@
 """Lift files: read, checked, with every quantity in SI units."""
 
-from gantline.scenario.errors import Problem, ScenarioError
+from gantline.scenario.errors import Problem, ScenarioError, StartError
 from gantline.scenario.model import Scenario
 from gantline.scenario.reading import FILE_NAME, load_scenario, parse_scenario
 from gantline.scenario.rigging import Rigging, resolve
@@ -14,6 +14,7 @@ __all__ = [
     "Rigging",
     "Scenario",
     "ScenarioError",
+    "StartError",
     "json_schema",
     "load_scenario",
     "parse_scenario",

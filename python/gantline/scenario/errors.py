@@ -7,7 +7,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-__all__ = ["MOST_SHOWN", "Problem", "ScenarioError", "closest", "join_path", "nearest", "shorten"]
+__all__ = [
+    "MOST_SHOWN",
+    "Problem",
+    "ScenarioError",
+    "StartError",
+    "closest",
+    "join_path",
+    "nearest",
+    "shorten",
+]
 
 #: Most problems that one message lists.
 MOST_SHOWN: Final = 20
@@ -51,6 +60,10 @@ class ScenarioError(ValueError):
         if len(self.problems) > MOST_SHOWN:
             lines.append(f"{self.source}: and {len(self.problems) - MOST_SHOWN} more")
         return "\n".join(lines)
+
+
+class StartError(ScenarioError):
+    """A lift file that is right as such describes a start that cannot be put together."""
 
 
 def join_path(path: Sequence[PathPart]) -> str:

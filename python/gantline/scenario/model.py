@@ -11,7 +11,7 @@ from gantline.scenario.boom import PlacedBoom
 from gantline.scenario.case import Case
 from gantline.scenario.crane import Equalizer, EqualizerType
 from gantline.scenario.crane_types import Crane
-from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
+from gantline.scenario.errors import PathPart, Problem, ScenarioError, StartError, join_path
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
@@ -143,6 +143,10 @@ class Scenario(Element):
     def error(self, path: tuple[PathPart, ...], sentence: str) -> ScenarioError:
         """An error with one problem at a path of this file."""
         return ScenarioError(self._source, [self.problem(path, sentence)])
+
+    def start_error(self, path: tuple[PathPart, ...], sentence: str) -> StartError:
+        """The same of a start that cannot be put together, by a file that is right as such."""
+        return StartError(self._source, [self.problem(path, sentence)])
 
     def _repr_html_(self) -> str:
         """For notebooks: what the lift file describes."""

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results.saved import digest_of
-from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.scenario import Scenario, ScenarioError, StartError, load_scenario
 from gantline.scenario.case import TOLERANCE
 from gantline.scenario.variants import (
     tolerances,
@@ -31,7 +31,7 @@ from gantline.study.pattern import (
     single_patterns,
     worst_patterns,
 )
-from gantline.study.state import State, Worst, settled, stands, worst_of
+from gantline.study.state import State, Worst, settled, stands, unstartable, worst_of
 
 __all__ = ["CasesResult", "run_cases"]
 
@@ -71,12 +71,12 @@ class CasesResult:
 
     @property
     def has_equilibria(self) -> bool:
-        """Whether every state has an equilibrium."""
-        return all(state.rest is not None for state in self.states)
+        """Whether every state that can start has an equilibrium."""
+        return all(state.rest is not None for state in self.states if state.starts)
 
     @property
     def is_sound(self) -> bool:
-        """Whether every state has a stable equilibrium in which what should hang does and no check failed."""
+        """Whether every state can start, is stable at rest, what should hang does and no check failed."""
         return all(state.is_sound for state in self.states)
 
     def to_json(self) -> dict[str, Any]:
@@ -108,9 +108,9 @@ def run_cases(
 ) -> CasesResult:
     """Statics of a lift as it is given and of each of its cases.
 
-    No equilibrium is a result. Where sheaves have losses each variant has two states more, with all of them
-    slipping along the rope and against it. Variants are worked on side by side; what is found does not
-    depend on how many at a time.
+    No equilibrium is a result, and so is a case whose start cannot be put together. Where sheaves have losses
+    each variant has two states more, with all of them slipping along the rope and against it. Variants are
+    worked on side by side; what is found does not depend on how many at a time.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
@@ -167,9 +167,11 @@ def _states(
 def _of_case(
     pool: Executor, scenario: Scenario, changed: Scenario, time: float | None, state: State
 ) -> _Pending:
-    """States of a case's lift; what is wrong with how that is built is said at the case."""
+    """States of a case's lift, one that cannot start too; what else is wrong with it is said at the case."""
     try:
         return _with_bounds(pool, changed, time, state)
+    except StartError as error:
+        return _known(unstartable(state, scenario.duration if time is None else time, error))
     except ScenarioError as error:
         problem = error.problems[0]
         sentence = f"{problem.path}: {problem.sentence}"

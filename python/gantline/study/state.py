@@ -3,16 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from gantline.checks import Check, Verdict, check_recording, has_failed, verdict_of
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.saved import LOSSES, QUANTITIES
+from gantline.scenario import StartError
 from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
 
-__all__ = ["LOSSES", "QUANTITIES", "State", "Worst", "settled", "stands", "values_of", "worst_of"]
+__all__ = [
+    "LOSSES",
+    "QUANTITIES",
+    "State",
+    "Worst",
+    "settled",
+    "stands",
+    "unstartable",
+    "values_of",
+    "worst_of",
+]
 
 _ROUNDING = 1e-9
 
@@ -27,6 +38,7 @@ class State:
         losses: What losses of sheaves do, see `Statics.equilibrium`.
         time: Time of the plan [s].
         rest: The equilibrium; None where there is none.
+        starts: Whether its start can be put together; where it cannot there is no equilibrium to ask for.
         cause: Why there is none, in one sentence.
         cut: Slings and ropes that the case cuts.
         stands: Loads that something supports, which hang clear at that time in the lift as it is given.
@@ -40,6 +52,7 @@ class State:
     losses: Losses
     time: float
     rest: Equilibrium | None = None
+    starts: bool = True
     cause: str = ""
     cut: tuple[str, ...] = ()
     stands: tuple[str, ...] = ()
@@ -69,6 +82,7 @@ class State:
             "variant": self.variant,
             "losses": self.losses,
             "time": self.time,
+            "starts": self.starts,
             "equilibrium": rest is not None,
             "cause": self.cause,
             "stable": None if rest is None else rest.is_stable,
@@ -115,6 +129,13 @@ def settled(question: Statics, time: float | None, state: State) -> State:
         state.case, state.variant, state.losses, rest.time, rest, cut=state.cut, checks=checks,
         first_order=state.first_order,
     )  # fmt: skip
+
+
+def unstartable(state: State, time: float, error: StartError) -> State:
+    """A state of a lift whose start cannot be put together, at a time [s]."""
+    problem = error.problems[0]
+    cause = f"{problem.path}: {problem.sentence}" if problem.path else problem.sentence
+    return replace(state, time=time, starts=False, cause=cause)
 
 
 def stands(state: State, given: State) -> tuple[str, ...]:

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.scenario import Scenario
+from gantline.scenario import Scenario, StartError
 from gantline.scenario.tree import TextNode
 from gantline.scenario.tree_path import PathError, node_at
 from gantline.scenario.variants import with_value
 from gantline.statics import Statics
-from gantline.study.state import State, settled
+from gantline.study.state import State, settled, unstartable
 from gantline.units import common_dimension, quantity, si_text
 
 __all__ = ["SweepPoint", "run_sweep"]
@@ -56,6 +56,10 @@ def run_sweep(
     if given is not None and not isinstance(given, TextNode):
         raise PathError(f"'{path}' has several values; name one of its parts")
     for value in np.linspace(quantity(first, dimension), quantity(last, dimension), count):
-        question = Statics(with_value(scenario, path, si_text(float(value), dimension)))
+        changed = with_value(scenario, path, si_text(float(value), dimension))
         state = State("", path, "none", 0.0)
-        yield SweepPoint(float(value), dimension, settled(question, time, state))
+        try:
+            found = settled(Statics(changed), time, state)
+        except StartError as error:
+            found = unstartable(state, scenario.duration if time is None else time, error)
+        yield SweepPoint(float(value), dimension, found)
