@@ -74,7 +74,19 @@ def test_only_some_tanks(lift: Path) -> None:
         (["--draft", "0 m"], 2, "--draft: '0 m' is no draft"),
         (["--heel", "50 deg"], 2, "heel and trim are less than 45 deg"),
         (["--trim", "10 m"], 2, "--trim: '10 m' is a length"),
-        (["--draft", "7 m"], 3, "the tanks cannot do it; the nearest that they come to is heel"),
+        (["--draft", "8 m"], 2, "8 m is not between the keel of barge at 0 m and its deck at 8 m; it floats"),
+        (["--draft", "70 m"], 2, "a draft of 70 m is not between the keel of barge"),
+        (
+            ["--draft", "7 m"],
+            3,
+            "a draft of 7 m takes 9375.0 t more in the tanks, and they have room for 6130",
+        ),
+        (
+            ["--draft", "3.4 m"],
+            3,
+            "takes 1695.0 t less in the tanks, and they can give 1050.0 t (the draft is",
+        ),
+        (["--trim", "6 deg"], 3, "the tanks cannot do it; the nearest that they come to is heel"),
     ],
 )
 def test_what_cannot_be(lift: Path, arguments: list[str], code: int, sentence: str) -> None:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import io
 import sys
+import time
 
 import pytest
 
-from gantline.cli.progress import progress
+import gantline.cli.progress as module
+from gantline.cli.progress import progress, telling
 
 STEPS = {5.0: "lift off", 10.0: None}
 TENSIONS = {5.0: ("S3", 590.4e3), 10.0: None}
@@ -59,3 +61,31 @@ def test_the_bar_names_the_step_under_way_and_the_largest_tension(monkeypatch: p
     text = shown(Terminal(), monkeypatch, 5.0)
     assert "5.0 of 10.0 s" in text
     assert "step 'lift off', most in sling S3: 590 kN" in text
+
+
+def test_a_search_says_what_it_is_at_while_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", stream := io.StringIO())
+    monkeypatch.setattr(module, "_SILENCE_OF_SEARCHES", 0.02)
+    with telling("ballast") as tell:
+        tell("round 1")
+        time.sleep(0.2)
+    lines = stream.getvalue().splitlines()
+    assert len(lines) > 2 and set(lines) == {"ballast, round 1, 0 s so far"}
+    time.sleep(0.1)
+    assert stream.getvalue().splitlines() == lines, "and is silent afterwards"
+
+
+def test_a_quick_search_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", stream := io.StringIO())
+    with telling("ballast") as tell:
+        tell("round 1")
+    assert stream.getvalue() == ""
+
+
+def test_a_search_turns_a_wheel_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "100")
+    monkeypatch.setattr(sys, "stderr", stream := Terminal())
+    with telling("ballast") as tell:
+        tell("round 1: [heel]")
+    assert "ballast, round 1: [heel]" in stream.getvalue()

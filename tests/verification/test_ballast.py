@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -279,15 +280,32 @@ def test_even_keel_with_the_load_and_the_trim_before() -> None:
 
 
 def test_tanks_too_small_and_a_vessel_that_would_capsize() -> None:
-    """Some 4000 t more sink 3000 m² by 1.3 m, not by two; KM of a box at 4 m, 20.75 m, is below 24 m."""
+    """Tanks of 2460 t; a box of 3000 m² in sea water. KM of a box at 4 m, 20.75 m, is below 24 m."""
     tanks = {"fore": tank((85, 0, 0.5), 900.0), "side": tank((50, 5, 0.5), 0.0)}
-    with pytest.raises(CannotBeError, match=r"the nearest that they come to is heel .*; draft .* off"):
+    # 6 m displace 18 450 t, and 11 900 t are there; 4920 t less 900 t find room.
+    with pytest.raises(CannotBeError, match=r"takes 6550\.0 t more .* have room for 4020\.0 t"):
         solve_ballast(lift(barge(tanks)), draft=6.0)
+    with pytest.raises(CannotBeError, match=r"takes 2675\.0 t less .* can give 900\.0 t"):
+        solve_ballast(lift(barge(tanks)), draft=3.0)
+    with pytest.raises(CannotBeError, match=r"the nearest that they come to is heel .*; draft .* off"):
+        solve_ballast(lift(barge(tanks)), draft=5.0)
+    with pytest.raises(ValueError, match="8 m is not between the keel of barge at 0 m and its deck at 8 m"):
+        solve_ballast(lift(barge(tanks)), draft=8.0)
     top_heavy = {"hull": {"mass": f"{OWN} kg", "at": ["50 m", "0 m", "24 m"]}}
     with pytest.raises(
         CannotBeError, match=r"GM for heel is -\d\.\d\d m, so that it would capsize; free surfaces"
     ):
         solve_ballast(lift(barge(tanks, masses=top_heavy)))
+
+
+def test_what_is_looked_for_is_told_before_each_equilibrium() -> None:
+    """One look at the lift as given, and one for each round."""
+    told: list[str] = []
+    tanks = {"fore": tank((85, 0, 0.5), 900.0), "aft": tank((20, 0, 0.5), 200.0)}
+    answer = solve_ballast(lift(barge(tanks)), on_progress=told.append)
+    assert told[0] == "how barge floats at 600 s with the contents given"
+    assert len(told) == 1 + answer.rounds
+    assert re.match(r"round 1: heel 0\.000 deg; trim -\d\.\d+ deg; draft .* m; tries [\d.]+ t moved", told[1])
 
 
 # Floating crane of 3600 t: what it weighs, its boom of 110 m at 60° from heel pins at (98, 9) m with 1500 t
@@ -397,3 +415,12 @@ def test_mistakes_about_pumps_have_a_line(plan: list[dict[str, Any]], sentence: 
         lift(barge(tanks), plan)
     assert sentence in str(raised.value)
     assert "scenario.yaml:" in str(raised.value)
+
+
+def test_contents_with_which_the_vessel_turns_over_are_no_way_to_others() -> None:
+    """To first order too much goes aft and its deck under; from there nothing led back to 4° by the stern."""
+    answer = solve_ballast(sheerleg((800.0, 1600.0), 1096), trim=math.radians(4.0))
+    assert answer.attitude.trim == pytest.approx(math.radians(4.0), abs=1e-7)
+    assert answer.attitude.heel == pytest.approx(0.0, abs=1e-7)
+    # At half length; the stern is 52.8 m · tan 4° = 3.69 m deeper than that.
+    assert 0.0 < answer.attitude.draft < 7.5

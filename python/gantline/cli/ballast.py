@@ -10,6 +10,7 @@ import typer
 
 from gantline.cli.lift import Lift, quantity_of
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
+from gantline.cli.progress import telling
 
 
 def ballast(
@@ -68,16 +69,18 @@ def ballast(
         from gantline.study import CannotBeError, solve_ballast
 
         try:
-            answer = solve_ballast(
-                lift,
-                vessel=vessel,
-                time=moment,
-                step=step,
-                heel=angles["--heel"] or 0.0,
-                trim=angles["--trim"] or 0.0,
-                draft=depth,
-                tanks=chosen,
-            )
+            with telling("ballast") as tell:
+                answer = solve_ballast(
+                    lift,
+                    vessel=vessel,
+                    time=moment,
+                    step=step,
+                    heel=angles["--heel"] or 0.0,
+                    trim=angles["--trim"] or 0.0,
+                    draft=depth,
+                    tanks=chosen,
+                    on_progress=tell,
+                )
         except (NoEquilibriumError, CannotBeError) as problem:
             stop(str(problem), COULD_NOT_GO_ON)
         except ValueError as problem:

@@ -1,8 +1,9 @@
-"""Progress of a run: a bar on a terminal, plain lines elsewhere, both on the error stream."""
+"""Progress of runs and searches: a bar on a terminal, plain lines elsewhere, both on the error stream."""
 
 from __future__ import annotations
 
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -13,6 +14,9 @@ import typer
 Report = Callable[[float], None]
 _LINES = 10
 _LONGEST_SILENCE = 30.0  # s
+
+
+_SILENCE_OF_SEARCHES = 10.0  # s
 
 
 class Run(Protocol):
@@ -68,6 +72,44 @@ def _bar(run: Run) -> Iterator[Report]:
             bar.update(task, completed=now, speed=_speed(now, passed), state=", ".join(_state(run)))
 
         yield report
+
+
+@contextmanager
+def telling(what: str) -> Iterator[Callable[[str], None]]:
+    """Show what a search is at that may take long: on a terminal always, elsewhere every ten seconds.
+
+    Yields:
+        A function to call with that, in words.
+    """
+    if sys.stderr.isatty():
+        from rich.console import Console
+        from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+        columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
+        with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+            task = bar.add_task(what)
+            yield lambda text: bar.update(task, description=f"{what}, {text}")
+        return
+    started, is_over = time.perf_counter(), threading.Event()
+    doing = ""
+
+    def tell(text: str) -> None:
+        nonlocal doing
+        doing = text
+
+    def lines() -> None:
+        while not is_over.wait(_SILENCE_OF_SEARCHES):
+            passed = time.perf_counter() - started
+            typer.echo(", ".join(filter(None, (what, doing, f"{passed:.0f} s so far"))), err=True)
+
+    # A single equilibrium may take long, and nothing is told meanwhile.
+    watch = threading.Thread(target=lines, daemon=True)
+    watch.start()
+    try:
+        yield tell
+    finally:
+        is_over.set()
+        watch.join()
 
 
 def _lines(run: Run) -> Report:

@@ -48,6 +48,8 @@ class Afloat:
         centre: Its centre of gravity, vessel axes [m].
         turn: World from vessel, shape (3, 3).
         attitude: How it floats.
+        keel: Height of the lowest point of its hull, vessel axes [m].
+        deck: Height of the highest [m].
     """
 
     def __init__(self, scenario: Scenario, vessel: str, time: float) -> None:
@@ -58,6 +60,7 @@ class Afloat:
         self.mass, self.centre = float(body["mass"]), np.array(body["centre_of_gravity"])
         hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
         assert hull is not None  # it floats
+        self.keel, self.deck = (float(height) for height in hull.box[:, 2])
         self._middle = float(hull.box[:, 0].mean())
         self._level = (scenario.water or Water()).level
         self.turn = axes(self.rest.recording.column("body_orientation", vessel)[-1])
@@ -78,11 +81,31 @@ class Afloat:
 
     def displacement(self) -> float:
         """Mass of the water displaced [kg]."""
+        return self._displaced(self.turn[2], float(self._origin()[2] - self._level))
+
+    def mass_of_loads(self) -> float:
+        """Mass of all loads of the lift with the rigging on them, whatever bears them [kg]."""
+        bodies = {load.body for load in self.question.rig.loads}
+        document = self.question.assembly.document
+        return math.fsum(body["mass"] for body in document["bodies"] if body["name"] in bodies)
+
+    def displacement_at(self, wanted: VesselAttitude) -> float:
+        """Mass of the water that it would displace if it floated otherwise [kg]."""
+        up = np.array(
+            [
+                math.sin(wanted.trim),
+                math.cos(wanted.trim) * math.sin(wanted.heel),
+                math.cos(wanted.trim) * math.cos(wanted.heel),
+            ]
+        )
+        return self._displaced(up, -float(up @ (self._middle, 0.0, wanted.draft)))
+
+    def _displaced(self, up: Floats, height: float) -> float:
+        """With a vertical in vessel axes, and its origin at a height above the water [m]."""
         name = hull_name(self.vessel)
         force = next(one for one in self.question.assembly.document["forces"] if one["name"] == name)
         hull = Hull(name, force["vertices"], force["triangles"])
-        below = hull.below(self.turn[2], float(self._origin()[2] - self._level))
-        return float(below["volume"]) * sea_density(self.scenario)
+        return float(hull.below(up, height)["volume"]) * sea_density(self.scenario)
 
     def slopes(self) -> dict[str, Floats]:
         """How heel, trim [rad] and draft [m] answer to mass of the vessel, shape (4,) each.

@@ -8,13 +8,14 @@ finds the contents that do it with the least sum of changes (`docs/concepts/ball
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
+from gantline.assembly.hulls import hull_mesh
 from gantline.hydro.tank import Tank, free_surface_correction
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.edit import text_with
@@ -43,6 +44,8 @@ _ROUNDS = 30
 _HALVINGS = 8
 #: A metre of draft counts like so many radians where not all of what is wanted can be had [1/m].
 _DRAFT_COUNTS = 0.1
+#: Parts of an attitude with the units in which people read them.
+_SHOWN = {"heel": "deg", "trim": "deg", "draft": "m"}
 #: A tank may be over its ends by rounding, a share of its capacity.
 _ROUNDING = 1e-9
 
@@ -130,6 +133,7 @@ def solve_ballast(
     trim: float = 0.0,
     draft: float | None = None,
     tanks: Sequence[str] | None = None,
+    on_progress: Callable[[str], None] | None = None,
 ) -> BallastAnswer:
     """Contents of tanks with which a vessel floats as wanted, with the least water moved.
 
@@ -142,19 +146,27 @@ def solve_ballast(
         trim: Wanted trim, by the stern positive [rad].
         draft: Wanted draft at half length [m]; None for any.
         tanks: Tanks whose contents may change; all of the vessel if not given.
+        on_progress: Is told in words what is looked for next, before each equilibrium.
 
     Raises:
         CannotBeError: If it cannot be had, or the vessel would not be stable so, with the reason.
         NoEquilibriumError: If the lift as it is given has no equilibrium.
         ScenarioError: If the lift file is not right.
-        ValueError: If a vessel, a step or a tank is asked for that there is not, or an angle is none.
+        ValueError: If a vessel, a step or a tank is asked for that there is not, an angle is none, or a draft
+            is not that of a vessel whose deck is dry.
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     if max(abs(heel), abs(trim)) >= math.pi / 4:
         raise ValueError("heel and trim are less than 45 deg")
     name = _vessel(scenario, vessel)
-    search = _Search(scenario, name, _chosen(scenario, name, tanks), _moment(scenario, time, step))
+    chosen = _chosen(scenario, name, tanks)
+    if draft is not None:
+        _refuse_draft(scenario, name, draft)
+    tell = on_progress or (lambda _: None)
+    search = _Search(scenario, name, chosen, _moment(scenario, time, step), tell)
     wanted = {"heel": heel, "trim": trim} | ({} if draft is None else {"draft": draft})
+    if draft is not None:
+        search.refuse_mass(VesselAttitude(heel, trim, draft))
     first = search.now
     rounds = search.run(wanted)
     return search.answer(first, rounds)
@@ -190,6 +202,15 @@ def _chosen(scenario: Scenario, vessel: str, tanks: Sequence[str] | None) -> lis
     return list(dict.fromkeys(found))
 
 
+def _refuse_draft(scenario: Scenario, vessel: str, draft: float) -> None:
+    hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
+    assert hull is not None  # it floats
+    keel, deck = hull.box[:, 2]
+    if not keel < draft < deck:
+        sentence = f"a draft of {draft:g} m is not between the keel of {vessel} at {keel:g} m and its deck"
+        raise ValueError(f"{sentence} at {deck:g} m; it floats with its deck dry")
+
+
 def _moment(scenario: Scenario, time: float | None, step: str | None) -> float:
     if step is None:
         moment = scenario.duration if time is None else time
@@ -212,8 +233,15 @@ def _moment(scenario: Scenario, time: float | None, step: str | None) -> float:
 class _Search:
     """Rounds of equilibrium and linear programme."""
 
-    def __init__(self, scenario: Scenario, vessel: str, tanks: Sequence[str], time: float) -> None:
-        self._scenario, self._vessel, self._time = scenario, vessel, time
+    def __init__(
+        self,
+        scenario: Scenario,
+        vessel: str,
+        tanks: Sequence[str],
+        time: float,
+        tell: Callable[[str], None],
+    ) -> None:
+        self._scenario, self._vessel, self._time, self._tell = scenario, vessel, time, tell
         self._tanks = list(tanks)
         bodies = bodies_afloat(scenario)
         self._all: Mapping[str, BallastTank] = bodies[vessel].tanks or {}
@@ -230,7 +258,25 @@ class _Search:
             ]
         ).T
         self._acts_against = any(isinstance(step, PumpStep) and step.until for step in scenario.plan)
+        tell(f"how {vessel} floats at {time:g} s with the contents given")
         self.now = Afloat(scenario, vessel, time)
+
+    def refuse_mass(self, wanted: VesselAttitude) -> None:
+        """A draft for which there is not enough room in the tanks, or not enough water."""
+        more = self.now.displacement_at(wanted) - self.now.displacement()
+        # What something else bears too, such as a quay or a crane ashore, may come to hang on the vessel or
+        # leave it; moorings only resist.
+        margin = self.now.mass_of_loads()
+        empty, full = ((end - self._given).sum() for end in self._room)
+        if empty - margin <= more <= full + margin:
+            return
+        room = "have room for" if more > 0.0 else "can give"
+        sentence = (
+            f"a draft of {wanted.draft:g} m takes {_tonnes(more)} {'more' if more > 0.0 else 'less'} in"
+        )
+        sentence += f" the tanks, and they {room} {_tonnes(full if more > 0.0 else empty)}"
+        now = format_quantity(self.now.attitude.draft, "m", 3)
+        raise CannotBeError(f"the tanks cannot do it: {sentence} (the draft is {now} now)")
 
     def run(self, wanted: Mapping[str, float]) -> int:
         """Find contents with which the vessel floats as wanted; returns the rounds that it took."""
@@ -242,7 +288,7 @@ class _Search:
             target, reached = self._programme(missing)
             if not reached and float(np.abs(target - self._contents).max()) <= 1.0:
                 raise CannotBeError(self._short_of(wanted))
-            self._step(target)
+            self._step(target, found + 1)
         raise CannotBeError(f"no answer in {_ROUNDS} rounds; {self._short_of(wanted)}")
 
     def _missing(self, wanted: Mapping[str, float]) -> dict[str, float]:
@@ -287,20 +333,28 @@ class _Search:
         one, (x, y, z) = self._all[tank], self._all[tank].bottom
         return np.array([x, y, z + one.box[2] * self.now.content(tank) / one.capacity])
 
-    def _step(self, target: Floats) -> None:
+    def _step(self, target: Floats, number: int) -> None:
         """To these contents, or as far towards them as the vessel floats."""
+        lies = "; ".join(f"{key} {_shown(key, getattr(self.now.attitude, key))}" for key in _SHOWN)
         cause = ""
         for halving in range(_HALVINGS):
             contents = self._contents + (target - self._contents) * 0.5**halving
+            nearer = f", {0.5**halving:.3g} of the way" if halving else ""
+            moved = _tonnes(float(np.abs(contents - self._given).sum()))
+            self._tell(f"round {number}: {lies}; tries {moved} moved{nearer}")
             try:
-                self.now = Afloat(self._with(contents), self._vessel, self._time)
+                tried = Afloat(self._with(contents), self._vessel, self._time)
             except NoEquilibriumError as problem:
                 cause = f"{problem.cause} ({problem.element})"
                 continue
             except ScenarioError as problem:
                 cause = problem.problems[0].sentence
                 continue
-            self._contents = contents
+            # One that has sunk or lies on its side is at rest too, and leads nowhere.
+            if not tried.keel < tried.attitude.draft < tried.deck:
+                cause = f"{self._vessel} would not float with its deck dry"
+                continue
+            self.now, self._contents = tried, contents
             return
         raise CannotBeError(f"with such contents {cause}")
 
@@ -314,12 +368,10 @@ class _Search:
 
     def _short_of(self, wanted: Mapping[str, float]) -> str:
         """What the tanks come to, and by how much that misses what is wanted."""
-        units = {"heel": ("deg", 3), "trim": ("deg", 3), "draft": ("m", 3)}
-        parts = []
-        for key, more in self._missing(wanted).items():
-            unit, digits = units[key]
-            reached = format_quantity(float(getattr(self.now.attitude, key)), unit, digits)
-            parts.append(f"{key} {reached}, {format_quantity(abs(more), unit, digits)} off")
+        parts = [
+            f"{key} {_shown(key, getattr(self.now.attitude, key))}, {_shown(key, abs(more))} off"
+            for key, more in self._missing(wanted).items()
+        ]
         because = "; the plan itself pumps until a condition holds" if self._acts_against else ""
         return f"the tanks cannot do it; the nearest that they come to is {'; '.join(parts)}{because}"
 
@@ -365,6 +417,15 @@ class _Search:
             rounds=rounds,
             scenario=now.scenario,
         )
+
+
+def _shown(key: str, value: float) -> str:
+    """A part of an attitude as people read it."""
+    return format_quantity(float(value), _SHOWN[key], 3)
+
+
+def _tonnes(mass: float) -> str:
+    return format_quantity(abs(mass), "t", 1)
 
 
 def _path(scenario: Scenario, vessel: str) -> tuple[str, ...]:
