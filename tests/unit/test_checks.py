@@ -99,6 +99,41 @@ def test_a_stop_that_is_met_warns_before_lift_off_and_fails_after_it(time: float
     assert "e1.2" in check.remark
 
 
+@pytest.mark.parametrize(
+    ("way", "sampled", "value", "time", "formula"),
+    [
+        # Between samples at the stop and back.
+        (-1.4, 0.95, 1.0, 2.5, "1.400 m / 1.400 m"),
+        (1.9, 0.95, 1.0, 2.5, "1.900 m / 1.900 m"),
+        # A stop gives a little.
+        (-1.4, 1.02, 1.02, 3.0, "1.428 m / 1.400 m"),
+    ],
+)
+def test_a_stop_that_is_met_uses_all_of_the_stroke(
+    way: float, sampled: float, value: float, time: float, formula: str
+) -> None:
+    contact = np.array([[1.0] * 4, [1.0] * 4, [0.0] * 4, [0.0] * 4])
+    travel = np.zeros((4, 5))
+    travel[3, 1] = sampled * way
+    check = only(
+        sample_recording(
+            np.arange(4.0),
+            tension=np.full((4, 5), 1e5),
+            contact=contact,
+            travel=travel,
+            events=[(2.5, "stop_hit", "e1.2")],
+            rig=sample_rig(equalizer_travel_used=0.9),
+        )
+    )
+    assert check.verdict is Verdict.FAILED
+    assert check.value == pytest.approx(value)
+    assert check.time == time
+    assert check.utilisation == pytest.approx(value / 0.9)
+    assert check.element == ("e1.2 up" if way < 0.0 else "e1.2 down")
+    assert check.formula == formula
+    assert check.remark == "met its stop at 2.50 s, with the load hanging: e1.2"
+
+
 def test_travel_required_at_the_end_of_a_step_warns_up_to_the_whole_stroke() -> None:
     travel = np.full((2001, 5), 0.0)
     travel[1:, 0] = 0.93 * 1.9

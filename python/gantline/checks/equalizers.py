@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -63,8 +64,27 @@ def _stopped(recording: Recording, clear: BoolArray) -> Iterator[Refused]:
     hung = recording.time[clear]
     for time, kind, joint in recording.events():
         if kind == "stop_hit" and joint in sheaves and hung.size and hung[0] <= time <= hung[-1]:
-            yield Refused(joint, f"met its stop at {time:.2f} s, with the load hanging")
+            reason = f"met its stop at {time:.2f} s, with the load hanging"
+            yield Refused(joint, reason, _at_stop(recording, clear, joint, time))
             return
+
+
+def _at_stop(recording: Recording, clear: BoolArray, sheave: str, time: float) -> Found | None:
+    """Its stroke that way, all of it at that time [s]; the farthest sample where one is beyond a stroke.
+
+    Between samples it may have been there and back, and a stop gives a little.
+    """
+    furthest = max(_travel(recording, clear), key=lambda one: one.value, default=None)
+    if furthest is not None and furthest.value > 1.0:
+        return furthest
+    after = int(np.searchsorted(recording.time, time))
+    around = slice(max(after - 1, 0), after + 1)
+    ways = [way for way in _ways(recording) if way.sheave == sheave]
+    if not ways:
+        return None
+    way = max(ways, key=lambda one: one.travel[around].max() / one.stroke)
+    stroke = format_quantity(way.stroke, "m", 3)
+    return Found(1.0, way.element, time, f"{stroke} / {stroke}")
 
 
 def travel_at_any_time(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -86,21 +106,39 @@ def _past_stroke(recording: Recording) -> str:
     return f"{place}: it would have met its stop, which is not simulated"
 
 
-def _travel(recording: Recording, during: BoolArray) -> Iterator[Found]:
+@dataclass(frozen=True)
+class _Way:
+    """A moving sheave one way: its name, that way in a word, its travel and stroke that way [m]."""
+
+    sheave: str
+    word: str
+    travel: FloatArray
+    stroke: float
+
+    @property
+    def element(self) -> str:
+        """Both in words."""
+        return f"{self.sheave} {self.word}"
+
+
+def _ways(recording: Recording) -> Iterator[_Way]:
     # Sheaves of an approximated equalizer do not travel: a limit of travel says nothing about it.
     for equalizer in (one for one in recording.rig.equalizers if one.mechanism == "sheaves"):
         for sheave in equalizer.moving_sheaves:
             travel = recording.column("sheave_travel", sheave)
             if equalizer.travel_up:
-                yield from _one_way(recording, during, -travel, equalizer.travel_up, f"{sheave} up")
+                yield _Way(sheave, "up", -travel, equalizer.travel_up)
             if equalizer.travel_down:
-                yield from _one_way(recording, during, travel, equalizer.travel_down, f"{sheave} down")
+                yield _Way(sheave, "down", travel, equalizer.travel_down)
 
 
-def _one_way(
-    recording: Recording, during: BoolArray, travel: FloatArray, stroke: float, element: str
-) -> Iterator[Found]:
+def _travel(recording: Recording, during: BoolArray) -> Iterator[Found]:
+    for way in _ways(recording):
+        yield from _one_way(recording, during, way)
+
+
+def _one_way(recording: Recording, during: BoolArray, way: _Way) -> Iterator[Found]:
     def text(at: int) -> str:
-        return f"{format_quantity(float(travel[at]), 'm', 3)} / {format_quantity(stroke, 'm', 3)}"
+        return f"{format_quantity(float(way.travel[at]), 'm', 3)} / {format_quantity(way.stroke, 'm', 3)}"
 
-    yield from extreme(recording, travel / stroke, during, element, text)
+    yield from extreme(recording, way.travel / way.stroke, during, way.element, text)

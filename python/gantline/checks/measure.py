@@ -46,15 +46,17 @@ class Missing:
 
 @dataclass(frozen=True)
 class Refused:
-    """An element that fails without a number: what happens to it is not allowed at all.
+    """An element that fails whatever the limit: what happens to it is not allowed at all.
 
     Attributes:
         element: Its name.
         reason: What is not allowed.
+        found: What it came to when that happened; None where that is no number.
     """
 
     element: str
     reason: str
+    found: Found | None = None
 
 
 @dataclass(frozen=True)

@@ -134,7 +134,11 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     check = replace(check, limit=limit, source=_with_factors(recording, source, factors))
     if found.refused:
         refused = "; ".join(f"{one.reason}: {one.element}" for one in found.refused)
-        return replace(check, verdict=Verdict.FAILED, element=found.refused[0].element, remark=refused)
+        first = found.refused[0]
+        check = (
+            replace(check, element=first.element) if first.found is None else _with_value(check, first.found)
+        )
+        return replace(check, verdict=Verdict.FAILED, remark=refused)
     if found.worst is None:
         return replace(check, remark=found.missing or _nothing(measure))
     check = _with_value(check, found.worst)
