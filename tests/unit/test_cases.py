@@ -12,6 +12,7 @@ from gantline.scenario.tree_path import PathError, node_at, put, text_node
 from gantline.scenario.variants import variants_of, without_cases
 from gantline.study import run_cases, run_sweep, values_of
 from gantline.study.moment import begin_of_step
+from gantline.study.state import State, worst_of
 from gantline.units import UnitError, common_dimension, quantity, si_text
 from lift_text import BASE
 from plumb_lift import INEXTENSIBLE, TRIANGLE, WEIGHT, plumb_lift
@@ -158,6 +159,31 @@ def test_the_worst_of_each_element() -> None:
     assert low.value == pytest.approx(WEIGHT / 6, rel=1e-9)
     # What no case changes is worst as given.
     assert worst["hook_load", "A"].state.case == "heavy"
+
+
+@pytest.mark.parametrize(
+    ("quantity", "given", "other", "is_worse"),
+    [
+        ("load_tilt", 1e-17, 9e-17, False),
+        ("load_tilt", 0.0, 2e-9, True),
+        ("smallest_sling_tension", 3e-8, 2e-8, False),
+        ("smallest_sling_tension", 3.0, 2.0, True),
+        ("sling_tension", 6e5, 6e5 * (1.0 + 5e-10), False),
+        ("sling_tension", 6e5, 6e5 * (1.0 + 2e-9), True),
+        ("sheave_travel", 1e-12, -2e-12, False),
+        ("sheave_travel", 1.0, -1.1, True),
+    ],
+)
+def test_of_values_that_differ_by_rounding_the_first_is_worst(
+    monkeypatch: pytest.MonkeyPatch, quantity: str, given: float, other: float, is_worse: bool
+) -> None:
+    values = {"": given, "case": other}
+    monkeypatch.setattr(
+        "gantline.study.state.values_of", lambda state: {quantity: {"one": values[state.case]}}
+    )
+    states = [State(name, "", "none", 0.0) for name in values]
+    (worst,) = worst_of(states, states[0])
+    assert worst.state.case == ("case" if is_worse else "")
 
 
 def test_slack_slings_answer_to_no_length() -> None:

@@ -167,9 +167,10 @@ def _worst(worst: Sequence[Worst], width: int) -> list[str]:
         if one.quantity == "hoist_load" and _repeats(one, worst):
             continue
         share = f"{one.value / one.given:.3f}" if one.given and unit == "kN" else ABSENT
-        label = _name(one.state.case, one.state.label)
-        name = _LINES[one.quantity].format(one.element)
-        rows.append((name, show(one.given, unit, digits), show(one.value, unit, digits), share, label))
+        given, value = show(one.given, unit, digits), show(one.value, unit, digits)
+        # What nobody can tell from the lift as it is given has no case for its cause.
+        label = AS_GIVEN if value == given else _name(one.state.case, one.state.label)
+        rows.append((_LINES[one.quantity].format(one.element), given, value, share, label))
     if not rows:
         return []
     head = ("Worst case", AS_GIVEN, "worst", "of it", "in")

@@ -18,23 +18,24 @@ from gantline.units import quantity
 
 _Row = tuple[str, ...]
 
-#: Metrics of the table: name, what it is called, unit, decimals.
+#: Metrics of the table: name, what it is called, unit, decimals. Each says of which kind of thing it is; of
+#: several the largest is shown, of `final_load_transferred` the smallest.
 _HEADLINES = (
     ("peak_sling_tension", "peak sling tension", "kN", 1),
     ("peak_sling_tension_time", "at", "s", 2),
     ("peak_equalizing_rope_tension", "peak equalizing rope tension", "kN", 1),
-    ("peak_tension_spread_when_clear", "tension spread when clear", "%", 2),
-    ("final_tension_spread", "tension spread at the end", "%", 2),
-    ("skew_load_factor", "skew load factor", "", 3),
-    ("dynamic_amplification_factor", "dynamic amplification factor", "", 3),
+    ("peak_tension_spread_when_clear", "tension spread of an equalizer when clear", "%", 2),
+    ("final_tension_spread", "tension spread of an equalizer at the end", "%", 2),
+    ("skew_load_factor", "skew load factor of a sling", "", 3),
+    ("dynamic_amplification_factor", "dynamic amplification factor of a sling", "", 3),
     ("static_hook_load", "static hook load", "kN", 1),
-    ("peak_hook_load", "dynamic hook load (peak)", "kN", 1),
+    ("peak_hook_load", "peak hook load", "kN", 1),
     ("lift_off_time", "lift-off at", "s", 2),
     ("final_load_transferred", "load transferred at the end", "%", 1),
-    ("travel_used_up", "sheave travel used up", "%", 1),
-    ("travel_used_down", "sheave travel used down", "%", 1),
-    ("peak_load_tilt", "tilt", "deg", 2),
-    ("peak_load_drift_when_clear", "drift when clear", "m", 3),
+    ("travel_used_up", "travel of a moving sheave up, of stroke", "%", 1),
+    ("travel_used_down", "travel of a moving sheave down, of stroke", "%", 1),
+    ("peak_load_tilt", "tilt of a load", "deg", 2),
+    ("peak_load_drift_when_clear", "drift of a load when clear", "m", 3),
 )
 _COUNTS = (("steps", "steps"), ("rejected", "attempts rejected"))
 _ONLY = {

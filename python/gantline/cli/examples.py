@@ -19,7 +19,7 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
         ("gantline statics mylift --sweep 'slings.S1.length=23 m..23.1 m/5'", "over a length"),
     ),
     "cases": (
-        ("gantline cases equalizer", "all cases of the lift file, and the worst of each element"),
+        ("gantline cases goliath", "all cases of the lift file, and the worst of each element"),
         ("gantline cases mylift -o results/mylift", "for the report in that folder"),
     ),
     "compare": (

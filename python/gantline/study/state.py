@@ -25,7 +25,9 @@ __all__ = [
     "worst_of",
 ]
 
+#: Values that differ by less are alike: a share, and by unit what is nothing beside any lift [SI].
 _ROUNDING = 1e-9
+_NOTHING = {"kN": 1e-3, "deg": 1e-9, "m": 1e-9}
 
 
 @dataclass(frozen=True)
@@ -208,7 +210,7 @@ def _is_worse(quantity: str, value: float, than: float) -> bool:
     elif quantity == "smallest_sling_tension":
         value, than = -value, -than
     # Of values that differ by rounding alone the first is worst, so that tables do not depend on it.
-    return value > than + _ROUNDING * abs(than)
+    return value > than + max(_ROUNDING * abs(than), _NOTHING[QUANTITIES[quantity][0]])
 
 
 def _without(recording: Recording, cut: Sequence[str]) -> Recording:
