@@ -15,19 +15,17 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from gantline.assembly.hulls import hull_mesh
 from gantline.hydro.tank import Tank, free_surface_correction
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.edit import text_with
-from gantline.scenario.errors import PathPart, nearest
-from gantline.scenario.hooks import full_name
+from gantline.scenario.errors import PathPart
 from gantline.scenario.steps import PumpStep
 from gantline.scenario.tanks import bodies_afloat, pumped_at_most
 from gantline.scenario.variants import with_values, without_cases
 from gantline.scenario.water import BallastTank
 from gantline.statics import Equilibrium, NoEquilibriumError
 from gantline.study.afloat import Afloat, VesselAttitude
-from gantline.study.moment import end_of_step
+from gantline.study.ballast_question import moment_of, refuse_draft, tanks_that_may_change, vessel_of
 from gantline.study.newton import CannotBeError
 from gantline.units import format_quantity, si_text
 
@@ -158,76 +156,18 @@ def solve_ballast(
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     if max(abs(heel), abs(trim)) >= math.pi / 4:
         raise ValueError("heel and trim are less than 45 deg")
-    name = _vessel(scenario, vessel)
-    chosen = _chosen(scenario, name, tanks)
+    name = vessel_of(scenario, vessel)
+    chosen = tanks_that_may_change(scenario, name, tanks)
     if draft is not None:
-        _refuse_draft(scenario, name, draft)
+        refuse_draft(scenario, name, draft)
     tell = on_progress or (lambda _: None)
-    search = _Search(scenario, name, chosen, _moment(scenario, time, step), tell)
+    search = _Search(scenario, name, chosen, moment_of(scenario, time, step), tell)
     wanted = {"heel": heel, "trim": trim} | ({} if draft is None else {"draft": draft})
     if draft is not None:
         search.refuse_mass(VesselAttitude(heel, trim, draft))
     first = search.now
     rounds = search.run(wanted)
     return search.answer(first, rounds)
-
-
-def _vessel(scenario: Scenario, name: str | None) -> str:
-    fitting = [one for one, body in bodies_afloat(scenario).items() if body.floats_freely and body.tanks]
-    if name is not None:
-        if name not in fitting:
-            raise ValueError(f"'{name}' is not a vessel with tanks; {nearest(name, fitting)}")
-        return name
-    if not fitting:
-        raise ValueError("no vessel with tanks floats in this lift; give one 'tanks'")
-    if len(fitting) > 1:
-        raise ValueError(f"{', '.join(fitting)} have tanks; say which of them is meant")
-    return fitting[0]
-
-
-def _chosen(scenario: Scenario, vessel: str, tanks: Sequence[str] | None) -> list[str]:
-    """Names of the tanks that may change, as the vessel has them."""
-    own = bodies_afloat(scenario)[vessel].tanks or {}
-    if tanks is None:
-        return list(own)
-    known = {f"{vessel}.{tank}": tank for tank in own}
-    found = []
-    for text in tanks:
-        full = full_name(text, known)
-        if full is None:
-            raise ValueError(f"'{text}' is not a tank of {vessel}; {nearest(text, own)}")
-        found.append(known[full])
-    if not found:
-        raise ValueError("no tank may change; name one at least")
-    return list(dict.fromkeys(found))
-
-
-def _refuse_draft(scenario: Scenario, vessel: str, draft: float) -> None:
-    hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
-    assert hull is not None  # it floats
-    keel, deck = hull.box[:, 2]
-    if not keel < draft < deck:
-        sentence = f"a draft of {draft:g} m is not between the keel of {vessel} at {keel:g} m and its deck"
-        raise ValueError(f"{sentence} at {deck:g} m; it floats with its deck dry")
-
-
-def _moment(scenario: Scenario, time: float | None, step: str | None) -> float:
-    if step is None:
-        moment = scenario.duration if time is None else time
-        if not 0.0 <= moment <= scenario.duration:
-            raise ValueError(f"{moment:g} s is not in the lift, which lasts {scenario.duration:g} s")
-        return moment
-    if time is not None:
-        raise ValueError("a time and a step are given; one of them says when")
-    steps = [one.step for one in scenario.plan]
-    if steps.count(step) != 1:
-        if step in steps:
-            raise ValueError(f"'{step}' is the name of {steps.count(step)} steps; one is needed")
-        raise ValueError(f"'{step}' is not a step of the plan; {nearest(step, steps)}")
-    end = end_of_step(scenario, step)
-    if end is None:
-        raise ValueError(f"'{step}' does not begin within the {scenario.duration:g} s of the lift")
-    return end
 
 
 class _Search:

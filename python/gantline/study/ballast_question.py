@@ -1,0 +1,78 @@
+"""What is asked for where contents of tanks are: the vessel, its tanks, the moment, a draft that can be.
+
+What cannot be is a `ValueError` with a sentence.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gantline.assembly.hulls import hull_mesh
+from gantline.scenario import Scenario
+from gantline.scenario.errors import nearest
+from gantline.scenario.hooks import full_name
+from gantline.scenario.tanks import bodies_afloat
+from gantline.study.moment import end_of_step
+
+__all__ = ["moment_of", "refuse_draft", "tanks_that_may_change", "vessel_of"]
+
+
+def vessel_of(scenario: Scenario, name: str | None) -> str:
+    """The vessel of a name; without one that which alone has tanks."""
+    fitting = [one for one, body in bodies_afloat(scenario).items() if body.floats_freely and body.tanks]
+    if name is not None:
+        if name not in fitting:
+            raise ValueError(f"'{name}' is not a vessel with tanks; {nearest(name, fitting)}")
+        return name
+    if not fitting:
+        raise ValueError("no vessel with tanks floats in this lift; give one 'tanks'")
+    if len(fitting) > 1:
+        raise ValueError(f"{', '.join(fitting)} have tanks; say which of them is meant")
+    return fitting[0]
+
+
+def tanks_that_may_change(scenario: Scenario, vessel: str, tanks: Sequence[str] | None) -> list[str]:
+    """Names of the tanks that may change, as the vessel has them."""
+    own = bodies_afloat(scenario)[vessel].tanks or {}
+    if tanks is None:
+        return list(own)
+    known = {f"{vessel}.{tank}": tank for tank in own}
+    found = []
+    for text in tanks:
+        full = full_name(text, known)
+        if full is None:
+            raise ValueError(f"'{text}' is not a tank of {vessel}; {nearest(text, own)}")
+        found.append(known[full])
+    if not found:
+        raise ValueError("no tank may change; name one at least")
+    return list(dict.fromkeys(found))
+
+
+def refuse_draft(scenario: Scenario, vessel: str, draft: float) -> None:
+    """Refuse a draft [m] with which the keel would be out of the water, or the deck under it."""
+    hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
+    assert hull is not None  # it floats
+    keel, deck = hull.box[:, 2]
+    if not keel < draft < deck:
+        sentence = f"a draft of {draft:g} m is not between the keel of {vessel} at {keel:g} m and its deck"
+        raise ValueError(f"{sentence} at {deck:g} m; it floats with its deck dry")
+
+
+def moment_of(scenario: Scenario, time: float | None, step: str | None) -> float:
+    """The moment that is meant [s]: a time, the end of a step, or the end of the lift."""
+    if step is None:
+        moment = scenario.duration if time is None else time
+        if not 0.0 <= moment <= scenario.duration:
+            raise ValueError(f"{moment:g} s is not in the lift, which lasts {scenario.duration:g} s")
+        return moment
+    if time is not None:
+        raise ValueError("a time and a step are given; one of them says when")
+    steps = [one.step for one in scenario.plan]
+    if steps.count(step) != 1:
+        if step in steps:
+            raise ValueError(f"'{step}' is the name of {steps.count(step)} steps; one is needed")
+        raise ValueError(f"'{step}' is not a step of the plan; {nearest(step, steps)}")
+    end = end_of_step(scenario, step)
+    if end is None:
+        raise ValueError(f"'{step}' does not begin within the {scenario.duration:g} s of the lift")
+    return end
