@@ -79,6 +79,7 @@ def test_json(lift: Path) -> None:
     assert list(named) == ["", "heavy", "cog_corners", "sling_lengths", "hook_levels"]
     (heavy,) = named["heavy"]
     assert heavy["sling_tension"]["SA"] == pytest.approx(1.1 * WEIGHT / 4, rel=1e-9)
+    assert heavy["governing"] is None, "there are no limits"
     assert heavy["stable"] is True and heavy["failed"] == [] and heavy["checks"]
     worst = {(one["quantity"], one["element"]): one for one in document["worst"]}
     assert worst["sling_tension", "SA"]["case"] == "heavy"
@@ -97,6 +98,12 @@ def test_a_check_that_fails_in_a_case_ends_with_one(lift: Path) -> None:
     result = gantline("cases", str(lift))
     assert result.exit_code == 1, result.stdout + result.stderr
     assert re.search(r"sling_lengths \(2\) +715\.7 kN .*FAILED\n", result.stdout)
+    # 720 kN over W/4 (1 − 0.04 − 0.04) = 676.9 kN, and over W/4 as given.
+    assert re.search(
+        r"cog_corners \(4\) +smallest_sling_tension_when_clear +106\.4 % +S[A-D]\n", result.stdout
+    )
+    assert re.search(r"as given +smallest_sling_tension_when_clear +97\.9 % +S[A-D]\n", result.stdout)
+    assert max(map(len, result.stdout.splitlines())) <= 80
     # W/4 (1 − 0.04 − 0.04) = 676.9 kN in two corners at the lug that is farthest off.
     note = "smallest_sling_tension_when_clear failed: cog_corners (4 of 4),"
     assert note in result.stdout

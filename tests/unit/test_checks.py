@@ -1,11 +1,21 @@
 """Checks: verdicts at, below and above each limit."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from gantline.checks import LIMITS, Check, Verdict, check_recording, end_of_step, has_failed, verdict_of
+from gantline.checks import (
+    LIMITS,
+    Check,
+    Verdict,
+    check_recording,
+    end_of_step,
+    governing,
+    has_failed,
+    verdict_of,
+)
 from gantline.results.recording import Recording
 from sample_lift import WEIGHT, ringing_lift, sample_recording, sample_rig
 
@@ -360,3 +370,21 @@ def test_travel_at_any_time_counts_before_the_load_is_clear(limit: float, verdic
 def test_travel_at_any_time_is_listed_where_a_limit_names_it_only() -> None:
     names = {check.name for check in check_recording(ringing_lift(rig=sample_rig()))}
     assert "equalizer_travel_at_any_time" not in names
+
+
+def test_the_governing_check_uses_most_of_its_limit() -> None:
+    def check(name: str, verdict: Verdict, value: float | None, limit: float | None) -> Check:
+        return Check(name, verdict, "", value=value, limit=limit)
+
+    near, nearer = check("a", Verdict.OK, 0.8, 1.0), check("b", Verdict.OK, 1.8, 2.0)
+    least = replace(check("c", Verdict.OK, 2.0, 1.9), at_least=True)
+    unlimited, unknown = (
+        check("d", Verdict.NOT_CHECKED, 5.0, None),
+        check("e", Verdict.NOT_CHECKED, None, 1.0),
+    )
+    assert governing([near, nearer, unlimited, unknown]) is nearer
+    assert governing([near, nearer, least]) is least
+    assert governing([near, replace(near, name="alike")]) is near
+    refused = check("f", Verdict.FAILED, None, 1.0)
+    assert governing([near, replace(near, value=9.0, verdict=Verdict.FAILED), refused]) is refused
+    assert governing([unlimited, unknown]) is None

@@ -1,6 +1,6 @@
 """Limits of a lift held against its recording."""
 
-from gantline.checks.check import Check, Verdict, has_failed, past_limits, verdict_of
+from gantline.checks.check import Check, Verdict, governing, has_failed, past_limits, verdict_of
 from gantline.checks.limits import LIMITS
 from gantline.checks.run import check_recording, end_of_step, values_of
 
@@ -10,6 +10,7 @@ __all__ = [
     "Verdict",
     "check_recording",
     "end_of_step",
+    "governing",
     "has_failed",
     "past_limits",
     "values_of",

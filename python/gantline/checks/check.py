@@ -92,7 +92,7 @@ def has_failed(checks: Sequence[Check]) -> bool:
 
 def verdict_of(checks: Sequence[Check]) -> str:
     """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked."""
-    done = [check for check in checks if check.verdict is not Verdict.NOT_CHECKED]
+    done = [check for check in checks if _is_done(check)]
     if not done:
         return "NO VERDICT: nothing has been checked"
     failed = [check for check in done if check.verdict is Verdict.FAILED]
@@ -110,6 +110,19 @@ def verdict_of(checks: Sequence[Check]) -> str:
     return f"{head}; {_count(warnings, 'warning')}, {rest}"
 
 
+def governing(checks: Sequence[Check]) -> Check | None:
+    """The check that uses most of its limit, of those alike the first; None where there is none with a limit.
+
+    One that failed without a number comes before all others.
+    """
+    share = {
+        index: math.inf if check.utilisation is None else check.utilisation
+        for index, check in enumerate(checks)
+        if check.verdict is Verdict.FAILED or (check.utilisation is not None and _is_done(check))
+    }
+    return checks[max(share, key=lambda index: share[index])] if share else None
+
+
 def past_limits(checks: Sequence[Check]) -> list[Check]:
     """Checks that are past their limit and no more than a warning."""
     return [
@@ -117,6 +130,10 @@ def past_limits(checks: Sequence[Check]) -> list[Check]:
         for check in checks
         if check.verdict is Verdict.WARNING and check.utilisation is not None and check.utilisation > 1.0
     ]
+
+
+def _is_done(check: Check) -> bool:
+    return check.verdict is not Verdict.NOT_CHECKED
 
 
 def _foremost(checks: Sequence[Check]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
+from gantline.checks import governing
 from gantline.cli.table import ABSENT, show, table, tables
 from gantline.study.cases import CasesResult
 from gantline.study.state import QUANTITIES, State, Worst, values_of
@@ -43,6 +44,7 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     parts = [
         [f"{result.title}, at rest"],
         [*states_table(groups, "Case", width=width), *why],
+        _governing(groups, width),
         *_tensions(result, width),
         _worst(result.worst, width),
         *_bands(result),
@@ -137,6 +139,22 @@ def _in_cases(states: Sequence[State], found: Sequence[int]) -> str:
         every = sum(state.case == case for state in states)
         parts.append(_name(case, f"{some} of {every}" if every > 1 else ""))
     return ", ".join(parts)
+
+
+def _governing(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> list[str]:
+    """The check of each group of states that uses most of its limit."""
+    rows = []
+    for name, states in groups:
+        check = governing([check for state in states for check in state.checks])
+        if check is not None:
+            used = ABSENT if check.utilisation is None else show(check.utilisation, "%", 1)
+            rows.append((name, check.name, used, check.element))
+    if not rows:
+        return []
+    head = ("Nearest to a limit", "check", "used", "by")
+    others = max(len(line) for line in table(("", *head[1:]), [("", *row[1:]) for row in rows], "llrl"))
+    room = max(_SHORTEST_LABEL, width - others)
+    return table(head, [(_shortened(row[0], room), *row[1:]) for row in rows], "llrl")
 
 
 def _tensions(result: CasesResult, width: int) -> list[list[str]]:

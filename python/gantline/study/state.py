@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gantline.checks import Check, Verdict, check_recording, has_failed, verdict_of
+from gantline.checks import Check, Verdict, check_recording, governing, has_failed, verdict_of
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.saved import LOSSES, QUANTITIES
@@ -72,6 +72,11 @@ class State:
         return tuple(dict.fromkeys(one.name for one in self.checks if one.verdict is Verdict.FAILED))
 
     @property
+    def governing(self) -> Check | None:
+        """The check that uses most of its limit; None without equilibrium or such a check."""
+        return governing(self.checks)
+
+    @property
     def is_sound(self) -> bool:
         """Whether there is an equilibrium, it is stable, what should hang does, and no check failed."""
         is_stable = self.rest is not None and self.rest.is_stable
@@ -79,7 +84,7 @@ class State:
 
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""
-        rest = self.rest
+        rest, check = self.rest, self.governing
         return {
             "variant": self.variant,
             "losses": self.losses,
@@ -95,6 +100,9 @@ class State:
             **values_of(self),
             "first_order_sling_tension": dict(self.first_order) or None,
             "failed": list(self.failed),
+            "governing": None
+            if check is None
+            else {"check": check.name, "element": check.element, "utilisation": check.utilisation},
             "verdict": verdict_of(self.checks) if rest is not None else "",
             "checks": [check.to_json() for check in self.checks],
         }
