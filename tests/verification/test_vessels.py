@@ -416,6 +416,9 @@ def test_what_capsizes_or_sinks_at_rest_is_told(tmp_path: Path) -> None:
     path = written(tmp_path, lift_of(barge(heel="-2 deg", **TOP_HEAVY)))
     with pytest.raises(ScenarioError, match=r"vessels\.barge: it cannot start at rest: it capsizes before"):
         Simulation(path)
+    # On its side it floats stably: that was an equilibrium like any other.
+    with pytest.raises(NoEquilibriumError, match="it capsizes before it comes to rest"):
+        Statics(path).equilibrium()
     masses = {"hull": {"mass": "25000 t", "at": ["50 m", "0 m", "5 m"]}}
     question = Statics(written(tmp_path, lift_of(barge(masses=masses))))
     with pytest.raises(NoEquilibriumError, match="it sinks: no hull bears that weight"):

@@ -6,7 +6,7 @@ use thiserror::Error;
 use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
 use crate::constraint::Law;
-use crate::event::afloat::{Lookout, Vessel};
+use crate::event::afloat::Lookout;
 use crate::event::standstill;
 use crate::event::{Event, EventKind, EventLog};
 use crate::record::columns::{Columns, tensions_of};
@@ -160,12 +160,6 @@ impl Simulation {
         }
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);
-        let has_capsized =
-            |vessel: &&Vessel| vessel.beyond(&frame.kinematics.pose[vessel.body], system.tree.gravity) > 0.0;
-        if let Some(vessel) = system.vessels.iter().find(has_capsized) {
-            let (element, cause) = (vessel.name.clone(), "it capsizes before it comes to rest".to_owned());
-            return Err(NoEquilibrium { element, cause }.into());
-        }
         Ok(Self {
             method: method(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),

@@ -6,6 +6,7 @@ use gantline_core::constraint::{Constraint, Placed};
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use gantline_core::tree::bias::NewtonEuler;
+use gantline_core::tree::drift;
 use gantline_core::tree::kinematics::Twist;
 use gantline_core::tree::tangent::{DynamicsTangent, Paired};
 use glam::DVec3;
@@ -86,6 +87,20 @@ proptest! {
         frame.mass.multiply(&state.v, &mut product);
         let by_product: f64 = 0.5 * product.iter().zip(&state.v).map(|(a, b)| a * b).sum::<f64>();
         prop_assert!((direct - by_product).abs() < 1e-12 * direct.max(1.0));
+    }
+
+    /// What drifting bodies do to the kinetic energy, their joints' velocities held, against its differences.
+    #[test]
+    fn power_of_drift_equals_differences_of_the_kinetic_energy(seeds in seeds()) {
+        let (system, state, frame) = built(&seeds);
+        let way: Vec<f64> = (0..system.tree.velocities).map(|k| seeds[(5 * k + 2) % seeds.len()]).collect();
+        let energy = |scale: f64| 0.5 * moved(&system, &state, &way, scale).1.mass.quadratic(&state.v);
+        let expected = (energy(STEP) - energy(-STEP)) / (2.0 * STEP);
+        let both = [&state.v, &way].map(|rates| twists(&system, &frame, rates));
+        let mut changes = vec![Twist::default(); system.tree.bodies.len()];
+        let found = drift::power(&system.tree, &frame.kinematics, (&both[0], &both[1]), &mut changes);
+        // Rounding 1e-16/STEP of the energy, and STEP² of its third derivative.
+        prop_assert!((found - expected).abs() < 1e-7 * energy(0.0).max(1.0), "{found} {expected}");
     }
 
     /// Inverse dynamics against Newton and Euler for each body: rates of momentum by differences along a

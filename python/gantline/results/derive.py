@@ -194,17 +194,24 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     variables |= of_cranes
     coordinates |= labels
     if "rope_point" in variables:
-        variables["rope_point"] = _rounded(variables["rope_point"])
+        variables["rope_point"] = _rounded(variables["rope_point"], names["rope_point"])
     used = {dim for variable in variables.values() for dim in variable.dims}
     coordinates = {dim: labels for dim, labels in coordinates.items() if dim in used}
     return Recording(variables, coordinates, {**attributes, "rig": dict(rig)})
 
 
-def _rounded(path: Variable) -> Variable:
-    """Drawn points, rounded after forces have been found by them: their last digits fill half of a file."""
+def _rounded(path: Variable, ropes: Sequence[str]) -> Variable:
+    """Drawn points, rounded but for the ends of ropes, whose directions count.
+
+    Forces have been found by them before: their last digits fill half of a file.
+    """
     points = path.values * _POINTS_PER_METRE
     np.rint(points, out=points)
     points /= _POINTS_PER_METRE
+    owner = np.asarray(ropes)
+    is_new = owner[1:] != owner[:-1]
+    ends = np.flatnonzero(np.append(True, is_new) | np.append(is_new, True))
+    points[:, ends] = path.values[:, ends]
     points.flags.writeable = False
     return replace(path, values=points)
 

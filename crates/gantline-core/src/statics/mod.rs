@@ -24,6 +24,7 @@ use thiserror::Error;
 
 use crate::audit::Ledger;
 use crate::constraint::Law;
+use crate::event::afloat::Vessel;
 use crate::force::AnyForce;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -156,6 +157,12 @@ impl Statics {
             };
             let element = system.constraint_of_row(element).name().to_owned();
             return Err(NoEquilibrium { element, cause: cause.to_owned() });
+        }
+        let pose = &self.search.here.frame.kinematics.pose;
+        let has_capsized = |vessel: &&Vessel| vessel.beyond(&pose[vessel.body], system.tree.gravity) > 0.0;
+        if let Some(vessel) = system.vessels.iter().find(has_capsized) {
+            let cause = "it capsizes before it comes to rest".to_owned();
+            return Err(NoEquilibrium { element: vessel.name.clone(), cause });
         }
         self.drag_motors(system, state);
         self.store(system, state);

@@ -3,6 +3,7 @@
 pub mod applied;
 pub mod ball;
 pub mod bias;
+pub mod drift;
 pub mod factor;
 pub mod fixed;
 pub mod flow;

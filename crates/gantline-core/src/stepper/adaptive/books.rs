@@ -4,6 +4,7 @@
 //! position, its acceleration not quite what the forces give. The work of that defect is what the method itself
 //! adds or takes; it is computed like any other flow.
 
+use super::evaluation::turn_of_rate;
 use super::light::Laying;
 use super::point::Point;
 use super::winding::Paid;
@@ -15,6 +16,8 @@ use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::coils;
 use crate::system::System;
+use crate::tree::drift;
+use glam::DVec3;
 
 /// Weights of the Gauss points among [`LOOKS`].
 pub(super) const WEIGHTS: [f64; 4] =
@@ -175,9 +178,15 @@ impl Adaptive {
                     duration * law.damping_time() / law.compliance() * stretch * stretch;
             }
         }
-        // The position's own defect, against gravity and springs: as if the bodies moved with it.
+        // The position's own defect, against inertia, gravity and springs: as if the bodies moved with it.
         for (defect, phi_rate) in self.rate.phi.iter_mut().zip(&probe.phi_rate) {
             *defect -= phi_rate;
+        }
+        for &first in &probe.rotations {
+            let range = first..first + 3;
+            let [phi, rate] =
+                [&self.point.phi, &self.rate.phi].map(|all| DVec3::from_slice(&all[range.clone()]));
+            self.rate.phi[range].copy_from_slice(&turn_of_rate(phi, rate).to_array());
         }
         for &dof in system.light.iter().flat_map(|light| &light.dofs) {
             self.rate.phi[dof] = 0.0;
@@ -189,7 +198,8 @@ impl Adaptive {
         for ((course, anchor_rate), &row) in anchors.zip(&system.friction) {
             self.rows[row] -= course - anchor_rate;
         }
-        let mut power = 0.0;
+        let twists = (probe.dynamics.twists.as_slice(), self.defect.as_slice());
+        let mut power = drift::power(&system.tree, &probe.frame.kinematics, twists, &mut self.changes);
         for (row, law) in system.rows.laws.iter().enumerate() {
             if state.modes[row] == Mode::Parted {
                 continue;

@@ -67,7 +67,7 @@ pub struct Evaluation {
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
     pub(super) lines: Vec<Line>,
     /// First degree of freedom of every joint's rotations in body axes.
-    rotations: Vec<usize>,
+    pub(super) rotations: Vec<usize>,
     /// Newtons that a metre of length counts for where an inextensible rope is slack.
     pub rigid_scale: f64,
 }
@@ -384,4 +384,18 @@ pub fn rate_of_rotation(phi: DVec3, omega: DVec3) -> DVec3 {
     };
     let turn = phi.cross(omega);
     omega + turn / 2.0 + phi.cross(turn) * share
+}
+
+/// The angular velocity in body axes whose rotation vector φ changes at the rate φ̇, the inverse of [`rate_of_rotation`]:
+/// φ̇ − (1 − cos φ) φ×φ̇/φ² + (1 − sin φ/φ) φ×(φ×φ̇)/φ².
+pub fn turn_of_rate(phi: DVec3, rate: DVec3) -> DVec3 {
+    let square = phi.length_squared();
+    let angle = square.sqrt();
+    let (first, second) = if angle < 1e-2 {
+        (0.5 - square / 24.0, 1.0 / 6.0 - square / 120.0)
+    } else {
+        ((1.0 - angle.cos()) / square, (1.0 - angle.sin() / angle) / square)
+    };
+    let turn = phi.cross(rate);
+    rate - turn * first + phi.cross(turn) * second
 }

@@ -104,6 +104,8 @@ pub struct Adaptive {
     support: Vec<f64>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
+    /// Work space of [`crate::tree::drift::power`].
+    changes: Vec<Twist>,
     /// What is wound on all sheaves at the end of the part that is made, and the share of it at which a rope left one
     /// or came back.
     wraps: Vec<Winding>,
@@ -145,6 +147,7 @@ impl Adaptive {
             support: vec![0.0; system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
+            changes: vec![Twist::default(); system.tree.bodies.len()],
             wraps: vec![Winding::default(); system.sheaves.len()],
             unwound: vec![Winding::default(); system.sheaves.len()],
             crossings: vec![0.0; system.sheaves.len()],
