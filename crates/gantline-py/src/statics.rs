@@ -79,9 +79,16 @@ impl Statics {
         }
         let losses = losses_of(losses, slide)?;
         self.modes.clear();
-        let inner = &mut self.inner;
-        let rest = py.detach(|| inner.settle(time, increment.as_deref(), losses)).map_err(no_equilibrium)?;
-        self.found(py, rest)
+        let mut interrupt = Ok(());
+        let found = py.detach(|| {
+            let mut goes_on = || {
+                interrupt = Python::attach(|py| py.check_signals());
+                interrupt.is_ok()
+            };
+            self.inner.settle(time, increment.as_deref(), losses, &mut goes_on)
+        });
+        interrupt?;
+        self.found(py, found.map_err(no_equilibrium)?)
     }
 
     /// Finds the equilibrium of where a simulation of the same document has got to, from what it has saved.
@@ -95,8 +102,7 @@ impl Statics {
     ) -> PyResult<Bound<'py, PyDict>> {
         let losses = losses_of(losses, slide)?;
         self.modes.clear();
-        let inner = &mut self.inner;
-        let rest = py.detach(|| inner.settle_saved(saved, losses)).map_err(value_error)?;
+        let rest = py.detach(|| self.inner.settle_saved(saved, losses)).map_err(value_error)?;
         self.found(py, rest.map_err(no_equilibrium)?)
     }
 
@@ -110,16 +116,14 @@ impl Statics {
     ) -> PyResult<Option<Bound<'py, PyDict>>> {
         let losses = losses_of(losses, slide)?;
         self.modes.clear();
-        let inner = &mut self.inner;
-        let rest = py.detach(|| inner.step_off(losses)).map_err(no_equilibrium)?;
+        let rest = py.detach(|| self.inner.step_off(losses)).map_err(no_equilibrium)?;
         rest.map(|rest| self.found(py, rest)).transpose()
     }
 
     /// Modes about the equilibrium found last, slowest first, so many or all; arrays over the modes.
     #[pyo3(signature = (count=None))]
     fn modes<'py>(&mut self, py: Python<'py>, count: Option<usize>) -> PyResult<Bound<'py, PyDict>> {
-        let inner = &mut self.inner;
-        self.modes = py.detach(|| inner.modes(count));
+        self.modes = py.detach(|| self.inner.modes(count));
         let (modes, ropes) = (&self.modes, self.inner.system().rope_rows());
         let (count, bodies) = (modes.len(), self.inner.names().body.len());
         let motion = modes.iter().flat_map(|mode| self.inner.body_motion(&mode.shape)).collect();
@@ -152,8 +156,7 @@ impl Statics {
     ) -> PyResult<Bound<'py, PyDict>> {
         let wanted: Vec<Parameter> =
             parameters.iter().map(|(kind, name)| self.parameter(kind, name)).collect::<PyResult<_>>()?;
-        let inner = &mut self.inner;
-        let found = py.detach(|| inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
+        let found = py.detach(|| self.inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
         let ropes: Vec<usize> = self.inner.system().rows.first[..self.inner.system().rope_count].to_vec();
         let values = found.iter().flat_map(|one| ropes.iter().map(|&row| one.tension[row])).collect();
         let bodies = self.inner.names().body.len();
@@ -205,16 +208,14 @@ impl Statics {
         let missing = || PyValueError::new_err(format!("there is no {name} to ask the {kind} of"));
         let rope = || self.inner.rope(name).ok_or_else(missing);
         let body = || self.inner.body(name).ok_or_else(missing);
-        Ok(match kind {
-            "length" => Parameter::Length(rope()?),
-            "stiffness" => Parameter::Stiffness(rope()?),
-            "mass" => Parameter::Mass(body()?),
-            "centre_x" => Parameter::Centre(body()?, 0),
-            "centre_y" => Parameter::Centre(body()?, 1),
-            "centre_z" => Parameter::Centre(body()?, 2),
-            "place_x" => Parameter::Place(body()?, 0),
-            "place_y" => Parameter::Place(body()?, 1),
-            "place_z" => Parameter::Place(body()?, 2),
+        let (what, axis) = kind.split_once('_').unwrap_or((kind, ""));
+        let axis = ["x", "y", "z"].iter().position(|known| *known == axis);
+        Ok(match (what, axis) {
+            ("length", None) => Parameter::Length(rope()?),
+            ("stiffness", None) => Parameter::Stiffness(rope()?),
+            ("mass", None) => Parameter::Mass(body()?),
+            ("centre", Some(axis)) => Parameter::Centre(body()?, axis),
+            ("place", Some(axis)) => Parameter::Place(body()?, axis),
             _ => return Err(PyValueError::new_err(format!("there is no parameter {kind}"))),
         })
     }

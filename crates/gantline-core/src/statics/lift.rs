@@ -31,6 +31,9 @@ const SHORTEST: f64 = 1e-3;
 /// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
 const DOUBT: f64 = 1e-6;
 
+/// What is asked whether a search shall go on.
+pub type GoesOn<'a> = &'a mut dyn FnMut() -> bool;
+
 /// A lift at rest.
 #[derive(Debug, Clone)]
 pub struct StaticLift {
@@ -69,15 +72,16 @@ impl StaticLift {
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
     /// A plan that waits for a condition is followed from rest to rest in steps of 0.1 s. So is a lift whose drums
     /// remember what they wind, or whose friction holds: in parts that are short where that matters. What slides does so
-    /// from there.
+    /// from there. Before every part `goes_on` is asked.
     ///
     /// # Errors
-    /// [`NoEquilibrium`] says why there is none.
+    /// [`NoEquilibrium`] says why there is none, or that the search was stopped.
     pub fn settle(
         &mut self,
         time: f64,
         increment: Option<&[f64]>,
         losses: Losses,
+        goes_on: GoesOn,
     ) -> Result<Rest, NoEquilibrium> {
         let Self { system, first, state, .. } = self;
         state.copy_from(first);
@@ -90,13 +94,13 @@ impl StaticLift {
         let rest = match losses {
             // What slides does so where the plan has brought it.
             Losses::Slide(_) => {
-                self.follow(time, Losses::Held)?;
+                self.follow(time, Losses::Held, goes_on)?;
                 self.statics.go_on(&self.system, &mut self.state, losses)
             }
             Losses::None | Losses::Forward | Losses::Backward if system.coils.is_empty() => {
-                self.jump(time, losses)
+                self.jump(time, losses, goes_on)
             }
-            _ => self.follow(time, losses),
+            _ => self.follow(time, losses, goes_on),
         }?;
         self.sample(time > 0.0);
         Ok(rest)
@@ -119,7 +123,7 @@ impl StaticLift {
     }
 
     /// At once, or in steps where the plan waits for conditions.
-    fn jump(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
+    fn jump(&mut self, time: f64, losses: Losses, goes_on: GoesOn) -> Result<Rest, NoEquilibrium> {
         let Self { system, state, statics, log, .. } = self;
         log.events.clear();
         let mut support = vec![0.0; system.groups.len()];
@@ -129,6 +133,7 @@ impl StaticLift {
             log.events.clear();
             let mut now = 0.0;
             while now < time {
+                unless_stopped(goes_on)?;
                 state.time = now;
                 part(system, state);
                 statics.settle(system, state, losses)?;
@@ -147,7 +152,7 @@ impl StaticLift {
 
     /// From rest to rest. A condition is met at the first look at which it holds, `LOOK` apart: what holds for less than
     /// `AHEAD`, and not at its end, may be missed.
-    fn follow(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
+    fn follow(&mut self, time: f64, losses: Losses, goes_on: GoesOn) -> Result<Rest, NoEquilibrium> {
         let Self { system, state, statics, log, .. } = self;
         log.events.clear();
         let mut support = vec![0.0; system.groups.len()];
@@ -155,6 +160,7 @@ impl StaticLift {
         let mut rest = Some(statics.settle(system, state, losses)?);
         let (mut before, mut stride) = (state.clone(), LONGEST);
         while state.time < time {
+            unless_stopped(goes_on)?;
             before.copy_from(state);
             let now = state.time;
             flows::supports(system, &state.tension, &mut support);
@@ -358,6 +364,13 @@ impl StaticLift {
             brakes.filter(|brake| matches!(brake, AnyConstraint::Brake(brake) if !brake.grip.is_none()));
         lossy.map(|brake| brake.name()).collect()
     }
+}
+
+fn unless_stopped(goes_on: GoesOn) -> Result<(), NoEquilibrium> {
+    if goes_on() {
+        return Ok(());
+    }
+    Err(NoEquilibrium { element: "the search".to_owned(), cause: "it was stopped".to_owned() })
 }
 
 /// Where everything is in a state.

@@ -1,0 +1,25 @@
+"""Ctrl-C while statics follows a plan from rest to rest, which takes seconds."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from pathlib import Path
+
+import pytest
+
+from gantline.statics import Statics
+
+LIFT = Path(__file__).resolve().parents[2] / "scenarios" / "floating_crane"
+
+
+def test_ctrl_c_ends_a_search_between_two_equilibria() -> None:
+    """The search is not heard of before its end otherwise; what it belongs to can be asked again."""
+    question = Statics(LIFT)
+    interrupt = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    interrupt.start()
+    with pytest.raises(KeyboardInterrupt):
+        question.equilibrium()  # the end of the lift: a thousand equilibria and more
+    interrupt.join()
+    assert question.equilibrium(time=0.0).is_stable
