@@ -13,6 +13,7 @@ from typing import Any
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
 from gantline.assembly.origin import refused
+from gantline.assembly.vessels import adrift
 from gantline.interrupt import noted_interrupt
 from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.crawler import tipping_warnings
@@ -198,6 +199,9 @@ class Simulation:
         warnings += drum_warnings(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
+        if len(columns["time"]):
+            at_start = dict(zip(names["body"], columns["body_position"][0], strict=True))
+            warnings += adrift(self.scenario, self.assembly.document, at_start)
         warnings += pump_warnings(rig, columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)

@@ -351,3 +351,13 @@ def test_the_scene_has_all_that_is_drawn() -> None:
     assert all(sheave["radius"] == pytest.approx(0.4) for sheave in scene["sheaves"])
     assert [rope["kind"] for rope in scene["ropes"]] == ["equalizing"] + ["sling"] * 5
     assert scene["ground"] == {"level": 0.0}
+
+
+@pytest.mark.parametrize(("height", "off"), [(5.8, None), (6.4, "1.4 m")])
+def test_a_lug_in_mid_air_is_told(height: float, off: str | None) -> None:
+    """The load is 5 m high; lugs up to 1 m off its box stand on something that the box leaves out."""
+    text = (SCENARIOS / "equalizer" / "scenario.yaml").read_text(encoding="utf-8")
+    text = text.replace("L3: {at: [ 0 m,    0 m,   5 m]", f"L3: {{at: [ 0 m,    0 m,   {height} m]")
+    text = text.replace("to: block.L3, length: 26 m", f"to: block.L3, length: {31 - height:g} m")
+    told = [one for one in assemble(parse_scenario(text)).warnings if "lug" in one]
+    assert told == ([] if off is None else [f"lug L3 lies {off} outside the load's box"])

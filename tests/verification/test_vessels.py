@@ -425,6 +425,24 @@ def test_what_capsizes_or_sinks_at_rest_is_told(tmp_path: Path) -> None:
         question.equilibrium()
 
 
+@pytest.mark.parametrize("apart", [200.5, 203.0])
+def test_a_vessel_that_starts_elsewhere_is_told(tmp_path: Path, apart: float) -> None:
+    """200 m of rope at the water line draw it to where they are slack; half a metre of that is not told."""
+    route = [
+        {"type": "end", "body": "barge", "at": ["100 m", "0 m", "4 m"]},
+        {"type": "end", "body": "world", "at": [f"{100 + apart} m", "0 m", "0 m"]},
+    ]
+    ropes = {"line": {"axial_stiffness": "10 MN", "mass": "none", "damping_time": "20 ms"}}
+    bollard = {"at": ["400 m", "0 m", "0 m"], "joint": {"type": "fixed"}, "mass": "1 t"}
+    drawn = {"rope": "line", "length": "200 m", "route": route}
+    mechanics = {"bodies": {"bollard": bollard}, "ropes": {"drawn": drawn}}
+    given = lift_of(barge(draft="4 m"), duration="0.1 s", ropes=ropes, mechanics=mechanics)
+    found = [one for one in simulate(written(tmp_path, given)).attributes["warnings"] if " starts " in one]
+    way = apart - 200.0
+    assert len(found) == (way > 1.0)
+    assert all(one.startswith(f"barge starts {way:.1f} m from where") for one in found)
+
+
 def test_limits_requirements_and_reports_of_vessels(tmp_path: Path) -> None:
     """A barge with 4° of heel, at rest with its weight 0.5 m off the centre: φ = 0.5/GM, GM 15.75 m, 1.8°."""
     from gantline.checks import Verdict, check_recording

@@ -27,6 +27,8 @@ _MOST_TRIANGLES = 4000
 _HULL_ERROR = 1e-3
 #: Masses that differ by less than this share, and centres by less than this share of the size, agree.
 _MASSES_AGREE, _CENTRES_AGREE = 0.02, 0.002
+#: Lugs stand on what is lifted, or on masts and houses that its box leaves out, so far [m].
+_OFF = 1.0
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class LoadBody:
         box: least and largest x, y, z (2, 3) [m].
         mesh: light triangles to draw it; None for a box.
         hull: corners of a convex body to touch it with (n, 3) [m]; of a box its own.
-        warnings: where lift file and CAD do not agree, a sentence each.
+        warnings: where lift file and CAD do not agree, and lugs in mid-air, a sentence each.
     """
 
     mass: float
@@ -69,7 +71,16 @@ def _of_box(load: Load) -> LoadBody:
     inertia = (
         _stated(load.inertia) if isinstance(load.inertia, LoadInertia) else solid_box(mass, load.shape.box)
     )
-    return LoadBody(mass, np.array(load.centre_of_gravity.at), inertia, box, None, _corners(box))
+    centre, off = np.array(load.centre_of_gravity.at), tuple(_lugs_off(load, box))
+    return LoadBody(mass, centre, inertia, box, None, _corners(box), off)
+
+
+def _lugs_off(load: Load, box: Array) -> list[str]:
+    """What lies so far off the load's box that nothing seems to hold it there; farther still is refused."""
+    apart = {
+        name: float(np.maximum(box[0] - lug.at, lug.at - box[1]).max()) for name, lug in load.lugs.items()
+    }
+    return [f"lug {name} lies {off:.3g} m outside the load's box" for name, off in apart.items() if off > _OFF]
 
 
 def _corners(box: Array) -> Array:
@@ -104,6 +115,7 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
     if stated != "from_cad":
         centre = np.array(stated)
         warnings += _apart(centre, whole.centre, box)
+    warnings += _lugs_off(load, box)
     _check(scenario, load, box)
     if isinstance(load.inertia, LoadInertia):
         inertia = _stated(load.inertia)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from gantline.scenario.water import Water
 
 __all__ = [
     "add_vessels",
+    "adrift",
     "deck_edge",
     "vessel_hull",
     "vessel_rig",
@@ -27,6 +29,8 @@ __all__ = [
 
 #: A triangle of a hull is part of its deck where the cosine of its slope is more than this.
 _DECK = 0.5
+#: A vessel that the way to rest takes farther in plan than this has not been meant to go there [m].
+_ADRIFT = 1.0
 
 
 def add_vessels(parts: Parts, scenario: Scenario) -> None:
@@ -152,3 +156,26 @@ def _edge(mesh: HullMesh, upwards: float) -> list[list[float]]:
     ends = [side for side, flats in sides.items() if set(flats) == {True, False} or len(flats) == 1]
     edge = {at for side in ends for at in side}
     return [[float(part) for part in mesh.vertices[at]] for at in sorted(edge)]
+
+
+def adrift(scenario: Scenario, document: Json, at_start: Mapping[str, Sequence[float]]) -> list[str]:
+    """A sentence for each vessel that a run begins with elsewhere than the lift file has it.
+
+    Args:
+        scenario: The lift.
+        document: What has been assembled of it.
+        at_start: Centres of gravity of bodies at the start of the run by their names, world axes [m].
+    """
+    sentences = []
+    for body in document["bodies"]:
+        if body["name"] not in (scenario.vessels or {}):
+            continue
+        joint = body["joint"]
+        given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
+        way = float(np.hypot(*(np.asarray(at_start[body["name"]]) - given)[:2]))
+        if way > _ADRIFT:
+            sentences.append(
+                f"{body['name']} starts {way:.1f} m from where the lift file has it: there it rests; "
+                "see what pulls or pushes it, its draft and its mooring lines"
+            )
+    return sentences

@@ -2,8 +2,8 @@
 
 *Static* is the mean over the quiet window, raised from the weight that was simulated to the design weight.
 *By the rule* is static times the rule's dynamic amplification factor. A simulated peak already holds the
-dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked. So it is with
-skew: the rule's factor is on the force with perfect lengths, never on one that holds its own skew.
+dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked; where the rules
+have no factor, the static force itself takes its place. So it is with skew: the rule's factor is on the force with perfect lengths, never on one that holds its own skew.
 """
 
 from __future__ import annotations
@@ -50,8 +50,12 @@ class Force:
 
     @property
     def dynamic(self) -> float | None:
-        """The larger of rule and simulated peak [N]; None if there is neither."""
-        return max((force for force in (self.rule, self.peak) if force is not None), default=None)
+        """The largest of rule, simulated peak and static force [N]; None if there is neither rule nor peak.
+
+        A peak is that of the weight that was simulated, which the design weight may pass standing still.
+        """
+        known = [force for force in (self.rule, self.peak) if force is not None]
+        return max(known + ([] if self.static is None else [self.static]), default=None) if known else None
 
     @property
     def governing(self) -> float | None:
@@ -67,6 +71,8 @@ class Force:
     def text(self) -> str:
         """How the governing force comes about."""
         parts = [self.rule_text] if self.rule is not None else []
+        if self.rule is None and self.static is not None and self.static == self.dynamic:
+            parts = [self.static_text]
         if self.peak is not None:
             parts.append(f"peak {kilonewton(self.peak)}")
         if not parts:
