@@ -13,15 +13,10 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.run import check_recording
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
-from gantline.results.variable import Variable
 from gantline.rule_data import several_cranes
 from gantline.scenario.rating import Rating
 from gantline.scenario.tree import ListNode, MapNode, TextNode
-
-G = 9.81
-T = 1e3 * G
-RADII = (12.0, 14.0, 16.0, 18.0)
-RATED = (360 * T, 283 * T, 231 * T, 195 * T)
+from rated_lift import RADII, RATED, T, recording
 
 
 def node(text: str | list[str]) -> Any:
@@ -30,70 +25,6 @@ def node(text: str | list[str]) -> Any:
 
 def rating(**given: str | list[str]) -> Rating:
     return Rating.model_validate(MapNode({key: node(text) for key, text in given.items()}))
-
-
-def recording(
-    radius: list[list[float]],
-    load: list[list[float]],
-    *,
-    cranes: tuple[str, ...] = ("c1",),
-    shares: dict[str, float] | None = None,
-    lead: float = 0.0,
-    factors: dict[str, Any] | None = None,
-    limits: dict[str, float] | None = None,
-) -> Recording:
-    """One hook to each crane, or several to one; radius [m] and hoist load [t] are (time, hook)."""
-    count = len(radius[0])
-    hooks = [f"H{n}" for n in range(count)]
-    crane_of = dict(zip(hooks, cranes if len(cranes) == count else cranes * count, strict=True))
-    hoist = np.array(load) * T
-    by_hook, by_crane = ("time", "hook"), ("time", "crane")
-    slings = [f"sling.{hook}" for hook in hooks]
-    plumb = np.array([[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]] * count)
-    still = np.zeros((len(radius), len(cranes)))
-    variables = {
-        "time": Variable(("time",), np.arange(len(radius), dtype=float), "s", ""),
-        "hoist_load": Variable(by_hook, hoist, "N", ""),
-        "hook_load": Variable(by_hook, np.maximum(hoist - 9 * T, 0.0), "N", ""),
-        "crane_radius": Variable(by_hook, np.array(radius), "m", ""),
-        "boom_angle": Variable(by_crane, still + math.radians(60), "rad", ""),
-        "off_lead": Variable(by_hook, np.full(hoist.shape, lead), "rad", ""),
-        "side_lead": Variable(by_hook, np.zeros(hoist.shape), "rad", ""),
-        "crane_heel": Variable(by_crane, still, "rad", ""),
-        "crane_trim": Variable(by_crane, still, "rad", ""),
-        "rope_tension": Variable(("time", "rope"), hoist, "N", ""),
-        "rope_peak_tension": Variable(("rope",), hoist.max(axis=0), "N", ""),
-        "rope_peak_time": Variable(("rope",), np.zeros(count), "s", ""),
-        "rope_point": Variable(("time", "rope_point", "xyz"), np.stack([plumb] * len(radius)), "m", ""),
-        "rope_of_point": Variable(("rope_point",), np.repeat(slings, 2), "1", ""),
-    }
-    charts = [
-        {
-            "crane": crane,
-            "over": "radius",
-            "at": RADII,
-            "rated": RATED,
-            "includes_hook_block": True,
-            "hooks": [hook for hook in hooks if crane_of[hook] == crane],
-            "hook_shares": shares or {},
-            "off_lead": math.radians(1.0),
-        }
-        for crane in dict.fromkeys(cranes)
-    ]
-    rig = {
-        "hooks": [{"name": hook, "crane": crane_of[hook], "direct_slings": [hook]} for hook in hooks],
-        "slings": [{"name": hook, "rope": f"sling.{hook}", "from": hook, "to_lug": "L"} for hook in hooks],
-        "rating_charts": charts,
-        "factors": factors or {},
-        "limits": limits or {},
-    }
-    labels = {
-        "hook": hooks,
-        "crane": list(dict.fromkeys(cranes)),
-        "rope": slings,
-        "xyz": ["x", "y", "z"],
-    }
-    return Recording(variables, labels, {"title": "", "rig": rig})
 
 
 def check(of: Recording, key: str = "hoist_load_of_rating") -> Check:

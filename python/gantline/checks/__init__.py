@@ -2,16 +2,21 @@
 
 from gantline.checks.check import Check, Verdict, governing, has_failed, past_limits, verdict_of
 from gantline.checks.limits import LIMITS
+from gantline.checks.readings import HoldPoint, HookReading, hold_points, hook_readings
 from gantline.checks.run import check_recording, end_of_step, values_of
 
 __all__ = [
     "LIMITS",
     "Check",
+    "HoldPoint",
+    "HookReading",
     "Verdict",
     "check_recording",
     "end_of_step",
     "governing",
     "has_failed",
+    "hold_points",
+    "hook_readings",
     "past_limits",
     "values_of",
     "verdict_of",

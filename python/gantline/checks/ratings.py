@@ -10,7 +10,7 @@ import numpy as np
 from gantline.checks.forces import NO_STATIC, Force, factor, hook_force, kilonewton
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
-from gantline.results.rating import chart_load, chart_places
+from gantline.results.rating import RatedGroup, chart_load, chart_places, rated_groups, rated_load
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
@@ -29,11 +29,8 @@ def load_of_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]
         kept = factor(recording, SEVERAL) if several and chart.crane in _lifting(recording) else None
         if several and kept is None and chart.crane in _lifting(recording):
             yield Caution(f"{len(_lifting(recording))} cranes lift together, and no rule keeps capacity back")
-        groups = [(f"crane {chart.crane}", tuple(chart.hooks), 1.0)]
-        if len(chart.hooks) > 1:
-            groups += [(hook, (hook,), chart.share_of(hook)) for hook in chart.hooks]
-        for element, hooks, share in groups:
-            yield from _of_row(recording, during, chart, (element, hooks, share, kept or 1.0))
+        for group in rated_groups(chart):
+            yield from _of_row(recording, during, chart, group, kept or 1.0)
 
 
 def _lifting(recording: Recording) -> set[str]:
@@ -47,16 +44,17 @@ def _of_row(
     recording: Recording,
     during: BoolArray,
     chart: RatingChart,
-    of: tuple[str, tuple[str, ...], float, float],
+    group: RatedGroup,
+    kept: float,
 ) -> Iterator[Finding]:
-    element, hooks, share, kept = of
+    element, hooks, share = group.element, group.hooks, group.share
     load = chart_load(recording, chart, hooks)
     places = chart_places(recording, chart, hooks)
     outside = during & (load > 0) & ~chart.holds(places).all(axis=1)
     if outside.any():
         yield Refused(element, _outside(recording, chart, places, outside))
         return
-    rated = share * chart.rated_at(places).min(axis=1)
+    rated = rated_load(recording, chart, group)
     yield from _by_rule(recording, during, (element, hooks, kept), chart, rated)
     if series.is_equilibrium(recording):
         return

@@ -58,17 +58,18 @@ def check_recording(recording: Recording) -> list[Check]:
     return every if left is None else [*every, left]
 
 
-def values_of(recording: Recording, name: str) -> dict[str, float]:
-    """What a quantity of `LIMITS` comes to over the whole lift [SI], worst of each element.
+def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> dict[str, float]:
+    """What a quantity of `LIMITS` comes to [SI], worst of each element.
 
     Args:
         recording: Any recording.
         name: A key of `LIMITS`.
+        at: Samples that count; None for the whole lift.
     """
     measure = LIMITS[name]
     pick = min if measure.at_least else max
     values: dict[str, float] = {}
-    during = everywhere(recording)
+    during = everywhere(recording) if at is None else at
     for found in measure.findings(recording, during) if during.any() else ():
         if isinstance(found, Found):
             values[found.element] = pick(found.value, values.get(found.element, found.value))

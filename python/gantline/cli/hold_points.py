@@ -6,24 +6,49 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from gantline.cli.table import pairs, show
+from gantline.checks.readings import OUTSIDE, HookReading, hook_readings
+from gantline.checks.readings import hold_points as held
+from gantline.cli.table import ABSENT, pairs, show, table
 from gantline.results.recording import Recording
+
+#: What stands in the table of hooks.
+_OF_HOOKS = ("hook_load", "hoist_load", "crane_radius")
 
 
 def hold_points(recording: Recording) -> list[str]:
-    """A table for every step that reports something and has ended."""
-    from gantline.checks import end_of_step
-
+    """What is read off at the end of every step that holds or reports, and what hangs in hooks then."""
     lines: list[str] = []
-    for step in recording.rig.plan:
-        at = end_of_step(recording, step.step) if step.report else None
-        if at is None:
-            continue
-        sample = int(np.argmax(at))
-        measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in step.report}
+    for point in held(recording):
+        sample = int(np.argmax(point.at))
+        readings = hook_readings(recording, point.at)
+        # The table of hooks has it beside all that belongs to it.
+        asked = [measure for measure in point.step.report if not (readings and measure in _OF_HOOKS)]
+        measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in asked}
         rows = [(measure.replace("_", " "), text) for measure, text in measured.items() if text]
-        lines += pairs(f"At the end of '{step.step}', {show(float(recording.time[sample]), 's', 2)}", rows)
+        if rows or readings or point.step.report:
+            lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}", rows)
+            lines += _hooks(readings)
     return lines
+
+
+def _hooks(readings: list[HookReading]) -> list[str]:
+    """A table of what hangs in hooks, and of what charts say to that."""
+    columns = [
+        ("hook load", [show(one.hook_load, "kN", 1) for one in readings]),
+        ("of all hooks", [show(one.share, "%", 1) for one in readings]),
+        ("hoist load", [show(one.hoist_load, "kN", 1) for one in readings]),
+        ("radius", [show(one.radius, "m", 2) for one in readings]),
+        ("rated there", [_rated(one) for one in readings]),
+        ("used, as checked", [show(one.used, "%", 1) for one in readings]),
+    ]
+    kept = [(head, cells) for head, cells in columns if any(cell != ABSENT for cell in cells)]
+    rows = list(zip([one.name for one in readings], *(cells for _, cells in kept), strict=True))
+    lines = table(("Hook", *(head for head, _ in kept)), rows, "l" + "r" * len(kept)) if rows else []
+    return [f"  {line}" for line in lines]
+
+
+def _rated(reading: HookReading) -> str:
+    return OUTSIDE if reading.is_outside else show(reading.rated, "kN", 1)
 
 
 def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:

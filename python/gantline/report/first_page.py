@@ -13,6 +13,7 @@ from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
 from gantline.report.booms import boom_rows
 from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
+from gantline.report.holds import shares
 from gantline.report.rest import what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
@@ -177,12 +178,14 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
 def _steps(subject: Subject, most: int) -> dict[str, Any]:
     times = {name: time for time, _, name in subject.recording.events("step_begin")}
     plan = subject.rig.plan
+    shared = shares(subject)
     rows = [
         {
             "name": step.step,
             "begin": show(times.get(step.step), "s", 1),
             "does": _does(step),
             "is_hold": step.kind == "hold",
+            "shares": shared.get(step.step, ""),
             "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
         }
         for step in plan[:most]

@@ -10,6 +10,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from gantline.report.first_page import FirstPage
+from gantline.report.holds import HoldPoints
 from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tensions, Vessels
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.section import Section
@@ -27,6 +28,7 @@ SECTIONS: tuple[Section, ...] = (
     Tensions(),
     Equalizers(),
     HookLoads(),
+    HoldPoints(),
     Attitude(),
     Vessels(),
     Clearances(),

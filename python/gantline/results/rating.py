@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -10,7 +11,36 @@ from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
-__all__ = ["chart_load", "chart_places", "chart_used"]
+__all__ = ["RatedGroup", "chart_load", "chart_places", "chart_used", "rated_groups", "rated_load"]
+
+
+@dataclass(frozen=True)
+class RatedGroup:
+    """Hooks that a chart rates together: all of a crane, or one of several.
+
+    Attributes:
+        element: What checks call it.
+        hooks: The hooks.
+        share: What they may carry of a row of the chart [1].
+    """
+
+    element: str
+    hooks: tuple[str, ...]
+    share: float = 1.0
+
+
+def rated_groups(chart: RatingChart) -> list[RatedGroup]:
+    """The crane with all its hooks; of several hooks each alone too."""
+    groups = [RatedGroup(f"crane {chart.crane}", tuple(chart.hooks))]
+    if len(chart.hooks) > 1:
+        groups += [RatedGroup(hook, (hook,), chart.share_of(hook)) for hook in chart.hooks]
+    return groups
+
+
+def rated_load(recording: Recording, chart: RatingChart, group: RatedGroup) -> FloatArray:
+    """What may hang where hooks are, shape (time,) [N]; 0 outside of the chart."""
+    rated: FloatArray = chart.rated_at(chart_places(recording, chart, group.hooks)).min(axis=1)
+    return group.share * rated
 
 
 def chart_load(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -> FloatArray:
@@ -40,7 +70,7 @@ def chart_places(recording: Recording, chart: RatingChart, hooks: Sequence[str])
 def chart_used(recording: Recording, chart: RatingChart) -> FloatArray:
     """What hangs from a crane over what its chart allows there, shape (time,) [1]; infinite outside of it."""
     load = chart_load(recording, chart, chart.hooks)
-    rated = chart.rated_at(chart_places(recording, chart, chart.hooks)).min(axis=1)
+    rated = rated_load(recording, chart, rated_groups(chart)[0])
     outside = np.where(load > 0, np.inf, 0.0)
     used: FloatArray = np.where(rated > 0, load / np.where(rated > 0, rated, 1.0), outside)
     return used

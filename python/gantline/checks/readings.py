@@ -1,0 +1,143 @@
+"""What hooks and cranes carry at the hold points of a plan, beside what the checks make of it there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from gantline.checks.run import end_of_step, values_of
+from gantline.results.rating import RatedGroup, rated_groups, rated_load
+from gantline.results.rating_chart import RatingChart
+from gantline.results.recording import Recording
+from gantline.results.rig import Step
+from gantline.results.variable import BoolArray
+
+__all__ = ["OUTSIDE", "HoldPoint", "HookReading", "hold_points", "hook_readings"]
+
+#: In place of what is rated where no row of a chart is for.
+OUTSIDE = "outside of the chart"
+
+
+@dataclass(frozen=True)
+class HoldPoint:
+    """The end of a step that holds or reports.
+
+    Attributes:
+        step: The step.
+        time: When its last sample was [s].
+        at: Mask with that sample.
+    """
+
+    step: Step
+    time: float
+    at: BoolArray
+
+
+@dataclass(frozen=True)
+class HookReading:
+    """What a hook, or a crane with all its hooks, carries at a moment.
+
+    Attributes:
+        name: Of the hook, or `crane` and the name of the crane.
+        hook_load: As simulated [N].
+        share: Of the hook loads of all hooks together [1]; None if nothing hangs in any.
+        hoist_load: With hook block and hanging falls, as simulated [N].
+        radius: Outreach or radius of the hook, of several the one that counts [m]; None without a boom.
+        rated: What the chart of the crane rates there [N], 0 outside of it; None without a chart.
+        used: What `hoist_load_of_rating` comes to there, with the factors of the rules [1]; None without a
+            chart, outside of it, or if nothing hangs.
+    """
+
+    name: str
+    hook_load: float
+    share: float | None
+    hoist_load: float
+    radius: float | None = None
+    rated: float | None = None
+    used: float | None = None
+
+    @property
+    def is_outside(self) -> bool:
+        """Whether it hangs outside of the chart."""
+        return self.rated == 0.0 and self.hook_load > 0.0
+
+
+def hold_points(recording: Recording) -> Iterator[HoldPoint]:
+    """Every step of the plan that holds or reports and has ended, in the order of the plan."""
+    for step in recording.rig.plan:
+        at = end_of_step(recording, step.step) if step.report or step.kind == "hold" else None
+        if at is not None:
+            yield HoldPoint(step, float(recording.time[int(np.argmax(at))]), at)
+
+
+def hook_readings(recording: Recording, at: BoolArray) -> list[HookReading]:
+    """What every hook carries, and every crane that a chart rates for several of them.
+
+    Args:
+        recording: Any recording.
+        at: Mask with one sample.
+
+    Returns:
+        Hooks in the order of the rig, each crane of several hooks after its last one; none if there is but
+        one hook and no chart, of which hook loads tell all.
+    """
+    rig = recording.rig
+    if len(rig.hooks) < 2 and not rig.rating_charts:
+        return []
+    used = values_of(recording, "hoist_load_of_rating", at)
+    groups = {group.hooks: (chart, group) for chart in rig.rating_charts for group in rated_groups(chart)}
+    readings = []
+    for hook in rig.hooks:
+        readings.append(_reading(recording, at, hook.name, (hook.name,), groups.get((hook.name,)), used))
+        for hooks, found in groups.items():
+            if len(hooks) > 1 and hooks[-1] == hook.name:
+                readings.append(_reading(recording, at, found[1].element, hooks, found, used))
+    return readings
+
+
+def _reading(
+    recording: Recording,
+    at: BoolArray,
+    name: str,
+    hooks: tuple[str, ...],
+    rating: tuple[RatingChart, RatedGroup] | None,
+    used: dict[str, float],
+) -> HookReading:
+    sample = int(np.argmax(at))
+
+    def summed(variable: str, names: tuple[str, ...]) -> float:
+        return sum(float(recording.column(variable, one)[sample]) for one in names)
+
+    load = summed("hook_load", hooks)
+    every = summed("hook_load", tuple(hook.name for hook in recording.rig.hooks))
+    reading = HookReading(
+        name,
+        load,
+        load / every if every > 0.0 else None,
+        summed("hoist_load", hooks),
+        radius=_radius(recording, hooks, sample, rating[0] if rating else None),
+    )
+    if rating is None:
+        return reading
+    chart, group = rating
+    return replace(
+        reading,
+        rated=float(rated_load(recording, chart, group)[sample]),
+        used=used.get(group.element),
+    )
+
+
+def _radius(
+    recording: Recording, hooks: tuple[str, ...], sample: int, chart: RatingChart | None
+) -> float | None:
+    """Outreach or radius [m] of a hook, of several that at which their chart rates least."""
+    if "crane_radius" not in recording:
+        return None
+    reach = recording["crane_radius"]
+    at_booms = recording.coordinates[reach.dims[1]]
+    radii = [float(reach.values[sample, at_booms.index(one)]) for one in hooks if one in at_booms]
+    if len(radii) < 2 or chart is None or chart.over == "angle":
+        return max(radii, default=None)
+    return radii[int(np.argmin(chart.rated_at(np.array(radii))))]
