@@ -185,6 +185,7 @@ def sample_columns(
     hook: Array | None = None,
     load_z: Array | None = None,
     tilt: Array | None = None,
+    load_yaw: Array | None = None,
     energy: dict[str, Array] | None = None,
     events: list[tuple[float, str, str]] | None = None,
 ) -> tuple[dict[str, Array], dict[str, list[str]]]:
@@ -199,6 +200,7 @@ def sample_columns(
         hook: height of the bearing (T,) m.
         load_z: height of the load's centre of gravity (T,) m.
         tilt: of the load about world y (T,) rad.
+        load_yaw: of the tilted load about plumb (T,) rad; its lugs stay.
         energy: by kind (T,) J.
         events: time, kind, name.
     """
@@ -210,6 +212,7 @@ def sample_columns(
     hook = zero + HOOK if hook is None else hook
     load_z = zero + 2.5 if load_z is None else load_z
     tilt = zero if tilt is None else tilt
+    load_yaw = zero if load_yaw is None else load_yaw
     events = [] if events is None else events
     lift = np.stack([zero, zero, hook], axis=-1)[:, None]
     sheave = np.stack([zero[:, None] + ALONG, np.zeros((count, 5)), -8.65 - travel], axis=-1)
@@ -232,7 +235,9 @@ def sample_columns(
     centre = np.stack([zero, zero, hook - 5.0], axis=-1)[:, None]
     load = np.stack([zero, zero, load_z], axis=-1)[:, None]
     upright = np.stack([np.cos(yaw / 2), zero, zero, np.sin(yaw / 2)], axis=-1)[:, None]
-    tilted = np.stack([np.cos(tilt / 2), zero, np.sin(tilt / 2), zero], axis=-1)[:, None]
+    (c_tilt, s_tilt), (c_yaw, s_yaw) = ((np.cos(one / 2), np.sin(one / 2)) for one in (tilt, load_yaw))
+    attitude = [c_yaw * c_tilt, -s_yaw * s_tilt, c_yaw * s_tilt, s_yaw * c_tilt]
+    tilted = np.stack(attitude, axis=-1)[:, None]
     rope_tension = np.column_stack([tension.mean(axis=1) / 2, tension])
     joint_force = np.zeros((count, 8, 3))
     joint_force[:, 1, 2] = tension.sum(axis=1) + 21.5e3 * 9.81

@@ -2,6 +2,9 @@
 
 import math
 
+import numpy as np
+import pytest
+
 from gantline.checks import check_recording
 from gantline.cli.summary import summary
 from gantline.cli.table import table
@@ -94,6 +97,13 @@ def test_checks_stand_with_their_verdicts_and_places() -> None:
     at = next(number for number, line in enumerate(text) if "wind_speed" in line)
     assert " ".join(text[at].split()) == "not checked wind_speed - - -"
     assert text[at + 1].strip() == "(this limit is not known here)"
+
+
+@pytest.mark.parametrize(("most", "is_told"), [(1.5, True), (0.5, False)])
+def test_yaw_stands_below_tilt_if_the_load_turns_by_more_than_a_degree(most: float, is_told: bool) -> None:
+    text = lines(load_yaw=np.radians(np.linspace(0.0, -most, 2001)))
+    found = [" ".join(line.split()) for line in text if line.startswith("  yaw")]
+    assert found == (["yaw from the start 1.50 deg at most, at 40.00 s"] if is_told else [])
 
 
 def test_a_lift_that_never_came_clear_says_so() -> None:

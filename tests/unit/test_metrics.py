@@ -137,6 +137,21 @@ def test_tilt_and_drift() -> None:
     assert metrics["peak_load_drift_when_clear"] == 0.0
 
 
+def test_yaw_is_the_turn_about_plumb_whatever_the_tilt() -> None:
+    """From 0.3 rad to beyond half a turn and back, tilted by 0.1 rad: the change from the start, no jump."""
+    turned = 0.3 + np.concatenate([np.linspace(0.0, -4.0, 1001), np.linspace(-4.0, 1.0, 1000)])
+    recording = ringing_lift(load_yaw=turned, tilt=np.full(2001, 0.1))
+    (load,) = recording.rig.loads
+    assert series.load_yaw(recording, load) == pytest.approx(turned - 0.3)
+    assert recording.metrics()["peak_load_yaw"] == pytest.approx(4.0)
+
+
+def test_a_load_that_stands_on_end_has_no_heading() -> None:
+    recording = ringing_lift(tilt=np.linspace(0.0, math.pi / 2, 2001))
+    assert series.load_yaw(recording, recording.rig.loads[0]) is None
+    assert "peak_load_yaw" not in recording.metrics()
+
+
 def test_energy_remainder_is_that_of_all_steps() -> None:
     # What the core says of all its steps, whatever the samples show.
     energy = {"kinetic": np.full(3, 100.0), "remainder": np.array([0.0, 0.0, 1.0])}

@@ -35,6 +35,7 @@ _HEADLINES = (
     ("travel_used_up", "travel of a moving sheave up, of stroke", "%", 1),
     ("travel_used_down", "travel of a moving sheave down, of stroke", "%", 1),
     ("peak_load_tilt", "tilt of a load", "deg", 2),
+    ("peak_load_yaw", "yaw of a load", "deg", 2),
     ("peak_load_drift_when_clear", "drift of a load when clear", "m", 3),
 )
 _COUNTS = (("steps", "steps"), ("rejected", "attempts rejected"))

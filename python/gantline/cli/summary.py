@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -16,7 +17,10 @@ from gantline.results import series
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
-from gantline.results.rig import Rig
+from gantline.results.rig import Load, Rig
+
+#: Yaw from which on the table tells it [rad].
+_YAW_TO_TELL = math.radians(1.0)
 
 
 def summary(
@@ -86,6 +90,7 @@ def _loads(recording: Recording, metrics: dict[str, float]) -> list[str]:
         rows += [
             ("load transferred", f"{show(float(transferred[-1]), '%', 1)} at the end"),
             ("tilt", f"{show(tilt[0], 'deg', 2)} at most, at {show(tilt[1], 's', 2)}" if tilt else ABSENT),
+            *_yaw(recording, load),
             (
                 "drift when clear",
                 f"{show(float(drift[clear].max()), 'm', 3)} at most" if clear.any() else ABSENT,
@@ -100,6 +105,15 @@ def _loads(recording: Recording, metrics: dict[str, float]) -> list[str]:
         ("lift-off", f"at {show(lift_off, 's', 2)}" if lift_off is not None else "never clear of a support"),
     )
     return [*weights(recording.rig), *pairs("", rows)[1:]]
+
+
+def _yaw(recording: Recording, load: Load) -> list[tuple[str, str]]:
+    """How far a load turns about plumb, if that is enough to speak of."""
+    yaw = series.load_yaw(recording, load)
+    most = None if yaw is None else series.peak(recording, np.abs(yaw))
+    if most is None or most[0] <= _YAW_TO_TELL:
+        return []
+    return [("yaw from the start", f"{show(most[0], 'deg', 2)} at most, at {show(most[1], 's', 2)}")]
 
 
 def _slings(recording: Recording) -> list[str]:

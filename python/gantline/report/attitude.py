@@ -7,7 +7,6 @@ import numpy as np
 from gantline.report.subject import ABSENT, Subject, show
 from gantline.results import series
 from gantline.results.rig import Load
-from gantline.results.rotation import heading
 
 
 def attitude(subject: Subject) -> list[tuple[str, str]]:
@@ -36,8 +35,8 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
     drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
     clear = series.load_is_clear(recording, load)
     rows = [("largest tilt", f"{show(tilt[0], 'deg', 2)} at {show(tilt[1], 's', 1)}" if tilt else ABSENT)]
-    turned = np.unwrap(heading(recording.column("body_orientation", load.body)))
-    yaw = subject.peak(np.abs(turned - turned[0]))
+    turned = series.load_yaw(recording, load)
+    yaw = None if turned is None else subject.peak(np.abs(turned))
     if yaw is not None:
         rows.append(("largest yaw from the start", f"{show(yaw[0], 'deg', 2)} at {show(yaw[1], 's', 1)}"))
     if lift_off is not None:

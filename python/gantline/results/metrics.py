@@ -40,6 +40,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_ground_pressure.<crane>` [Pa]: largest pressure on the ground under a crawler crane
 - `final_load_transferred` [1]: 1 - support forces/weight at the last sample, the smallest over the loads
 - `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
+- `peak_load_yaw` [rad]: largest change of a load's heading from its start, to either side
 - `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity from its start
   while clear
 - `final_draft.<vessel>`, `final_draft_aft.<vessel>`, `final_draft_forward.<vessel>` [m],
@@ -240,6 +241,8 @@ def _loads(recording: Recording) -> Iterator[_Metric]:
         return
     yield "final_load_transferred", float(recording["load_transferred"].values[-1].min())
     yield "peak_load_tilt", float(recording["load_tilt"].values.max())
+    yaws = (series.load_yaw(recording, load) for load in recording.rig.loads)
+    yield "peak_load_yaw", _largest(float(np.abs(yaw).max()) for yaw in yaws if yaw is not None)
     drifts = []
     for load in recording.rig.loads:
         clear = series.load_is_clear(recording, load)

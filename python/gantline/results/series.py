@@ -3,6 +3,7 @@
 - *supported force*: sum of the contact forces under a load.
 - *clear*: samples at which no load has a supported force.
 - *carrying*: samples at which a sling has more than 1 % of its largest tension; only then has it an angle.
+- *yaw* of a load: change of its heading from the start, about plumb, counter-clockwise from above positive.
 - *quiet window*: the end of the recording over which static values are means. It begins when the last drive
   has
   come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the end. The mean is
@@ -20,11 +21,12 @@ from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
-from gantline.results.rotation import axes
+from gantline.results.rotation import axes, heading
 from gantline.results.variable import BoolArray, FloatArray
 
 _SHORTEST_QUIET = 5.0  # s
 _CARRYING_FROM = 0.01  # of the largest tension
+_STEEPEST = math.radians(80.0)  # x axis of a load over level; beyond it no heading means anything
 
 
 def support_force(recording: Recording, load: Load) -> FloatArray:
@@ -48,6 +50,18 @@ def is_clear(recording: Recording) -> BoolArray:
     for load in loads:
         clear &= load_is_clear(recording, load)
     return clear
+
+
+def load_yaw(recording: Recording, load: Load) -> FloatArray | None:
+    """Yaw of a load [rad], shape (time,); None if its x axis comes near plumb or its attitude is unknown."""
+    if "body_orientation" not in recording or load.body not in recording.coordinates.get("body", ()):
+        return None
+    orientation = recording.column("body_orientation", load.body)
+    if not len(orientation) or np.abs(axes(orientation)[:, 2, 0]).max() > math.sin(_STEEPEST):
+        return None
+    turned = np.unwrap(heading(orientation))
+    yaw: FloatArray = turned - turned[0]
+    return yaw
 
 
 def lift_off_time(recording: Recording) -> float | None:
