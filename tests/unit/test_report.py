@@ -14,12 +14,14 @@ import numpy as np
 import pytest
 
 import gantline.report.page
-from gantline.checks import check_recording
+from gantline.checks import LIMITS, check_recording
+from gantline.checks.measure import Missing
 from gantline.report import render_report, write_report
-from gantline.report.first_page import FirstPage
+from gantline.report.first_page import FirstPage, stop_if
 from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
 from gantline.results import Recording
+from gantline.results.variable import Variable
 from gantline.viewer import BundleMissing
 from gantline.viewer.bundle import Bundle
 from gantline.viewer.inline import json_for_script, script_is_safe
@@ -245,3 +247,34 @@ def test_a_lift_with_hundreds_of_slings_keeps_its_first_page() -> None:
     found = content(ringing_lift(rig=rig))
     assert len(found["slings"]) == 16 and found["slings_left_out"] == 84  # type: ignore[arg-type]
     assert np.isfinite(len(render_report(ringing_lift(rig=rig))))
+
+
+@pytest.mark.parametrize(
+    ("limits", "expected"),
+    [
+        ({}, ["wind is over the limit of the crane, which the lift file does not say"]),
+        ({"g1": None}, ["wind is over the limit of the crane, which the lift file does not say"]),
+        ({"g1": 16.0}, ["wind is over 16 m/s, the limit of g1"]),
+        (
+            {"g1": 16.0, "g2": None},
+            [
+                "wind is over 16 m/s, the limit of g1",
+                "wind is over the limit of any other crane, which the lift file does not say",
+            ],
+        ),
+    ],
+)
+def test_stop_if_names_wind_limits_or_says_that_there_is_none(
+    limits: dict[str, float | None], expected: list[str]
+) -> None:
+    cranes = [{"name": name, "wind_limit": limit} for name, limit in limits.items()]
+    rig = {"cranes": cranes, "hooks": [{"name": f"{name}.H", "crane": name} for name in limits]}
+    subject = Subject(Recording({}, {}, {"rig": rig}))
+    assert [one for one in stop_if(subject) if "wind" in one] == expected
+
+
+def test_a_crane_without_a_wind_limit_is_not_checked_and_says_why() -> None:
+    rig = {"cranes": [{"name": "g1", "wind": 5.0}], "hooks": [{"name": "g1.H", "crane": "g1"}]}
+    recording = Recording({"time": Variable(("time",), np.arange(2.0), "s", "")}, {}, {"rig": rig})
+    (found,) = LIMITS["wind_of_limit"].findings(recording, np.ones(2, dtype=np.bool_))
+    assert found == Missing("g1", "wind limit not known")

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
-from gantline.report.sketch_names import names_beside
+from gantline.report.sketch_names import around_dot, has_room, names_beside, text_box
 
 
 def test_dots_that_look_like_one_have_one_name() -> None:
@@ -25,3 +26,24 @@ def test_a_name_keeps_off_other_dots_names_and_the_end_of_the_paper() -> None:
 def test_a_name_without_room_is_left_out() -> None:
     crowd = [np.array([x, y]) for x in np.arange(2.0, 90.0, 4.0) for y in np.arange(10.0, 60.0, 3.0)]
     assert len(names_beside(crowd, ["hook"] * len(crowd), 90.0)) < len(crowd)
+
+
+def test_a_name_rather_keeps_off_what_is_drawn_than_stands_beside_its_dot() -> None:
+    """At the end of the paper a name would stand to the left, over a rope: it goes above or below its dot."""
+    rope = [around_dot(np.array([70.0, y])) for y in np.arange(28.0, 33.0)]
+    ((x, y, _, side),) = names_beside([np.array([80.0, 30.0])], ["c1.H, c2.H"], 90.0, rope)
+    assert (x, side) == (90.0 - 17.5, "start") and abs(y - 30.0) >= 4.0
+    ((x, y, _, side),) = names_beside([np.array([80.0, 30.0])], ["c1.H, c2.H"], 90.0)
+    assert (x, y, side) == (77.5, 30.0, "end")
+    whole = [(0.0, 92.0, y) for y in np.arange(0.0, 62.0, 3.0)]
+    assert names_beside([np.array([80.0, 30.0])], ["c1.H, c2.H"], 90.0, whole)  # none is left out for that
+
+
+@pytest.mark.parametrize(
+    ("anchor", "box"), [("start", (10.0, 17.0)), ("middle", (6.5, 13.5)), ("end", (3.0, 10.0))]
+)
+def test_the_room_of_a_text(anchor: str, box: tuple[float, float]) -> None:
+    found = text_box(10.0, 5.0, "U1.2", anchor)
+    assert found == (*box, 5.0)
+    assert not has_room(found, [around_dot(np.array([box[1], 5.0]))])
+    assert has_room(found, [around_dot(np.array([box[1] + 1.3, 5.0])), around_dot(np.array([10.0, 9.0]))])

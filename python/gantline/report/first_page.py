@@ -68,7 +68,7 @@ class FirstPage(Section):
             "booms": boom_rows(subject),
             "stands_on_tracks": bool(subject.rig.crawlers),
             "steps": _steps(subject, _MOST_STEPS_AFLOAT if is_afloat else _MOST_STEPS),
-            "stop_if": _stop_if(subject),
+            "stop_if": stop_if(subject),
             "what_if": what_if(subject),
             "trust": _trust(subject),
         }
@@ -214,7 +214,7 @@ def _requirement(key: str, bounds: Any) -> str:
     return ", ".join(texts)
 
 
-def _stop_if(subject: Subject) -> list[str]:
+def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
     found = ["a hook load is off its reading above by 10 %"]
@@ -223,7 +223,18 @@ def _stop_if(subject: Subject) -> list[str]:
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         travel = limits.get("equalizer_travel_used")
         found.append(f"travel is over {show(float(travel) if travel else 0.9, '%', 0)} of its stroke")
-    return [*found, "wind is over the crane's limit"]
+    return [*found, *_wind(subject)]
+
+
+def _wind(subject: Subject) -> list[str]:
+    """When wind stops the lift; a crane whose limit nobody has said has one in its own papers."""
+    rig = subject.rig
+    known = {crane.name: crane.wind_limit for crane in rig.cranes if crane.wind_limit is not None}
+    found = [f"wind is over {show(limit, 'm/s', 0)}, the limit of {name}" for name, limit in known.items()]
+    if not known or any(hook.crane not in known for hook in rig.hooks):
+        rest = "of the crane" if not known else "of any other crane"
+        found.append(f"wind is over the limit {rest}, which the lift file does not say")
+    return found
 
 
 def _trust(subject: Subject) -> str:

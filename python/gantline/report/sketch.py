@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.report.sketch_names import names_beside
+from gantline.report.sketch_names import Box, around_dot, has_room, names_beside, text_box
 from gantline.report.subject import Subject
 from gantline.results.rotation import axes
 from gantline.results.surroundings import (
@@ -42,6 +42,9 @@ _WIDTH, _HEIGHT, _MARGIN = 92.0, 62.0, 2.0
 
 #: Where along a sling its number is tried, the best first.
 _ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
+
+#: Shortest sling on paper that bears its number in a side view: some lines of text long [mm].
+_NUMBERED = 14.0
 
 #: Corners of a box of half sizes 1.
 _SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
@@ -264,9 +267,8 @@ def _draw(
             continue  # what hangs above would cover where slings are
         marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", _text(paper.place(path))))
     marks += _hangers(subject, paper, solids) if not plan else []
-    marks += _numbers(subject, paper, ropes, plan=plan)
-    marks += _centres(subject, paper)
-    marks += _hooks(subject, paper, plan=plan)
+    above = _centres(subject, paper) + _hooks(subject, paper, ropes, plan=plan)
+    marks += _numbers(subject, paper, ropes, above, plan=plan) + above
     bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * _WIDTH), default=_ROUND[0])
     return Sketch(title, _WIDTH, _HEIGHT, paper.scale, bar, marks)
 
@@ -334,9 +336,13 @@ def _hangers(subject: Subject, paper: _Paper, solids: _Solids) -> list[Mark]:
     return marks
 
 
-def _numbers(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *, plan: bool) -> list[Mark]:
-    """Lugs as dots, and the number of each sling beside its lug or on its way."""
+def _numbers(
+    subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], above: list[Mark], *, plan: bool
+) -> list[Mark]:
+    """Lugs as dots, and the number of each sling beside its lug or on its way, clear of what lies above."""
     marks: list[Mark] = []
+    # In a plan hooks are over the slings that hang from them: only a side view has room beside them.
+    kept = [] if plan else [_box(mark) for mark in above if mark.kind in ("dot", "centre", "text")]
     taken: list[FloatArray] = []
     for sling in subject.rig.slings:
         path = ropes.get(sling.rope)
@@ -347,12 +353,15 @@ def _numbers(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *
         upper, lower = paper.place(path[0]), lug
         beside = lug + np.array([0.0, -2.2])
         tries = [upper + part * (lower - upper) for part in _ALONG]
+        if not plan and np.linalg.norm(lower - upper) < _NUMBERED:
+            continue  # its number would hide it; the plan has it
         free = (
             place
             for place in ([beside, *tries] if plan else tries)
             if all(
                 np.linalg.norm((place - other) / (1.2 + 1.75 * len(sling.name), 3.4)) > 1.0 for other in taken
             )
+            and has_room(text_box(float(place[0]), float(place[1]), sling.name), kept)
         )
         found = next(free, None)
         if found is None:  # too many beside each other: those that have room stand for them
@@ -361,6 +370,13 @@ def _numbers(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *
         taken.append(place)
         marks.append(Mark("text", "sk-number", x=float(place[0]), y=float(place[1]), text=sling.name))
     return marks
+
+
+def _box(mark: Mark) -> Box:
+    """What a mark takes from numbers on paper."""
+    if mark.kind == "text":
+        return text_box(mark.x, mark.y, mark.text, mark.anchor)
+    return around_dot(np.array([mark.x, mark.y]))
 
 
 def _centres(subject: Subject, paper: _Paper) -> list[Mark]:
@@ -377,14 +393,18 @@ def _centres(subject: Subject, paper: _Paper) -> list[Mark]:
     return marks
 
 
-def _hooks(subject: Subject, paper: _Paper, *, plan: bool) -> list[Mark]:
+def _hooks(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *, plan: bool) -> list[Mark]:
     """Hooks as dots; in a side view with their names, where these do not lie on each other."""
     names = _hook_bodies(subject)
     places = [paper.place(subject.recording.column("body_position", name)[-1]) for name in names]
     marks = [Mark("dot", "sk-hook", x=float(x), y=float(y)) for x, y in places]
     if plan:
         return marks
-    placed = names_beside(places, _short(subject, names), _WIDTH - _MARGIN)
+    slings = [paper.place(ropes[one.rope]) for one in subject.rig.slings if one.rope in ropes]
+    # A sling takes its ends and some places between: enough for names, which are higher than those lie apart.
+    along = [path[0] + part * (path[-1] - path[0]) for path in slings for part in (0.0, *_ALONG, 1.0)]
+    drawn: list[Box] = [(float(x), float(x), float(y)) for x, y in along]
+    placed = names_beside(places, _short(subject, names), _WIDTH - _MARGIN, drawn)
     return marks + [Mark("text", "sk-name", x=x, y=y, text=text, anchor=side) for x, y, text, side in placed]
 
 

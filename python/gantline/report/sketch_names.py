@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.results.variable import FloatArray
 
-__all__ = ["names_beside"]
+__all__ = ["Box", "around_dot", "has_room", "names_beside", "text_box"]
 
 _LETTER = 1.75  # mm, mean width of a letter
 _LINE = 3.4  # mm, between lines
@@ -18,11 +18,28 @@ _TOGETHER = 1.5  # mm, between dots that look like one
 _DOWN = (0.0, 4.0, -4.0, 8.0)  # mm
 
 #: Left, right, and the middle of the height of what is taken [mm].
-_Box = tuple[float, float, float]
+Box = tuple[float, float, float]
+
+
+def around_dot(place: FloatArray) -> Box:
+    """What a dot takes [mm]."""
+    return float(place[0]) - _DOT, float(place[0]) + _DOT, float(place[1])
+
+
+def text_box(x: float, y: float, text: str, anchor: str = "middle") -> Box:
+    """What a text takes that has its `start`, `middle` or `end` at a place [mm]."""
+    wide = _LETTER * len(text)
+    left = x - {"start": 0.0, "middle": wide / 2, "end": wide}[anchor]
+    return left, left + wide, y
+
+
+def has_room(box: Box, taken: Sequence[Box]) -> bool:
+    """Whether nothing that is taken lies under a text."""
+    return all(_apart(box, other) for other in taken)
 
 
 def names_beside(
-    places: Sequence[FloatArray], names: Sequence[str], right: float
+    places: Sequence[FloatArray], names: Sequence[str], right: float, drawn: Sequence[Box] = ()
 ) -> list[tuple[float, float, str, str]]:
     """Where names stand; dots that look like one have one name, and a name without room is left out.
 
@@ -30,6 +47,7 @@ def names_beside(
         places: Of the dots on paper [mm], shape (2,) each.
         names: One for each.
         right: Where the paper ends [mm].
+        drawn: What names rather do not lie on; they do before they are left out.
 
     Returns:
         x and y [mm], the text, and the end of it that is there: `start` or `end`.
@@ -41,29 +59,35 @@ def names_beside(
             groups.append((place, [name]))
         else:
             near.append(name)
-    taken: list[_Box] = [(float(x) - _DOT, float(x) + _DOT, float(y)) for (x, y), _ in groups]
-    found = []
-    for (x, y), own in groups:
-        text = ", ".join(own)
-        for left, height, side in _tries(float(x), float(y), _LETTER * len(text), right):
-            box = (left, left + _LETTER * len(text), height)
-            if all(_apart(box, other) for other in taken):
-                taken.append(box)
-                found.append((left if side == "start" else box[1], height, text, side))
-                break
-    return found
+    taken = [around_dot(place) for place, _ in groups]
+    found: dict[int, tuple[float, float, str, str]] = {}
+    texts = [", ".join(own) for _, own in groups]
+    # Long names have the fewest places.
+    for number in sorted(range(len(groups)), key=lambda one: -len(texts[one])):
+        (x, y), text = groups[number][0], texts[number]
+        wide = _LETTER * len(text)
+        tries = [
+            ((left, left + wide, height), side)
+            for left, height, side in _tries(float(x), float(y), wide, right)
+            if has_room((left, left + wide, height), taken)
+        ]
+        for box, side in [one for one in tries if has_room(one[0], drawn)][:1] or tries[:1]:
+            taken.append(box)
+            found[number] = (box[0] if side == "start" else box[1], box[2], text, side)
+    return [found[number] for number in sorted(found)]
 
 
 def _tries(x: float, y: float, wide: float, right: float) -> list[tuple[float, float, str]]:
     """Left ends and heights of a text beside a dot, the best first."""
-    sides = [(x + _BESIDE, "start"), (x - _BESIDE - wide, "end")]
-    return [
-        (left, y + down, side)
-        for down in _DOWN
-        for left, side in sides
-        if left >= 0.0 and left + wide <= right
-    ]
+    found = []
+    for down in _DOWN:
+        # Above or below its dot a name may reach back over it from the end of the paper.
+        start = x + _BESIDE if down == 0.0 else min(x + _BESIDE, right - wide)
+        for left, side in ((start, "start"), (x - _BESIDE - wide, "end")):
+            if left >= 0.0 and left + wide <= right:
+                found.append((left, y + down, side))
+    return found
 
 
-def _apart(one: _Box, other: _Box) -> bool:
+def _apart(one: Box, other: Box) -> bool:
     return one[1] < other[0] or other[1] < one[0] or abs(one[2] - other[2]) >= _LINE
