@@ -12,6 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gantline.checks import values_of
+from gantline.checks.forces import sling_forces
+from gantline.checks.measure import everywhere
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew, perfect_forces, skew_loads
 from gantline.scenario import parse_scenario
@@ -78,6 +80,21 @@ def test_a_force_that_holds_its_own_skew_is_not_multiplied() -> None:
     assert uneven[0] > 1.25 * perfect[0] and uneven[1] < 1.25 * perfect[1]
     expected = np.maximum(uneven, 1.25 * perfect) / (80e3 * 9.81)
     assert [used[f"block.L{place}"] for place in range(1, 6)] == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_formula_says_what_is_raised_to_the_design_weight() -> None:
+    """300 t simulated, 315 t designed for: both the force and that with perfect lengths times 1.05."""
+    x, y = np.array(LUGS).T
+    perfect = 200e6 / np.array(LENGTHS) * COSINE * (0.07 + 0.002 * x + 0.001 * y)
+    rig = locked_rig()
+    rig["loads"][0] |= {"simulated_mass": 300e3, "design_mass": 315e3}
+    rig["factors"] = {"skew_load_factor": {"value": 1.25, "source": "rule"}}
+    recording = at_rest(perfect, rig)
+    force = sling_forces(recording, everywhere(recording))["S1"]
+    assert force.static == pytest.approx(1.05 * 1.25 * perfect[0], rel=1e-9)
+    plain = f"{perfect[0] / 1e3:.1f} kN"
+    design = "x 1.05 to the design weight"
+    assert force.static_text == f"max(static {plain} {design}, {plain} with perfect lengths {design} x 1.25)"
 
 
 def test_pins_that_have_been_pulled_hold_no_longer() -> None:

@@ -128,7 +128,7 @@ def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
         skew = by_length.get(sling.name)
         if skew is not None and rule is not None:
             perfect = skew.force if skew.perfect is None else skew.perfect
-            force = _with_skew(recording, force, perfect * ratio, rule)
+            force = _with_skew(recording, force, perfect, ratio, rule)
         forces[sling.name] = _with_peak(recording, force, sling.rope, during)
     return forces
 
@@ -196,8 +196,13 @@ def _hook_force(recording: Recording, static: float | None, more: float, falls: 
 def _force(recording: Recording, static: float | None, ratio: float) -> Force:
     if static is None:
         return Force(None, "")
-    more = f" x {ratio:.4g}" if ratio > 1.0 else ""
-    return _with_rule(recording, Force(static * ratio, f"static {kilonewton(static)}{more}"))
+    text = f"static {kilonewton(static)}{_to_design(ratio)}"
+    return _with_rule(recording, Force(static * ratio, text))
+
+
+def _to_design(ratio: float) -> str:
+    """In words, how a force of the simulated weight is raised; nothing where that is the design weight."""
+    return f" x {ratio:.4g} to the design weight" if ratio > 1.0 else ""
 
 
 def _with_rule(recording: Recording, force: Force) -> Force:
@@ -209,13 +214,16 @@ def _with_rule(recording: Recording, force: Force) -> Force:
     return replace(force, rule=force.static * dynamic, rule_text=text, factors=(*force.factors, DYNAMIC))
 
 
-def _with_skew(recording: Recording, force: Force, perfect: float, rule: float) -> Force:
-    """With the larger of static force and that with perfect lengths [N] times the rule's skew load factor."""
+def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float, rule: float) -> Force:
+    """With the larger of static force and that with perfect lengths [N] times the rule's skew load factor.
+
+    Both are raised to the design weight: `force` is so already, `perfect` is of the simulated one.
+    """
     if force.static is None:
         return force
-    by_rule = f"{kilonewton(perfect)} with perfect lengths x {rule:.4g}"
+    by_rule = f"{kilonewton(perfect)} with perfect lengths{_to_design(ratio)} x {rule:.4g}"
     text = f"max({force.static_text}, {by_rule})"
-    return _with_rule(recording, Force(max(force.static, perfect * rule), text, factors=(SKEW,)))
+    return _with_rule(recording, Force(max(force.static, perfect * ratio * rule), text, factors=(SKEW,)))
 
 
 def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray) -> Force:
