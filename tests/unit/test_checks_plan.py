@@ -38,7 +38,7 @@ def test_a_warning_without_a_number_is_no_verdict() -> None:
 
 
 def test_a_static_force_of_the_design_weight_beyond_the_peak_governs() -> None:
-    """T c / capacity, T of the simulated weight: a run without the rule's factor was held against its peak alone."""
+    """T c / capacity, T of the simulated weight: without the rule's factor there was the peak alone."""
     text = EQUALIZER.read_text(encoding="utf-8").replace("contingency: 1.00", f"contingency: {CONTINGENCY}")
     recording = gantline.simulate(parse_scenario(text))
     window = series.quiet_window(recording)

@@ -80,7 +80,8 @@ def _lugs_off(load: Load, box: Array) -> list[str]:
     apart = {
         name: float(np.maximum(box[0] - lug.at, lug.at - box[1]).max()) for name, lug in load.lugs.items()
     }
-    return [f"lug {name} lies {off:.3g} m outside the load's box" for name, off in apart.items() if off > _OFF]
+    far = {name: off for name, off in apart.items() if off > _OFF}
+    return [f"lug {name} lies {off:.3g} m outside the load's box" for name, off in far.items()]
 
 
 def _corners(box: Array) -> Array:

@@ -166,10 +166,10 @@ def adrift(scenario: Scenario, document: Json, at_start: Mapping[str, Sequence[f
         document: What has been assembled of it.
         at_start: Centres of gravity of bodies at the start of the run by their names, world axes [m].
     """
+    if not scenario.vessels:
+        return []
     sentences = []
-    for body in document["bodies"]:
-        if body["name"] not in (scenario.vessels or {}):
-            continue
+    for body in (one for one in document["bodies"] if one["name"] in scenario.vessels):
         joint = body["joint"]
         given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
         way = float(np.hypot(*(np.asarray(at_start[body["name"]]) - given)[:2]))

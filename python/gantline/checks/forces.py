@@ -2,8 +2,10 @@
 
 *Static* is the mean over the quiet window, raised from the weight that was simulated to the design weight.
 *By the rule* is static times the rule's dynamic amplification factor. A simulated peak already holds the
-dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked; where the rules
-have no factor, the static force itself takes its place. So it is with skew: the rule's factor is on the force with perfect lengths, never on one that holds its own skew.
+dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked. Where the
+rules have no factor the static force itself takes its place: a peak is that of the simulated weight, which
+the design weight may pass standing still. So it is with skew: the rule's factor is on the force with perfect
+lengths, never on one that holds its own skew.
 """
 
 from __future__ import annotations
@@ -38,6 +40,7 @@ class Force:
         peak: Largest simulated force [N]; None for an equilibrium.
         time: When that was [s].
         factors: Names of the rule's factors in it.
+        counts_static: Whether the quiet window, from which `static` is, lies within the samples that count.
     """
 
     static: float | None
@@ -47,15 +50,15 @@ class Force:
     peak: float | None = None
     time: float | None = None
     factors: tuple[str, ...] = ()
+    counts_static: bool = True
 
     @property
     def dynamic(self) -> float | None:
-        """The largest of rule, simulated peak and static force [N]; None if there is neither rule nor peak.
-
-        A peak is that of the weight that was simulated, which the design weight may pass standing still.
-        """
+        """The largest of rule, simulated peak and static force [N]; None if there is no rule and no peak."""
         known = [force for force in (self.rule, self.peak) if force is not None]
-        return max(known + ([] if self.static is None else [self.static]), default=None) if known else None
+        if known and self.static is not None and self.counts_static:
+            known.append(self.static)
+        return max(known, default=None)
 
     @property
     def governing(self) -> float | None:
@@ -71,7 +74,7 @@ class Force:
     def text(self) -> str:
         """How the governing force comes about."""
         parts = [self.rule_text] if self.rule is not None else []
-        if self.rule is None and self.static is not None and self.static == self.dynamic:
+        if self.rule is None and self.static is not None and self.static == self.dynamic != self.peak:
             parts = [self.static_text]
         if self.peak is not None:
             parts.append(f"peak {kilonewton(self.peak)}")
@@ -238,7 +241,10 @@ def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray)
 
 def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during: BoolArray) -> Force:
     highest = None if series.is_equilibrium(recording) else series.peak(recording, values, during)
-    return force if highest is None else replace(force, peak=highest[0], time=highest[1])
+    if highest is None:
+        return force
+    counts = bool(during.all() or during[series.quiet_window(recording)].all())
+    return replace(force, peak=highest[0], time=highest[1], counts_static=counts)
 
 
 @dataclass(frozen=True)

@@ -60,4 +60,5 @@ def _together(one: Force, other: Force) -> Force:
         peak=total(one.peak, other.peak),
         time=one.time if (one.peak or 0.0) >= (other.peak or 0.0) else other.time,
         factors=tuple(dict.fromkeys((*one.factors, *other.factors))),
+        counts_static=one.counts_static and other.counts_static,
     )

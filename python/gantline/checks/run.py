@@ -32,8 +32,8 @@ def check_recording(recording: Recording) -> list[Check]:
     Returns:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
-        check for each requirement of a step; one that failed for each rope that parted; and a warning where the
-        run ends before its plan.
+        check for each requirement of a step; one that failed for each rope that parted; and a warning where
+        the run ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
