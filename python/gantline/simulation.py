@@ -199,9 +199,10 @@ class Simulation:
         warnings += drum_warnings(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
-        if len(columns["time"]):
+        if rig.vessels and len(columns["time"]):
             at_start = dict(zip(names["body"], columns["body_position"][0], strict=True))
-            warnings += adrift(self.scenario, self.assembly.document, at_start)
+            afloat = [vessel.body for vessel in rig.vessels]
+            warnings += adrift(self.assembly.document, afloat, at_start)
         warnings += pump_warnings(rig, columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)

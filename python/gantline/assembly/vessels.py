@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
@@ -158,18 +158,16 @@ def _edge(mesh: HullMesh, upwards: float) -> list[list[float]]:
     return [[float(part) for part in mesh.vertices[at]] for at in sorted(edge)]
 
 
-def adrift(scenario: Scenario, document: Json, at_start: Mapping[str, Sequence[float]]) -> list[str]:
+def adrift(document: Json, vessels: Collection[str], at_start: Mapping[str, Sequence[float]]) -> list[str]:
     """A sentence for each vessel that a run begins with elsewhere than the lift file has it.
 
     Args:
-        scenario: The lift.
-        document: What has been assembled of it.
+        document: What has been assembled of the lift.
+        vessels: Names of the bodies of its vessels.
         at_start: Centres of gravity of bodies at the start of the run by their names, world axes [m].
     """
-    if not scenario.vessels:
-        return []
     sentences = []
-    for body in (one for one in document["bodies"] if one["name"] in scenario.vessels):
+    for body in (one for one in document["bodies"] if one["name"] in vessels):
         joint = body["joint"]
         given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
         way = float(np.hypot(*(np.asarray(at_start[body["name"]]) - given)[:2]))
