@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, PrivateAttr
@@ -135,6 +136,19 @@ class Scenario(Element):
         """The same scenario, knowing the file it came from; messages about it then have lines."""
         self._source, self._text, self._tree = source, text, tree
         return self
+
+    def changed(self, values: Mapping[str, str]) -> Scenario:
+        """The same lift with other values, without its cases.
+
+        Args:
+            values: Each at its dotted path, written as in a lift file: `{"load.weight.calculated": "320 t"}`.
+
+        Raises:
+            ScenarioError: If a path leads nowhere, or a value cannot be there.
+        """
+        from gantline.scenario.variants import changed
+
+        return changed(self, values)
 
     def problem(self, path: tuple[PathPart, ...], sentence: str) -> Problem:
         """A problem at a path of this file, with its line."""

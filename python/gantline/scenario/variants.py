@@ -20,6 +20,7 @@ from gantline.units import UnitError, common_dimension, quantity, si_text
 
 __all__ = [
     "Variant",
+    "changed",
     "check_cases",
     "tolerances",
     "variants_of",
@@ -114,6 +115,20 @@ def with_values(scenario: Scenario, texts: Mapping[str, str]) -> Scenario:
     for path, text in texts.items():
         tree = put(tree, path, text_node(text, _line(scenario.tree, path)))
     return from_tree(tree, scenario.source, scenario.text)
+
+
+def changed(scenario: Scenario, values: Mapping[str, str]) -> Scenario:
+    """The same for users: a wrong path is a problem of the lift file; below its text stand the changes.
+
+    Raises:
+        ScenarioError: if a path leads nowhere, or a value cannot be there.
+    """
+    try:
+        other = with_values(scenario, values)
+    except PathError as problem:
+        raise ScenarioError(scenario.source, [Problem(None, "", str(problem))]) from None
+    told = "".join(f"# changed: {path}: {text}\n" for path, text in values.items())
+    return other.read_from(other.source, f"{other.text.rstrip()}\n{told}", other.tree)
 
 
 def tolerances(scenario: Scenario) -> dict[str, float]:
