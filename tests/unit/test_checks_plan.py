@@ -20,7 +20,7 @@ def named(checks: list[Check], name: str) -> Check | None:
     return next((check for check in checks if check.name == name), None)
 
 
-@pytest.mark.parametrize(("duration", "remark"), [(5.0, "in 'hoist'; not begun: 'hold'"), (30.0, None)])
+@pytest.mark.parametrize(("duration", "remark"), [(5.0, "in 'hoist'; not begun: hold"), (30.0, None)])
 def test_a_run_that_ends_before_its_plan_is_told(duration: float, remark: str | None) -> None:
     """From 26 s on it hoists no more and holds to the end, which has nothing left to do."""
     checks = check_recording(gantline.simulate(EQUALIZER, duration=duration))

@@ -21,8 +21,10 @@ def test_ctrl_c_ends_a_search_between_two_equilibria() -> None:
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     interrupt = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
     interrupt.start()
-    with pytest.raises(KeyboardInterrupt):
-        question.equilibrium()  # the end of the lift: a thousand equilibria and more
-    interrupt.join()
-    signal.signal(signal.SIGINT, before)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            question.equilibrium()  # the end of the lift: a thousand equilibria and more
+        interrupt.join()
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert question.equilibrium(time=0.0).is_stable

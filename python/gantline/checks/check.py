@@ -93,6 +93,7 @@ def has_failed(checks: Sequence[Check]) -> bool:
 def verdict_of(checks: Sequence[Check]) -> str:
     """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked."""
     done = [check for check in checks if _is_done(check)]
+    # That a run ends before its plan says nothing of its loads.
     if all(check.value is None and check.verdict is Verdict.WARNING for check in done):
         return "NO VERDICT: nothing has been checked"
     failed = [check for check in done if check.verdict is Verdict.FAILED]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +10,9 @@ import numpy as np
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
+
+#: Most elements that a remark names.
+_MOST_NAMED = 3
 
 
 @dataclass(frozen=True)
@@ -140,3 +143,10 @@ def everywhere(recording: Recording) -> BoolArray:
 def carrying(recording: Recording, rope: str, during: BoolArray) -> BoolArray:
     """Samples of a mask at which a rope carries enough for its direction to mean something."""
     return during & series.is_carrying(recording.column("rope_tension", rope))
+
+
+def named(elements: Iterable[str]) -> str:
+    """The first few of some names, each once, and how many more there are."""
+    names = list(dict.fromkeys(elements))
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    return f"{', '.join(names[:_MOST_NAMED])}{more}"

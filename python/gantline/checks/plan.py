@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from gantline.checks.check import Check, Verdict
+from gantline.checks.measure import named
 from gantline.results.recording import Recording
-
-#: Most steps that the remark names.
-_MOST_NAMED = 3
 
 
 def unfinished(recording: Recording) -> Check | None:
@@ -22,9 +20,7 @@ def unfinished(recording: Recording) -> Check | None:
     if not (left or under_way) or not len(recording.time):
         return None
     at = f" in '{under_way[0]}'" if under_way else ""
-    names = ", ".join(f"'{step}'" for step in left[:_MOST_NAMED])
-    more = f" and {len(left) - _MOST_NAMED} more" if len(left) > _MOST_NAMED else ""
-    not_begun = f"; not begun: {names}{more}" if left else ""
+    not_begun = f"; not begun: {named(left)}" if left else ""
     return Check(
         "plan_finished",
         Verdict.WARNING,

@@ -10,7 +10,7 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
-from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere
+from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.plan import unfinished
 from gantline.results import series
 from gantline.results.parting import Parting, partings
@@ -18,9 +18,6 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
-
-#: Most elements that a remark names.
-_MOST_NAMED = 3
 
 
 def check_recording(recording: Recording) -> list[Check]:
@@ -106,13 +103,7 @@ def _reasons(missing: Iterable[Missing]) -> str:
     by_reason: dict[str, list[str]] = {}
     for one in missing:
         by_reason.setdefault(one.reason, []).append(one.element)
-    return "; ".join(f"{reason}: {_named(elements)}" for reason, elements in by_reason.items())
-
-
-def _named(elements: list[str]) -> str:
-    elements = list(dict.fromkeys(elements))
-    more = f" and {len(elements) - _MOST_NAMED} more" if len(elements) > _MOST_NAMED else ""
-    return f"{', '.join(elements[:_MOST_NAMED])}{more}"
+    return "; ".join(f"{reason}: {named(elements)}" for reason, elements in by_reason.items())
 
 
 def _check_limit(recording: Recording, key: str, measure: Measure, given: object) -> Check | None:
