@@ -151,7 +151,14 @@ def test_times_rise(tmp_path: Path) -> None:
     assert refusal(tmp_path, changed("time", values=np.full(5, np.nan))) == words
 
 
-ODD: tuple[Any, ...] = ([], {}, "x", 5, None, True)
+ODD: tuple[Any, ...] = ([], {}, "x", 5, None, True, float("nan"))
+
+
+UNREADABLE = "is nested too deeply, or has text that is no Unicode"
+
+
+def nested(depth: int) -> Any:
+    return json.loads("[" * depth + "]" * depth)
 
 
 def places(document: Any, place: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
@@ -216,6 +223,10 @@ def test_attributes_are_of_the_right_form_or_do_no_harm() -> None:
          "expected a list"),
         (("scene", "sheaves", 0, "radius"), True, "attribute scene.sheaves[0].radius is true; "
          "expected a number"),
+        (("rig", "gravity"), 10**400, "attribute rig.gravity is 1" + 39 * "0" + "...; expected a number"),
+        (("rig", "limits", "odd"), nested(210), f"attribute rig {UNREADABLE}"),
+        (("rig", "limits", "odd"), nested(400), f"attribute rig {UNREADABLE}"),
+        (("rig", "loads", 0, "name"), "\ud800", f"attribute rig {UNREADABLE}"),
     ],
 )  # fmt: skip
 def test_attributes_of_another_form_are_told_with_their_place(

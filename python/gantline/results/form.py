@@ -1,33 +1,39 @@
 """JSON held against the form that dataclasses describe: the first difference, in one phrase.
 
 What a recording says of its lift comes back from a file that other programs may have changed. Types of the
-fields are the form, so that nothing has to be said twice.
+fields are the form, so that nothing has to be said twice. Phrases are others than those on lift files
+(`gantline.scenario.translate`): nobody writes a recording by hand, so there is no line to point to and no
+misspelt key to guess, and entries of lists count from 0 as in JSON.
 """
 
 from __future__ import annotations
 
-import math
-import types
-from collections.abc import Mapping, Sequence
-from dataclasses import MISSING, dataclass, fields, is_dataclass
+from collections.abc import Sequence
 from functools import cache
-from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any
 
-__all__ = ["FormError", "Length", "Quaternion", "Range", "Vector", "hold_form"]
+from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic_core import ErrorDetails, PydanticSerializationError, to_json
 
+__all__ = ["FormError", "Quaternion", "Range", "Vector", "hold_form"]
 
-@dataclass(frozen=True)
-class Length:
-    """How many entries a list has, where that is fixed."""
+Vector = Annotated[Sequence[float], Field(min_length=3, max_length=3)]
+Range = Annotated[Sequence[float], Field(min_length=2, max_length=2)]
+Quaternion = Annotated[Sequence[float], Field(min_length=4, max_length=4)]
 
-    count: int
-
-
-Vector = Annotated[Sequence[float], Length(3)]
-Range = Annotated[Sequence[float], Length(2)]
-Quaternion = Annotated[Sequence[float], Length(4)]
-
-_WORDS = {str: "text", bool: "true or false", int: "a whole number", float: "a number"}
+#: What was expected, by type of the validator's error.
+_WORDS = {
+    "string_type": "text",
+    "bool_type": "true or false",
+    "int_type": "a whole number",
+    "int_from_float": "a whole number",
+    "float_type": "a number",
+    "finite_number": "a number",
+    "list_type": "a list",
+    "dict_type": "an object",
+    "mapping_type": "an object",
+    "dataclass_type": "an object",
+}
 _LONGEST = 40  # characters of what was found
 
 
@@ -47,73 +53,50 @@ def hold_form(value: Any, form: Any, place: str) -> None:
     Raises:
         FormError: At the first difference.
     """
-    origin, inner = get_origin(form), get_args(form)
-    if form is Any:
-        return
-    if origin is Annotated:
-        hold_form(value, inner[0], place)
-        if len(value) != inner[1].count:
-            raise FormError(f"{place} has {len(value)} entries; expected {inner[1].count}")
-    elif origin in (Union, types.UnionType):
-        # The only unions are those with None.
-        if value is not None:
-            hold_form(value, next(one for one in inner if one is not types.NoneType), place)
-    elif origin is not None and issubclass(origin, Mapping):
-        _expect(value, dict, "an object", place)
-        for key, one in value.items():
-            hold_form(one, inner[1], f"{place}.{key}")
-    elif origin is not None and issubclass(origin, Sequence):
-        _expect(value, list | tuple, "a list", place)
-        if inner[0] is float and all(type(one) is float and math.isfinite(one) for one in value):
-            return
-        for at, one in enumerate(value):
-            hold_form(one, inner[0], f"{place}[{at}]")
-    elif isinstance(form, type) and is_dataclass(form):
-        _expect(value, dict, "an object", place)
-        for key, hint, is_needed in _keys(form):
-            if key in value:
-                hold_form(value[key], hint, f"{place}.{key}")
-            elif is_needed:
-                raise FormError(f"{place} has no '{key}'")
-    else:
-        _hold_plain(value, form, place)
+    try:
+        # From Python a strict validator takes instances of dataclasses alone, from JSON it takes objects.
+        _validator(form).validate_json(to_json({place: value}, inf_nan_mode="constants"))
+    except (PydanticSerializationError, ValidationError) as problem:
+        first = problem.errors(include_url=False)[0] if isinstance(problem, ValidationError) else None
+        if first is None or first["type"] == "json_invalid":
+            # Writing gives up at some depth and at half a surrogate pair, reading at a lesser depth.
+            words = f"{place} is nested too deeply, or has text that is no Unicode"
+        else:
+            words = _phrase(first)
+        raise FormError(words) from None
 
 
-def _hold_plain(value: Any, form: Any, place: str) -> None:
-    is_right = isinstance(value, int | float if form is float else form)
-    if form is not bool and isinstance(value, bool):
-        is_right = False
-    if not is_right or (form is float and not math.isfinite(value)):
-        raise FormError(f"{place} is {_shown(value)}; expected {_WORDS[form]}")
+@cache
+def _validator(form: Any) -> TypeAdapter[Any]:
+    """Of an object with one entry of a form; its key is where error messages begin."""
+    # A dataclass takes its settings from what is around it.
+    settings = ConfigDict(strict=True, allow_inf_nan=False)
+    return TypeAdapter(dict[str, form], config=settings)
 
 
-def _expect(value: Any, kind: Any, words: str, place: str) -> None:
-    if not isinstance(value, kind):
-        raise FormError(f"{place} is {_shown(value)}; expected {words}")
+def _phrase(problem: ErrorDetails) -> str:
+    kind, context = problem["type"], problem.get("ctx", {})
+    if kind == "missing":
+        return f"{_place(problem['loc'][:-1])} has no '{problem['loc'][-1]}'"
+    place = _place(problem["loc"])
+    if kind in ("too_short", "too_long"):
+        expected = context["min_length" if kind == "too_short" else "max_length"]
+        return f"{place} has {context['actual_length']} entries; expected {expected}"
+    return f"{place} is {_shown(problem['input'])}; expected {_WORDS.get(kind, 'something else')}"
+
+
+def _place(path: Sequence[str | int]) -> str:
+    inner = (f"[{part}]" if isinstance(part, int) else f".{part}" for part in path[1:])
+    return f"{path[0]}{''.join(inner)}"
 
 
 def _shown(value: Any) -> str:
     """What was found, in a few words."""
     if isinstance(value, dict):
         return "an object"
-    if isinstance(value, list | tuple):
+    if isinstance(value, list):
         return "a list"
     if value is None:
         return "null"
     text = repr(value) if not isinstance(value, bool) else str(value).lower()
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
-
-
-@cache
-def _keys(form: type[Any]) -> tuple[tuple[str, Any, bool], ...]:
-    """Key, type and whether it has to be there, of each entry of an object."""
-    hints = get_type_hints(form, include_extras=True)
-    renamed: Mapping[str, str] = getattr(form, "json_names", {})
-    return tuple(
-        (
-            renamed.get(one.name, one.name),
-            hints[one.name],
-            one.default is MISSING and one.default_factory is MISSING,
-        )
-        for one in fields(form)
-    )

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Self
+from typing import Annotated, Any, Self
+
+from pydantic import Field
 
 from gantline.results.strength import FromJson, Shackle
 
@@ -92,11 +94,9 @@ class Sling(FromJson):
         shackles: Shackles at `top` and `bottom`.
     """
 
-    json_names: ClassVar[Mapping[str, str]] = {"from_body": "from"}
-
     name: str
     rope: str
-    from_body: str = ""
+    from_body: Annotated[str, Field(alias="from")] = ""
     to_load: str | None = None
     to_lug: str | None = None
     over: str | None = None
@@ -110,7 +110,7 @@ class Sling(FromJson):
         """Make one from its JSON object."""
         lug = document.get("to_lug")
         parts = {
-            "from_body": document.get(cls.json_names["from_body"], ""),
+            "from_body": document.get("from", ""),
             "lugs": () if lug is None else (lug,),
             **document,
             "shackles": {
