@@ -156,7 +156,7 @@ impl Simulation {
         }
         let (system, mut state) = build(&spec)?;
         if parsed.start == StartSpec::Rest {
-            Statics::new(&system).settle(&system, &mut state, Losses::Held)?;
+            Statics::new(&system).settle(&system, &mut state, Losses::HELD)?;
         }
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);

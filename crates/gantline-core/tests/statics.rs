@@ -15,7 +15,7 @@ use rigs::{built, moved, seeds, torture};
 fn potential(system: &System, state: &gantline_core::state::State) -> Potential {
     let mut here = Potential::new(system);
     here.q.copy_from_slice(&state.q);
-    here.update(system, &bearings(system, state, Losses::None), &Remembered::of(state));
+    here.update(system, &bearings(system, state, Losses::NONE), &Remembered::of(state));
     here
 }
 
@@ -28,7 +28,7 @@ proptest! {
         let (system, state, _) = built(&seeds);
         let direction = &directions[..system.tree.velocities];
         let mut here = potential(&system, &state);
-        let bearings = bearings(&system, &state, Losses::None);
+        let bearings = bearings(&system, &state, Losses::NONE);
         // Where a row changes sides the second derivative jumps.
         let takes_part = here.value.iter().zip(&bearings).filter(|(_, bearing)| bearing.part != Part::Off);
         prop_assume!(takes_part.into_iter().all(|(value, _)| value.abs() > 0.02));
@@ -70,7 +70,7 @@ fn random_rigs_come_to_rest_or_say_why() {
         };
         let seeds: Vec<f64> = (0..400).map(|_| number()).collect();
         let Ok((system, mut state)) = build(&torture(&seeds)) else { continue };
-        match Statics::new(&system).settle(&system, &mut state, Losses::None) {
+        match Statics::new(&system).settle(&system, &mut state, Losses::NONE) {
             Ok(rest) => {
                 found += 1;
                 assert!(rest.residual <= 1e-5, "{seed}: {rest:?}");
@@ -140,11 +140,11 @@ fn cost_is_linear_in_the_rig() {
     for count in [10, 100, 1000] {
         let (system, mut state) = build(&row_of_sheaves(count)).expect("a valid system");
         let mut statics = Statics::new(&system);
-        let rest = statics.settle(&system, &mut state, Losses::None).expect("it hangs");
+        let rest = statics.settle(&system, &mut state, Losses::NONE).expect("it hangs");
         assert_eq!(rest.unstable, 0);
         assert!(rest.effort.steps <= 12 && rest.factorisations <= 40, "{count}: {rest:?}");
         // From there on no step is made and nothing factorised but what tells neutral and unstable motions.
-        let again = statics.settle(&system, &mut state.clone(), Losses::None).expect("it hangs");
+        let again = statics.settle(&system, &mut state.clone(), Losses::NONE).expect("it hangs");
         assert_eq!((again.effort.steps, again.factorisations), (0, 2), "{count}: {again:?}");
         assert_eq!((again.neutral, again.unstable), (rest.neutral, rest.unstable));
         // Every sheave bears 60 t and itself on two parts.

@@ -23,15 +23,15 @@ fn no_equilibrium(error: NoEquilibrium) -> PyErr {
 }
 
 fn losses_of(word: &str, slide: Option<[f64; 3]>) -> PyResult<Losses> {
-    match (word, slide.and_then(Losses::slide)) {
+    match (word, slide.and_then(Losses::slid)) {
         ("none", Some(slides)) => Ok(slides),
         _ if slide.is_some() => {
             Err(PyValueError::new_err("what slides does so along a direction, with sheaves without losses"))
         }
-        ("none", None) => Ok(Losses::None),
-        ("forward", None) => Ok(Losses::Forward),
-        ("backward", None) => Ok(Losses::Backward),
-        ("held", None) => Ok(Losses::Held),
+        ("none", None) => Ok(Losses::NONE),
+        ("forward", None) => Ok(Losses::FORWARD),
+        ("backward", None) => Ok(Losses::BACKWARD),
+        ("held", None) => Ok(Losses::HELD),
         _ => Err(PyValueError::new_err(format!(
             "there are no losses {word}; there are none, forward, backward and held"
         ))),

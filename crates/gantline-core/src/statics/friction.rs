@@ -1,7 +1,7 @@
 //! Friction at rest: what sheaves and contacts hold follows from the forces that press, which follow from what they hold.
 //! After each search it is set anew, until it no longer changes.
 
-use super::potential::{Bearing, Losses, Part};
+use super::potential::{Bearing, Contacts, Losses, Part, Sheaves};
 use super::{LOSS_LEFT, Statics};
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law};
@@ -24,8 +24,8 @@ fn wrong(known: f64, wanted: f64, force: f64) -> f64 {
 impl Statics {
     /// Sheaves that all slip one way begin with what they resisted at the equilibrium before, if there was one: from
     /// there it takes fewer rounds.
-    pub(super) fn slip_as(&mut self, before: &[Bearing], losses: Losses) {
-        if !matches!(losses, Losses::Forward | Losses::Backward) {
+    pub(super) fn slip_as(&mut self, before: &[Bearing], sheaves: Sheaves) {
+        if !matches!(sheaves, Sheaves::Slip(_)) {
             return;
         }
         for (bearing, before) in self.bearings.iter_mut().zip(before) {
@@ -42,15 +42,14 @@ impl Statics {
         state: &State,
         (losses, round): (Losses, usize),
     ) -> bool {
-        let sheaves = match losses {
-            Losses::None | Losses::Slide(_) => 0.0,
-            Losses::Forward => self.follow_sheaves(system, state, Some(1.0)),
-            Losses::Backward => self.follow_sheaves(system, state, Some(-1.0)),
-            Losses::Held => self.follow_sheaves(system, state, None),
+        let sheaves = match losses.sheaves {
+            Sheaves::Ideal => 0.0,
+            Sheaves::Slip(sign) => self.follow_sheaves(system, state, Some(sign)),
+            Sheaves::Held => self.follow_sheaves(system, state, None),
         };
-        let contacts = match losses {
-            Losses::Held | Losses::Slide(_) => self.follow_contacts(system, (losses, round)),
-            _ => 0.0,
+        let contacts = match losses.contacts {
+            Contacts::Free => 0.0,
+            contacts => self.follow_contacts(system, (contacts, round)),
         };
         sheaves <= LOSS_LEFT && contacts <= LEFT
     }
@@ -84,7 +83,7 @@ impl Statics {
     }
 
     /// Contacts that have slid, or hold; by how much the largest was wrong, as a share of the largest bound.
-    fn follow_contacts(&mut self, system: &System, (losses, round): (Losses, usize)) -> f64 {
+    fn follow_contacts(&mut self, system: &System, (contacts, round): (Contacts, usize)) -> f64 {
         let (mut most, mut largest) = (0.0_f64, f64::MIN_POSITIVE);
         // Corners answer to each other, and may take turns.
         let follow = 1.0 / (1 + round / PATIENCE) as f64;
@@ -93,7 +92,7 @@ impl Statics {
             let Law::Friction { coefficient, normal, .. } = system.rows.laws[rows[0]] else { continue };
             let bound = coefficient * tension[normal].max(0.0);
             largest = largest.max(bound);
-            if let Losses::Slide(direction) = losses {
+            if let Contacts::Slid(direction) = contacts {
                 let AnyConstraint::Contact(contact) = system.constraint_of_row(rows[0]) else { continue };
                 let way = contact.plane.tangents.map(|tangent| tangent.dot(direction));
                 let size = way[0].hypot(way[1]);

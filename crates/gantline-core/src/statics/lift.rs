@@ -2,7 +2,7 @@
 //! answers to what is uncertain. What the border hands on.
 
 use super::modes::Mode;
-use super::potential::Losses;
+use super::potential::{Contacts, Losses, Sheaves};
 use super::sensitivity::{Parameter, Sensitivity};
 use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
@@ -70,9 +70,8 @@ impl StaticLift {
     /// free degrees of freedom (none: the start itself).
     ///
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
-    /// A plan that waits for a condition is followed from rest to rest in steps of 0.1 s. So is a lift whose drums
-    /// remember what they wind, or whose friction holds: in parts that are short where that matters. What slides does so
-    /// from there. Before every part `goes_on` is asked.
+    /// A plan that waits for a condition is followed from rest to rest, contacts holding; so is a lift whose drums remember
+    /// what they wind, or whose friction holds. What slides does so from there. Before every part `goes_on` is asked.
     ///
     /// # Errors
     /// [`NoEquilibrium`] says why there is none, or that the search was stopped.
@@ -91,17 +90,19 @@ impl StaticLift {
                 free.map(|(step, driven)| if driven.is_none() { *step } else { 0.0 }).collect();
             system.tree.advance(&mut state.q, &free);
         }
-        let rest = match losses {
-            // What slides does so where the plan has brought it.
-            Losses::Slide(_) => {
-                self.follow(time, Losses::Held, goes_on)?;
-                self.statics.go_on(&self.system, &mut self.state, losses)
-            }
-            Losses::None | Losses::Forward | Losses::Backward if system.coils.is_empty() => {
-                self.jump(time, losses, goes_on)
-            }
-            _ => self.follow(time, losses, goes_on),
-        }?;
+        let has_history = !self.system.coils.is_empty()
+            || losses.sheaves == Sheaves::Held
+            || losses.contacts != Contacts::Free
+            || self.waits(time);
+        let rest = if has_history {
+            let on_the_way = losses.on_the_way();
+            let is_same = losses.sheaves == on_the_way.sheaves
+                && (losses.contacts == on_the_way.contacts || self.system.friction.is_empty());
+            let rest = self.follow(time, on_the_way, goes_on)?;
+            if is_same { rest } else { self.statics.go_on(&self.system, &mut self.state, losses)? }
+        } else {
+            self.jump(time, losses)?
+        };
         self.sample(time > 0.0);
         Ok(rest)
     }
@@ -122,29 +123,18 @@ impl StaticLift {
         Ok(statics.go_on(system, state, losses).inspect(|_| self.sample(true)))
     }
 
-    /// At once, or in steps where the plan waits for conditions.
-    fn jump(&mut self, time: f64, losses: Losses, goes_on: GoesOn) -> Result<Rest, NoEquilibrium> {
+    /// Whether the plan waits for a condition before `time` [s].
+    fn waits(&self, time: f64) -> bool {
+        let mut ahead = self.state.plan.clone();
+        ahead.advance(&self.system.plan, 0.0, time, None, &mut EventLog::new());
+        ahead.has_waited(&self.system.plan)
+    }
+
+    /// At once.
+    fn jump(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
         let Self { system, state, statics, log, .. } = self;
         log.events.clear();
-        let mut support = vec![0.0; system.groups.len()];
-        let mut ahead = state.plan.clone();
-        ahead.advance(&system.plan, 0.0, time, None, log);
-        if ahead.has_waited(&system.plan) {
-            log.events.clear();
-            let mut now = 0.0;
-            while now < time {
-                unless_stopped(goes_on)?;
-                state.time = now;
-                part(system, state);
-                statics.settle(system, state, losses)?;
-                flows::supports(system, &state.tension, &mut support);
-                let next = (now + LOOK).min(time);
-                flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
-                now = next;
-            }
-        } else {
-            state.plan.copy_from(&ahead);
-        }
+        state.plan.advance(&system.plan, 0.0, time, None, log);
         state.time = time;
         part(system, state);
         statics.settle(system, state, losses)

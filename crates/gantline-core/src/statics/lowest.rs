@@ -240,7 +240,7 @@ mod tests {
         for material in [r#"{"type": "elastic", "axial_stiffness": 1e8}"#, r#"{"type": "inextensible"}"#] {
             let (system, mut state) = pendulums(60, material);
             let mut statics = Statics::new(&system);
-            statics.settle(&system, &mut state, Losses::None).expect("they hang");
+            statics.settle(&system, &mut state, Losses::NONE).expect("they hang");
             let all = statics.all_modes(&system, &state);
             let few = statics.modes(&system, &state, Some(9));
             assert_eq!((all.len(), few.len()), (if material.contains("elastic") { 360 } else { 240 }, 9));

@@ -30,7 +30,7 @@ use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::flows;
 use crate::system::System;
-use potential::{Bearing, Losses, Part, bearings};
+use potential::{Bearing, Contacts, Losses, Part, bearings};
 use search::{Effort, Search, Stuck};
 
 /// What is left of the length of an inextensible rope [m].
@@ -136,10 +136,11 @@ impl Statics {
     /// Moves `state` to the equilibrium downhill of it, with drives where it has them.
     fn balance(&mut self, system: &System, state: &mut State, losses: Losses) -> Result<(), NoEquilibrium> {
         let before = std::mem::replace(&mut self.bearings, bearings(system, state, losses));
-        self.slip_as(&before, losses);
+        self.slip_as(&before, losses.sheaves);
         self.hold_motors(system);
         for round in 1.. {
-            self.search.descend(system, state, &mut self.bearings).map_err(|stuck| explain(system, stuck))?;
+            let descended = self.search.descend(system, state, &mut self.bearings);
+            descended.map_err(|stuck| self.explain(system, stuck, losses))?;
             let lengths = self.move_multipliers();
             if lengths <= LENGTH_LEFT && self.follow_friction(system, state, (losses, round)) {
                 break;
@@ -239,25 +240,46 @@ impl Statics {
         state.ledger = Ledger::open(flows::stored(system, state, frame));
         state.restart = true;
     }
+
+    fn explain(&self, system: &System, stuck: Stuck, losses: Losses) -> NoEquilibrium {
+        let body = |index: usize| system.tree.bodies[index].name.clone();
+        let (element, cause) = match stuck {
+            Stuck::Falls(index) if floats(system, index) => {
+                (body(index), "it sinks: no hull bears that weight")
+            }
+            Stuck::Falls(index) => (body(index), "nothing holds it, it falls without end"),
+            Stuck::UsedUp(rope) => {
+                let name = system.constraints[rope].name().to_owned();
+                let cause = "the rope is hauled in until two of the places that it passes have come together";
+                (name, cause)
+            }
+            Stuck::NoStep(dof) if self.drifts(system, losses) => {
+                let cause =
+                    "wind or current drives it over its supports, which without friction hold nothing";
+                (body(system.tree.owner[dof]), cause)
+            }
+            Stuck::NoStep(dof) => {
+                (body(system.tree.owner[dof]), "no step brings its forces closer to balance")
+            }
+        };
+        NoEquilibrium { element, cause: cause.to_owned() }
+    }
+
+    /// Whether a stream pushes while contacts carry that friction does not hold.
+    fn drifts(&self, system: &System, losses: Losses) -> bool {
+        let here = &self.search.here;
+        let mut normals = system.friction.iter().filter_map(|&row| match system.rows.laws[row] {
+            Law::Friction { normal, .. } => Some(normal),
+            _ => None,
+        });
+        losses.contacts == Contacts::Free
+            && here.pushed.iter().any(|push| *push != 0.0)
+            && normals.any(|normal| here.tension[normal] > 0.0)
+    }
 }
 
 /// Whether a hull moves a body along.
 fn floats(system: &System, body: usize) -> bool {
     let moves = |force: &AnyForce| matches!(force, AnyForce::Buoyancy(hull) if system.tree.subtree[hull.body].contains(&body));
     system.tree.forces.iter().any(moves)
-}
-
-fn explain(system: &System, stuck: Stuck) -> NoEquilibrium {
-    let body = |index: usize| system.tree.bodies[index].name.clone();
-    let (element, cause) = match stuck {
-        Stuck::Falls(index) if floats(system, index) => (body(index), "it sinks: no hull bears that weight"),
-        Stuck::Falls(index) => (body(index), "nothing holds it, it falls without end"),
-        Stuck::UsedUp(rope) => {
-            let name = system.constraints[rope].name().to_owned();
-            let cause = "the rope is hauled in until two of the places that it passes have come together";
-            (name, cause)
-        }
-        Stuck::NoStep(dof) => (body(system.tree.owner[dof]), "no step brings its forces closer to balance"),
-    };
-    NoEquilibrium { element, cause: cause.to_owned() }
 }

@@ -54,27 +54,58 @@ pub enum Part {
     Across,
 }
 
-/// What friction of sheaves and contacts does.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Losses {
-    /// Nothing: one tension on both sides of a sheave, the middle of what it may hold, and contacts slide freely.
-    #[default]
-    None,
-    /// All sheaves slip towards the end of their ropes' routes; contacts slide freely.
-    Forward,
-    /// All slip towards the start.
-    Backward,
-    /// Sheaves and contacts hold where the state has them, each with no more than its friction.
+/// What friction of sheaves does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sheaves {
+    /// Nothing: one tension on both sides, the middle of what they may hold.
+    Ideal,
+    /// All slip towards the end of their ropes' routes (1) or towards the start (−1).
+    Slip(f64),
+    /// They hold where the state has them, each with no more than its friction.
     Held,
-    /// All contacts have slid along this direction of the world, a unit vector, and friction pulls them back; sheaves
-    /// are ideal.
-    Slide(DVec3),
+}
+
+/// What friction of contacts does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Contacts {
+    /// Nothing: they slide freely.
+    Free,
+    /// They hold where the state has them, each with no more than its friction.
+    Held,
+    /// All have slid along this direction of the world, a unit vector, and friction pulls them back.
+    Slid(DVec3),
+}
+
+/// What friction of sheaves and contacts does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Losses {
+    /// Of sheaves.
+    pub sheaves: Sheaves,
+    /// Of contacts.
+    pub contacts: Contacts,
 }
 
 impl Losses {
-    /// All contacts have slid along a direction of the world; none where that is none.
-    pub fn slide(direction: [f64; 3]) -> Option<Self> {
-        DVec3::from_array(direction).try_normalize().map(Self::Slide)
+    /// Nothing.
+    pub const NONE: Self = Self { sheaves: Sheaves::Ideal, contacts: Contacts::Free };
+    /// All sheaves slip towards the end of their ropes' routes; contacts slide freely.
+    pub const FORWARD: Self = Self { sheaves: Sheaves::Slip(1.0), ..Self::NONE };
+    /// All slip towards the start.
+    pub const BACKWARD: Self = Self { sheaves: Sheaves::Slip(-1.0), ..Self::NONE };
+    /// Sheaves and contacts hold where the state has them.
+    pub const HELD: Self = Self { sheaves: Sheaves::Held, contacts: Contacts::Held };
+
+    /// All contacts have slid along a direction of the world, sheaves being ideal; none where that is no direction.
+    pub fn slid(direction: [f64; 3]) -> Option<Self> {
+        let way = DVec3::from_array(direction).try_normalize()?;
+        Some(Self { contacts: Contacts::Slid(way), ..Self::NONE })
+    }
+
+    /// What it does on the way to where this is asked for: contacts hold, since what stands in the wind or in a slack
+    /// sling would slide there. What has slid in the end is where everything was held.
+    pub fn on_the_way(self) -> Self {
+        let sheaves = if matches!(self.contacts, Contacts::Slid(_)) { Sheaves::Held } else { self.sheaves };
+        Self { sheaves, contacts: Contacts::Held }
     }
 }
 
@@ -164,9 +195,9 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
             Law::Unilateral { .. } => (Part::Pull, None),
             Law::Friction { normal, .. } => {
                 let touches = state.trial[*normal] >= 0.0;
-                (contact_part(losses, row - normal, touches), None)
+                (contact_part(losses.contacts, row - normal, touches), None)
             }
-            Law::Pin | Law::Brake { .. } => held(system, state, row, losses),
+            Law::Pin | Law::Brake { .. } => held(system, state, row, losses.sheaves),
         };
         let length = length(system, row);
         Bearing { part, compliance, first_compliance: compliance, is_rigid, offset: 0.0, held, length }
@@ -175,16 +206,16 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
 }
 
 /// How the tangential row `number`, 1 or 2, of a contact takes part, which touches at the start or not.
-fn contact_part(losses: Losses, number: usize, touches: bool) -> Part {
-    match losses {
-        Losses::Held if touches && number == 1 => Part::Stick(f64::INFINITY),
-        Losses::Held if touches => Part::Across,
-        Losses::Slide(_) => Part::Resist(0.0),
+fn contact_part(contacts: Contacts, number: usize, touches: bool) -> Part {
+    match contacts {
+        Contacts::Held if touches && number == 1 => Part::Stick(f64::INFINITY),
+        Contacts::Held if touches => Part::Across,
+        Contacts::Slid(_) => Part::Resist(0.0),
         _ => Part::Off,
     }
 }
 
-fn held(system: &System, state: &State, row: usize, losses: Losses) -> (Part, Option<Held>) {
+fn held(system: &System, state: &State, row: usize, sheaves: Sheaves) -> (Part, Option<Held>) {
     let position = |dof: usize| {
         let body = &system.tree.bodies[system.tree.owner[dof]];
         body.first_position + dof - body.first_velocity
@@ -196,13 +227,13 @@ fn held(system: &System, state: &State, row: usize, losses: Losses) -> (Part, Op
         AnyConstraint::Brake(brake) => {
             let motor = system.motors.iter().find(|(other, _)| *other == row);
             let braked = motor.and_then(|&(_, drive)| state.plan.timelines[drive].braked(state.time));
-            let part = match (brake.grip.is_none(), losses) {
+            let part = match (brake.grip.is_none(), sheaves) {
                 (true, _) => Part::Hold(braked.unwrap_or(brake.capacity)),
                 // The groove grips, unless it is weaker than the bearing.
                 (false, _) if brake.spin.is_some() => Part::Hold(f64::INFINITY),
-                (false, Losses::Held) => Part::Hold(f64::INFINITY),
-                (false, Losses::None | Losses::Slide(_)) => Part::Off,
-                (false, _) => Part::Resist(0.0),
+                (false, Sheaves::Held) => Part::Hold(f64::INFINITY),
+                (false, Sheaves::Ideal) => Part::Off,
+                (false, Sheaves::Slip(_)) => Part::Resist(0.0),
             };
             (part, Some(Held::here(position(brake.dof), brake.spin.map(position), &state.q)))
         }

@@ -205,16 +205,30 @@ pub fn follow(
                     log.push(state.time, EventKind::OffSupport, system.constraint_index(row));
                 }
                 note_lift_off(system, state, touch.group, state.time, log);
-            } else if new.is_near && state.modes[row] != Mode::Parted {
-                let values = if carries { [value[row + 1], value[row + 2]] } else { [0.0; 2] };
-                let displaced = touch.displaced(kinematics, old, values);
-                let remembered = touch.remembered(kinematics, new, displaced);
-                state.memory[row + 1..row + 3].copy_from_slice(&remembered);
+            } else if state.modes[row] != Mode::Parted {
+                stand_elsewhere(system, kinematics, (touch, old, new), carries.then_some(value), state);
             }
         },
     );
     state.spots = spots;
     followed
+}
+
+/// A touch whose spot has changed holds there what it held, by the values of rows; nothing where it did not carry.
+pub fn stand_elsewhere(
+    system: &System,
+    kinematics: &Kinematics,
+    (touch, old, new): (&Touch, &Spot, &Spot),
+    value: Option<&[f64]>,
+    state: &mut State,
+) {
+    if new.is_near {
+        let row = first_row(system, touch);
+        let values = value.map_or([0.0; 2], |value| [value[row + 1], value[row + 2]]);
+        let displaced = touch.displaced(kinematics, old, values);
+        let remembered = touch.remembered(kinematics, new, displaced);
+        state.memory[row + 1..row + 3].copy_from_slice(&remembered);
+    }
 }
 
 /// First row of a touch.

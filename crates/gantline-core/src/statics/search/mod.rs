@@ -309,17 +309,23 @@ impl Search {
     }
 
     /// Bodies may touch where they are near each other here. What a support bears stays on it: without friction it would
-    /// slide, and off the edge in the end.
+    /// slide, and off the edge in the end. Where it comes to stand anew friction holds nothing yet.
     fn find_spots(&mut self, system: &System, state: &mut State, bearings: &[Bearing]) {
         let mut changed = false;
         let Potential { frame, follows, .. } = &self.here;
+        let mut spots = std::mem::take(&mut state.spots);
         spots::find(
             system,
             &frame.kinematics,
-            &mut state.spots,
+            &mut spots,
             |row| follows[row],
-            |_, _, _| changed = true,
+            |touch, old, new| {
+                changed = true;
+                let value = follows[system.rows.first[touch.index]].then_some(frame.value.as_slice());
+                spots::stand_elsewhere(system, &frame.kinematics, (touch, old, new), value, state);
+            },
         );
+        state.spots = spots;
         if changed {
             self.evaluate(system, state, bearings);
         }
