@@ -24,7 +24,7 @@ from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.tanks import pump_warnings
-from gantline.results.vessels import vessel_warnings
+from gantline.results.vessels import under_water_warnings, vessel_warnings
 from gantline.scenario import Scenario, load_scenario, resolve
 from gantline.scenario.quantities import SMALLEST
 from gantline.scenario.times import wrong_times
@@ -199,6 +199,8 @@ class Simulation:
         warnings += drum_warnings(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
+        loads = {load.name: load.body for load in rig.loads}
+        warnings += under_water_warnings(columns, names, rig.vessels, loads)
         if rig.vessels and len(columns["time"]):
             at_start = dict(zip(names["body"], columns["body_position"][0], strict=True))
             afloat = [vessel.body for vessel in rig.vessels]

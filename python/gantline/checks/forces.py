@@ -1,6 +1,7 @@
 """Static and dynamic forces as rules want them.
 
-*Static* is the mean over the quiet window, raised from the weight that was simulated to the design weight.
+*Static* is the mean over the quiet window, or over an earlier time that the loads hung still if the element
+carried more then; it is raised from the weight that was simulated to the design weight.
 *By the rule* is static times the rule's dynamic amplification factor. A simulated peak already holds the
 dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked. Where the
 rules have no factor the static force itself takes its place: a peak is that of the simulated weight, which
@@ -11,7 +12,7 @@ lengths, never on one that holds its own skew.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -24,7 +25,8 @@ from gantline.units import format_quantity
 
 DYNAMIC = "dynamic_amplification_factor"
 SKEW = "skew_load_factor"
-NO_STATIC = "no static force: the load did not end clear of its supports"
+NO_STATIC = "no static force: the load never hung still, clear of its supports"
+UNRAISED = "peak of the simulated weight alone: the load never hung still"
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
 
 
@@ -41,6 +43,8 @@ class Force:
         time: When that was [s].
         factors: Names of the rule's factors in it.
         counts_static: Whether the quiet window, from which `static` is, lies within the samples that count.
+        window: The quiet window from which `static` is, shape (time,); None if there is none.
+        lacks_static: Whether contingency or a factor of the rule had to be left out, for want of `static`.
     """
 
     static: float | None
@@ -51,6 +55,8 @@ class Force:
     time: float | None = None
     factors: tuple[str, ...] = ()
     counts_static: bool = True
+    window: BoolArray | None = field(default=None, compare=False, repr=False)
+    lacks_static: bool = False
 
     @property
     def dynamic(self) -> float | None:
@@ -120,14 +126,12 @@ def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
     lengths times the rule's skew load factor (of the simulated one where that with perfect lengths is not
     known).
     """
-    window = series.quiet_window(recording)
     by_length = {one.sling: one for one in skew_loads(recording) if one.lengths_decide}
     rule = factor(recording, SKEW)
     forces = {}
     for sling in recording.rig.slings:
-        static = series.static_value(recording, series.sling_tension(recording, sling), window)
         ratio = design_ratio(recording, sling.to_load)
-        force = _force(recording, static, ratio)
+        force = _force(recording, series.sling_tension(recording, sling), ratio)
         skew = by_length.get(sling.name)
         if skew is not None and rule is not None:
             perfect = skew.force if skew.perfect is None else skew.perfect
@@ -142,12 +146,18 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
     segments = {segment for sheave in sheaves for segment in sheave.segments}
     columns = [recording.column("segment_tension", segment) for segment in sorted(segments)]
     columns = columns or [recording.column("rope_tension", rope)]
-    statics = [series.static_value(recording, column) for column in columns]
-    static = max((force for force in statics if force is not None), default=None)
-    return _with_peak(recording, _force(recording, static, design_ratio(recording)), rope, during)
+    forces = [_force(recording, column, design_ratio(recording)) for column in columns]
+    force = max(forces, key=lambda force: force.static or 0.0)
+    return _with_peak(recording, force, rope, during)
 
 
-def hook_force(recording: Recording, hooks: Iterable[str], variable: str, during: BoolArray) -> Force:
+def hook_force(
+    recording: Recording,
+    hooks: Iterable[str],
+    variable: str,
+    during: BoolArray,
+    window: BoolArray | None = None,
+) -> Force:
     """Static and dynamic hook load or hoist load of one or more hooks together.
 
     Only what hangs in the hook is raised by the rule's factor, not hook block and falls.
@@ -157,12 +167,13 @@ def hook_force(recording: Recording, hooks: Iterable[str], variable: str, during
         hooks: Names of the hooks.
         variable: `hook_load` or `hoist_load`.
         during: Samples whose peak counts.
+        window: Time that the loads hung still, of which static is asked; that with the most if not given.
     """
     names = list(hooks)
     rig = recording.rig
     hook_load = np.sum([recording.column("hook_load", name) for name in names], axis=0)
     total = np.sum([recording.column(variable, name) for name in names], axis=0)
-    window = series.quiet_window(recording)
+    window = series.greatest_static(recording, total)[1] if window is None else window
     more = 0.0
     for sling in (one for one in rig.slings if rig.hook_of(one) in names):
         up = series.sling_tension(recording, sling) * series.sling_direction(recording, sling)[:, 2]
@@ -170,19 +181,19 @@ def hook_force(recording: Recording, hooks: Iterable[str], variable: str, during
         more += (design_ratio(recording, sling.to_load) - 1.0) * share
     static = series.static_value(recording, hook_load, window)
     falls = series.static_value(recording, total - hook_load, window) or 0.0
-    force = _hook_force(recording, static, more, falls)
+    force = replace(_hook_force(recording, static, more, falls), window=window)
     return _with_peak_of(recording, force, total, during)
 
 
 def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:
     """Static and dynamic force of a series that goes with the weight of a load, shape (time,) [N]."""
-    force = _force(recording, series.static_value(recording, values), design_ratio(recording, load))
+    force = _force(recording, values, design_ratio(recording, load))
     return _with_peak_of(recording, force, values, during)
 
 
 def _hook_force(recording: Recording, static: float | None, more: float, falls: float) -> Force:
     if static is None:
-        return Force(None, "")
+        return _without_static(recording, design_ratio(recording))
     hanging = f"static {kilonewton(static)}"
     if more > 0.0:
         hanging = f"({hanging} + {kilonewton(more)} to the design weight)"
@@ -196,11 +207,17 @@ def _hook_force(recording: Recording, static: float | None, more: float, falls: 
     return replace(force, rule=rule, rule_text=text, factors=(DYNAMIC,))
 
 
-def _force(recording: Recording, static: float | None, ratio: float) -> Force:
+def _force(recording: Recording, values: FloatArray, ratio: float) -> Force:
+    static, window = series.greatest_static(recording, values)
     if static is None:
-        return Force(None, "")
+        return _without_static(recording, ratio)
     text = f"static {kilonewton(static)}{_to_design(ratio)}"
-    return _with_rule(recording, Force(static * ratio, text))
+    return _with_rule(recording, Force(static * ratio, text, window=window))
+
+
+def _without_static(recording: Recording, ratio: float) -> Force:
+    is_raised = ratio > 1.0 or factor(recording, DYNAMIC) is not None
+    return Force(None, "", lacks_static=is_raised)
 
 
 def _to_design(ratio: float) -> str:
@@ -226,7 +243,8 @@ def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float,
         return force
     by_rule = f"{kilonewton(perfect)} with perfect lengths{_to_design(ratio)} x {rule:.4g}"
     text = f"max({force.static_text}, {by_rule})"
-    return _with_rule(recording, Force(max(force.static, perfect * ratio * rule), text, factors=(SKEW,)))
+    static = max(force.static, perfect * ratio * rule)
+    return _with_rule(recording, Force(static, text, factors=(SKEW,), window=force.window))
 
 
 def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray) -> Force:
@@ -243,7 +261,7 @@ def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during
     highest = None if series.is_equilibrium(recording) else series.peak(recording, values, during)
     if highest is None:
         return force
-    counts = bool(during.all() or during[series.quiet_window(recording)].all())
+    counts = bool(during.all() or force.window is None or during[force.window].all())
     return replace(force, peak=highest[0], time=highest[1], counts_static=counts)
 
 
@@ -277,6 +295,8 @@ def over(force: Force, strength: float, element: str, raised: Raised | None = No
         return
     if force.lacks_dynamics:
         yield Caution(f"static only: {NO_DYNAMIC}")
+    if force.lacks_static:
+        yield Caution(UNRAISED)
     formula = f"{force.text}{raised.text} / {kilonewton(strength)}"
     value = raised.factor * force.governing / strength
     yield Found(value, element, force.moment, formula, (*force.factors, *raised.names))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, hook_force, kilonewton, over
-from gantline.checks.measure import Finding, Found, Missing, extreme
+from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, UNRAISED, hook_force, kilonewton, over
+from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
@@ -36,17 +36,19 @@ def dynamic_hook_load(recording: Recording, during: BoolArray) -> Iterator[Findi
             yield Missing(hook.name, NO_DYNAMIC)
         else:
             yield Found(force.dynamic, hook.name, force.moment, force.text, force.factors)
+            if force.lacks_static:
+                yield Caution(UNRAISED)
 
 
 def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Peak over static hook load, both as simulated."""
     for hook in recording.rig.hooks:
         force = recording.column("hook_load", hook.name)
-        static = series.static_value(recording, force)
+        static, _ = series.greatest_static(recording, force)
         if series.is_equilibrium(recording):
             yield Missing(hook.name, "an equilibrium has no peak")
         elif not static:
-            yield Missing(hook.name, "no static hook load: the load did not end clear of its supports")
+            yield Missing(hook.name, "no static hook load: the load never hung still, clear of its supports")
         else:
             highest = float(force.max())
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"

@@ -61,4 +61,6 @@ def _together(one: Force, other: Force) -> Force:
         time=one.time if (one.peak or 0.0) >= (other.peak or 0.0) else other.time,
         factors=tuple(dict.fromkeys((*one.factors, *other.factors))),
         counts_static=one.counts_static and other.counts_static,
+        window=one.window,
+        lacks_static=one.lacks_static or other.lacks_static,
     )

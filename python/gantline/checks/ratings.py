@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from gantline.checks.forces import NO_STATIC, Force, factor, hook_force, kilonewton
-from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
+from gantline.checks.forces import UNRAISED, Force, factor, hook_force, kilonewton
+from gantline.checks.measure import Caution, Finding, Found, Refused, extreme
 from gantline.results import series
 from gantline.results.rating import RatedGroup, chart_load, chart_places, rated_groups, rated_load
 from gantline.results.rating_chart import RatingChart
@@ -86,24 +86,24 @@ def _by_rule(
 ) -> Iterator[Finding]:
     """The design weight with the rule's dynamics against the least that is rated while the load is still."""
     element, hooks, kept = of
-    window = series.quiet_window(recording) & during
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
-    force: Force = hook_force(recording, hooks, variable, during)
-    still = force.rule if force.rule is not None else force.static
-    if still is None:
-        if series.is_equilibrium(recording):
-            yield Missing(element, NO_STATIC)
-        return
-    if not window.any() or still <= 0:
-        return
-    least = float(rated[window].min())
-    if least <= 0:
-        yield Refused(element, "nothing may hang where the load hangs still")
-        return
-    text = f"{force.rule_text if force.rule is not None else force.static_text}"
-    raised = f" x {kept:.4g}" if kept > 1 else ""
-    names = (*force.factors, *((SEVERAL,) if kept > 1 else ()))
-    yield Found(kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}", names)
+    windows = series.quiet_windows(recording)
+    if not windows and hook_force(recording, hooks, variable, during).lacks_static:
+        yield Caution(UNRAISED)
+    for whole in windows:
+        window = whole & during
+        force: Force = hook_force(recording, hooks, variable, during, whole)
+        still = force.rule if force.rule is not None else force.static
+        if still is None or not window.any() or still <= 0:
+            continue
+        least = float(rated[window].min())
+        if least <= 0:
+            yield Refused(element, "nothing may hang where the load hangs still")
+            return
+        text = f"{force.rule_text if force.rule is not None else force.static_text}"
+        raised = f" x {kept:.4g}" if kept > 1 else ""
+        names = (*force.factors, *((SEVERAL,) if kept > 1 else ()))
+        yield Found(kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}", names)
 
 
 def _worst(chart: RatingChart, places: FloatArray) -> float:

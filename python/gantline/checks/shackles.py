@@ -11,7 +11,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from gantline.checks.forces import DYNAMIC, NO_DYNAMIC, NO_STATIC, Force, factor, kilonewton, sling_forces
+from gantline.checks.forces import (
+    DYNAMIC,
+    NO_DYNAMIC,
+    NO_STATIC,
+    UNRAISED,
+    Force,
+    factor,
+    kilonewton,
+    sling_forces,
+)
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
 from gantline.results import series
 from gantline.results.gear import Sling
@@ -33,7 +42,6 @@ def remaining(chart: SideLoad, angle: float) -> float | None:
 def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Static load of a shackle over its working load limit, reduced for side load."""
     forces = sling_forces(recording, during)
-    window = series.quiet_window(recording)
     chart = recording.rig.shackle_side_load
     for sling, end, shackle in _shackles(recording):
         element, force = f"{sling.name} {end}", forces[sling.name]
@@ -42,7 +50,7 @@ def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         elif force.static is None:
             yield Missing(element, NO_STATIC)
         else:
-            angle = _static_angle(recording, window, sling, end)
+            angle = _static_angle(recording, force.window, sling, end)
             left = remaining(chart, angle)
             limit = shackle.working_load_limit
             if left is None:
@@ -60,7 +68,6 @@ def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     minimum breaking force over the rule's factor on it, and proof load; 0027/ND rev 11, 8.2.6.
     """
     forces = sling_forces(recording, during)
-    window = series.quiet_window(recording)
     for sling, end, shackle in _shackles(recording):
         element, force = f"{sling.name} {end}", forces[sling.name]
         if not shackle.working_load_limit:
@@ -68,22 +75,22 @@ def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         elif force.dynamic is None:
             yield Missing(element, NO_DYNAMIC)
         else:
-            moments = _moments(recording, during, window, sling, end, force)
+            moments = _moments(recording, during, sling, end, force)
             yield from _dynamic(recording, element, shackle, force, moments)
+            if force.lacks_static:
+                yield Caution(UNRAISED)
 
 
 #: A force [N], when it acts [s] (None by the rule), and its side load angle [rad].
 _Moment = tuple[float, float | None, float]
 
 
-def _moments(
-    recording: Recording, during: BoolArray, window: BoolArray, sling: Sling, end: str, force: Force
-) -> list[_Moment]:
+def _moments(recording: Recording, during: BoolArray, sling: Sling, end: str, force: Force) -> list[_Moment]:
     """By the rule with the angle at rest; the peak; and the sample at which side load leaves least."""
     chart = recording.rig.shackle_side_load
     moments: list[_Moment] = []
     if force.rule is not None:
-        moments.append((force.rule, None, _static_angle(recording, window, sling, end)))
+        moments.append((force.rule, None, _static_angle(recording, force.window, sling, end)))
     if force.peak is not None and force.time is not None:
         angles = _angles(recording, sling, end)
         tension = series.sling_tension(recording, sling)
@@ -160,7 +167,7 @@ def _angles(recording: Recording, sling: Sling, end: str) -> FloatArray:
     return np.where(is_carrying, np.max(aside, axis=0), still)
 
 
-def _static_angle(recording: Recording, window: BoolArray, sling: Sling, end: str) -> float:
+def _static_angle(recording: Recording, window: BoolArray | None, sling: Sling, end: str) -> float:
     return series.static_value(recording, _angles(recording, sling, end), window) or 0.0
 
 

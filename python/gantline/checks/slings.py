@@ -45,9 +45,8 @@ def skew_load_factor(recording: Recording, during: BoolArray) -> Iterator[Findin
 
 def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Peak over static tension of the same sling, both as simulated."""
-    window = series.quiet_window(recording)
     for sling in recording.rig.slings:
-        static = series.static_value(recording, series.sling_tension(recording, sling), window)
+        static, _ = series.greatest_static(recording, series.sling_tension(recording, sling))
         highest, time = series.rope_peak(recording, sling.rope)
         if series.is_equilibrium(recording):
             yield Missing(sling.name, "an equilibrium has no peak")

@@ -198,6 +198,7 @@ def _hooks(recording: Recording) -> list[str]:
         for name in ("hook_load", "hoist_load"):
             force = recording.column(name, hook.name)
             static = series.static_value(recording, force, window)
+            most, _ = series.greatest_static(recording, force)
             highest, time = float(force.max()), float(recording.time[int(force.argmax())])
             is_rated_for = name == ("hoist_load" if hook.rating_includes_hook_block else "hook_load")
             used = shares.get(hook.name) if is_rated_for else None
@@ -208,7 +209,7 @@ def _hooks(recording: Recording) -> list[str]:
                     show(static, "kN", 1),
                     show(highest, "kN", 1),
                     show(time, "s", 2),
-                    ABSENT if not static else f"{highest / static:.3f}",
+                    ABSENT if not most else f"{highest / most:.3f}",
                     show(used, "%", 1),
                 )
             )

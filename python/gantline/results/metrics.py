@@ -194,8 +194,9 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
         top = series.rope_peak(recording, sling.rope)[0]
         static = series.static_value(recording, tension, window)
         yield f"static_sling_tension.{sling.rope}", static
-        if static:
-            amplification.append(top / static)
+        most, _ = series.greatest_static(recording, tension)
+        if most:
+            amplification.append(top / most)
         if sling.minimum_breaking_force and top > 0.0:
             factors.append(sling.minimum_breaking_force / top)
         if clear.any():

@@ -5,10 +5,11 @@
 - *carrying*: samples at which a sling has more than 1 % of its largest tension; only then has it an angle.
 - *yaw* of a load: change of its heading from the start, about plumb, counter-clockwise from above positive.
 - *quiet window*: the end of the recording over which static values are means. It begins when the last drive
-  has
-  come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the end. The mean is
-  weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift or lower it. The
-  window of an equilibrium is its last sample, whether the loads are clear or not.
+  has come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the end. Where
+  the loads do not end clear it is the last earlier time that they hung still: clear, all drives at rest, for
+  5 s or more. The mean is weighted by sin^2, zero at both ends, so that a load that rings to and fro does not
+  lift or lower it. The window of an equilibrium is its last sample, whether the loads are clear or not.
+- *quiet windows*: that, and all earlier times that the loads hung still.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from gantline.results.rotation import axes, heading
 from gantline.results.variable import BoolArray, FloatArray
 
 _SHORTEST_QUIET = 5.0  # s
+_CARRIED_MORE = 1.01  # from which share of the last static value an earlier one counts in its place
 _CARRYING_FROM = 0.01  # of the largest tension
 _STEEPEST = math.radians(80.0)  # x axis of a load over level; beyond it no heading means anything
 
@@ -110,17 +112,64 @@ def last_sample(recording: Recording) -> BoolArray:
 
 
 def quiet_window(recording: Recording) -> BoolArray:
-    """Samples over which static values are means, shape (time,); all false if the loads do not end clear."""
+    """Samples over which static values are means, shape (time,); all false if the loads never hung still."""
+    windows = quiet_windows(recording)
+    return windows[-1] if windows else np.zeros(len(recording.time), dtype=np.bool_)
+
+
+def quiet_windows(recording: Recording) -> list[BoolArray]:
+    """Times that the loads hung still, in order, each of shape (time,); the last is the quiet window."""
     if is_equilibrium(recording):
-        return last_sample(recording)
-    window = trailing(is_clear(recording))
+        return [last_sample(recording)]
+    clear = is_clear(recording)
+    last = trailing(clear)
+    earlier = []
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
         work = recording.column("energy", "drive_work")
-        at_rest = window & trailing(np.append(np.diff(work) == 0.0, True))
-        times = recording.time[at_rest]
-        if times.size and times[-1] - times[0] >= _SHORTEST_QUIET:
-            return at_rest
-    return window
+        still = clear & np.append(np.diff(work) == 0.0, True)
+        earlier = [one for one in _stretches(still) if _lasts(recording, one)]
+        if earlier and earlier[-1][-1]:
+            return earlier
+    return [*earlier, last] if last.any() else earlier
+
+
+def _stretches(mask: BoolArray) -> list[BoolArray]:
+    """Every run of true values of a mask."""
+    begins = np.flatnonzero(mask & ~np.append(False, mask[:-1]))
+    ends = np.flatnonzero(mask & ~np.append(mask[1:], False))
+    stretches = []
+    for begin, end in zip(begins, ends, strict=True):
+        stretch = np.zeros_like(mask)
+        stretch[begin : end + 1] = True
+        stretches.append(stretch)
+    return stretches
+
+
+def _lasts(recording: Recording, stretch: BoolArray) -> bool:
+    times = recording.time[stretch]
+    return bool(times[-1] - times[0] >= _SHORTEST_QUIET)
+
+
+def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | None, BoolArray]:
+    """Static value at that time that the loads hung still at which it was largest, and that time.
+
+    A load that is turned, or goes from crane to crane, hangs still at its hold points with other forces than
+    at the end. The last time counts unless an earlier value is more by a hundredth, which no swinging is.
+
+    Args:
+        recording: The recording.
+        values: A series, shape (time,).
+
+    Returns:
+        The mean, in the unit of `values`, None if the loads never hung still; and its quiet window.
+    """
+    window = quiet_window(recording)
+    static = static_value(recording, values, window)
+    for earlier in quiet_windows(recording)[:-1]:
+        before = static_value(recording, values, earlier)
+        if static is not None and before is not None and before > static * _CARRIED_MORE:
+            static, window = before, earlier
+    return static, window
 
 
 def static_value(recording: Recording, values: FloatArray, window: BoolArray | None = None) -> float | None:

@@ -20,7 +20,13 @@ from gantline.scenario.quantities import (
     refuse,
 )
 from gantline.scenario.rope_weight import RopeWeightWord
-from gantline.scenario.sheave import SheaveLosses, SheaveWords, sheave_losses, taken_together
+from gantline.scenario.sheave import (
+    SheaveLosses,
+    SheaveWords,
+    refuse_efficiency,
+    sheave_losses,
+    taken_together,
+)
 
 __all__ = ["HoistDrum", "HookBlock", "Reeving", "hoist_drum", "hoist_ropes"]
 
@@ -91,6 +97,8 @@ class Reeving(Element):
         if (ways[0] is None) == (ways[1] is None):
             found = "none of them" if ways[0] is None else "both"
             raise refuse(f"has one of 'sheave_diameter' and 'sheave_diameter_ratio'; found {found}")
+        if self.sheave_efficiency is not None:
+            refuse_efficiency(self.sheave_efficiency, "sheave_efficiency", "sheaves: {loss: 2 %}")
         if self.sheave_efficiency is not None and self.sheaves is not None:
             said = [
                 key for key in ("bearing", "efficiency", "loss") if getattr(self.sheaves, key) is not None

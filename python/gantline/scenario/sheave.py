@@ -27,6 +27,15 @@ _OF_INERTIA: Final = ("sheave_mass", "moment_of_inertia", "rotating_mass")
 _GROUPS: Final = (_OF_BEARING, _OF_GROOVE, _OF_INERTIA)
 
 
+def refuse_efficiency(efficiency: float, key: str, loss: str) -> None:
+    """Refuse what can be no efficiency of one sheave [1]; `loss` is how a lift file says a loss instead."""
+    if efficiency > 1:
+        raise refuse(f"{efficiency:g} is above 1; no sheave gives force back", key)
+    if efficiency < _LEAST_EFFICIENCY:
+        sentence = f"{efficiency:g} is no efficiency of a sheave"
+        raise refuse(f"{sentence}; 0.95 to 1 is usual, or write '{loss}'", key)
+
+
 class SheaveWords(Element):
     """Losses and inertia of sheaves."""
 
@@ -65,12 +74,9 @@ class SheaveWords(Element):
             if len(given) > 1:
                 ways = " and ".join(f"'{key}'" for key in given)
                 raise refuse(f"{ways} are given together; one of them says it", given[-1])
-        efficiency, loss = self.efficiency, self.loss
-        if efficiency is not None and efficiency > 1:
-            raise refuse(f"{efficiency:g} is above 1; no sheave gives force back", "efficiency")
-        if efficiency is not None and efficiency < _LEAST_EFFICIENCY:
-            sentence = f"{efficiency:g} is no efficiency of a sheave"
-            raise refuse(f"{sentence}; 0.95 to 1 is usual, or write 'loss: 2 %'", "efficiency")
+        if self.efficiency is not None:
+            refuse_efficiency(self.efficiency, "efficiency", "loss: 2 %")
+        loss = self.loss
         if loss is not None and loss > 1 - _LEAST_EFFICIENCY:
             sentence = f"{loss * 100:g} % is no loss of a sheave"
             raise refuse(f"{sentence}; up to 5 % is usual, or write 'efficiency: 0.98'", "loss")

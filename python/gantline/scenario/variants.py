@@ -111,20 +111,19 @@ def with_values(scenario: Scenario, texts: Mapping[str, str]) -> Scenario:
         PathError: if a path leads nowhere.
         ScenarioError: if a value cannot be there.
     """
-    tree = _let_go(scenario)
-    for path, text in texts.items():
-        tree = put(tree, path, text_node(text, _line(scenario.tree, path)))
-    return from_tree(tree, scenario.source, scenario.text)
+    return _with_texts(scenario, _let_go(scenario), texts)
 
 
 def changed(scenario: Scenario, values: Mapping[str, str]) -> Scenario:
-    """The same for users: a wrong path is a problem of the lift file; below its text stand the changes.
+    """The same for users, from where the lift starts; below its text stand the changes.
+
+    A wrong path is a problem of the lift file.
 
     Raises:
         ScenarioError: if a path leads nowhere, or a value cannot be there.
     """
     try:
-        other = with_values(scenario, values)
+        other = _with_texts(scenario, _base(scenario), values)
     except PathError as problem:
         raise ScenarioError(scenario.source, [Problem(None, "", str(problem))]) from None
     told = "".join(f"# changed: {path}: {text}\n" for path, text in values.items())
@@ -244,6 +243,13 @@ def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPa
             for one in error.problems
         ]
         raise ScenarioError(scenario.source, problems) from None
+
+
+def _with_texts(scenario: Scenario, tree: MapNode, texts: Mapping[str, str]) -> Scenario:
+    """The scenario of a tree with values at dotted paths, for which that of `scenario` knows the lines."""
+    for path, text in texts.items():
+        tree = put(tree, path, text_node(text, _line(scenario.tree, path)))
+    return from_tree(tree, scenario.source, scenario.text)
 
 
 def _base(scenario: Scenario) -> MapNode:
