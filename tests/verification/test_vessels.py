@@ -423,6 +423,24 @@ def test_what_capsizes_or_sinks_at_rest_is_told(tmp_path: Path) -> None:
     question = Statics(written(tmp_path, lift_of(barge(masses=masses))))
     with pytest.raises(NoEquilibriumError, match="it sinks: no hull bears that weight"):
         question.equilibrium()
+    # Under water on two ropes from a bridge above it, it would rest.
+    ropes = {
+        name: {
+            "rope": "strong",
+            "length": "60 m",
+            "route": [
+                {"type": "end", "body": "bridge", "at": [f"{x} m", "0 m", "0 m"]},
+                {"type": "end", "body": "barge", "at": [f"{x} m", "0 m", f"{DEPTH} m"]},
+            ],
+        }
+        for name, x in {"fore": 90, "aft": 10}.items()
+    }
+    bridge = {"at": ["0 m", "0 m", "50 m"], "joint": {"type": "fixed"}}
+    above = {"bodies": {"bridge": bridge}, "ropes": ropes}
+    strong = {"strong": {"axial_stiffness": "5 GN"}}
+    hung = written(tmp_path, lift_of(barge(masses=masses), mechanics=above, ropes=strong))
+    with pytest.raises(NoEquilibriumError, match="it sinks: no hull bears that weight"):
+        Statics(hung).equilibrium()
 
 
 @pytest.mark.parametrize("apart", [200.5, 203.0])

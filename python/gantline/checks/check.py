@@ -10,6 +10,8 @@ from typing import Any
 
 from gantline.units import format_quantity
 
+#: The check that a run got through its plan.
+PLAN_FINISHED = "plan_finished"
 #: Most checks that the verdict on a lift names.
 _MOST_NAMED = 3
 
@@ -91,9 +93,11 @@ def has_failed(checks: Sequence[Check]) -> bool:
 
 
 def verdict_of(checks: Sequence[Check]) -> str:
-    """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked."""
+    """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked.
+
+    A run that ends before its plan may show that a lift is no go, but not that it is one.
+    """
     done = [check for check in checks if _is_done(check)]
-    # That a run ends before its plan says nothing of its loads.
     if all(check.value is None and check.verdict is Verdict.WARNING for check in done):
         return "NO VERDICT: nothing has been checked"
     failed = [check for check in done if check.verdict is Verdict.FAILED]
@@ -102,7 +106,12 @@ def verdict_of(checks: Sequence[Check]) -> str:
     else:
         past = past_limits(checks)
         nearest = _foremost([check for check in done if check.utilisation is not None and check not in past])
-        head = "GO WITH WARNINGS" if any(check.verdict is Verdict.WARNING for check in checks) else "GO"
+        unfinished = next((check for check in done if check.name == PLAN_FINISHED), None)
+        if unfinished is not None:
+            head = f"NO VERDICT: {unfinished.remark}"
+        else:
+            is_warned = any(check.verdict is Verdict.WARNING for check in checks)
+            head = "GO WITH WARNINGS" if is_warned else "GO"
         head += f"; past a limit that only warns: {_foremost(past)}" if past else ""
         head += f"; nearest to their limits: {nearest}" if nearest else ""
     warnings = sum(check.verdict is Verdict.WARNING for check in checks)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gantline.checks.check import Check, Verdict
+from gantline.checks.check import PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
 from gantline.results.recording import Recording
 
@@ -22,7 +22,7 @@ def unfinished(recording: Recording) -> Check | None:
     at = f" in '{under_way[0]}'" if under_way else ""
     not_begun = f"; not begun: {named(left)}" if left else ""
     return Check(
-        "plan_finished",
+        PLAN_FINISHED,
         Verdict.WARNING,
         "all steps of the plan within the run",
         remark=f"the run ends at {recording.time[-1]:.4g} s{at}{not_begun}",

@@ -13,6 +13,14 @@ from gantline.scenario.tree import ListNode, MapNode, line_of
 
 __all__ = ["translate"]
 
+#: What people look for in a lift file and do not find there, and why.
+_TO_COME = {
+    "waves": "water is still but for a steady 'current'",
+    "gusts": "wind is steady; give the speed of gusts as that of 'wind'",
+    "spreaders": "a sling runs from a hook, equalizer or sheave to a lug; bars are bodies under 'mechanics'",
+    "tag_lines": "a rope under 'mechanics' from the load to a winch or to the ground holds its heading",
+}
+
 
 def translate(errors: Sequence[ErrorDetails], tree: MapNode) -> list[Problem]:
     """Problems for validation errors, with the lines of the tree that was validated."""
@@ -76,6 +84,8 @@ def _missing(key: str, node: Any) -> str:
 
 def _unknown_key(key: str, parent: Any) -> str:
     shown = shorten(key)
+    if key in _TO_COME:
+        return f"'{shown}' cannot be simulated yet: {_TO_COME[key]}"
     if not isinstance(parent, MapNode) or not parent.allowed:
         return f"'{shown}' is not a key that is known here"
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)

@@ -250,7 +250,7 @@ class _Builder:
         if key is not None:
             sentence = "nothing is given here; write a value or leave the key out"
             if key[:1].isdigit():  # `{length: 26,0 m}` is two keys to YAML
-                sentence += " (a decimal comma? write a point: 26.0 m)"
+                sentence += " (a decimal comma? write a point, such as 26.5 m)"
             self.problems.append(Problem(key.line, self._path(key), sentence))
         else:
             self.problems.append(

@@ -30,6 +30,7 @@ use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::flows;
 use crate::system::System;
+use crate::tree::pose::Pose;
 use potential::{Bearing, Contacts, Losses, Part, bearings};
 use search::{Effort, Search, Stuck};
 
@@ -41,6 +42,8 @@ const LOSS_LEFT: f64 = 1e-12;
 const ROUNDS: usize = 40;
 /// Moves of what friction holds, at most.
 const FRICTION_ROUNDS: usize = 200;
+/// What a hull does that bears less than its weight.
+const SINKS: &str = "it sinks: no hull bears that weight";
 /// ω² of a motion that nothing moves and nothing holds is within this of zero [1/s²]: a period of two hours.
 pub const NEUTRAL: f64 = 1e-6;
 
@@ -165,6 +168,9 @@ impl Statics {
             let cause = "it capsizes before it comes to rest".to_owned();
             return Err(NoEquilibrium { element: vessel.name.clone(), cause });
         }
+        if let Some(vessel) = system.vessels.iter().find(|vessel| is_under_water(system, vessel, pose)) {
+            return Err(NoEquilibrium { element: vessel.name.clone(), cause: SINKS.to_owned() });
+        }
         self.drag_motors(system, state);
         self.store(system, state);
         Ok(())
@@ -244,9 +250,7 @@ impl Statics {
     fn explain(&self, system: &System, stuck: Stuck, losses: Losses) -> NoEquilibrium {
         let body = |index: usize| system.tree.bodies[index].name.clone();
         let (element, cause) = match stuck {
-            Stuck::Falls(index) if floats(system, index) => {
-                (body(index), "it sinks: no hull bears that weight")
-            }
+            Stuck::Falls(index) if floats(system, index) => (body(index), SINKS),
             Stuck::Falls(index) => (body(index), "nothing holds it, it falls without end"),
             Stuck::UsedUp(rope) => {
                 let name = system.constraints[rope].name().to_owned();
@@ -276,6 +280,17 @@ impl Statics {
             && here.pushed.iter().any(|push| *push != 0.0)
             && normals.any(|normal| here.tension[normal] > 0.0)
     }
+}
+
+/// Whether a hull of a vessel has gone down with no part of it above the water: it hangs from ropes, or stands on the ground.
+fn is_under_water(system: &System, vessel: &Vessel, pose: &[Pose]) -> bool {
+    system.tree.forces.iter().any(|force| match force {
+        AnyForce::Buoyancy(hull) if hull.body == vessel.body => {
+            let afloat = hull.afloat(&pose[hull.body], system.tree.gravity);
+            afloat.volume > 0.0 && afloat.area == 0.0
+        }
+        _ => false,
+    })
 }
 
 /// Whether a hull moves a body along.
