@@ -21,6 +21,7 @@ from gantline.plot.style import (
     widen,
 )
 from gantline.results import series
+from gantline.results.drift import is_taken_along, load_drift
 from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
 from gantline.results.rotation import heading
@@ -155,12 +156,12 @@ def attitude(recording: Recording) -> Figure | None:
     }
     tilt = {load.name: np.degrees(recording.column("load_tilt", load.name)) for load in loads}
     height = {name: place[:, 2] - place[0, 2] for name, place in position.items()}
-    drift = {name: np.linalg.norm(place[:, :2] - place[0, :2], axis=1) for name, place in position.items()}
+    drift = {load.name: load_drift(recording, load) for load in loads}
     rows = (
         ("Tilt [deg]", tilt, 0.1),
         ("Heading [deg]", degrees, 1.0),
         ("Height above\nstart [m]", height, 0.01),
-        ("Drift [m]", drift, 0.01),
+        ("Drift off the\nplan's way [m]" if is_taken_along(recording.rig) else "Drift [m]", drift, 0.01),
     )
     for panel, (label, values, least_span) in zip(panels, rows, strict=True):
         for index, curve in enumerate(values.values()):

@@ -8,6 +8,7 @@ from typing import Any
 
 from gantline.report.section import Section
 from gantline.report.subject import Subject
+from gantline.results.drift import is_taken_along
 
 Plot = dict[str, Any]
 
@@ -115,9 +116,12 @@ class Attitude(_Plots):
             return []
         tilt = subject.rig.limits.get("load_tilt")
         limits = [] if not tilt else [{"value": float(tilt) * 180.0 / 3.141592653589793, "label": "limit"}]
+        drift = "Horizontal drift of the centre of gravity"
+        if is_taken_along(subject.rig):
+            drift += ", off the way of the plan"
         return [
             _plot("Tilt of the load", "tilt", "deg", height=180, smallest=0.05, limits=limits),
-            _plot("Horizontal drift of the centre of gravity", "drift", "m", height=180, smallest=0.01),
+            _plot(drift, "drift", "m", height=180, smallest=0.01),
             _plot(
                 "Height of the centre of gravity above its start", "height", "m", height=180, smallest=0.01
             ),

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.drift import load_drift
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
@@ -75,8 +76,7 @@ def _loads(recording: Recording) -> Iterator[Curve]:
         if load.body not in recording.coordinates.get("body", ()):
             continue
         place = recording.column("body_position", load.body)
-        drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
-        yield Curve("drift", load.name, load.name, "m", 1.0, drift)
+        yield Curve("drift", load.name, load.name, "m", 1.0, load_drift(recording, load))
         yield Curve("height", load.name, load.name, "m", 1.0, place[:, 2] - place[0, 2])
         if load.contacts:
             force = series.support_force(recording, load)
