@@ -44,6 +44,13 @@ class Unfinished:
     under_way: tuple[str, ...]
     not_begun: tuple[str, ...]
 
+    @property
+    def in_words(self) -> str:
+        """In which step it ended, or before which."""
+        if self.under_way:
+            return f"the run ends in '{self.under_way[0]}'"
+        return f"the run ends before '{self.not_begun[0]}'"
+
 
 def stretches(recording: Recording) -> list[Stretch]:
     """When the steps of the plan went, in order; between them, and after the last, nothing was under way."""
@@ -54,8 +61,9 @@ def stretches(recording: Recording) -> list[Stretch]:
     begun: dict[float, list[str]] = {}
     for time, _, name in recording.events("step_begin"):
         begun.setdefault(time, []).append(name)
-    found = []
-    for (begin, names), until in zip(begun.items(), [*list(begun)[1:], last], strict=True):
+    found: list[Stretch] = []
+    nexts = [*begun, last][1:]
+    for (begin, names), until in zip(begun.items(), nexts, strict=True):
         end = min(until, max(ended.get(name, last) for name in names))
         if end > begin:
             found.append(Stretch(tuple(names), begin, end))
