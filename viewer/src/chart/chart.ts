@@ -5,7 +5,7 @@ import { element, set, svg } from "../dom";
 import type { Session } from "../player/session";
 import { Cursors } from "./cursors";
 import { COLOURS, type Family, familiesOf } from "./families";
-import { type Area, areaOf, type ChartSpec, frameOf, xOf, yOf } from "./frame";
+import { type Area, areaOf, type ChartSpec, frameOf, unfinished, xOf, yOf } from "./frame";
 import { Legend } from "./legend";
 import { endNames, type Paper, peakMark, roomOf } from "./marks";
 import { digitsOf, type Scale, shown, verticalScale } from "./scale";
@@ -166,6 +166,7 @@ export class Chart {
     });
     const hasRoom = this.areMany && this.width >= WIDE;
     this.marks.replaceChildren(
+      ...unfinished(session, area),
       ...(hasRoom ? endNames(this.families.map(shownOnly), this.curves, paper) : []),
       ...(this.spec.peak ? peakMark(visible, this.spec.unit, paper) : []),
     );

@@ -78,7 +78,6 @@ export function frameOf(session: Session, spec: ChartSpec, area: Area, scale: Sc
     ...horizontal(session, area),
     ...kilonewtons,
     ...liftOff(session, area),
-    ...unfinished(session, area),
     ...limits(spec, area, scale),
   ];
 }
@@ -155,8 +154,8 @@ function liftOff(session: Session, area: Area): SVGElement[] {
   ];
 }
 
-/** Where the run has ended before its plan. */
-function unfinished(session: Session, area: Area): SVGElement[] {
+/** Where the run has ended before its plan; to be drawn upon the curves. */
+export function unfinished(session: Session, area: Area): SVGElement[] {
   const { header, end } = session.lift;
   if (!header.unfinished || end > session.span[1]) return [];
   const x = xOf(area, session.span, end);
@@ -171,7 +170,8 @@ function limits(spec: ChartSpec, area: Area, scale: Scale): SVGElement[] {
   const taken: { x: number; y: number }[] = [];
   return (spec.limits ?? []).flatMap((limit) => {
     const y = yOf(area, scale, limit.value);
-    const isBelow = y - 4 - LINE < area.top || (area.inverted && limit.value > 0);
+    const hasRoom = y + LINE < area.bottom;
+    const isBelow = y - 4 - LINE < area.top || (hasRoom && area.inverted && limit.value > 0);
     const text = isBelow ? y + LINE : y - 4;
     // Names of limits that are near to each other stand side by side.
     const beside = taken.filter((one) => Math.abs(one.y - text) < LINE).map((one) => one.x);
