@@ -278,3 +278,24 @@ def test_a_crane_without_a_wind_limit_is_not_checked_and_says_why() -> None:
     recording = Recording({"time": Variable(("time",), np.arange(2.0), "s", "")}, {}, {"rig": rig})
     (found,) = LIMITS["wind_of_limit"].findings(recording, np.ones(2, dtype=np.bool_))
     assert found == Missing("g1", "wind limit not known")
+
+
+@pytest.mark.parametrize(
+    ("kinds", "require", "points"),
+    [
+        (("hold", "hold"), {}, [True, False]),
+        (("hold", "hold"), {"load_tilt": {"below": 0.02}}, [True, True]),
+        (("hold", "hoist"), {}, [True, False]),
+    ],
+)
+def test_a_hold_point_is_one_that_something_waits_for(
+    kinds: tuple[str, str], require: dict[str, dict[str, float]], points: list[bool]
+) -> None:
+    """Nothing comes after the last step; what it requires is still to be looked at."""
+    rig = sample_rig()
+    rig["plan"] = [
+        {"step": "first", "kind": kinds[0]},
+        {"step": "last", "kind": kinds[1], "require": require},
+    ]
+    content = FirstPage().content(Subject(ringing_lift(rig=rig)))
+    assert [row["is_hold"] for row in content["steps"]["rows"]] == points

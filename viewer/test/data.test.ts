@@ -27,7 +27,16 @@ describe("packed arrays", () => {
 });
 
 describe("a curve", () => {
-  const entry = { group: "tension", name: "a", label: "a", unit: "kN", first: 1, count: 3 };
+  const entry = {
+    group: "tension",
+    name: "a",
+    label: "a",
+    unit: "kN",
+    first: 1,
+    count: 3,
+    family: "",
+    peak: null,
+  };
   const time = Float64Array.of(0, 1, 2, 3, 4);
   const curve = new Curve(entry, time, Uint32Array.of(9, 0, 1, 4), Float32Array.of(9, 2, 4, 1));
 
@@ -37,6 +46,15 @@ describe("a curve", () => {
     expect(curve.at(-1)).toBe(2);
     expect(curve.at(9)).toBe(1);
     expect([curve.least, curve.largest]).toEqual([1, 4]);
+    expect([curve.isKnownAt(-1), curve.isKnownAt(0), curve.isKnownAt(9)]).toEqual([false, true, false]);
+  });
+
+  it("is highest where all steps say so, else where its samples do", () => {
+    expect(curve.top).toEqual([4, 1]);
+    const finer = { ...entry, peak: [4.5, 0.7] as [number, number] };
+    expect(new Curve(finer, time, Uint32Array.of(9, 0, 1, 4), Float32Array.of(9, 2, 4, 1)).top).toEqual([
+      4.5, 0.7,
+    ]);
   });
 
   it("finds the last number that is not above a bound", () => {
@@ -99,7 +117,16 @@ function smallLift(tension: number[]): Lift {
 }
 
 function smallUnpacked(tension: number[]): Unpacked {
-  const plain = { group: "tension", name: "r", label: "r", unit: "kN", first: 0, count: 2 };
+  const plain = {
+    group: "tension",
+    name: "r",
+    label: "r",
+    unit: "kN",
+    first: 0,
+    count: 2,
+    family: "",
+    peak: null,
+  };
   const rope = { name: "r", label: "r", kind: "sling", first: 0, count: 2, diameter: 0, length: 5 };
   const header = {
     format: 1,
@@ -116,10 +143,12 @@ function smallUnpacked(tension: number[]): Unpacked {
     water: null,
     pairs: [{ name: "b - wall", smallest: 1 }],
     structures: [],
-    events: [
-      [0, "step_begin", "hoist"],
-      [1, "step_begin", "hold"],
+    events: [],
+    steps: [
+      { names: ["hoist"], begin: 0, end: 1 },
+      { names: ["hold"], begin: 1, end: 2 },
     ],
+    unfinished: null,
     strokes: {},
     curves: [plain, { ...plain, group: "clearance", name: "b - wall", unit: "m", first: 2 }],
     arrays: {
@@ -177,7 +206,11 @@ describe("a lift", () => {
     more.header.arrays.position!.step = 10;
     more.header.samples = 4;
     more.header.ropes[0]!.peak = 5000;
-    more.header.events = [...more.header.events, [3.5, "step_begin", "lower"]];
+    more.header.steps = [
+      { names: ["hoist"], begin: 0, end: 1 },
+      { names: ["hold"], begin: 1, end: 3.5 },
+      { names: ["lower", "traverse"], begin: 3.5, end: 4 },
+    ];
     lift.append(more);
     expect([lift.begin, lift.end, lift.header.samples, lift.largestTension]).toEqual([0, 4, 4, 5000]);
     lift.seek(2.5); // halfway from where it was to where the second part begins
@@ -189,14 +222,14 @@ describe("a lift", () => {
     expect(lift.steps.map((step) => [step.name, step.end])).toEqual([
       ["hoist", 1],
       ["hold", 3.5],
-      ["lower", 4],
+      ["lower + traverse", 4],
     ]);
   });
 
   it("knows the steps of its plan", () => {
     expect(smallLift([1, 1]).steps).toEqual([
-      { name: "hoist", begin: 0, end: 1 },
-      { name: "hold", begin: 1, end: 2 },
+      { name: "hoist", names: ["hoist"], begin: 0, end: 1 },
+      { name: "hold", names: ["hold"], begin: 1, end: 2 },
     ]);
   });
 });

@@ -4,23 +4,17 @@ from __future__ import annotations
 
 from gantline.checks.check import PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
+from gantline.results import progress
 from gantline.results.recording import Recording
 
 
 def unfinished(recording: Recording) -> Check | None:
-    """A warning where a run ends before its plan: what did not happen has not been checked.
-
-    A hold that is under way has nothing left to do; any other step has.
-    """
-    begun = {name for _, _, name in recording.events("step_begin")}
-    ended = {name for _, _, name in recording.events("step_end")}
-    plan = recording.rig.plan
-    left = [step.step for step in plan if step.step not in begun]
-    under_way = [step.step for step in plan if step.step in begun - ended and step.kind != "hold"]
-    if not (left or under_way) or not len(recording.time):
+    """A warning where a run ends before its plan: what did not happen has not been checked."""
+    left = progress.unfinished(recording)
+    if left is None:
         return None
-    at = f" in '{under_way[0]}'" if under_way else ""
-    not_begun = f"; not begun: {named(left)}" if left else ""
+    at = f" in '{left.under_way[0]}'" if left.under_way else ""
+    not_begun = f"; not begun: {named(left.not_begun)}" if left.not_begun else ""
     return Check(
         PLAN_FINISHED,
         Verdict.WARNING,

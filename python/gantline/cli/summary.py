@@ -14,6 +14,7 @@ from gantline.cli.hold_points import hold_points
 from gantline.cli.table import ABSENT, pairs, show, table
 from gantline.cli.vessels import vessels
 from gantline.results import series
+from gantline.results.drift import load_drift
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
@@ -85,7 +86,7 @@ def _loads(recording: Recording, metrics: dict[str, float]) -> list[str]:
         transferred = recording.column("load_transferred", load.name)
         clear = series.load_is_clear(recording, load)
         place = recording.column("body_position", load.body)
-        drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
+        drift = load_drift(recording, load)
         rise = float(place[-1, 2] - place[0, 2])
         rows += [
             ("load transferred", f"{show(float(transferred[-1]), '%', 1)} at the end"),

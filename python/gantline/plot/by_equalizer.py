@@ -22,7 +22,8 @@ def slings(recording: Recording) -> Figure | None:
             names.get(rope, rope): recording.column("rope_tension", rope) / KILO for rope in equalizer.slings
         }
         curves(panel, recording.time, tensions)
-        panel.set_ylim(bottom=0.0)
+        highest = max(float(tension.max()) for tension in tensions.values())
+        panel.set_ylim(0.0, 1.18 * highest if highest > 0.0 else 1.0)  # room for 'lift-off'
         panel.set_ylabel(f"{equalizer.name}:\ntension [kN]")
         label_ends(panel, recording.time, tensions)
     figure.align_ylabels(panels)

@@ -28,6 +28,7 @@ from gantline.plot.style import (
 )
 from gantline.results.common_time import CommonTime
 from gantline.results.comparison import Comparison, ForceComparison, MotionComparison
+from gantline.results.drift import load_drift
 from gantline.results.recording import Recording
 from gantline.results.rotation import heading, tilt
 from gantline.results.variable import FloatArray
@@ -184,9 +185,7 @@ def _height(recording: Recording, body: str) -> FloatArray:
 
 
 def _drift(recording: Recording, body: str) -> FloatArray:
-    place = recording.column("body_position", body)[:, :2]
-    drift: FloatArray = np.linalg.norm(place - place[0], axis=1)
-    return drift
+    return load_drift(recording, next(load for load in recording.rig.loads if load.body == body))
 
 
 def _tilt(recording: Recording, body: str) -> FloatArray:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,6 +12,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
+from matplotlib.patheffects import Normal, Stroke
 
 from gantline.plot.moments import moments
 from gantline.plot.moments import stages as stages_of
@@ -20,7 +22,6 @@ from gantline.plot.panels import (
     draw_ground,
     draw_holes,
     draw_water,
-    room_below,
     scale_bar,
     strip,
     tension_bar,
@@ -35,6 +36,7 @@ from gantline.results.variable import FloatArray
 
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
 _MOST_LUGS = 10  # that are labelled one by one
+_LUGS_APART = 0.1  # of the width of a panel: nearer to each other their names would touch
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _FILL = {
     "load": "#C9D6E2",
@@ -83,7 +85,7 @@ def system(recording: Recording) -> Figure | None:
         extent = np.concatenate([extent, ground.near(lift)])
     norm = norm_of(shown)
     windows = [
-        window_of(SIDE.project(extent), below=max(0.8, room_below(ground, lift))),
+        window_of(SIDE.project(extent), below=0.8),
         window_of(TOP.project(extent)),
     ]
     windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
@@ -100,7 +102,7 @@ def system(recording: Recording) -> Figure | None:
         _label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
     panels[1][0].set_ylabel("top view (x, y)", fontsize=8, color=QUIET)
-    scale_bar(panels[0][-1], 0.03)
+    scale_bar(panels[0][-1])
     tension_bar(figure, [panel for row in panels for panel in row], norm)
     return figure
 
@@ -116,7 +118,7 @@ def stages(recording: Recording) -> Figure | None:
     ground = ground_of(recording)
     if ground is not None:
         extent = np.concatenate([lift, ground.near(lift)])
-    window = window_of(SIDE.project(extent), below=room_below(ground, lift))
+    window = window_of(SIDE.project(extent))
     figure, rows = strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
     panels = [panel for row in rows for panel in row]
     for panel, (name, snap) in zip(panels, shown, strict=False):
@@ -127,7 +129,7 @@ def stages(recording: Recording) -> Figure | None:
         _title(panel, name, snap.time)
     for panel in panels[len(shown) :]:
         panel.set_visible(False)
-    scale_bar(panels[min(len(shown), 6) - 1], 0.03)
+    scale_bar(panels[min(len(shown), 6) - 1])
     tension_bar(figure, panels, norm)
     return figure
 
@@ -148,7 +150,7 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
         for view, origin, (_, snap) in zip(views, origins, shown, strict=True)
         for part in _of_equalizer(snap, which)
     ]
-    window = window_of(np.concatenate(paths), below=1.2, above=0.6)
+    window = window_of(np.concatenate(paths), below=1.2)
     figure, (row,) = strip(recording, f"Equalizer {which.name}", len(shown), [window])
     for panel, view, origin, (name, snap) in zip(row, views, origins, shown, strict=True):
         panel.set_xlim(*(window[0] + origin[0]))
@@ -158,7 +160,7 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
         _title(panel, name, snap.time)
         _label_sheaves(panel, snap, view, which)
     row[0].set_ylabel("seen across the frame\n(ticks: ends of stroke)", fontsize=7.5, color=QUIET)
-    scale_bar(row[-1], 0.925)
+    scale_bar(row[-1])
     tension_bar(figure, list(row), norm)
     return figure
 
@@ -308,7 +310,7 @@ def _title(panel: Axes, name: str, time: float) -> None:
 def _label_lugs(panel: Axes, recording: Recording, snap: Snapshot) -> None:
     """Names of the slings beside their lugs in a top view, where ropes, edges and centres leave room.
 
-    Where there are many, equalizers have names in place of their slings.
+    Where there are many, or they lie too near to each other, what they hang from is named in their place.
     """
     lines = [rope.path for rope in snap.ropes]
     lines += [np.concatenate([face, face[:1]]) for box in snap.boxes for face in box.faces]
@@ -318,17 +320,32 @@ def _label_lugs(panel: Axes, recording: Recording, snap: Snapshot) -> None:
     for lug in snap.lugs.values():
         panel.plot(*TOP.project(lug), "o", color=INK, markersize=2.2, zorder=4)
     named = dict(snap.lugs)
-    if len(named) > _MOST_LUGS:
-        of = {sling.name: recording.rig.equalizer_of(sling) for sling in recording.rig.slings}
-        groups = {
-            one.name: [lug for name, lug in snap.lugs.items() if of[name] is one]
-            for one in recording.rig.equalizers
-        }
-        named = {name: np.mean(lugs, axis=0) for name, lugs in groups.items() if lugs}
+    if len(named) > _MOST_LUGS or _nearest(named) < _LUGS_APART * width:
+        named = _by_what_bears_them(recording, snap)
     for name, lug in named.items():
-        place = TOP.project(lug)
-        right, up = _beside(place, taken, 0.05 * width)
-        panel.text(right, up, name, fontsize=6.5, ha="center", va="center", zorder=5)
+        right, up = _beside(TOP.project(lug), taken, 0.05 * width)
+        label = panel.text(right, up, name, fontsize=6.5, ha="center", va="center", zorder=5)
+        label.set_path_effects([Stroke(linewidth=2.0, foreground="white"), Normal()])
+        along = np.linspace(-0.02, 0.02, 5)[:, None] * width * len(name) / 2
+        taken = np.concatenate([taken, (right, up) + along * (1.0, 0.0)])
+
+
+def _nearest(lugs: Mapping[str, FloatArray]) -> float:
+    """Smallest distance of two lugs from above [m]."""
+    places = [TOP.project(lug) for lug in lugs.values()]
+    return min((float(np.hypot(*(a - b))) for a, b in combinations(places, 2)), default=np.inf)
+
+
+def _by_what_bears_them(recording: Recording, snap: Snapshot) -> dict[str, FloatArray]:
+    """Mean place of the lugs of each equalizer, and of each hook with slings of its own."""
+    rig = recording.rig
+    groups: dict[str, list[FloatArray]] = {}
+    for sling in rig.slings:
+        if sling.name in snap.lugs:
+            equalizer = rig.equalizer_of(sling)
+            bears = equalizer.name if equalizer is not None else sling.from_body
+            groups.setdefault(bears, []).append(snap.lugs[sling.name])
+    return {name: np.mean(lugs, axis=0) for name, lugs in groups.items()}
 
 
 def _densely(path: FloatArray) -> FloatArray:

@@ -10,11 +10,13 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from gantline.plot import drawing, panels
 from gantline.plot.scene import snapshot
 from gantline.plot.style import INK, QUIET, RC, colour, force_unit, shortened
 from gantline.results import series
+from gantline.results.families import families
 from gantline.results.recording import Recording
 from gantline.results.surroundings import ground_of, water_level
 from gantline.results.variable import FloatArray
@@ -23,8 +25,7 @@ Image = npt.NDArray[np.uint8]
 
 _SIZE = (12.8, 7.2)  # inch
 _LOOKS = 9  # samples over the whole lift that the views must hold
-_MOST_NAMED = 8  # curves that have names
-_MANY = "#5B7F9E"  # of more of them
+_MOST_NAMED = 8  # curves that have names; of more, families have
 
 
 class Film:
@@ -55,7 +56,7 @@ class Film:
             self._figure = Figure(figsize=_SIZE, dpi=width / _SIZE[0])
             self._side, self._top, trace = self._panels()
             self._cursor = self._trace(trace)
-            panels.tension_bar(self._figure, [self._side], self._norm)
+            panels.tension_bar(self._figure, [self._side], self._norm, pad=0.05)
         self._windows = {panel: _filled(panel, window) for panel, window in self._windows.items()}
 
     def picture(self, sample: int) -> Image:
@@ -72,7 +73,7 @@ class Film:
                 panels.draw_ground(self._side, self._ground, self._lift)
                 panels.draw_holes(self._top, self._ground, water_level(recording))
             panels.draw_water(self._side, recording, self._lift)
-            panels.scale_bar(self._side, 0.03)
+            panels.scale_bar(self._side)
             self._caption.set_text(self._said(snap.time))
             self._cursor.set_xdata([snap.time, snap.time])
             self._figure.savefig(raw := io.BytesIO(), format="raw", dpi=self._figure.dpi)
@@ -111,9 +112,8 @@ class Film:
             wspace=0.15,
         )
         side, top = figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[0, 1])
-        below = max(0.8, panels.room_below(self._ground, self._lift))
         self._windows = {
-            side: panels.window_of(drawing.SIDE.project(extent), below=below),
+            side: panels.window_of(drawing.SIDE.project(extent), below=0.8),
             top: panels.window_of(drawing.TOP.project(extent)),
         }
         return side, top, figure.add_subplot(grid[1, 1])
@@ -126,17 +126,24 @@ class Film:
         curves = slings or {name: recording.column("rope_tension", name) for name in ropes}
         scale, unit = force_unit(max((float(one.max()) for one in curves.values()), default=1.0))
         has_names = len(curves) <= _MOST_NAMED
+        of = {sling.name: sling.rope for sling in recording.rig.slings} or {name: name for name in ropes}
+        family = families(recording.rig, list(of.values()))
+        known = list(dict.fromkeys(family.values()))
         for index, (name, values) in enumerate(curves.items()):
             if has_names:
                 panel.plot(recording.time, values / scale, color=colour(index), linewidth=1.3, label=name)
             else:
-                panel.plot(recording.time, values / scale, color=_MANY, linewidth=0.7, alpha=0.5)
+                shade = colour(known.index(family[of[name]]))
+                panel.plot(recording.time, values / scale, color=shade, linewidth=0.7, alpha=0.7)
         panel.set_xlabel("Time [s]")
         panel.set_ylabel(f"{'Sling' if slings else 'Rope'} tension [{unit}]")
         panel.set_xlim(float(recording.time[0]), max(float(recording.time[-1]), 1e-9))
         panel.set_ylim(bottom=0.0)
         if has_names and curves:
             panel.legend(fontsize=7, ncols=4, loc="lower right", frameon=False)
+        elif len(known) > 1:
+            keys = [Line2D([], [], color=colour(index), linewidth=2.0) for index in range(len(known))]
+            panel.legend(keys, known, fontsize=7, ncols=2, loc="lower right", frameon=False)
         return panel.axvline(float(recording.time[0]), color=INK, linewidth=1.2)
 
     def _said(self, time: float) -> str:

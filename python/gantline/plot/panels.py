@@ -11,7 +11,9 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon, Rectangle
+from matplotlib.transforms import ScaledTranslation
 
 from gantline.plot.style import FAINT, INK, force_unit, shortened
 from gantline.results.recording import Recording
@@ -20,7 +22,9 @@ from gantline.results.variable import FloatArray
 
 #: Colours of tensions.
 TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
-_TITLES = 0.9  # height of the titles of a further row [inch]
+_TITLES = 0.6  # height of the titles of a further row [inch]
+_BAR_BELOW = 8.0  # points from a panel to the bar of lengths below it
+_BOLD = 0.72 / 72.0  # mean width of a bold letter, inch per point of size
 _EARTH, EARTH_EDGE = "#ECE7DF", "#8C7B62"
 _WATER = "#3C86B0"
 
@@ -52,13 +56,13 @@ def strip(
     width = float(np.ptp(windows[0][0]))
     heights = [float(np.ptp(window[1])) for window in windows]
     scale = min(scale / width, 8.2 / sum(heights))
-    high = scale * sum(heights) + 1.0 + 0.22 * len(heights) + _TITLES * (titles - 1)
+    high = scale * sum(heights) + 1.25 + 0.22 * len(heights) + _TITLES * (titles - 1)
     size = (max(6.0, scale * width * columns + 0.5), high)
     figure = Figure(figsize=size)
     figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.04, w_pad=0.03, hspace=0.01, wspace=0.01))
-    figure.suptitle(
-        f"{title}: {shortened(recording.title, 60)}", fontsize=12, fontweight="bold", x=0.01, ha="left"
-    )
+    most = int(size[0] / (12.0 * _BOLD)) - len(title)
+    heading = f"{title}: {shortened(recording.title, most)}"
+    figure.suptitle(heading, fontsize=12, fontweight="bold", x=0.01, ha="left")
     grid = figure.add_gridspec(len(windows), columns, height_ratios=heights)
     rows = [
         [figure.add_subplot(grid[row, column]) for column in range(columns)] for row in range(len(windows))
@@ -105,11 +109,6 @@ def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
     panel.plot(*line.T, color=EARTH_EDGE, linewidth=1.0, zorder=0.5)
 
 
-def room_below(ground: Ground | None, lift: FloatArray) -> float:
-    """What the scale bar takes below the floor of a hole [m]."""
-    return 0.05 * float(np.ptp(lift[:, 0])) if ground is not None and ground.holes else 0.0
-
-
 def draw_holes(panel: Axes, ground: Ground, water: float | None) -> None:
     """Holes of the ground in a top view, with water in those whose floor is below its level [m]."""
     for hole in ground.holes:
@@ -120,31 +119,33 @@ def draw_holes(panel: Axes, ground: Ground, water: float | None) -> None:
             panel.add_artist(Rectangle(*place, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=0))
 
 
-def scale_bar(panel: Axes, height_fraction: float) -> None:
-    """A bar of a round length at the right of a panel, at this fraction of its height."""
-    (left, right), (low, high) = panel.get_xlim(), panel.get_ylim()
+def scale_bar(panel: Axes) -> None:
+    """A bar of a round length below a panel, at its right end: within it there may be something anywhere."""
+    left, right = panel.get_xlim()
     target = 0.3 * (right - left)
     power = 10.0 ** np.floor(np.log10(target))
     length = float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= target))
-    end = right - 0.05 * (right - left)
-    height = low + height_fraction * (high - low)
-    panel.plot(
-        [end - length, end], [height, height], color=INK, linewidth=2.2, solid_capstyle="butt", zorder=6
-    )
+    figure = panel.get_figure(root=True)
+    assert figure is not None
+    below = panel.get_xaxis_transform() + ScaledTranslation(0.0, -_BAR_BELOW / 72.0, figure.dpi_scale_trans)
+    bar = Line2D([right - length, right], [0.0, 0.0], color=INK, linewidth=2.2, solid_capstyle="butt")
+    bar.set(transform=below, clip_on=False)
+    panel.add_artist(bar)
     panel.annotate(
         f"{length:g} m",
-        (end - length / 2.0, height),
-        xytext=(0, 2.5),
+        (right - length, 0.0),
+        xycoords=panel.get_xaxis_transform(),
+        xytext=(-4, -_BAR_BELOW),
         textcoords="offset points",
-        ha="center",
-        va="bottom",
-        fontsize=7,
-        zorder=6,
+        ha="right",
+        va="center",
+        fontsize=7.5,
+        annotation_clip=False,
     )
 
 
-def tension_bar(figure: Figure, panels: list[Axes], norm: Normalize) -> None:
-    """The colour scale of tensions, below panels."""
+def tension_bar(figure: Figure, panels: list[Axes], norm: Normalize, pad: float = 0.02) -> None:
+    """The colour scale of tensions, below panels by this share of their height."""
     scale, unit = force_unit(float(norm.vmax or 1.0))
     bar = figure.colorbar(
         ScalarMappable(Normalize(0.0, float(norm.vmax or 1.0) / scale), TENSION),
@@ -153,7 +154,7 @@ def tension_bar(figure: Figure, panels: list[Axes], norm: Normalize) -> None:
         fraction=0.04,
         aspect=70,
         shrink=0.6,
-        pad=0.02,
+        pad=pad,
     )
     bar.set_label(f"Rope tension [{unit}]; slack ropes are dashed grey", fontsize=8)
     bar.ax.tick_params(labelsize=7.5, length=2)

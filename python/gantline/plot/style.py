@@ -13,10 +13,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
-from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
+from gantline.plot.timeline import LETTER, draw_strip, is_tall, strips_of
 from gantline.results import series
+from gantline.results.progress import unfinished
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
@@ -25,12 +26,12 @@ INK = "#222222"
 QUIET = "#6B6B6B"
 FAINT = "#D9D9D9"
 ALARM = "#B3261E"
+WARN = "#8A5A00"
 
 KILO = 1e3
-_LETTER = 0.58 / 72.0  # mean width of a letter, inch per point of size
+_LEGEND_WIDTH, _KEY_WIDTH = 6.0, 0.4  # inch
+_PEAK_BELOW = 0.84  # of a panel's height: the text above a peak stays clear of 'lift-off'
 TONNE_FORCE = 9.81e3  # N; only pictures speak of tonne-force
-
-_Steps = list[tuple[float, float, str]]  # begin [s], end [s], name
 
 RC: Any = {
     "font.family": "DejaVu Sans",
@@ -98,9 +99,9 @@ def figure_over_time(
     figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.05, w_pad=0.06, hspace=0.03))
     ends = [float(end) for recording in recordings.values() for end in recording.time[[0, -1]]]
     first, last = min(ends), max(ends)
-    strips = _strips(recordings, last - first)
+    strips = strips_of(recordings, last - first)
     strip_heights = [
-        (0.3 if _is_tall(steps, last - first) else 0.2) * sum(heights) / height for _, steps in strips
+        (0.3 if is_tall(steps, last - first) else 0.2) * sum(heights) / height for _, steps in strips
     ]
     grid = figure.add_gridspec(len(strips) + len(heights), 1, height_ratios=[*strip_heights, *heights])
     panels: list[Axes] = []
@@ -112,12 +113,13 @@ def figure_over_time(
     panels[-1].set_xlabel("Time [s]")
     tops = [figure.add_subplot(grid[row], sharex=panels[0]) for row in range(len(strips))]
     for top, (letter, steps) in zip(tops, strips, strict=True):
-        _draw_strip(top, letter, steps, last - first)
+        draw_strip(top, letter, steps, last - first)
     top = [*tops, panels[0]][0]
     pad = 7 if tops or len(recordings) == 1 else 24  # room for the names of A and B
     top.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=pad)
     top.set_title(subtitle, loc="right", fontsize=8.5, color=QUIET, pad=pad)
     _mark_lift_off(recordings, panels)
+    _mark_ends(recordings, panels)
     return figure, panels
 
 
@@ -145,16 +147,36 @@ def curves(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> None
         panel.plot(time, curve, color=colour(index), linewidth=float(width), label=name)
 
 
-def legend(panel: Axes, most_columns: int = 8) -> None:
-    """Name the curves of a panel in a row above it, inside its frame."""
+def many_curves(
+    panel: Axes,
+    time: FloatArray,
+    values: Mapping[str, FloatArray],
+    shades: Mapping[str, str],
+    heavy: Sequence[str],
+) -> None:
+    """Draw curves that share colours: thin lines, and upon them those that count most."""
+    for name, curve in values.items():
+        if name not in heavy:
+            panel.plot(time, curve, color=shades[name], linewidth=0.6, alpha=0.6, label=name)
+    for name, width in zip(heavy, np.linspace(2.8, 1.2, len(heavy)), strict=True):
+        panel.plot(time, values[name], color=shades[name], linewidth=float(width), zorder=2.5, label=name)
+
+
+def legend(panel: Axes) -> None:
+    """Name the curves of a panel in rows above it, inside its frame."""
     lines = [line for line in panel.get_lines() if not str(line.get_label()).startswith("_")]
-    keys = [Line2D([], [], color=line.get_color(), linewidth=2.4) for line in lines]
-    labels = [str(line.get_label()) for line in lines]
-    columns = min(most_columns, max(1, len(labels)))
+    legend_of(panel, {str(line.get_label()): str(line.get_color()) for line in lines})
+
+
+def legend_of(panel: Axes, entries: Mapping[str, str]) -> None:
+    """Names of curves with their colours in rows above a panel, in as many columns as there is room for."""
+    keys = [Line2D([], [], color=shade, linewidth=2.4) for shade in entries.values()]
+    longest = max((len(name) for name in entries), default=1)
+    columns = int(_LEGEND_WIDTH / (8.5 * LETTER * longest + _KEY_WIDTH))
     panel.legend(
         keys,
-        labels,
-        ncols=columns,
+        list(entries),
+        ncols=min(8, max(1, columns), max(1, len(entries))),
         loc="lower left",
         bbox_to_anchor=(0.0, 1.0),
         borderaxespad=0.2,
@@ -212,10 +234,12 @@ def limit_line(panel: Axes, value: float, text: str, *, below: bool = False, rig
 
 
 def mark_peak(panel: Axes, time: float, value: float, text: str) -> None:
-    """Mark the highest point of a panel with a dot and a text."""
+    """Mark the highest point of a panel with a dot and a text, below where lift-off has its name."""
     panel.plot([time], [value], "o", color=INK, markersize=3.5, zorder=5)
     left, right = panel.get_xlim()
     to_left = time > left + 0.7 * (right - left)
+    low, high = panel.get_ylim()
+    panel.set_ylim(low, max(high, low + (value - low) / _PEAK_BELOW))
     panel.annotate(
         text,
         xy=(time, value),
@@ -225,6 +249,7 @@ def mark_peak(panel: Axes, time: float, value: float, text: str) -> None:
         va="bottom",
         fontsize=8,
         color=INK,
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
     )
 
 
@@ -249,64 +274,6 @@ def shortened(text: str, most: int) -> str:
 def colour(index: int) -> str:
     """Colour of the curve with this index."""
     return COLOURS[index % len(COLOURS)]
-
-
-def _steps(recording: Recording) -> _Steps:
-    begins = [(time, name) for time, _, name in recording.events("step_begin")]
-    end = float(recording.time[-1])
-    until = [*(time for time, _ in begins[1:]), end]
-    return [(begin, stop, name) for (begin, name), stop in zip(begins, until, strict=False) if stop > begin]
-
-
-def _strips(recordings: Mapping[str, Recording], span: float) -> list[tuple[str, _Steps]]:
-    """Steps of every recording that has a plan; those that agree to the width of a line stand once."""
-    strips = [(letter, steps) for letter, steps in ((k, _steps(v)) for k, v in recordings.items()) if steps]
-    if len(strips) > 1 and all(_agree(strips[0][1], steps, 0.003 * span) for _, steps in strips[1:]):
-        return [("", strips[0][1])]
-    return strips
-
-
-def _agree(one: _Steps, other: _Steps, within: float) -> bool:
-    return [step[2] for step in one] == [step[2] for step in other] and all(
-        abs(a - b) <= within
-        for x, y in zip(one, other, strict=True)
-        for a, b in zip(x[:2], y[:2], strict=True)
-    )
-
-
-def _is_tall(steps: _Steps, span: float) -> bool:
-    return any(_fit(name, (end - begin) / span)[1] > 1 for begin, end, name in steps)
-
-
-def _draw_strip(strip: Axes, letter: str, steps: _Steps, span: float) -> None:
-    strip.set_axis_off()
-    strip.set_ylim(0.0, 1.0)
-    if letter:
-        place = strip.text(-0.008, 0.46, letter, transform=strip.transAxes, fontsize=8, color="#3E5468")
-        place.set(ha="right", va="center")
-    for index, (begin, end, name) in enumerate(steps):
-        tint = "#E9EEF3" if index % 2 == 0 else "#D5DFE8"
-        strip.add_patch(
-            Rectangle((begin, 0.0), end - begin, 1.0, facecolor=tint, edgecolor="white", linewidth=1.0)
-        )
-        text, lines = _fit(name, (end - begin) / span)
-        if lines:
-            size = 8.0 if lines == 1 else 6.5
-            label = strip.text((begin + end) / 2, 0.46, text, fontsize=size, color="#3E5468")
-            label.set(ha="center", va="center", linespacing=0.95)
-
-
-def _fit(name: str, share: float) -> tuple[str, int]:
-    """A step's name as it fits into its share of the strip, and its lines: 1, 2 (smaller), 0 for none."""
-    room = 5.6 * share - 0.06  # inch
-    if len(name) * 8.0 * _LETTER <= room:
-        return name, 1
-    words = name.split()
-    halves = [(" ".join(words[:cut]), " ".join(words[cut:])) for cut in range(1, len(words))]
-    first, second = min(halves, key=lambda pair: max(map(len, pair)), default=(name, ""))
-    if max(len(first), len(second)) * 6.5 * _LETTER <= room:
-        return f"{first}\n{second}", 2
-    return "", 0
 
 
 def _mark_lift_off(recordings: Mapping[str, Recording], panels: Sequence[Axes]) -> None:
@@ -334,6 +301,29 @@ def _mark_lift_off(recordings: Mapping[str, Recording], panels: Sequence[Axes]) 
             va="top",
             fontsize=8,
             color=QUIET,
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+        )
+
+
+def _mark_ends(recordings: Mapping[str, Recording], panels: Sequence[Axes]) -> None:
+    """Where a run ends before its plan: a line, and in which step that is."""
+    for row, (letter, recording) in enumerate(recordings.items()):
+        left = unfinished(recording)
+        if left is None:
+            continue
+        end = float(recording.time[-1])
+        for panel in panels:
+            panel.axvline(end, color=WARN, linewidth=1.6, zorder=1)
+        panels[0].annotate(
+            f"{letter} {left.in_words}".strip(),
+            xy=(end, 0.0),
+            xycoords=("data", "axes fraction"),
+            xytext=(-4, 3 + 11 * row),
+            textcoords="offset points",
+            ha="right",
+            va="bottom",
+            fontsize=8,
+            color=WARN,
             bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
         )
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -15,12 +17,16 @@ from gantline.plot.style import (
     force_unit,
     label_ends,
     legend,
+    legend_of,
     limit_line,
+    many_curves,
     mark_peak,
     time_figure,
     widen,
 )
 from gantline.results import series
+from gantline.results.drift import is_taken_along, load_drift
+from gantline.results.families import MOST, families
 from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
 from gantline.results.rotation import heading
@@ -35,42 +41,40 @@ def sling_tension(recording: Recording) -> Figure | None:
     equalizers = [e for e in recording.rig.equalizers if e.slings]
     clear = series.is_clear(recording)
     has_spread = bool(equalizers) and bool(clear.any())
-    figure, panels = time_figure(recording, "Sling tension", [3.0, 1.2] if has_spread else [1.0], 4.6)
-    tensions = {sling.name: series.sling_tension(recording, sling) for sling in slings}
-    peak = max((*series.rope_peak(recording, sling.rope), sling.name) for sling in slings)
-    _force_panel(recording, panels[0], tensions, "Tension", peak)
+    ropes = {sling.name: sling.rope for sling in slings}
+    height = 4.6 + _legend_height(recording, ropes)
+    figure, panels = time_figure(recording, "Sling tension", [3.0, 1.2] if has_spread else [1.0], height)
+    shades = _rope_panel(recording, panels[0], ropes)
     if has_spread:
-        _deviation_panel(recording, panels[1], equalizers, clear)
+        _deviation_panel(recording, panels[1], equalizers, clear, shades)
         figure.align_ylabels(panels)
     return figure
 
 
 def _deviation_panel(
-    recording: Recording, panel: Axes, equalizers: list[Equalizer], clear: BoolArray
+    recording: Recording,
+    panel: Axes,
+    equalizers: list[Equalizer],
+    clear: BoolArray,
+    shades: Mapping[str, str],
 ) -> None:
     """How far each sling is from the mean of its equalizer while the loads are clear."""
     deviations: dict[str, FloatArray] = {}
-    colours = {sling.rope: colour(index) for index, sling in enumerate(recording.rig.slings)}
     for equalizer in equalizers:
         mean = np.mean([recording.column("rope_tension", rope) for rope in equalizer.slings], axis=0)
         for rope in equalizer.slings:
             tension = recording.column("rope_tension", rope)
             ratio = np.divide(tension, mean, out=np.ones_like(mean), where=mean > 0.0)
             deviations[rope] = np.where(clear, 100.0 * (ratio - 1.0), np.nan)
-    for (rope, values), width in zip(deviations.items(), np.linspace(2.6, 1.0, len(deviations)), strict=True):
-        panel.plot(recording.time, values, color=colours.get(rope, QUIET), linewidth=float(width))
+    thinnest, widest = (0.5, 0.5) if len(deviations) > MOST else (1.0, 2.6)
+    widths = np.linspace(widest, thinnest, len(deviations))
+    for (rope, values), width in zip(deviations.items(), widths, strict=True):
+        panel.plot(recording.time, values, color=shades.get(rope, QUIET), linewidth=float(width))
     panel.set_ylabel("From the mean\nwhen clear [%]")
     widen(panel, 0.2)
     few_ticks(panel)
     spread = max(float(series.tension_spread(recording, e)[clear].max()) for e in equalizers)
-    panel.annotate(
-        f"largest spread {100 * spread:.2f} %",
-        xy=(0.006, 0.93),
-        xycoords="axes fraction",
-        va="top",
-        fontsize=8,
-        color=QUIET,
-    )
+    panel.set_title(f"largest spread {100 * spread:.2f} %", loc="right", fontsize=8, color=QUIET, pad=3)
 
 
 def equalizing_rope_tension(recording: Recording) -> Figure | None:
@@ -134,6 +138,7 @@ def sling_lengthening(recording: Recording) -> Figure | None:
         for index, curve in enumerate(named.values()):
             width = 2.6 if index < len(named) / 2 else 1.3
             panel.plot(recording.time, curve, color=colour(index), linewidth=width)
+        panel.margins(y=0.15)  # room for 'lift-off'
         widen(panel, 0.1)
         panel.invert_yaxis()
         panel.set_ylabel(f"{equalizer.name}: longer than\nat the start [m]")
@@ -155,12 +160,12 @@ def attitude(recording: Recording) -> Figure | None:
     }
     tilt = {load.name: np.degrees(recording.column("load_tilt", load.name)) for load in loads}
     height = {name: place[:, 2] - place[0, 2] for name, place in position.items()}
-    drift = {name: np.linalg.norm(place[:, :2] - place[0, :2], axis=1) for name, place in position.items()}
+    drift = {load.name: load_drift(recording, load) for load in loads}
     rows = (
         ("Tilt [deg]", tilt, 0.1),
         ("Heading [deg]", degrees, 1.0),
         ("Height above\nstart [m]", height, 0.01),
-        ("Drift [m]", drift, 0.01),
+        ("Drift off the\nplan's way [m]" if is_taken_along(recording.rig) else "Drift [m]", drift, 0.01),
     )
     for panel, (label, values, least_span) in zip(panels, rows, strict=True):
         for index, curve in enumerate(values.values()):
@@ -222,19 +227,57 @@ def hook_load(recording: Recording) -> Figure | None:
 def _ropes(recording: Recording, title: str, ropes: dict[str, str]) -> Figure | None:
     if not ropes:
         return None
-    figure, (panel,) = time_figure(recording, title, [1.0], 3.8)
-    tensions = {name: recording.column("rope_tension", rope) for name, rope in ropes.items()}
-    peak = max((*series.rope_peak(recording, rope), name) for name, rope in ropes.items())
-    _force_panel(recording, panel, tensions, "Tension", peak)
-    bands = [
-        _shade_segments(recording, panel, index, rope, peak[0]) for index, rope in enumerate(ropes.values())
-    ]
-    if any(bands):
+    figure, (panel,) = time_figure(recording, title, [1.0], 3.8 + _legend_height(recording, ropes))
+    shades = _rope_panel(recording, panel, ropes)
+    highest = max(series.rope_peak(recording, rope)[0] for rope in ropes.values())
+    alpha = max(0.12, 0.3 / len(ropes) ** 0.5)  # bands may lie upon each other
+    if any(
+        [_shade_segments(recording, panel, shade, rope, highest, alpha) for rope, shade in shades.items()]
+    ):
         panel.set_ylabel(f"{panel.get_ylabel()},\nrange of its segments shaded")
     return figure
 
 
-def _shade_segments(recording: Recording, panel: Axes, index: int, rope: str, peak: float) -> bool:
+def _legend_height(recording: Recording, ropes: Mapping[str, str]) -> float:
+    """What a row for each family takes beyond the two that there is room for [inch]."""
+    if len(ropes) <= MOST:
+        return 0.0
+    return 0.18 * max(0, len(set(families(recording.rig, list(ropes.values())).values())) - 2)
+
+
+def _rope_panel(recording: Recording, panel: Axes, ropes: Mapping[str, str]) -> dict[str, str]:
+    """Tensions of ropes, by what each is called; many share colours with their family.
+
+    Returns:
+        Colour by rope.
+    """
+    tensions = {name: recording.column("rope_tension", rope) for name, rope in ropes.items()}
+    peaks = {name: series.rope_peak(recording, rope) for name, rope in ropes.items()}
+    highest = max(peaks, key=lambda name: peaks[name][0])
+    peak = (*peaks[highest], highest)
+    if len(ropes) <= MOST:
+        _force_panel(recording, panel, tensions, "Tension", peak)
+        return {rope: colour(index) for index, rope in enumerate(ropes.values())}
+    family = families(recording.rig, list(ropes.values()))
+    members: dict[str, list[str]] = {}
+    for name, rope in ropes.items():
+        members.setdefault(family[rope], []).append(name)
+    foremost = {one: max(names, key=lambda name: peaks[name][0]) for one, names in members.items()}
+    shade = {name: colour(index) for index, names in enumerate(members.values()) for name in names}
+    scale, unit = _force_frame(panel, "Tension", peak)
+    scaled = {name: tension / scale for name, tension in tensions.items()}
+    many_curves(panel, recording.time, scaled, shade, list(foremost.values()))
+    entries = {}
+    for one, name in foremost.items():
+        force, time = peaks[name]
+        entries[f"{one}, highest {name} {force / scale:.4g} {unit} at {time:.1f} s"] = shade[name]
+    legend_of(panel, entries)
+    return {rope: shade[name] for name, rope in ropes.items()}
+
+
+def _shade_segments(
+    recording: Recording, panel: Axes, shade: str, rope: str, peak: float, alpha: float
+) -> bool:
     """Shade the range of tension over the segments of a rope; False where all have the same."""
     names = recording.coordinates.get("segment", ())
     own = [place for place, name in enumerate(names) if name.rpartition("/")[0] == rope]
@@ -245,7 +288,7 @@ def _shade_segments(recording: Recording, panel: Axes, index: int, rope: str, pe
     if float((high - low).max()) <= 1e-6 * peak:
         return False
     scale, _ = force_unit(peak)
-    panel.fill_between(recording.time, low / scale, high / scale, color=colour(index), alpha=0.3, linewidth=0)
+    panel.fill_between(recording.time, low / scale, high / scale, color=shade, alpha=alpha, linewidth=0)
     return True
 
 
@@ -257,10 +300,17 @@ def _force_panel(
     peak: tuple[float, float, str],
 ) -> None:
     """Forces [N] over time with their peak: force [N], time [s], name."""
-    scale, unit = force_unit(peak[0])
+    scale, _ = _force_frame(panel, label, peak)
     curves(panel, recording.time, {name: force / scale for name, force in forces.items()})
-    panel.set_ylim(0.0, 1.14 * peak[0] / scale if peak[0] > 0.0 else 1.0)
-    force_axis(panel, label, unit)
-    mark_peak(panel, peak[1], peak[0] / scale, f"{peak[2]}  {peak[0] / scale:.4g} {unit} at {peak[1]:.2f} s")
     if len(forces) > 1:
         legend(panel)
+
+
+def _force_frame(panel: Axes, label: str, peak: tuple[float, float, str]) -> tuple[float, str]:
+    """Axes for forces up to their peak, which is marked; their unit: its size [N] and its name."""
+    force, time, name = peak
+    scale, unit = force_unit(force)
+    panel.set_ylim(0.0, 1.14 * force / scale if force > 0.0 else 1.0)
+    force_axis(panel, label, unit)
+    mark_peak(panel, time, force / scale, f"{name}  {force / scale:.4g} {unit} at {time:.2f} s")
+    return scale, unit

@@ -6,6 +6,7 @@ import numpy as np
 
 from gantline.report.subject import ABSENT, Subject, show
 from gantline.results import series
+from gantline.results.drift import load_drift
 from gantline.results.rig import Load
 
 
@@ -32,7 +33,7 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
         return []
     tilt = subject.peak(recording.column("load_tilt", load.name))
     place = recording.column("body_position", load.body)
-    drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
+    drift = load_drift(recording, load)
     clear = series.load_is_clear(recording, load)
     rows = [("largest tilt", f"{show(tilt[0], 'deg', 2)} at {show(tilt[1], 's', 1)}" if tilt else ABSENT)]
     turned = series.load_yaw(recording, load)
@@ -45,7 +46,7 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
     swing = _swing_after_travel(subject, load)
     if swing is not None:
         rows.append(("swing after the last traverse", show(swing, "m", 3)))
-    elif clear.any():
+    if clear.any():
         rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
     rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))
     return rows

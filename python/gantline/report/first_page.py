@@ -184,13 +184,18 @@ def _steps(subject: Subject, most: int) -> dict[str, Any]:
             "name": step.step,
             "begin": show(times.get(step.step), "s", 1),
             "does": _does(step),
-            "is_hold": step.kind == "hold",
+            "is_hold": _is_hold_point(step, plan[-1]),
             "shares": shared.get(step.step, ""),
             "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
         }
         for step in plan[:most]
     ]
     return {"rows": rows, "left_out": max(0, len(plan) - most)}
+
+
+def _is_hold_point(step: Step, last: Step) -> bool:
+    """Whether something waits for a release: after the last step nothing does, unless it requires some."""
+    return step.kind == "hold" and (step is not last or bool(step.require))
 
 
 def _does(step: Step) -> str:

@@ -8,6 +8,7 @@ from typing import Any
 
 from gantline.report.section import Section
 from gantline.report.subject import Subject
+from gantline.results.drift import is_taken_along
 
 Plot = dict[str, Any]
 
@@ -60,7 +61,17 @@ class Tensions(_Plots):
         recording, rig = subject.recording, subject.rig
         found = []
         if recording.coordinates.get("rope"):
-            found.append(_plot("Rope tension", "tension", "kN", height=300, smallest=1e-3))
+            found.append(
+                _plot(
+                    "Rope tension",
+                    "tension",
+                    "kN",
+                    height=300,
+                    smallest=1e-3,
+                    peak=True,
+                    note=_of_ropes(subject),
+                )
+            )
         if "sheave_travel" in recording:
             found.append(
                 _plot(
@@ -69,15 +80,15 @@ class Tensions(_Plots):
                     "m",
                     inverted=True,
                     smallest=1e-3,
+                    extreme="both",
                     limits=_strokes(subject),
                 )
             )
         if "rope_lengthening" in recording:
             found.append(_plot("Lengthening of slings by adjusting", "lengthening", "m", smallest=1e-3))
-        if any(equalizer.slings for equalizer in rig.equalizers):
-            found.append(
-                _plot("Tension spread of an equalizer's slings", "spread", "%", height=180, smallest=0.1)
-            )
+        if any(equalizer.slings for equalizer in rig.equalizers) and subject.clear.any():
+            title = "Tension spread of an equalizer's slings while the load is clear"
+            found.append(_plot(title, "spread", "%", height=180, smallest=0.1, zero=True))
         if "pin_force" in recording:
             found.append(_plot("Force on locking pins", "pins", "kN", height=180, smallest=1e-3))
         return found
@@ -94,12 +105,21 @@ class HookLoads(_Plots):
         found = []
         if subject.rig.hooks and "hook_load" in subject.recording:
             found.append(
-                _plot("Hook load", "hook_load", "kN", height=220, smallest=1.0, limits=_ratings(subject))
+                _plot(
+                    "Hook load",
+                    "hook_load",
+                    "kN",
+                    height=220,
+                    smallest=1.0,
+                    peak=True,
+                    limits=_ratings(subject),
+                )
             )
         if any(load.contacts for load in subject.rig.loads):
             found.append(_plot("Force of all supports on a load", "support", "kN", height=180, smallest=1.0))
         if "drum_wraps" in subject.recording:
-            found.append(_plot("Turns of rope on drums", "wraps", "", height=160, smallest=0.1))
+            plot = _plot("Turns of rope on drums", "wraps", "", height=160, smallest=0.1, extreme="smallest")
+            found.append(plot)
         return found
 
 
@@ -115,9 +135,12 @@ class Attitude(_Plots):
             return []
         tilt = subject.rig.limits.get("load_tilt")
         limits = [] if not tilt else [{"value": float(tilt) * 180.0 / 3.141592653589793, "label": "limit"}]
+        drift = "Horizontal drift of the centre of gravity"
+        if is_taken_along(subject.rig):
+            drift += ", off the way of the plan"
         return [
-            _plot("Tilt of the load", "tilt", "deg", height=180, smallest=0.05, limits=limits),
-            _plot("Horizontal drift of the centre of gravity", "drift", "m", height=180, smallest=0.01),
+            _plot("Tilt of the load", "tilt", "deg", height=180, smallest=0.05, zero=True, limits=limits),
+            _plot(drift, "drift", "m", height=180, smallest=0.01, zero=True),
             _plot(
                 "Height of the centre of gravity above its start", "height", "m", height=180, smallest=0.01
             ),
@@ -138,7 +161,14 @@ class Vessels(_Plots):
             _plot("Draft at half length", "draft", "m", height=180, smallest=0.1),
             _plot("Trim, by the stern positive", "trim", "deg", height=180, smallest=0.1),
             _plot("Heel, to starboard positive", "heel", "deg", height=180, smallest=0.1),
-            _plot("Least freeboard of deck edge and openings", "freeboard", "m", height=180, smallest=0.1),
+            _plot(
+                "Least freeboard of deck edge and openings",
+                "freeboard",
+                "m",
+                height=180,
+                smallest=0.1,
+                extreme="smallest",
+            ),
         ]
 
 
@@ -153,9 +183,8 @@ class Clearances(_Plots):
         if "clearance" not in subject.recording:
             return []
         limits = [
-            {"value": watch.smallest, "label": f"{watch.name} at least {watch.smallest:g} m"}
-            for watch in subject.rig.watches
-            if watch.smallest > 0.0
+            {"value": smallest, "label": f"at least {smallest:g} m"}
+            for smallest in sorted({watch.smallest for watch in subject.rig.watches if watch.smallest > 0.0})
         ]
         return [
             _plot(
@@ -164,9 +193,17 @@ class Clearances(_Plots):
                 "m",
                 height=240,
                 smallest=0.1,
+                extreme="smallest",
                 limits=limits,
             )
         ]
+
+
+def _of_ropes(subject: Subject) -> str:
+    """What the numbers of a rope are where its segments differ."""
+    if not any(sheave.has_losses for sheave in subject.rig.sheaves):
+        return ""
+    return "Curves are means over the segments of a rope; largest values are those of any segment."
 
 
 def _strokes(subject: Subject) -> list[dict[str, Any]]:

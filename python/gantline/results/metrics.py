@@ -41,8 +41,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `final_load_transferred` [1]: 1 - support forces/weight at the last sample, the smallest over the loads
 - `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
 - `peak_load_yaw` [rad]: largest change of a load's heading from its start, to either side
-- `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity from its start
-  while clear
+- `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity, while clear,
+  from its start and where the plan has taken it from there (`gantline.results.drift`)
 - `final_draft.<vessel>`, `final_draft_aft.<vessel>`, `final_draft_forward.<vessel>` [m],
   `final_heel.<vessel>`, `final_trim.<vessel>` [rad], `final_displacement.<vessel>` [kg]: of that vessel at
   the last sample; heel to starboard, trim by the stern positive
@@ -80,6 +80,7 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.clearances import peak_support_force
+from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.parting import partings
 from gantline.results.rating import chart_used
@@ -247,9 +248,8 @@ def _loads(recording: Recording) -> Iterator[_Metric]:
     drifts = []
     for load in recording.rig.loads:
         clear = series.load_is_clear(recording, load)
-        place = recording.column("body_position", load.body)[:, :2]
         if clear.any():
-            drifts.append(float(np.linalg.norm(place - place[0], axis=1)[clear].max()))
+            drifts.append(float(load_drift(recording, load)[clear].max()))
     yield "peak_load_drift_when_clear", _largest(drifts)
 
 

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.drift import load_drift
+from gantline.results.families import families
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
@@ -23,6 +25,8 @@ class Curve:
         unit: Unit that people read it in.
         factor: From SI to that unit.
         values: SI, shape (time,).
+        family: What it belongs to with others of its group; empty if it stands for itself.
+        peak: Largest value over all steps and its time [s], where that is known; SI.
     """
 
     group: str
@@ -31,11 +35,15 @@ class Curve:
     unit: str
     factor: float
     values: FloatArray
+    family: str = ""
+    peak: tuple[float, float] | None = None
 
 
 def curves(recording: Recording) -> Iterator[Curve]:
     """All series that a page shows, group by group."""
     yield from _ropes(recording)
+    equalizer_of = {sheave: one.name for one in recording.rig.equalizers for sheave in one.moving_sheaves}
+    smallest = {watch.name: watch.smallest for watch in recording.rig.watches}
     for group, variable, unit, factor in (
         ("travel", "sheave_travel", "m", 1.0),
         ("hook_load", "hook_load", "kN", 1e-3),
@@ -54,7 +62,10 @@ def curves(recording: Recording) -> Iterator[Curve]:
         if variable in recording:
             dim = recording[variable].dims[1]
             for at, name in enumerate(recording.coordinates[dim]):
-                yield Curve(group, name, name, unit, factor, recording[variable].values[:, at])
+                values = recording[variable].values[:, at]
+                least = smallest.get(name, 0.0) if group == "clearance" else 0.0
+                label = f"{name} (≥ {least:g} m)" if least > 0.0 else name
+                yield Curve(group, name, label, unit, factor, values, equalizer_of.get(name, ""))
     yield from _loads(recording)
     if "energy" in recording:
         for at, kind in enumerate(recording.coordinates["energy_kind"]):
@@ -65,9 +76,13 @@ def curves(recording: Recording) -> Iterator[Curve]:
 def _ropes(recording: Recording) -> Iterator[Curve]:
     slings = {sling.rope: sling.name for sling in recording.rig.slings}
     equalizing = {one.equalizing_rope: one.name for one in recording.rig.equalizers}
-    for name in recording.coordinates.get("rope", ()):
+    names = recording.coordinates.get("rope", ())
+    family = families(recording.rig, names)
+    for name in names:
         label = slings.get(name) or (f"{equalizing[name]} equalizing" if name in equalizing else name)
-        yield Curve("tension", name, label, "kN", 1e-3, recording.column("rope_tension", name))
+        tension = recording.column("rope_tension", name)
+        peak = series.rope_peak(recording, name)
+        yield Curve("tension", name, label, "kN", 1e-3, tension, family[name], peak)
 
 
 def _loads(recording: Recording) -> Iterator[Curve]:
@@ -75,13 +90,14 @@ def _loads(recording: Recording) -> Iterator[Curve]:
         if load.body not in recording.coordinates.get("body", ()):
             continue
         place = recording.column("body_position", load.body)
-        drift = np.linalg.norm(place[:, :2] - place[0, :2], axis=1)
-        yield Curve("drift", load.name, load.name, "m", 1.0, drift)
+        yield Curve("drift", load.name, load.name, "m", 1.0, load_drift(recording, load))
         yield Curve("height", load.name, load.name, "m", 1.0, place[:, 2] - place[0, 2])
         if load.contacts:
             force = series.support_force(recording, load)
             yield Curve("support", load.name, load.name, "kN", 1e-3, force)
+    clear = series.is_clear(recording)
     for equalizer in recording.rig.equalizers:
-        if equalizer.slings:
-            spread = series.tension_spread(recording, equalizer)
+        if equalizer.slings and clear.any():
+            # Of slack slings it says nothing, and hides what it comes to once they carry.
+            spread = np.where(clear, series.tension_spread(recording, equalizer), np.nan)
             yield Curve("spread", equalizer.name, equalizer.name, "%", 100.0, spread)

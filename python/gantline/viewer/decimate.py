@@ -38,7 +38,8 @@ def peaks(values: FloatArray, buckets: int) -> Places:
 
 
 def _extremes(values: FloatArray, edges: Places) -> Places:
-    return np.array([begin + int(np.argmax(values[begin:end])) for begin, end in pairwise(edges)])
+    known = np.where(np.isnan(values), -np.inf, values)
+    return np.array([begin + int(np.argmax(known[begin:end])) for begin, end in pairwise(edges)])
 
 
 def _needed(values: FloatArray, places: Places) -> Places:

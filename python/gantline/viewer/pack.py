@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
+from gantline.results.progress import stretches, unfinished
 from gantline.results.recording import Recording
 from gantline.results.surroundings import ground_of, structures_of, water_level
 from gantline.viewer.arrays import Arrays
@@ -88,6 +89,8 @@ def pack(recording: Recording, *, since: int = 0) -> Packed:
         "pairs": _pairs(recording, at, arrays),
         **_surroundings(recording),
         "events": [list(event) for event in recording.events()],
+        "steps": [{"names": one.names, "begin": one.begin, "end": one.end} for one in stretches(recording)],
+        "unfinished": _unfinished(recording),
         "strokes": _strokes(recording),
         "curves": _curves(recording, since, arrays),
         "arrays": arrays.index,
@@ -229,6 +232,14 @@ def _surroundings(recording: Recording) -> dict[str, Any]:
     }
 
 
+def _unfinished(recording: Recording) -> str | None:
+    """Where in its plan a run has ended, in words; None if it came through, or is still running."""
+    left = unfinished(recording)
+    if left is None or recording.attributes.get("status") not in ("done", "stopped", "failed"):
+        return None
+    return left.in_words
+
+
 def _strokes(recording: Recording) -> dict[str, list[float | None]]:
     """Stroke up and down of each moving sheave [m]; None where it has no end."""
     return {
@@ -258,6 +269,8 @@ def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, 
             "unit": curve.unit,
             "first": int(first),
             "count": int(last - first),
+            "family": curve.family,
+            "peak": None if curve.peak is None else [curve.peak[0] * curve.factor, curve.peak[1]],
         }
         for curve, first, last in zip(every, bounds[:-1], bounds[1:], strict=True)
     ]

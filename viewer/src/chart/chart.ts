@@ -4,11 +4,14 @@ import type { Curve } from "../data/curve";
 import { element, set, svg } from "../dom";
 import type { Session } from "../player/session";
 import { Cursors } from "./cursors";
-import { type Area, areaOf, type ChartSpec, frameOf, xOf, yOf } from "./frame";
+import { COLOURS, type Family, familiesOf } from "./families";
+import { type Area, areaOf, type ChartSpec, frameOf, unfinished, xOf, yOf } from "./frame";
 import { Legend } from "./legend";
+import { endNames, type Paper, peakMark, roomOf } from "./marks";
 import { digitsOf, type Scale, shown, verticalScale } from "./scale";
 
-const CURVES_WITH_COLOURS = 8;
+const HEADROOM = 1.1;
+const WIDE = 560; // pixels from which there is room for names at the ends of curves
 const MOVED = 6; // pixels from which a press is a drag
 let made = 0;
 
@@ -18,6 +21,10 @@ export class Chart {
   private readonly frame = svg("g", {});
   private readonly lines = svg("g", { fill: "none" });
   private readonly brush = svg("rect", { class: "gl-brush" });
+  private readonly marks = svg("g", {});
+  private readonly families: Family[];
+  /** Curves that share colours, and with whom; each has one of its own where there are enough. */
+  private readonly areMany: boolean;
   private readonly cursors: Cursors;
   private readonly tip = element("div", { class: "gl-tip", hidden: true, "aria-hidden": "true" });
   private readonly clip = `gl-clip-${made++}`;
@@ -39,13 +46,15 @@ export class Chart {
     this.height = spec.height ?? 260;
     const every = spec.groups.flatMap((group) => session.lift.group(group));
     this.curves = spec.only === undefined ? every : every.filter((curve) => curve.entry.name === spec.only);
-    this.legend = new Legend(session, this.curves, (index) => this.colour(index), spec.title);
-    const dots = this.curves.length <= CURVES_WITH_COLOURS ? this.curves : [];
+    this.families = familiesOf(this.curves, spec.extreme ?? "largest");
+    this.areMany = this.curves.length > COLOURS;
+    this.legend = new Legend(session, this.curves, this.families, spec);
+    const dots = this.areMany ? [] : this.curves;
     this.cursors = new Cursors(dots.map((_, index) => this.colour(index)));
     set(this.lines, { "clip-path": `url(#${this.clip})` });
     set(this.svg, { role: "img", "aria-label": this.inWords() });
     const clipPath = svg("clipPath", { id: this.clip }, this.clipBox);
-    this.svg.append(svg("defs", {}, clipPath), this.frame, this.lines, this.brush);
+    this.svg.append(svg("defs", {}, clipPath), this.frame, this.lines, this.marks, this.brush);
     const drawn = [this.svg, this.cursors.root] as unknown as Node[];
     const plot = element("div", { class: "gl-plot-holder" }, ...drawn, this.tip);
     root.append(plot, this.legend.root);
@@ -88,7 +97,8 @@ export class Chart {
     const width = Math.max(260, Math.round(this.root.clientWidth || 720));
     if (width === this.width) return; // an observer tells of the first size too
     this.width = width;
-    this.area = areaOf(width, this.height, this.spec);
+    const names = this.areMany && width >= WIDE ? roomOf(this.families, this.curves) : 0;
+    this.area = areaOf(width, this.height, this.spec, names);
     set(this.svg, { viewBox: `0 0 ${width} ${this.height}`, width, height: this.height });
     this.cursors.fit(width, this.height, this.area);
     this.draw();
@@ -109,9 +119,7 @@ export class Chart {
   }
 
   private colour(index: number): string {
-    return this.curves.length > CURVES_WITH_COLOURS
-      ? "var(--c-many)"
-      : `var(--c${index % CURVES_WITH_COLOURS})`;
+    return this.families.find((family) => family.members.includes(index))!.colour;
   }
 
   private isShown(curve: Curve): boolean {
@@ -121,7 +129,14 @@ export class Chart {
   private draw(): void {
     const visible = this.curves.filter((curve) => this.isShown(curve));
     const limits = (this.spec.limits ?? []).map((limit) => limit.value);
-    const values = [...visible.flatMap((curve) => [curve.least, curve.largest]), ...limits];
+    // The name of the highest point stands above it.
+    const tops = visible.map((curve) => (this.spec.peak ? HEADROOM * curve.top[0] : curve.largest));
+    const values = [
+      ...tops,
+      ...visible.map((curve) => curve.least),
+      ...limits,
+      ...(this.spec.zero ? [0] : []),
+    ];
     const wanted = this.height > 200 ? 5 : 3;
     this.scale = verticalScale(Math.min(...values), Math.max(...values), wanted, this.spec.smallest ?? 1e-9);
     set(this.clipBox, {
@@ -132,10 +147,33 @@ export class Chart {
     });
     this.frame.replaceChildren(...frameOf(this.session, this.spec, this.area, this.scale));
     this.lines.replaceChildren();
-    this.curves.forEach((curve, index) => {
-      if (this.isShown(curve)) this.lines.append(this.path(curve, index));
-    });
+    const rank = (index: number) => (this.countsMost(index) ? 1 : 0);
+    const order = this.curves.map((_, index) => index);
+    if (this.areMany) order.sort((one, other) => rank(one) - rank(other));
+    for (const index of order)
+      if (this.isShown(this.curves[index]!)) this.lines.append(this.path(this.curves[index]!, index));
+    this.write(visible);
     this.mark();
+  }
+
+  /** What is written upon the curves. */
+  private write(visible: Curve[]): void {
+    const { area, session } = this;
+    const paper: Paper = { area, span: session.span, x: (time) => this.x(time), y: (value) => this.y(value) };
+    const shownOnly = (family: Family): Family => ({
+      ...family,
+      extremes: family.extremes.filter((index) => this.isShown(this.curves[index]!)),
+    });
+    const hasRoom = this.areMany && this.width >= WIDE;
+    this.marks.replaceChildren(
+      ...unfinished(session, area),
+      ...(hasRoom ? endNames(this.families.map(shownOnly), this.curves, paper) : []),
+      ...(this.spec.peak ? peakMark(visible, this.spec.unit, paper) : []),
+    );
+  }
+
+  private countsMost(index: number): boolean {
+    return this.families.some((family) => family.extremes.includes(index));
   }
 
   private path(curve: Curve, index: number): SVGPathElement {
@@ -148,14 +186,15 @@ export class Chart {
     const pinned = this.session.pinned;
     const mine = pinned === curve.entry.name;
     // Curves that lie upon each other: the first is the widest.
-    const width = 2.6 - (1.2 * index) / Math.max(1, Math.min(this.curves.length, CURVES_WITH_COLOURS) - 1);
+    const width = 2.6 - (1.2 * index) / Math.max(1, Math.min(this.curves.length, COLOURS) - 1);
+    const among = this.countsMost(index) ? 2 : 0.8;
     const hasPinned = this.curves.some((one) => one.entry.name === pinned);
     return svg("path", {
       d: way,
-      stroke: mine && this.curves.length > CURVES_WITH_COLOURS ? "var(--c1)" : this.colour(index),
-      "stroke-width": mine ? 3 : this.curves.length > CURVES_WITH_COLOURS ? 1 : width || 1.8,
+      stroke: this.colour(index),
+      "stroke-width": mine ? 3 : this.areMany ? among : width || 1.8,
       "stroke-linejoin": "round",
-      opacity: hasPinned && !mine ? 0.25 : this.curves.length > CURVES_WITH_COLOURS && !mine ? 0.6 : 1,
+      opacity: hasPinned && !mine ? 0.25 : this.areMany && among < 1 && !mine ? 0.65 : 1,
     });
   }
 
@@ -169,10 +208,10 @@ export class Chart {
     this.cursors.place(within(now), within(hover));
     const time = hover ?? now;
     this.legend.show(time);
-    if (this.curves.length > CURVES_WITH_COLOURS) return;
+    if (this.areMany) return;
     const x = within(time);
     this.curves.forEach((curve, index) => {
-      const isDrawn = x !== null && this.isShown(curve);
+      const isDrawn = x !== null && this.isShown(curve) && curve.isKnownAt(time);
       this.cursors.placeDot(index, isDrawn ? x : null, isDrawn ? this.y(curve.at(time)) : 0);
     });
   }
@@ -241,7 +280,7 @@ export class Chart {
     const y = ((event.clientY - box.top) / (box.height || 1)) * this.height;
     const time = this.timeAt(x);
     const nearest = this.curves
-      .filter((curve) => this.isShown(curve))
+      .filter((curve) => this.isShown(curve) && curve.isKnownAt(time))
       .map((curve) => ({ curve, off: Math.abs(this.y(curve.at(time)) - y) }))
       .sort((a, b) => a.off - b.off)[0];
     this.tip.hidden = !nearest;

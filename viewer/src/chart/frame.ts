@@ -2,6 +2,7 @@
 
 import { svg } from "../dom";
 import type { Session } from "../player/session";
+import type { Extreme } from "./families";
 import { type Scale, shown, ticksOf } from "./scale";
 
 export interface Limit {
@@ -22,6 +23,12 @@ export interface ChartSpec {
   limits?: Limit[];
   /** Least span of the vertical axis, so that rounding errors do not look like motion. */
   smallest?: number;
+  /** Which of many curves count most. */
+  extreme?: Extreme;
+  /** Whether the highest point is marked. */
+  peak?: boolean;
+  /** Whether zero is in sight whatever the values. */
+  zero?: boolean;
 }
 
 /** Where the curves are drawn [pixels]. */
@@ -31,14 +38,25 @@ export interface Area {
   top: number;
   bottom: number;
   inverted: boolean;
+  /** Where the numbers of an axis on the right stand. */
+  beside: number;
 }
 
 const TONNE_FORCE = 9.81; // kN
 const LETTER = 6.1; // pixels, mean width of a letter
+const LINE = 11; // pixels, height of small letters with room
+const MARGIN = 12; // pixels at the right that a number of the time axis may take
 
-export function areaOf(width: number, height: number, spec: { unit?: string; inverted?: boolean }): Area {
-  const right = width - (spec.unit === "kN" ? 44 : 14);
-  return { left: 52, right, top: 24, bottom: height - 26, inverted: spec.inverted ?? false };
+/** `names`: room for names at the ends of the curves. */
+export function areaOf(
+  width: number,
+  height: number,
+  spec: { unit?: string; inverted?: boolean },
+  names = 0,
+): Area {
+  const right = width - (spec.unit === "kN" ? 44 : 14) - names;
+  const beside = right + 7 + names;
+  return { left: 52, right, top: 24, bottom: height - 26, inverted: spec.inverted ?? false, beside };
 }
 
 export function xOf(area: Area, [begin, end]: readonly [number, number], time: number): number {
@@ -79,9 +97,11 @@ function strip(session: Session, area: Area): SVGElement[] {
       class: index % 2 === 0 ? "gl-step" : "gl-step gl-step-odd",
     });
     box.append(svg("title", {}, step.name));
-    const fits = LETTER * step.name.length < to - from - 4;
     const place = { x: (from + to) / 2, y: 13, "text-anchor": "middle", class: "gl-step-name" };
-    return fits ? [box, svg("text", place, step.name)] : [box];
+    const text = [step.name, `${step.names[0]} + ${step.names.length - 1} more`].find(
+      (words, index) => (index === 0 || step.names.length > 1) && LETTER * words.length < to - from - 4,
+    );
+    return text === undefined ? [box] : [box, svg("text", place, text)];
   });
 }
 
@@ -100,9 +120,11 @@ function horizontal(session: Session, area: Area): SVGElement[] {
   const marks = ticks.flatMap((tick, index) => {
     const x = xOf(area, session.span, tick);
     const text = `${shown(tick, digits)}${index === ticks.length - 1 ? " s" : ""}`;
+    const isAtEnd = x + (LETTER * text.length) / 2 > right + MARGIN;
+    const place = { x: isAtEnd ? right + MARGIN : x, y: bottom + 16 };
     return [
       svg("line", { x1: x, x2: x, y1: bottom, y2: bottom + 4, class: "gl-axis" }),
-      svg("text", { x, y: bottom + 16, "text-anchor": "middle", class: "gl-tick" }, text),
+      svg("text", { ...place, "text-anchor": isAtEnd ? "end" : "middle", class: "gl-tick" }, text),
     ];
   });
   return [...marks, svg("line", { x1: left, x2: right, y1: bottom, y2: bottom, class: "gl-axis" })];
@@ -115,7 +137,7 @@ function tonnes(area: Area, scale: Scale): SVGElement[] {
   return ticks.map((tick, index) => {
     const text = `${shown(tick, digits)}${index === ticks.length - 1 ? " t" : ""}`;
     const y = yOf(area, scale, tick * TONNE_FORCE) + 3.5;
-    return svg("text", { x: area.right + 7, y, class: "gl-tick gl-quiet" }, text);
+    return svg("text", { x: area.beside, y, class: "gl-tick gl-quiet" }, text);
   });
 }
 
@@ -132,10 +154,30 @@ function liftOff(session: Session, area: Area): SVGElement[] {
   ];
 }
 
+/** Where the run has ended before its plan; to be drawn upon the curves. */
+export function unfinished(session: Session, area: Area): SVGElement[] {
+  const { header, end } = session.lift;
+  if (!header.unfinished || end > session.span[1]) return [];
+  const x = xOf(area, session.span, end);
+  const place = { x: x - 4, y: area.bottom - 6, "text-anchor": "end", class: "gl-note gl-unfinished-name" };
+  return [
+    svg("line", { x1: x, x2: x, y1: 2, y2: area.bottom, class: "gl-unfinished" }),
+    svg("text", place, header.unfinished),
+  ];
+}
+
 function limits(spec: ChartSpec, area: Area, scale: Scale): SVGElement[] {
+  const taken: { x: number; y: number }[] = [];
   return (spec.limits ?? []).flatMap((limit) => {
     const y = yOf(area, scale, limit.value);
-    const place = { x: area.right - 4, y: y - 4, "text-anchor": "end", class: "gl-limit-name" };
+    const hasRoom = y + LINE < area.bottom;
+    const isBelow = y - 4 - LINE < area.top || (hasRoom && area.inverted && limit.value > 0);
+    const text = isBelow ? y + LINE : y - 4;
+    // Names of limits that are near to each other stand side by side.
+    const beside = taken.filter((one) => Math.abs(one.y - text) < LINE).map((one) => one.x);
+    const x = Math.min(area.right - 4, ...beside);
+    taken.push({ x: x - LETTER * limit.label.length - 8, y: text });
+    const place = { x, y: text, "text-anchor": "end", class: "gl-limit-name" };
     return [
       svg("line", { x1: area.left, x2: area.right, y1: y, y2: y, class: "gl-limit" }),
       svg("text", place, limit.label),

@@ -4,9 +4,11 @@ import type { Curve } from "../data/curve";
 import { element, set } from "../dom";
 import { Pace } from "../pace";
 import type { Session } from "../player/session";
+import { COLOURS, type Family } from "./families";
+import type { ChartSpec } from "./frame";
 import { digitsOf, shown } from "./scale";
 
-const MOST_SHOWN = 40;
+const MOST_SHOWN = 100;
 const READABLE = 120; // ms
 
 export class Legend {
@@ -21,38 +23,60 @@ export class Legend {
   constructor(
     private readonly session: Session,
     private readonly curves: Curve[],
-    colour: (index: number) => string,
-    title: string,
+    families: Family[],
+    spec: ChartSpec,
   ) {
-    this.root = element("div", { class: "gl-legend", role: "group", "aria-label": `Curves of ${title}` });
-    curves.slice(0, MOST_SHOWN).forEach((curve, index) => {
-      const value = element("span", { class: "gl-legend-value" });
-      const swatch = element("span", { class: "gl-swatch" });
-      swatch.style.background = colour(index);
-      const button = element(
-        "button",
-        { type: "button", class: "gl-legend-entry" },
-        swatch,
-        curve.entry.label,
-        value,
-      );
-      button.addEventListener("click", () => session.toggleHidden(keyOf(curve)));
-      this.values.push(value);
-      this.buttons.push(button);
-      this.root.append(button);
+    this.root = element("div", {
+      class: "gl-legend",
+      role: "group",
+      "aria-label": `Curves of ${spec.title}`,
     });
+    const areMany = curves.length > COLOURS;
+    for (const { name, colour, members, extremes } of families) {
+      const row = areMany ? element("div", { class: "gl-legend-family" }, swatch(colour)) : this.root;
+      if (areMany) {
+        const about = extremes.map((index, place) => this.extreme(curves[index]!, spec, place));
+        row.append(element("strong", {}, name), element("span", { class: "gl-quiet" }, about.join(", ")));
+        this.root.append(row);
+      }
+      // Of a family each curve has its colour, so that its name alone stands for it.
+      for (const index of members.filter((one) => one < MOST_SHOWN))
+        row.append(this.entry(index, ...(areMany ? [] : [swatch(colour)])));
+    }
     if (curves.length > MOST_SHOWN)
-      this.root.append(element("span", {}, `and ${curves.length - MOST_SHOWN} more`));
+      this.root.append(
+        element("span", { class: "gl-legend-family" }, `and ${curves.length - MOST_SHOWN} more`),
+      );
     this.ends = (["hidden", "pin"] as const).map((topic) => session.on(topic, () => this.showPressed()));
     this.showPressed();
+  }
+
+  /** What the curve that counts most comes to, and when. */
+  private extreme(curve: Curve, spec: ChartSpec, place: number): string {
+    const isLargest = spec.extreme !== "smallest" && place === 0;
+    const [value, time] = isLargest ? curve.top : [curve.least, curve.leastTime];
+    const number = `${shown(value, digitsOf(spec.unit))} ${spec.unit}`.trim();
+    return `${isLargest ? "largest" : "smallest"} ${curve.entry.label} ${number} at ${shown(time, 1)} s`;
+  }
+
+  private entry(index: number, ...sign: Node[]): HTMLButtonElement {
+    const curve = this.curves[index]!;
+    const value = element("span", { class: "gl-legend-value" });
+    const content = [...sign, curve.entry.label, value];
+    const button = element("button", { type: "button", class: "gl-legend-entry" }, ...content);
+    button.addEventListener("click", () => this.session.toggleHidden(keyOf(curve)));
+    this.values[index] = value;
+    this.buttons[index] = button;
+    return button;
   }
 
   /** Values at a time; while the lift plays no more often than they can be read. */
   show(time: number): void {
     if (this.session.playing && !this.pace.isDue()) return;
     this.values.forEach((holder, index) => {
-      const { entry } = this.curves[index]!;
-      const text = `${shown(this.curves[index]!.at(time), digitsOf(entry.unit))} ${entry.unit}`.trim();
+      const curve = this.curves[index]!;
+      const { unit } = curve.entry;
+      const text = curve.isKnownAt(time) ? `${shown(curve.at(time), digitsOf(unit))} ${unit}`.trim() : "–";
       if (this.texts[index] === text) return;
       this.texts[index] = text;
       holder.textContent = text;
@@ -68,6 +92,12 @@ export class Legend {
       });
     });
   }
+}
+
+function swatch(colour: string): HTMLElement {
+  const made = element("span", { class: "gl-swatch" });
+  made.style.background = colour;
+  return made;
 }
 
 function keyOf(curve: Curve): string {

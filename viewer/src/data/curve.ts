@@ -7,6 +7,10 @@ export class Curve {
   values = new Float32Array();
   least = Number.POSITIVE_INFINITY;
   largest = Number.NEGATIVE_INFINITY;
+  /** When it was so [s]. */
+  leastTime = Number.NaN;
+  largestTime = Number.NaN;
+  private peak: [number, number] | null = null;
 
   constructor(
     readonly entry: CurveEntry,
@@ -18,20 +22,36 @@ export class Curve {
   }
 
   /** Go on with what was recorded later; arguments as those of the constructor. */
-  append({ first, count }: CurveEntry, time: Float64Array, samples: Uint32Array, values: Float32Array): void {
+  append(
+    { first, count, peak }: CurveEntry,
+    time: Float64Array,
+    samples: Uint32Array,
+    values: Float32Array,
+  ): void {
     const times = Float64Array.from(samples.subarray(first, first + count), (sample) => time[sample]!);
     const more = values.subarray(first, first + count);
     this.times = joined(Float64Array, this.times, times);
     this.values = joined(Float32Array, this.values, more);
-    for (const value of more) {
-      this.least = Math.min(this.least, value);
-      this.largest = Math.max(this.largest, value);
-    }
+    more.forEach((value, place) => {
+      if (value < this.least) [this.least, this.leastTime] = [value, times[place]!];
+      if (value > this.largest) [this.largest, this.largestTime] = [value, times[place]!];
+    });
+    this.peak = peak ?? null;
+  }
+
+  /** Largest value of all steps where that is known, else of all samples; and its time [s]. */
+  get top(): [number, number] {
+    return this.peak ?? [this.largest, this.largestTime];
   }
 
   /** Index of the last kept sample that is not after a time; the first one before the start. */
   before(time: number): number {
     return lastNotAfter(this.times, time);
+  }
+
+  /** Whether it has a value at a time: a spread has none before lift-off, a distance none once its rope has parted. */
+  isKnownAt(time: number): boolean {
+    return time >= this.times[0]! && time <= this.times[this.times.length - 1]!;
   }
 
   /** Value at a time, by straight lines; constant beyond the ends. */

@@ -85,6 +85,17 @@ export interface CurveEntry {
   unit: string;
   first: number;
   count: number;
+  /** What it belongs to with others of its group; empty if it stands for itself. */
+  family: string;
+  /** Largest value over all steps and its time [s], where that is known; between samples, so in no curve. */
+  peak: [number, number] | null;
+}
+
+/** A time in which a step went, or several side by side [s]. */
+export interface StepEntry {
+  names: string[];
+  begin: number;
+  end: number;
 }
 
 export interface ArrayEntry {
@@ -113,6 +124,9 @@ export interface Header {
   structures: Structure[];
   /** Time [s], kind and name. */
   events: [number, string, string][];
+  steps: StepEntry[];
+  /** Where in its plan the run has ended, in words; null if it came through. */
+  unfinished: string | null;
   strokes: Record<string, [number | null, number | null]>;
   curves: CurveEntry[];
   arrays: Record<string, ArrayEntry>;

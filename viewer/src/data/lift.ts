@@ -1,14 +1,13 @@
 /** A recorded lift: where everything is at a time, what every rope carries, what happens when. */
 
 import { Curve, joined, lastNotAfter } from "./curve";
-import type { Header, Rope } from "./format";
+import type { Header, Rope, StepEntry } from "./format";
 import { hang } from "./hanging";
 import type { Numbers, Unpacked } from "./unpack";
 
-export interface Step {
+/** A time in which a step went, or several side by side under one name. */
+export interface Step extends StepEntry {
   name: string;
-  begin: number;
-  end: number;
 }
 
 /** Straight pieces in which a slack span is drawn. */
@@ -52,7 +51,7 @@ export class Lift {
     this.end = time[time.length - 1] ?? 0;
     this.frameTimes = Float64Array.from(arrays.get("frames") as Uint32Array, (sample) => time[sample]!);
     this.curves = header.curves.map((entry) => new Curve(entry, time, ...kept(arrays)));
-    this.steps = stepsOf(header, this.end);
+    this.steps = stepsOf(header);
     const byName = new Map(this.group("tension").map((curve) => [curve.entry.name, curve]));
     this.tensionCurves = header.ropes.map((rope) => byName.get(rope.name)!);
     const distances = new Map(this.group("clearance").map((curve) => [curve.entry.name, curve]));
@@ -89,13 +88,13 @@ export class Lift {
     this.curves.forEach((curve, place) => {
       curve.append(header.curves[place]!, time, ...kept(arrays));
     });
-    const { samples, liftOff, events } = header;
-    Object.assign(this.header, { samples, liftOff, events });
+    const { samples, liftOff, events, steps, unfinished } = header;
+    Object.assign(this.header, { samples, liftOff, events, steps, unfinished });
     for (const list of ["ropes", "structures"] as const)
       this.header[list].forEach((one, place) => {
         Object.assign(one, header[list][place]);
       });
-    this.steps = stepsOf(this.header, this.end);
+    this.steps = stepsOf(this.header);
   }
 
   /** Curves of a plot. */
@@ -241,9 +240,6 @@ function kept(arrays: Map<string, Numbers>): [Uint32Array, Float32Array] {
   return [samples ?? new Uint32Array(), values ?? new Float32Array()];
 }
 
-function stepsOf(header: Header, end: number): Step[] {
-  const begins = header.events.filter(([, kind]) => kind === "step_begin");
-  return begins
-    .map(([begin, , name], place) => ({ name, begin, end: begins[place + 1]?.[0] ?? end }))
-    .filter((step) => step.end > step.begin);
+function stepsOf(header: Header): Step[] {
+  return header.steps.map((step) => ({ ...step, name: step.names.join(" + ") }));
 }

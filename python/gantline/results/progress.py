@@ -1,0 +1,83 @@
+"""How far a run got through its plan: when its steps went, and what is left of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gantline.results.recording import Recording
+
+__all__ = ["Stretch", "Unfinished", "stretches", "unfinished"]
+
+#: Between the names of steps that go side by side.
+_BESIDE = " + "
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A time in which a step went, or several side by side.
+
+    Attributes:
+        names: Of the steps, those that began together.
+        begin: When they began [s].
+        end: When the last of them ended, others began, or the run ended [s].
+    """
+
+    names: tuple[str, ...]
+    begin: float
+    end: float
+
+    @property
+    def name(self) -> str:
+        """All names in one."""
+        return _BESIDE.join(self.names)
+
+
+@dataclass(frozen=True)
+class Unfinished:
+    """What a run left of its plan.
+
+    Attributes:
+        under_way: Steps in which it ended.
+        not_begun: Steps that it did not come to.
+    """
+
+    under_way: tuple[str, ...]
+    not_begun: tuple[str, ...]
+
+    @property
+    def in_words(self) -> str:
+        """In which step it ended, or before which."""
+        if self.under_way:
+            return f"the run ends in '{self.under_way[0]}'"
+        return f"the run ends before '{self.not_begun[0]}'"
+
+
+def stretches(recording: Recording) -> list[Stretch]:
+    """When the steps of the plan went, in order; between them, and after the last, nothing was under way."""
+    if not len(recording.time):
+        return []
+    last = float(recording.time[-1])
+    ended = {name: time for time, _, name in recording.events("step_end")}
+    begun: dict[float, list[str]] = {}
+    for time, _, name in recording.events("step_begin"):
+        begun.setdefault(time, []).append(name)
+    found: list[Stretch] = []
+    nexts = [*begun, last][1:]
+    for (begin, names), until in zip(begun.items(), nexts, strict=True):
+        end = min(until, max(ended.get(name, last) for name in names))
+        if end > begin:
+            found.append(Stretch(tuple(names), begin, end))
+    return found
+
+
+def unfinished(recording: Recording) -> Unfinished | None:
+    """What is left of the plan at the end of a run; None if nothing is.
+
+    A hold that is under way has nothing left to do; any other step has.
+    """
+    begun = {name for _, _, name in recording.events("step_begin")}
+    ended = {name for _, _, name in recording.events("step_end")}
+    plan = recording.rig.plan
+    left = tuple(step.step for step in plan if step.step not in begun)
+    under_way = tuple(step.step for step in plan if step.step in begun - ended and step.kind != "hold")
+    return Unfinished(under_way, left) if (left or under_way) and len(recording.time) else None

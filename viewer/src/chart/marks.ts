@@ -1,0 +1,68 @@
+/** What is written upon curves: where the highest point is, and which curves count most. */
+
+import type { Curve } from "../data/curve";
+import { svg } from "../dom";
+import { apart, type Family } from "./families";
+import type { Area } from "./frame";
+import { digitsOf, shown } from "./scale";
+
+const LINE = 12; // pixels from one name to the next
+const LETTER = 6.1; // pixels, mean width of a letter
+
+/** Where a value at a time is on paper. */
+export interface Paper {
+  area: Area;
+  span: readonly [number, number];
+  x(time: number): number;
+  y(value: number): number;
+}
+
+/** Names of the curves that count most, beside their right ends. */
+export function endNames(families: Family[], curves: Curve[], paper: Paper): SVGElement[] {
+  const { area, span } = paper;
+  const named = families.flatMap(({ colour, extremes }) =>
+    extremes.map((index) => ({ colour, curve: curves[index]! })),
+  );
+  const ends = named.map(({ curve }) => paper.y(curve.at(span[1])));
+  const places = apart(ends, LINE, area.top + 4, area.bottom);
+  return named.flatMap(({ colour, curve }, index) => {
+    const [from, to] = [ends[index]!, places[index]!];
+    const leader = {
+      x1: area.right + 1,
+      y1: from,
+      x2: area.right + 11,
+      y2: to,
+      stroke: colour,
+      class: "gl-leader",
+    };
+    const place = { x: area.right + 14, y: to + 3.5, color: colour, class: "gl-end-name" };
+    return [svg("line", leader), svg("text", place, curve.entry.label)];
+  });
+}
+
+/** Room that they take [pixels]. */
+export function roomOf(families: Family[], curves: Curve[]): number {
+  const longest = families.flatMap(({ extremes }) =>
+    extremes.map((index) => curves[index]!.entry.label.length),
+  );
+  return 20 + LETTER * Math.max(...longest);
+}
+
+/** A dot on the highest point of all with its curve, value and time, where that is in sight. */
+export function peakMark(curves: Curve[], unit: string, paper: Paper): SVGElement[] {
+  if (!curves.length) return [];
+  const highest = curves.reduce((one, other) => (other.top[0] > one.top[0] ? other : one));
+  const [value, time] = highest.top;
+  const { area, span } = paper;
+  if (!(time >= span[0] && time <= span[1]) || value <= 0) return [];
+  const [x, y] = [paper.x(time), paper.y(value)];
+  const text = `${highest.entry.label} ${shown(value, digitsOf(unit))} ${unit} at ${shown(time, 2)} s`;
+  const isRight = x + LETTER * text.length > area.right;
+  const place = {
+    x: x + (isRight ? -7 : 7),
+    y: y - 5,
+    "text-anchor": isRight ? "end" : "start",
+    class: "gl-peak-name",
+  };
+  return [svg("circle", { cx: x, cy: y, r: 3, class: "gl-peak" }), svg("text", place, text)];
+}
