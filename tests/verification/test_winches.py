@@ -51,6 +51,12 @@ def speed(run: Run) -> Floats:
     return -run.body("load", "body_velocity")[:, 2]
 
 
+def slipping(run: Run) -> list[tuple[float, str]]:
+    """When the drum stopped following its drive, and when it did again."""
+    kinds = ("drum_slips", "drum_holds")
+    return sorted((time, kind) for kind in kinds for time, name in run.events(kind) if name == "drum")
+
+
 def slope(run: Run, start: float, stop: float) -> float:
     within = (run.time > start) & (run.time < stop)
     return float(np.polyfit(run.time[within], speed(run)[within], 1)[0])
@@ -67,6 +73,7 @@ def test_a_motor_that_is_strong_enough_follows_its_drive() -> None:
     assert np.abs(strong.tension("fall") - prescribed.tension("fall")).max() < 1e-6 * WEIGHT
     # Rope that pays out at the strain with which it was wound does not slip on the drum.
     assert abs(strong.energy("friction")[-1]) < 1e-9
+    assert slipping(strong) == []
 
 
 def test_a_motor_that_is_too_weak_lets_the_load_down() -> None:
@@ -94,6 +101,11 @@ def test_a_motor_at_its_limit_needs_its_time_to_come_to_speed() -> None:
     # In 0.1 s of the ramp the drive runs away; the flow meets its speed after v/a.
     at_speed = run.time[speed(run) < -1.0 + 1e-6][0]
     assert at_speed == pytest.approx(1.0 + 1.0 / expected, abs=0.03)
+    # It slips as soon as the ramp asks for more, and that is told, till then.
+    (begin, first), (end, last) = slipping(run)[:1] + slipping(run)[-1:]
+    assert (first, last) == ("drum_slips", "drum_holds")
+    assert 1.0 <= begin < 1.1
+    assert end == pytest.approx(at_speed, abs=0.03)
     # Rope winds up as it is, stretched: the load goes as fast as the rim. Ringing has 2e-9 m/s left.
     assert speed(run)[-1] == pytest.approx(-1.0, abs=5e-9)
 
@@ -103,6 +115,7 @@ def test_power_limits_the_speed_of_hoisting() -> None:
     run = winch([(1.0, 2.0, -1.0)], 12.0, capacity=2.0 * WEIGHT, power=0.5 * WEIGHT)
     # P = m g v.
     assert speed(run)[-1] == pytest.approx(-0.5, rel=5e-6)
+    assert slipping(run)[-1][1] == "drum_slips"
     # Lowering takes no power of the motor.
     lowered = winch([(1.0, 2.0, 1.0)], 6.0, capacity=2.0 * WEIGHT, power=0.5 * WEIGHT)
     assert speed(lowered)[-1] == pytest.approx(1.0, abs=1e-9)

@@ -314,7 +314,9 @@ impl Simulation {
             | EventKind::StopHit
             | EventKind::StopLeft
             | EventKind::PinPulled
-            | EventKind::PinPutIn => self.system.constraints[event.subject].name().to_owned(),
+            | EventKind::PinPutIn
+            | EventKind::DrumSlips
+            | EventKind::DrumHolds => self.system.constraints[event.subject].name().to_owned(),
             EventKind::LiftOff | EventKind::SetDown => self.system.groups[event.subject].name.clone(),
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => self.system.sheave_name(event.subject),
             EventKind::Flooding | EventKind::Surfacing => self.system.marks[event.subject].name.clone(),

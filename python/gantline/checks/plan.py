@@ -1,4 +1,4 @@
-"""Whether a run got through its plan."""
+"""Whether a run got through its plan, and its hoists followed it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from gantline.checks.check import PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
 from gantline.results import progress
 from gantline.results.recording import Recording
+
+#: Motors that pull all they can for longer are told [s]; at starts and stops that is nothing.
+_LONG = 1.0
 
 
 def unfinished(recording: Recording) -> Check | None:
@@ -21,3 +24,24 @@ def unfinished(recording: Recording) -> Check | None:
         "all steps of the plan within the run",
         remark=f"the run ends at {recording.time[-1]:.4g} s{at}{not_begun}",
     )
+
+
+def fell_behind(recording: Recording) -> list[Check]:
+    """A warning for each hoist whose motor or brake pulled all it could while its drum did not follow."""
+    hoists = [drum.name for drum in recording.rig.drums if drum.paid_out < 0.0]
+    checks = []
+    for drum in hoists:
+        since, longest, at = None, 0.0, 0.0
+        events = [event for event in recording.events() if event[2] == drum]
+        for time, kind, _ in [*events, (float(recording.time[-1]), "drum_holds", drum)]:
+            if kind == "drum_slips":
+                since = time
+            elif kind == "drum_holds" and since is not None:
+                if time - since > longest:
+                    longest, at = time - since, since
+                since = None
+        if longest > _LONG:
+            remark = f"from {at:.4g} s on for {longest:.3g} s motor or brake pull all they can"
+            meaning = "drums of hoists follow the plan"
+            checks.append(Check("hoist_follows", Verdict.WARNING, meaning, element=drum, remark=remark))
+    return checks

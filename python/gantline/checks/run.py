@@ -11,7 +11,7 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
-from gantline.checks.plan import unfinished
+from gantline.checks.plan import fell_behind, unfinished
 from gantline.results import series
 from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
@@ -29,8 +29,8 @@ def check_recording(recording: Recording) -> list[Check]:
     Returns:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
-        check for each requirement of a step; one that failed for each rope that parted; and a warning where
-        the run ends before its plan.
+        check for each requirement of a step; one that failed for each rope that parted; and a warning for
+        each hoist that fell behind, and where the run ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -48,6 +48,7 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
+    every += fell_behind(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every]

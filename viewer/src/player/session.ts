@@ -19,6 +19,7 @@ const NOTABLE = [
   "stop_hit",
   "pin_pulled",
   "pin_put_in",
+  "drum_slips",
   "tipping",
 ];
 

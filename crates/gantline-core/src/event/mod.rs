@@ -40,6 +40,10 @@ pub enum EventKind {
     PinPulled,
     /// A locking pin has been put in.
     PinPutIn,
+    /// A motor, or the brake in its place, pulls all it can, and its drum does not follow its drive.
+    DrumSlips,
+    /// It follows again.
+    DrumHolds,
     /// A deck's edge or an opening of a vessel goes under water.
     Flooding,
     /// It comes out again.
@@ -76,6 +80,8 @@ impl EventKind {
             Self::StopLeft => "stop_left",
             Self::PinPulled => "pin_pulled",
             Self::PinPutIn => "pin_put_in",
+            Self::DrumSlips => "drum_slips",
+            Self::DrumHolds => "drum_holds",
             Self::Flooding => "flooding",
             Self::Surfacing => "surfacing",
             Self::Capsized => "capsized",

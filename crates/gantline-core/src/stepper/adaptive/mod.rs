@@ -116,6 +116,8 @@ pub struct Adaptive {
     unwound: Vec<Winding>,
     /// Which inextensible ropes acted before modes changed, by [`System::rigid`].
     taut: Vec<bool>,
+    /// Which motors slipped when that was looked at last, by [`System::motors`].
+    slipping: Vec<bool>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
     /// Share of the last computed step that was made.
@@ -153,6 +155,7 @@ impl Adaptive {
             crossings: vec![0.0; system.sheaves.len()],
             paid: vec![Paid::default(); system.coils.len()],
             taut: Vec::with_capacity(system.rigid.len()),
+            slipping: Vec::with_capacity(system.motors.len()),
             current: false,
             made: 1.0,
         }
@@ -197,6 +200,7 @@ impl Adaptive {
         until: f64,
     ) -> Result<StepReport, StepError> {
         let mut report = StepReport { converged: true, ..StepReport::default() };
+        self.note_slipping(system, state);
         flows::supports(system, &state.tension, &mut self.support);
         let soon = state.time + 1e-12 * (1.0 + state.time);
         flows::advance_plan(system, state, frame, (soon, &self.support), log);
@@ -204,6 +208,7 @@ impl Adaptive {
         state.restart |= removing::remove(system, state, frame, soon, log);
         state.restart |= pinning::act(system, state, frame, log)?;
         self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;
+        self.log_slipping(system, state, log);
         let due = parting::next_cut(system, soon).min(removing::next_removal(system, soon));
         let stop = state.plan.next_time(&system.plan, soon).min(due).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };
@@ -248,6 +253,7 @@ impl Adaptive {
         state.next_step = h * stretch;
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
             .map_err(|pivot| self.singular(system, state, pivot))?;
+        self.log_slipping(system, state, log);
         // Rope over light sheaves and on drums, and what slides, is evaluated anew from what the state knows, as after a
         // restore: the same bytes.
         let slides = system.friction.iter().any(|&row| state.modes[row] == Mode::Slipping);

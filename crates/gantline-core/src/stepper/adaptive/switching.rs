@@ -317,6 +317,23 @@ impl Adaptive {
         any
     }
 
+    /// Keeps which motors do not follow their drives.
+    pub(super) fn note_slipping(&mut self, system: &System, state: &State) {
+        self.slipping.clear();
+        self.slipping.extend(system.motors.iter().map(|&(row, _)| state.modes[row] == Mode::Slipping));
+    }
+
+    /// Logs those that have begun to slip, or to follow again, since they were kept.
+    pub(super) fn log_slipping(&mut self, system: &System, state: &State, log: &mut EventLog) {
+        for (&(row, _), slipped) in system.motors.iter().zip(&mut self.slipping) {
+            let slips = state.modes[row] == Mode::Slipping;
+            if slips != std::mem::replace(slipped, slips) {
+                let kind = if slips { EventKind::DrumSlips } else { EventKind::DrumHolds };
+                log.push(state.time, kind, system.constraint_index(row));
+            }
+        }
+    }
+
     /// True for a slack inextensible rope that is at its length and not about to be pulled: one that rounding, or
     /// another rope that is let go in the same moment, has put there.
     fn loosens(&self, system: &System, state: &State, row: usize) -> bool {
