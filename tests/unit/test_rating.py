@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from pydantic import ValidationError
 
+from gantline.assembly import assemble
 from gantline.checks.check import Check, Verdict
 from gantline.checks.run import check_recording
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.rule_data import several_cranes
+from gantline.scenario import parse_scenario
 from gantline.scenario.rating import Rating
 from gantline.scenario.tree import ListNode, MapNode, TextNode
 from rated_lift import RADII, RATED, T, recording
+
+FLOATING_CRANE = Path(__file__).resolve().parents[2] / "scenarios" / "floating_crane" / "scenario.yaml"
 
 
 def node(text: str | list[str]) -> Any:
@@ -158,3 +163,21 @@ def test_what_is_no_table_is_refused(given: dict[str, Any], words: str) -> None:
     with pytest.raises(ValidationError) as refused:
         rating(**given)
     assert words in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("at_50", "warnings"),
+    [
+        ("1900 t", []),
+        (
+            "2500 t",
+            [
+                "the rating chart of fc has 2500.0 t at 50.0 deg and only 2400.0 t at 55.0 deg, nearer by; "
+                "charts fall outwards"
+            ],
+        ),
+    ],
+)
+def test_a_chart_that_rises_outwards_is_told(at_50: str, warnings: list[str]) -> None:
+    text = FLOATING_CRANE.read_text(encoding="utf-8").replace("1900 t", at_50)
+    assert [one for one in assemble(parse_scenario(text)).warnings if "chart" in one] == warnings

@@ -355,7 +355,9 @@ def test_pictures_show_its_stages(recording: Recording) -> None:
         left, right = panel.get_xlim()
         # The vessel, 30 m astern of its place, to the far side of the load.
         assert left < -136 and right > 61 and right - left < 240
-        lines = [np.asarray(line.get_xydata()) for line in panel.lines]
+        # The bar of lengths lies below the panel, at no place of the lift.
+        within = [line for line in panel.lines if line.get_transform() == panel.transData]
+        lines = [np.asarray(line.get_xydata()) for line in within]
         surfaces = [line for line in lines if len(line) and np.all(line[:, 1] == 0.0)]
         assert [(line[:, 0].min(), line[:, 0].max()) for line in surfaces] == [(left, 12.0)]
 

@@ -23,9 +23,11 @@ from gantline.scenario.crane import FixedHook
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
 from gantline.scenario.limits import Rules
+from gantline.scenario.rating import Rating
 from gantline.scenario.reeving import hoist_drum
+from gantline.units import format_quantity
 
-__all__ = ["bends", "limits_and_rules", "rating_charts", "ratings"]
+__all__ = ["bends", "doubtful_charts", "limits_and_rules", "rating_charts", "ratings"]
 
 #: Largest fleet angle where the lift file names none [rad]: 4 deg (1 : 15), by the notes on section 20 of
 #: DGUV Vorschrift 54; `docs/concepts/sheave.md` has more rules.
@@ -141,6 +143,22 @@ def rating_charts(scenario: Scenario) -> list[Json]:
             }
         )
     return found
+
+
+def doubtful_charts(scenario: Scenario) -> list[str]:
+    """A sentence for each rating chart by which more may hang farther out."""
+    doubts = []
+    for name, crane in (scenario.cranes or {}).items():
+        chart: Rating | None = getattr(crane, "rating", None)
+        if chart is not None and chart.rises is not None:
+            unit = "deg" if chart.over == "angle" else "m"
+            near, far = (
+                f"{format_quantity(mass, 't', 1)} at {format_quantity(place, unit, 1)}"
+                for place, mass in chart.rises
+            )
+            sentence = f"the rating chart of {name} has {far} and only {near}, nearer by"
+            doubts.append(f"{sentence}; charts fall outwards")
+    return doubts
 
 
 def _rating(name: str, level: str, hooks: tuple[str, ...], rated: Any, gravity: float) -> Json:

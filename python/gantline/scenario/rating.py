@@ -63,6 +63,12 @@ class Rating(Element):
         """Radius or outreach [m] or angle [rad], and what may hang there [kg], places rising."""
         return sorted(zip(getattr(self, self.over), self.rated, strict=True))
 
+    @property
+    def rises(self) -> tuple[tuple[float, float], tuple[float, float]] | None:
+        """Two rows next to each other of which that farther out is rated for more; None if there are none."""
+        outwards = self.rows[::-1] if self.over == "angle" else self.rows
+        return next(((near, far) for near, far in pairwise(outwards) if far[1] > near[1]), None)
+
     @model_validator(mode="after")
     def _is_a_table(self) -> Rating:
         given = [key for key in _BY if getattr(self, key) is not None]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -28,14 +28,16 @@ class Row:
     Attributes:
         value: What it is.
         change: Its derivative over each parameter, shape (parameter,).
+        name: What it is, in words.
     """
 
     value: float
     change: Floats
+    name: str
 
     def minus(self, wanted: float) -> Row:
         """By how much it is more than wanted."""
-        return Row(self.value - wanted, self.change)
+        return replace(self, value=self.value - wanted)
 
 
 class Hanging:
@@ -83,13 +85,13 @@ class Hanging:
         level = ahead[0] ** 2 + ahead[1] ** 2
         moved = [np.cross(one.of_body(self.load.body)[3:], ahead) for one in self._answers]
         change = [(ahead[0] * way[1] - ahead[1] * way[0]) / level for way in moved]
-        return Row(math.atan2(ahead[1], ahead[0]), np.array(change))
+        return Row(math.atan2(ahead[1], ahead[0]), np.array(change), "heading [rad]")
 
     def place(self, axis: int) -> Row:
         """Where the load's centre of gravity is along an axis of the world [m]."""
         at = self.rest.recording.column("body_position", self.load.body)[-1]
         change = [one.of_body(self.load.body)[axis] for one in self._answers]
-        return Row(float(at[axis]), np.array(change))
+        return Row(float(at[axis]), np.array(change), f"the place along {'xyz'[axis]}")
 
     def share(self, sling: Sling) -> Row:
         """Vertical force of a sling over that of all slings [1]."""
@@ -98,7 +100,7 @@ class Hanging:
         all_changes = sum((change[:, 2] for _, change in pulls), start=np.zeros(len(self._answers)))
         value, change = self._pull(sling)
         share = float(value[2] / all_of_them)
-        return Row(share, (change[:, 2] - share * all_changes) / all_of_them)
+        return Row(share, (change[:, 2] - share * all_changes) / all_of_them, f"the share of {sling.name}")
 
     def side_pull(self, hook: str) -> tuple[Row, Row]:
         """Horizontal over vertical force of what hangs in a hook on it [1], along world x and y."""
@@ -108,7 +110,8 @@ class Hanging:
         # From the slings on the hook: against the way that a sling goes up.
         rows = [
             Row(-float(value[axis] / value[2]),
-                -(change[:, axis] - value[axis] / value[2] * change[:, 2]) / value[2])
+                -(change[:, axis] - value[axis] / value[2] * change[:, 2]) / value[2],
+                f"the side pull on {hook} along {'xy'[axis]}")
             for axis in (0, 1)
         ]  # fmt: skip
         return rows[0], rows[1]
@@ -150,7 +153,9 @@ class Hanging:
         own = self._axes[:, axis]
         cosine = math.sqrt(max(1.0 - own[2] ** 2, np.finfo(float).tiny))
         turned = [np.cross(one.of_body(self.load.body)[3:], own)[2] / cosine for one in self._answers]
-        return Row(math.asin(min(max(own[2], -1.0), 1.0)), np.array(turned))
+        return Row(
+            math.asin(min(max(own[2], -1.0), 1.0)), np.array(turned), f"the slope along {'xy'[axis]} [rad]"
+        )
 
     def _pull(self, sling: Sling) -> tuple[Floats, Floats]:
         """Force of a sling on its lower end [N], shape (3,), and its derivatives, shape (parameter, 3)."""

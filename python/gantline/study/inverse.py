@@ -191,7 +191,7 @@ def plumb_hooks(
         stood = _stood(hanging)
         if stood is not None:
             drift = [hanging.place(axis).minus(stood[axis]) for axis in (0, 1)]
-            found += [Row(row.value / _HEIGHT, row.change / _HEIGHT) for row in drift]
+            found += [replace(row, value=row.value / _HEIGHT, change=row.change / _HEIGHT) for row in drift]
             if len(used) > 1:
                 row = hanging.heading()
                 found.append(replace(row, value=math.remainder(row.value - stood[2], math.tau)))

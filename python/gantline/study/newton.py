@@ -195,7 +195,8 @@ class Search:
             raise CannotBeError(self._too_far(self._unknowns[worst], float(changes[worst])))
 
     def _left(self) -> str:
-        return f"{self.now.residual:.2g} is left of slope or heading [rad], or share"
+        worst = max(self.now.rows, key=lambda row: abs(row.value))
+        return f"{abs(worst.value):.2g} is left of {worst.name}"
 
     def _no_effect(self, slope: Floats, value: Floats) -> str:
         worst = int(np.argmax(np.abs(value)))
