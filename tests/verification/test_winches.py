@@ -105,7 +105,8 @@ def test_a_motor_at_its_limit_needs_its_time_to_come_to_speed() -> None:
     (begin, first), (end, last) = slipping(run)[:1] + slipping(run)[-1:]
     assert (first, last) == ("drum_slips", "drum_holds")
     assert 1.0 <= begin < 1.1
-    assert end == pytest.approx(at_speed, abs=0.03)
+    # The rope rings with millimetres a second about that: 3e-7 s were found.
+    assert end == pytest.approx(1.0 + 1.0 / expected, abs=1e-5)
     # Rope winds up as it is, stretched: the load goes as fast as the rim. Ringing has 2e-9 m/s left.
     assert speed(run)[-1] == pytest.approx(-1.0, abs=5e-9)
 

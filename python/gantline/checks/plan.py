@@ -7,7 +7,7 @@ from gantline.checks.measure import named
 from gantline.results import progress
 from gantline.results.recording import Recording
 
-#: Motors that pull all they can for longer are told [s]; at starts and stops that is nothing.
+#: Motors that pull all they can for longer in all are told [s]; at starts and stops that is nothing.
 _LONG = 1.0
 
 
@@ -31,17 +31,15 @@ def fell_behind(recording: Recording) -> list[Check]:
     hoists = [drum.name for drum in recording.rig.drums if drum.paid_out < 0.0]
     checks = []
     for drum in hoists:
-        since, longest, at = None, 0.0, 0.0
-        events = [event for event in recording.events() if event[2] == drum]
-        for time, kind, _ in [*events, (float(recording.time[-1]), "drum_holds", drum)]:
-            if kind == "drum_slips":
-                since = time
-            elif kind == "drum_holds" and since is not None:
-                if time - since > longest:
-                    longest, at = time - since, since
-                since = None
-        if longest > _LONG:
-            remark = f"from {at:.4g} s on for {longest:.3g} s motor or brake pull all they can"
+        begins = [time for time, _, name in recording.events("drum_slips") if name == drum]
+        if not begins:
+            continue
+        ends = [time for time, _, name in recording.events("drum_holds") if name == drum]
+        # One that slips at the end of the run has not come to hold again.
+        ends += [float(recording.time[-1])] * (len(begins) - len(ends))
+        lasted = sum(ends) - sum(begins)
+        if lasted > _LONG:
+            remark = f"from {begins[0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
             meaning = "drums of hoists follow the plan"
             checks.append(Check("hoist_follows", Verdict.WARNING, meaning, element=drum, remark=remark))
     return checks

@@ -163,9 +163,9 @@ def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | N
     Returns:
         The mean, in the unit of `values`, None if the loads never hung still; and its quiet window.
     """
-    window = quiet_window(recording)
+    *before_that, window = quiet_windows(recording) or [quiet_window(recording)]
     static = static_value(recording, values, window)
-    for earlier in quiet_windows(recording)[:-1]:
+    for earlier in before_that:
         before = static_value(recording, values, earlier)
         if static is not None and before is not None and before > static * _CARRIED_MORE:
             static, window = before, earlier
