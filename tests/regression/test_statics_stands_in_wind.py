@@ -44,7 +44,7 @@ def test_it_leans_at_the_end_of_the_plan() -> None:
 
 
 def test_held_by_friction_it_stands_where_it_is_given() -> None:
-    """564 N of wind against 196 kN of friction: the springs of four corners on the ground give by a micron."""
+    """564 N of wind against 196 kN of friction: the springs of four corners give by a micron."""
     rest = Statics(lift()).equilibrium(0.0, losses="held")
     names = [str(name) for name in rest.recording.dataset["body"].values]
     centre = rest.recording.dataset["body_position"].values[-1, names.index("module")]
