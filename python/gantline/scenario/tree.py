@@ -7,6 +7,7 @@ are met, before anything could be multiplied, and nesting is bounded without rec
 
 from __future__ import annotations
 
+import re
 import stat
 from pathlib import Path
 from typing import Any, Final
@@ -33,6 +34,8 @@ __all__ = ["LARGEST_FILE", "ListNode", "MapNode", "Node", "TextNode", "line_of",
 #: Largest lift file that is read [byte].
 LARGEST_FILE: Final = 5_000_000
 _DEEPEST: Final = 32
+#: What the reader refuses as it stands comes by an escape of quoted text, and no file could be written with it.
+_NO_TEXT: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 _YAML_TAG: Final = "tag:yaml.org,2002:"
 _TYPES: Final = " (equalizer_types and sling_defaults say once what many share)"
 
@@ -211,6 +214,9 @@ class _Builder:
         if isinstance(event, ScalarEvent):
             text = TextNode(event.value)
             text.line = line
+            if found := _NO_TEXT.search(text):
+                sentence = f"the escape of U+{ord(found[0]):04X} is not allowed, which is no character of a text"
+                raise self._stop(line, f"{sentence}; write the text itself")
             if self.stack and isinstance(self.stack[-1], MapNode) and self.keys[-1] is None:
                 self._key(text)
                 return
