@@ -77,8 +77,12 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none.
+            ValueError: If the time is not one of the lift.
         """
-        moment = self.scenario.duration if time is None else time
+        duration = self.scenario.duration
+        moment = duration if time is None else time
+        if not 0.0 <= moment <= duration:
+            raise ValueError(f"time: {moment:g} s is no time of the lift, which lasts from 0 s to {duration:g} s")
         start = None if increment is None else list(increment)
         way = None if slide is None else [float(part) for part in slide]
         try:
