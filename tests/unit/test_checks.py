@@ -17,6 +17,7 @@ from gantline.checks import (
     verdict_of,
 )
 from gantline.results.recording import Recording
+from gantline.results.rig import Step
 from sample_lift import WEIGHT, ringing_lift, sample_recording, sample_rig
 
 HIGHEST = 600e3 + 100e3 * math.sin(2 * math.pi * 0.24)
@@ -323,10 +324,10 @@ def test_a_requirement_of_a_step_that_did_not_end_is_not_checked() -> None:
 
 def test_the_end_of_a_step_is_its_last_sample() -> None:
     recording = ringing_lift()
-    mask = end_of_step(recording, "hoist")
+    mask = end_of_step(recording, Step("hoist"))
     assert mask is not None
     assert recording.time[mask] == [20.0]
-    assert end_of_step(recording, "lower") is None
+    assert end_of_step(recording, Step("lower")) is None
 
 
 def test_values_read_in_the_units_of_people() -> None:

@@ -245,6 +245,7 @@ def _step(scenario: Scenario, step: Any) -> Json:
     return {
         "step": step.step,
         "kind": kind,
+        "hold_until": _held_until(step) if isinstance(step, HoldStep) else "",
         "drives": moved_drives(scenario, step),
         "report": list(step.report),
         "require": require,
@@ -253,6 +254,11 @@ def _step(scenario: Scenario, step: Any) -> Json:
         "pull_pins": list(step.pull_pins),
         "put_in_pins": list(step.put_in_pins),
     }
+
+
+def _held_until(step: HoldStep) -> str:
+    """What a hold without a length lasts until, `end` of the run or a condition is `met`."""
+    return step.hold.removeprefix("until_") if isinstance(step.hold, str) else ""
 
 
 def _pumped(scenario: Scenario, step: Any) -> Json:

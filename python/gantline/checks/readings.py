@@ -67,7 +67,7 @@ class HookReading:
 def hold_points(recording: Recording) -> Iterator[HoldPoint]:
     """Every step of the plan that holds or reports and has ended, in the order of the plan."""
     for step in recording.rig.plan:
-        at = end_of_step(recording, step.step) if step.report or step.kind == "hold" else None
+        at = end_of_step(recording, step) if step.report or step.kind == "hold" else None
         if at is not None:
             yield HoldPoint(step, float(recording.time[int(np.argmax(at))]), at)
 

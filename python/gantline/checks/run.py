@@ -10,9 +10,10 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
+from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.plan import fell_behind, unfinished
-from gantline.results import series
+from gantline.results import progress, series
 from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
@@ -30,7 +31,7 @@ def check_recording(recording: Recording) -> list[Check]:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted; and a warning for
-        each hoist that fell behind, and where the run ends before its plan.
+        each hoist that fell behind, where slings run through a load, and where the run ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -48,7 +49,7 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording)
+    every += fell_behind(recording) + run_through(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every]
@@ -199,7 +200,7 @@ def _check_requirement(recording: Recording, step: Step, key: str, side: str, li
         digits=measure.digits,
         step=step.step,
     )
-    during = end_of_step(recording, step.step)
+    during = end_of_step(recording, step)
     if during is None:
         return replace(check, remark="the recording ends before this step does")
     found = _look(sided, recording, during)
@@ -220,20 +221,20 @@ def _parted(parting: Parting) -> Check:
     )
 
 
-def end_of_step(recording: Recording, step: str) -> BoolArray | None:
+def end_of_step(recording: Recording, step: Step) -> BoolArray | None:
     """The last sample of a step of the plan.
 
     Args:
         recording: Any recording.
-        step: Name of the step.
+        step: The step.
 
     Returns:
         Mask with that one sample; None if the step did not end within the recording.
     """
-    ends = [time for time, _, name in recording.events("step_end") if name == step]
-    if not ends or not len(recording.time):
+    end = progress.end_of_step(recording, step)
+    if end is None or not len(recording.time):
         return None
-    last = max(0, int(np.searchsorted(recording.time, ends[0], side="right")) - 1)
+    last = max(0, int(np.searchsorted(recording.time, end, side="right")) - 1)
     mask = np.zeros(len(recording.time), dtype=np.bool_)
     mask[last] = True
     return mask

@@ -15,8 +15,9 @@ from typing import Any
 import numpy as np
 
 from gantline.export.glb import Document
-from gantline.export.surroundings import Indices, box_faces, surroundings
+from gantline.export.surroundings import surroundings
 from gantline.results.recording import Recording
+from gantline.results.solids import Indices, solid_of
 from gantline.results.variable import FloatArray
 from gantline.viewer.decimate import Places, frames
 from gantline.viewer.shapes import vector
@@ -48,7 +49,6 @@ _OPACITY = {
     "quay": 0.35,
     "water": 0.45,
 }  # ropes and sheaves run inside of frames, hulls lie in water
-_CORNERS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64) / 2
 
 
 def gltf_binary(recording: Recording) -> bytes:
@@ -136,24 +136,6 @@ def _continuous(turns: FloatArray) -> FloatArray:
     signs = np.concatenate([[1.0], np.cumprod(np.where(along < 0.0, -1.0, 1.0))])
     unit: FloatArray = turns * signs[:, None] / np.linalg.norm(turns, axis=1, keepdims=True)
     return unit
-
-
-def solid_of(shape: Mapping[str, Any] | None) -> tuple[FloatArray, Indices] | None:
-    """Vertices and triangles of a shape; None for one that is not known, or a bare set of points."""
-    kind = (shape or {}).get("type")
-    if shape is None or kind not in ("box", "boxes", "mesh"):
-        return None
-    if kind == "mesh":
-        vertices = np.asarray(shape["vertices"], dtype=np.float64)
-        faces = np.asarray(shape.get("triangles", shape.get("faces")), dtype=np.int64)
-        if not np.isfinite(vertices).all() or not 0 <= faces.min(initial=0) <= faces.max(initial=0) < len(
-            vertices
-        ):
-            raise ValueError("a mesh of the scene has no finite vertices, or faces without them")
-        return vertices, faces
-    boxes = shape["boxes"] if kind == "boxes" else [shape]
-    corners = [np.asarray(vector(box.get("centre"))) + _CORNERS * vector(box["size"]) for box in boxes]
-    return np.concatenate(corners), box_faces(len(boxes))
 
 
 def _sheaves(

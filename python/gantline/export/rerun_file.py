@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from gantline.export.gltf import solid_of
 from gantline.export.surroundings import surroundings
 from gantline.results.recording import Recording
+from gantline.results.solids import solid_of
 from gantline.results.variable import FloatArray
 from gantline.viewer.curves import curves
 from gantline.viewer.decimate import Places, frames, peaks

@@ -7,22 +7,14 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-import numpy.typing as npt
 
 from gantline.results.recording import Recording
+from gantline.results.solids import Indices, box_faces
 from gantline.results.surroundings import Ground, Hole, ground_of, is_cut, structures_of, water_level
 from gantline.results.variable import FloatArray
 from gantline.viewer.decimate import Places
 
-Indices = npt.NDArray[np.int64]
-
 _AROUND = 0.4  # of the lift's largest side, by which ground and water reach beyond it
-_BOX: Indices = np.array(
-    [
-        *[(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1)],
-        *[(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)],
-    ]
-)
 _SQUARE: Indices = np.array([(0, 1, 2), (0, 2, 3)])
 
 
@@ -90,11 +82,6 @@ def _within(
     """What a window shows of a hole: its sides along x and y [m]."""
     (x0, x1), (y0, y1) = hole.x, hole.y
     return (max(x0, x[0]), min(x1, x[1])), (max(y0, y[0]), min(y1, y[1]))
-
-
-def box_faces(count: int) -> Indices:
-    """Triangles of boxes whose corners follow each other, eight of each, x slowest, z fastest; outwards."""
-    return np.concatenate([_BOX + 8 * place for place in range(count)])
 
 
 def _window(recording: Recording, standing: list[FloatArray]) -> tuple[tuple[float, float], ...]:

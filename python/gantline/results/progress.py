@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gantline.results.recording import Recording
+from gantline.results.rig import Step
 
-__all__ = ["Stretch", "Unfinished", "stretches", "unfinished"]
+__all__ = ["Stretch", "Unfinished", "end_of_step", "stretches", "unfinished"]
 
 #: Between the names of steps that go side by side.
 _BESIDE = " + "
@@ -70,14 +71,28 @@ def stretches(recording: Recording) -> list[Stretch]:
     return found
 
 
+def end_of_step(recording: Recording, step: Step) -> float | None:
+    """When a step of the plan ended [s]; None if it did not within the recording.
+
+    One that holds until the end of the run ends with a run that was done.
+    """
+    ends = [time for time, _, name in recording.events("step_end") if name == step.step]
+    if ends:
+        return ends[0]
+    begun = any(name == step.step for _, _, name in recording.events("step_begin"))
+    is_over = recording.attributes.get("status") == "done" and len(recording.time) > 0
+    return float(recording.time[-1]) if begun and is_over and step.hold_until == "end" else None
+
+
 def unfinished(recording: Recording) -> Unfinished | None:
     """What is left of the plan at the end of a run; None if nothing is.
 
-    A hold that is under way has nothing left to do; any other step has.
+    A hold that is under way has nothing left to do, unless it waits for a condition; any other step has.
     """
     begun = {name for _, _, name in recording.events("step_begin")}
     ended = {name for _, _, name in recording.events("step_end")}
     plan = recording.rig.plan
     left = tuple(step.step for step in plan if step.step not in begun)
-    under_way = tuple(step.step for step in plan if step.step in begun - ended and step.kind != "hold")
+    has_more = {step.step for step in plan if step.kind != "hold" or step.hold_until == "met"}
+    under_way = tuple(step.step for step in plan if step.step in (begun - ended) & has_more)
     return Unfinished(under_way, left) if (left or under_way) and len(recording.time) else None

@@ -132,6 +132,7 @@ class Step(FromJson):
     Attributes:
         step: Its name.
         kind: What it does: `hoist`, `hold`, ...
+        hold_until: What a hold without a length lasts until: `end` of the run, or a condition is `met`.
         report: Quantities to be read off at its end.
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
         tanks: Tanks that it pumps.
@@ -142,6 +143,7 @@ class Step(FromJson):
 
     step: str
     kind: str = ""
+    hold_until: str = ""
     speed: float | None = None
     pull_pins: Sequence[str] = ()
     put_in_pins: Sequence[str] = ()

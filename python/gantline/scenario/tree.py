@@ -34,7 +34,7 @@ __all__ = ["LARGEST_FILE", "ListNode", "MapNode", "Node", "TextNode", "line_of",
 #: Largest lift file that is read [byte].
 LARGEST_FILE: Final = 5_000_000
 _DEEPEST: Final = 32
-#: What the reader refuses as it stands comes by an escape of quoted text, and no file could be written with it.
+#: What the reader refuses as it stands comes by an escape of quoted text; no file can be written with it.
 _NO_TEXT: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 _YAML_TAG: Final = "tag:yaml.org,2002:"
 _TYPES: Final = " (equalizer_types and sling_defaults say once what many share)"
@@ -215,8 +215,9 @@ class _Builder:
             text = TextNode(event.value)
             text.line = line
             if found := _NO_TEXT.search(text):
-                sentence = f"the escape of U+{ord(found[0]):04X} is not allowed, which is no character of a text"
-                raise self._stop(line, f"{sentence}; write the text itself")
+                escaped = f"the escape of U+{ord(found[0]):04X}"
+                sentence = f"{escaped} is not allowed, which is no character of a text; write the text itself"
+                raise self._stop(line, sentence)
             if self.stack and isinstance(self.stack[-1], MapNode) and self.keys[-1] is None:
                 self._key(text)
                 return

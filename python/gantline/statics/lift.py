@@ -22,6 +22,8 @@ from gantline.version import version
 
 #: What the core says of a body that nothing holds.
 _FALLS = "nothing holds it, it falls without end"
+#: What happens at the end of the lift is looked at so much later [s].
+_PAST = 1e-3
 #: Largest displacement of a mode that is shown, of any body's centre of gravity [m] or turn [rad].
 _SHOWN = 0.5
 
@@ -81,8 +83,9 @@ class Statics:
         """
         duration = self.scenario.duration
         moment = duration if time is None else time
-        if not 0.0 <= moment <= duration:
-            raise ValueError(f"time: {moment:g} s is no time of the lift, which lasts from 0 s to {duration:g} s")
+        if not 0.0 <= moment <= duration + _PAST:
+            lasts = f"which lasts from 0 s to {duration:g} s"
+            raise ValueError(f"time: {moment:g} s is no time of the lift, {lasts}")
         start = None if increment is None else list(increment)
         way = None if slide is None else [float(part) for part in slide]
         try:

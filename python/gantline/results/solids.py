@@ -1,0 +1,55 @@
+"""Shapes of a recording's scene as triangles."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.results.variable import FloatArray
+
+__all__ = ["Indices", "box_faces", "solid_of"]
+
+Indices = npt.NDArray[np.int64]
+
+_CORNERS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64) / 2
+_BOX: Indices = np.array(
+    [
+        *[(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1)],
+        *[(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)],
+    ]
+)
+
+
+def solid_of(shape: Mapping[str, Any] | None) -> tuple[FloatArray, Indices] | None:
+    """Vertices (n, 3) [m] and triangles (m, 3) of a shape, in the axes of its joint.
+
+    None for a shape that is not known, or a bare set of points.
+
+    Raises:
+        ValueError: If it is a mesh without finite vertices, or with faces of vertices that it has not.
+    """
+    kind = (shape or {}).get("type")
+    if shape is None or kind not in ("box", "boxes", "mesh"):
+        return None
+    if kind == "mesh":
+        vertices = np.asarray(shape["vertices"], dtype=np.float64)
+        faces = np.asarray(shape.get("triangles", shape.get("faces")), dtype=np.int64)
+        if not np.isfinite(vertices).all() or not 0 <= faces.min(initial=0) <= faces.max(initial=0) < len(
+            vertices
+        ):
+            raise ValueError("a mesh of the scene has no finite vertices, or faces without them")
+        return vertices, faces
+    boxes = shape["boxes"] if kind == "boxes" else [shape]
+    corners = [
+        np.asarray(box.get("centre") or np.zeros(3), dtype=np.float64) + _CORNERS * np.asarray(box["size"])
+        for box in boxes
+    ]
+    return np.concatenate(corners), box_faces(len(boxes))
+
+
+def box_faces(count: int) -> Indices:
+    """Triangles of boxes whose corners follow each other, eight of each, x slowest, z fastest; outwards."""
+    return np.concatenate([_BOX + 8 * place for place in range(count)])

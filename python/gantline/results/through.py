@@ -1,0 +1,113 @@
+"""Ropes that run through what they lift: nothing in a simulation holds them off."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.rig import Load
+from gantline.results.rotation import axes
+from gantline.results.solids import solid_of
+from gantline.results.variable import FloatArray
+
+__all__ = ["Through", "slings_through_loads"]
+
+#: So far from its ends a sling is not looked at [m]: lugs stand in recesses, and shackles on the load's skin.
+_NEAR_ENDS = 1.0
+#: Samples at which a sling is looked at, at most: a load that turns is seen every few degrees.
+_LOOKS = 60
+
+
+@dataclass(frozen=True)
+class Through:
+    """A sling that carries and runs through its load.
+
+    Attributes:
+        sling: Its name.
+        load: Name of the load.
+        time: When it does so for the first time, as far as it was looked at [s].
+        at: Where it goes through the load's skin, from the nearer of its ends [m]; the farthest such place.
+    """
+
+    sling: str
+    load: str
+    time: float
+    at: float
+
+
+def slings_through_loads(recording: Recording) -> list[Through]:
+    """Slings that go through the skin of a load, as drawn, farther than 1 m from their ends.
+
+    A load that is not drawn as boxes or triangles has no skin. Slings that do not carry may lie anywhere, and
+    those whose distance to the load the lift file watches are judged by that.
+    """
+    bodies = {body["name"]: body for body in (recording.attributes.get("scene") or {}).get("bodies") or ()}
+    found = []
+    for load in recording.rig.loads:
+        skin = _skin(bodies.get(load.body))
+        for sling in recording.rig.slings if len(skin) else ():
+            if _is_watched(recording, load.name, sling.rope):
+                continue
+            seen = next(_looks(recording, load, sling.rope, skin), None)
+            if seen is not None:
+                found.append(Through(sling.name, load.name, *seen))
+    return found
+
+
+def _is_watched(recording: Recording, load: str, rope: str) -> bool:
+    names = {rope, "slings", "ropes"}
+    pairs = [set(watch.between) for watch in recording.rig.watches]
+    return any(load in pair and not names.isdisjoint(pair) for pair in pairs)
+
+
+def _looks(recording: Recording, load: Load, rope: str, skin: FloatArray) -> Iterator[tuple[float, float]]:
+    """Times at which a rope that carries goes through a skin [s], and how far from its ends [m]."""
+    carries = np.flatnonzero(series.is_carrying(recording.column("rope_tension", rope)))
+    if not len(carries):
+        return
+    columns = np.flatnonzero(recording["rope_of_point"].values == rope)
+    places = recording["rope_point"].values
+    position = recording.column("body_position", load.body)
+    orientation = recording.column("body_orientation", load.body)
+    picked = np.unique(carries[np.linspace(0, len(carries) - 1, _LOOKS).astype(int)])
+    for at in picked:
+        # World from body: rows times the matrix are components along the body's axes.
+        points = (places[at, columns] - position[at]) @ axes(orientation[at])
+        crossings = _crossings(points[:-1], points[1:], skin)
+        apart = np.linalg.norm(crossings[:, None] - points[[0, -1]], axis=-1).min(axis=1)
+        if apart.max(initial=0.0) > _NEAR_ENDS:
+            yield float(recording.time[at]), float(apart.max())
+
+
+def _crossings(first: FloatArray, last: FloatArray, skin: FloatArray) -> FloatArray:
+    """Points (n, 3) at which lines from `first` to `last` go through triangles; Moeller and Trumbore 1997."""
+    along = (last - first)[:, None]
+    corner, one, other = skin[:, 0], skin[:, 1] - skin[:, 0], skin[:, 2] - skin[:, 0]
+    across = np.cross(along, other)
+    volume = np.einsum("ijk,jk->ij", across, one)
+    off = first[:, None] - corner
+    turned = np.cross(off, one)
+    # Lines in the plane of a triangle touch it and do not go through.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        u = np.einsum("ijk,ijk->ij", across, off) / volume
+        v = np.einsum("ijk,ijk->ij", np.broadcast_to(along, turned.shape), turned) / volume
+        share = np.einsum("ijk,jk->ij", turned, other) / volume
+        inside = (u >= 0) & (v >= 0) & (u + v <= 1) & (share >= 0) & (share <= 1) & np.isfinite(share)
+    line, _ = np.nonzero(inside)
+    points: FloatArray = first[line] + share[inside][:, None] * (last - first)[line]
+    return points
+
+
+def _skin(body: Mapping[str, Any] | None) -> FloatArray:
+    """Triangles (n, 3, 3) of a drawn body from its centre of gravity on; none of one that has no solid."""
+    solid = None if body is None else solid_of(body.get("shape"))
+    if body is None or solid is None:
+        return np.empty((0, 3, 3))
+    vertices, faces = solid
+    skin: FloatArray = (vertices - np.asarray(body.get("centre_of_gravity") or np.zeros(3)))[faces]
+    return skin
