@@ -86,7 +86,7 @@ def assemble(scenario: Scenario) -> Assembly:
     lifted: LiftedLoad | None = None
     if scenario.load is not None:
         lifted = lifted_load(scenario, scenario.load, rigging)
-        add_load(parts, scenario, scenario.load, lifted)
+        add_load(parts, scenario, scenario.load, rigging, lifted)
         add_supports(parts, scenario, scenario.load, lifted)
         add_extension_sheaves(parts, scenario, rigging, lifted.lugs)
         add_slings(parts, scenario, rigging, lifted.lugs)

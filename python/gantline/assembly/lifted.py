@@ -28,6 +28,8 @@ from gantline.scenario.supports import supports_of
 
 __all__ = ["LiftedLoad", "add_load", "lifted_load"]
 
+#: Lugs that a warning names.
+_MOST_NAMED = 5
 #: A load may sink into the ground by this share of its height.
 _DEEPEST = 0.05
 
@@ -81,7 +83,7 @@ def lifted_load(scenario: Scenario, load: Load, rigging: Rigging) -> LiftedLoad:
     return LiftedLoad(mass, centre, inertia, corners, lugs, body)
 
 
-def add_load(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -> None:
+def add_load(parts: Parts, scenario: Scenario, load: Load, rigging: Rigging, lifted: LiftedLoad) -> None:
     """The load as a free body at its centre of gravity, its corners as contacts with the ground.
 
     Raises:
@@ -105,6 +107,11 @@ def add_load(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -
         mass=lifted.mass,
         inertia=inertia_list(lifted.inertia),
     )
+    used = {lug for sling in rigging.slings.values() for lug in sling.lugs}
+    free = [name for name in load.lugs if name not in used]
+    if used and free:
+        more = f" and {len(free) - _MOST_NAMED} more" if len(free) > _MOST_NAMED else ""
+        parts.warnings.append(f"no sling leads to lug {', '.join(free[:_MOST_NAMED])}{more}")
     ground = scenario.ground
     if ground is None or dock_of(scenario) is not None:
         return  # around a dock the ground is a body like others

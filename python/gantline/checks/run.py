@@ -31,7 +31,8 @@ def check_recording(recording: Recording) -> list[Check]:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted; and a warning for
-        each hoist that fell behind, where slings run through a load, and where the run ends before its plan.
+        each hoist that fell behind, where slings run through a load, where the
+        recording has warnings of its own, and where the run ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -49,7 +50,7 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording) + run_through(recording)
+    every += fell_behind(recording) + run_through(recording) + _told(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every]
@@ -219,6 +220,16 @@ def _parted(parting: Parting) -> Check:
         time=parting.time,
         remark=f"{parting.kind}, it carried {carried}",
     )
+
+
+def _told(recording: Recording) -> list[Check]:
+    """A warning where the recording has any: a verdict does not pass over them."""
+    warnings = recording.attributes.get("warnings") or []
+    if not warnings:
+        return []
+    more = f" and {len(warnings) - 1} more" if len(warnings) > 1 else ""
+    meaning = "lift file and run give no warning"
+    return [Check("no_warnings", Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
 
 
 def end_of_step(recording: Recording, step: Step) -> BoolArray | None:

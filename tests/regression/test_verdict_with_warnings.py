@@ -1,0 +1,44 @@
+"""Warnings of a lift that its verdict passed over.
+
+A sling that had been left out of the lift file, or a lug in mid-air, was GO as long as what was left held:
+the first was not told at all, the second by a line that the verdict did not know of.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+import gantline
+from four_slings import LIFT
+from gantline.checks import Verdict, check_recording, verdict_of
+from gantline.scenario import parse_scenario
+
+STRONG = LIFT.replace("13.2 t", "40 t").replace("46 t", "90 t")
+SLING = "  D: {from: crane, to: module.D, length: 8.6 m, rope: sling}\n"
+LEFT_OUT = STRONG.replace(SLING, "")
+IN_MID_AIR = STRONG.replace("D: {at: [ 2.5 m, -1.5 m, 3 m]", "D: {at: [ 2.5 m, -1.5 m, 4.5 m]").replace(
+    SLING, SLING.replace("8.6 m", "7.6 m")
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (LEFT_OUT, "no sling leads to lug D"),
+        (IN_MID_AIR, "lug D lies 1.5 m outside the load's box"),
+    ],
+    ids=["a sling left out", "a lug in mid-air"],
+)
+def test_a_lift_with_warnings_is_no_plain_go(text: str, told: str) -> None:
+    recording = gantline.simulate(parse_scenario(text))
+    assert recording.attributes["warnings"] == [told]
+    checks = check_recording(recording)
+    (found,) = (one for one in checks if one.name == "no_warnings")
+    assert (found.verdict, found.remark) == (Verdict.WARNING, told)
+    assert verdict_of(checks).startswith("GO WITH WARNINGS")
+
+
+def test_a_lift_without_warnings_is_go() -> None:
+    recording = gantline.simulate(parse_scenario(STRONG))
+    assert recording.attributes["warnings"] == []
+    assert verdict_of(check_recording(recording)).startswith("GO;")
