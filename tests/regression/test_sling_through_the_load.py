@@ -2,7 +2,7 @@
 
 A lug whose height was mistyped stood on the bottom of the load; the sling ran up through 3 m of the load,
 nothing in a simulation held it off, and the lift was GO. Who knew could `watch` slings and load; who
-mistypes does not know.
+mistypes does not know. A load whose height was mistyped reached over the hook from which it hung.
 """
 
 from __future__ import annotations
@@ -49,6 +49,12 @@ def test_a_sling_from_the_bottom_through_the_top_is_told() -> None:
 @pytest.mark.parametrize("height", [3.0, 2.2], ids=["on top", "in a recess"])
 def test_a_sling_from_the_top_is_not(height: float) -> None:
     assert told(checks_of(with_lug_at(height))) is None
+
+
+def test_slings_from_inside_of_the_load_are_told() -> None:
+    """A box of 30 m in place of 3: nothing goes through its skin, hook and slings are all inside."""
+    found = told(checks_of(LIFT.replace("box: [6 m, 4 m, 3 m]", "box: [6 m, 4 m, 30 m]")))
+    assert found is not None and found.remark == "A, B, C and 1 more hung from within or below 'module'"
 
 
 def test_whoever_watches_slings_and_load_has_said_what_may_be() -> None:

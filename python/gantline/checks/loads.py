@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from gantline.checks.check import Check, Verdict
@@ -32,8 +33,10 @@ def run_through(recording: Recording) -> list[Check]:
     found = slings_through_loads(recording)
     if not found:
         return []
-    worst = max(found, key=lambda one: one.at)
+    worst = max(found, key=lambda one: math.inf if one.at is None else one.at)
     slings = named(one.sling for one in found)
+    how = "hung from within or below" if worst.at is None else "through the skin of"
+    off = "" if worst.at is None else f", up to {worst.at:.2f} m from their ends"
     return [
         Check(
             "sling_outside_load",
@@ -41,6 +44,6 @@ def run_through(recording: Recording) -> list[Check]:
             "slings that carry stay outside of the load as drawn",
             element=worst.sling,
             time=worst.time,
-            remark=f"{slings} through the skin of '{worst.load}', up to {worst.at:.2f} m from their ends",
+            remark=f"{slings} {how} '{worst.load}'{off}",
         )
     ]

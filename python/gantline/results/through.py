@@ -1,4 +1,4 @@
-"""Ropes that run through what they lift: nothing in a simulation holds them off."""
+"""Slings that run through what they lift, or hang from inside of it; no simulation holds them off."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ __all__ = ["Through", "slings_through_loads"]
 
 #: So far from its ends a sling is not looked at [m]: lugs stand in recesses, and shackles on the load's skin.
 _NEAR_ENDS = 1.0
+#: The sky [m]: how far up a load is looked for over the upper end of a sling.
+_UP = np.array([0.0, 0.0, 1e4])
 #: Samples at which a sling is looked at, at most: a load that turns is seen every few degrees.
 _LOOKS = 60
 
@@ -32,16 +34,17 @@ class Through:
         load: Name of the load.
         time: When it does so for the first time, as far as it was looked at [s].
         at: Where it goes through the load's skin, from the nearer of its ends [m]; the farthest such place.
+            None where its upper end lies within or below the load.
     """
 
     sling: str
     load: str
     time: float
-    at: float
+    at: float | None
 
 
 def slings_through_loads(recording: Recording) -> list[Through]:
-    """Slings that go through the skin of a load, as drawn, farther than 1 m from their ends.
+    """Slings that go through the skin of a load, as drawn, more than 1 m from their ends, or start below it.
 
     A load that is not drawn as boxes or triangles has no skin. Slings that do not carry may lie anywhere, and
     those whose distance to the load the lift file watches are judged by that.
@@ -65,8 +68,10 @@ def _is_watched(recording: Recording, load: str, rope: str) -> bool:
     return any(load in pair and not names.isdisjoint(pair) for pair in pairs)
 
 
-def _looks(recording: Recording, load: Load, rope: str, skin: FloatArray) -> Iterator[tuple[float, float]]:
-    """Times at which a rope that carries goes through a skin [s], and how far from its ends [m]."""
+def _looks(
+    recording: Recording, load: Load, rope: str, skin: FloatArray
+) -> Iterator[tuple[float, float | None]]:
+    """Times at which a rope that carries goes through a skin [s], and `Through.at` [m]."""
     carries = np.flatnonzero(series.is_carrying(recording.column("rope_tension", rope)))
     if not len(carries):
         return
@@ -77,7 +82,12 @@ def _looks(recording: Recording, load: Load, rope: str, skin: FloatArray) -> Ite
     picked = np.unique(carries[np.linspace(0, len(carries) - 1, _LOOKS).astype(int)])
     for at in picked:
         # World from body: rows times the matrix are components along the body's axes.
-        points = (places[at, columns] - position[at]) @ axes(orientation[at])
+        own = axes(orientation[at])
+        points = (places[at, columns] - position[at]) @ own
+        top = points[[int(np.argmax(places[at, columns, 2]))]]
+        if len(_crossings(top, top + _UP @ own, skin)):
+            yield float(recording.time[at]), None
+            continue
         crossings = _crossings(points[:-1], points[1:], skin)
         apart = np.linalg.norm(crossings[:, None] - points[[0, -1]], axis=-1).min(axis=1)
         if apart.max(initial=0.0) > _NEAR_ENDS:
