@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import gantline
+from four_slings import LIFT
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results import series
 from gantline.scenario import parse_scenario
@@ -31,6 +32,17 @@ def test_a_run_that_ends_before_its_plan_is_told(duration: float, remark: str | 
         assert found.remark == f"the run ends at {duration:g} s {remark}"
         verdict = f"NO VERDICT: the run ends at {duration:g} s {remark}; nearest to their limits: "
         assert verdict_of(checks).startswith(verdict)
+
+
+def test_a_run_that_lifts_nothing_is_no_verdict() -> None:
+    """A hook that does not move: what it carries is 1 % of what it may, and says nothing of the lift."""
+    text = LIFT[: LIFT.index("plan:")] + LIFT[LIFT.index("rules:") :]
+    checks = check_recording(gantline.simulate(parse_scenario(text)))
+    found = named(checks, "load_lifted")
+    assert found is not None and found.verdict is Verdict.WARNING
+    assert found.remark == "'module' is not lifted, 0 % of its weight hangs at most"
+    assert verdict_of(checks).startswith(f"NO VERDICT: {found.remark}; ")
+    assert named(check_recording(gantline.simulate(parse_scenario(LIFT))), "load_lifted") is None
 
 
 def test_a_warning_without_a_number_is_no_verdict() -> None:

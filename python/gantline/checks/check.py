@@ -10,8 +10,8 @@ from typing import Any
 
 from gantline.units import format_quantity
 
-#: The check that a run got through its plan.
-PLAN_FINISHED = "plan_finished"
+#: Checks that a run got through its plan, and that it lifted what it should.
+PLAN_FINISHED, LOAD_LIFTED = "plan_finished", "load_lifted"
 #: Most checks that the verdict on a lift names.
 _MOST_NAMED = 3
 
@@ -95,7 +95,7 @@ def has_failed(checks: Sequence[Check]) -> bool:
 def verdict_of(checks: Sequence[Check]) -> str:
     """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked.
 
-    A run that ends before its plan may show that a lift is no go, but not that it is one.
+    A run that ends before its plan, or lifts nothing, may show that a lift is no go, but not that it is one.
     """
     done = [check for check in checks if _is_done(check)]
     if all(check.value is None and check.verdict is Verdict.WARNING for check in done):
@@ -106,9 +106,9 @@ def verdict_of(checks: Sequence[Check]) -> str:
     else:
         past = past_limits(checks)
         nearest = _foremost([check for check in done if check.utilisation is not None and check not in past])
-        unfinished = next((check for check in done if check.name == PLAN_FINISHED), None)
-        if unfinished is not None:
-            head = f"NO VERDICT: {unfinished.remark}"
+        shown_nothing = [check.remark for check in done if check.name in (PLAN_FINISHED, LOAD_LIFTED)]
+        if shown_nothing:
+            head = f"NO VERDICT: {'; '.join(shown_nothing)}"
         else:
             is_warned = any(check.verdict is Verdict.WARNING for check in checks)
             head = "GO WITH WARNINGS" if is_warned else "GO"

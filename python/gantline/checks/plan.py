@@ -1,12 +1,14 @@
-"""Whether a run got through its plan, and its hoists followed it."""
+"""Whether a run got through its plan, its hoists followed it, and it lifted anything."""
 
 from __future__ import annotations
 
-from gantline.checks.check import PLAN_FINISHED, Check, Verdict
+from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
 from gantline.results import progress
 from gantline.results.recording import Recording
 
+#: A load of which less than this share ever hangs has not been lifted [1].
+_LIFTED_FROM = 0.05
 #: Motors that pull all they can for longer in all are told [s]; at starts and stops that is nothing.
 _LONG = 1.0
 
@@ -24,6 +26,21 @@ def unfinished(recording: Recording) -> Check | None:
         "all steps of the plan within the run",
         remark=f"the run ends at {recording.time[-1]:.4g} s{at}{not_begun}",
     )
+
+
+def not_lifted(recording: Recording) -> list[Check]:
+    """A warning for each load with slings that stays on its supports: nothing that it carries was tried."""
+    checks = []
+    for load in recording.rig.loads if recording.rig.slings else ():
+        if load.name not in recording.coordinates.get("load", ()) or not len(recording.time):
+            continue
+        most = float(recording.column("load_transferred", load.name).max())
+        if most < _LIFTED_FROM:
+            remark = f"'{load.name}' is not lifted, {max(100 * most, 0.0):.0f} % of its weight hangs at most"
+            checks.append(
+                Check(LOAD_LIFTED, Verdict.WARNING, "loads are lifted", "", element=load.name, remark=remark)
+            )
+    return checks
 
 
 def fell_behind(recording: Recording) -> list[Check]:

@@ -12,7 +12,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
-from gantline.checks.plan import fell_behind, unfinished
+from gantline.checks.plan import fell_behind, not_lifted, unfinished
 from gantline.results import progress, series
 from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
@@ -32,7 +32,7 @@ def check_recording(recording: Recording) -> list[Check]:
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted; and a warning for
         each hoist that fell behind, where slings run through a load, where the
-        recording has warnings of its own, and where the run ends before its plan.
+        recording has warnings of its own, and where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -55,7 +55,7 @@ def check_recording(recording: Recording) -> list[Check]:
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every]
     left = unfinished(recording)
-    return every if left is None else [*every, left]
+    return [*every, *(not_lifted(recording) if left is None else [left])]
 
 
 def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> dict[str, float]:
