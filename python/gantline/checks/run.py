@@ -53,7 +53,7 @@ def check_recording(recording: Recording) -> list[Check]:
     every += fell_behind(recording) + run_through(recording) + _told(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
-        return [replace(one, time=None) for one in every]
+        return [replace(one, time=None) for one in [*every, *not_lifted(recording)]]
     left = unfinished(recording)
     return [*every, *(not_lifted(recording) if left is None else [left])]
 
