@@ -169,7 +169,8 @@ class Sensitivity:
         tension: dT/dp of every rope [N per m, N per N, N per kg], in the order of `ropes`.
         ropes: Their names.
         motion: Derivatives of each body's centre of gravity [m] and of its attitude as a rotation vector
-            [rad], world axes, shape (body, 6), in the order of `bodies`.
+            [rad], world axes, shape (body, 6), in the order of `bodies`. Of a body whose centre of gravity is
+            asked about, the point of the body that is there counts: the shift itself is left out.
         bodies: Their names.
     """
 

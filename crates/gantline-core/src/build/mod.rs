@@ -30,6 +30,7 @@ use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::spec::SystemSpec;
 use crate::state::State;
+use crate::stepper::STANDSTILL;
 use crate::stepper::frame::Frame;
 use crate::stepper::spots::find;
 use crate::system::{Rows, SheavePlace, System};
@@ -296,16 +297,18 @@ fn first_state(
             }
         };
         let e = frame.value[row];
+        let rate = system.rows.rate(&frame.gradient, row, &state.v);
         if compliance > 0.0 {
-            let rate = system.rows.rate(&frame.gradient, row, &state.v);
             state.trial[row] = (e + damping_time * rate) / compliance;
             state.tension[row] = state.trial[row].max(0.0);
         } else if e > 1e-9 * (1.0 + e.abs()) {
             let name = system.constraint_of_row(row).name().to_owned();
             return error(&name, format!("it is inextensible and {e} m shorter than its route at the start"));
         }
-        // A row at its bound starts as acting, so that a lift that starts taut logs no event for it.
-        if state.trial[row] > 0.0 || (compliance == 0.0 && e >= -1e-9) {
+        // A row at its bound starts as acting, so that a lift that starts taut logs no event for it. An inextensible
+        // rope whose ends do not keep their distance is about to go slack, or is hit: steps find which.
+        let keeps = compliance == 0.0 && e >= -1e-9 && rate.abs() <= STANDSTILL;
+        if state.trial[row] > 0.0 || keeps {
             state.modes[row] = Mode::Acting;
         }
     }

@@ -15,6 +15,9 @@ pub mod spots;
 
 use thiserror::Error;
 
+/// An inextensible rope whose ends come closer by more than this [m/s] loosens; less is rounding.
+pub(crate) const STANDSTILL: f64 = 1e-9;
+
 /// What one step says of itself.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepReport {

@@ -3,12 +3,12 @@
 
 use super::Adaptive;
 use super::rodas::Rodas;
-use super::switching::STANDSTILL;
 use crate::clock::Stage;
 use crate::event::{EventKind, EventLog};
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
+use crate::stepper::STANDSTILL;
 use crate::stepper::frame::Frame;
 use crate::system::System;
 

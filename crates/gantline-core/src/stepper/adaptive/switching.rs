@@ -13,11 +13,9 @@ use crate::event::{EventKind, EventLog};
 use crate::plan::Seen;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
+use crate::stepper::STANDSTILL;
 use crate::stepper::flows::tension_at;
 use crate::system::System;
-
-/// A rope whose ends come closer by more than this [m/s] loosens; less is rounding.
-pub(super) const STANDSTILL: f64 = 1e-9;
 
 impl Adaptive {
     /// Looks at the course of the step that has been computed and decides how much of it is made: up to where a row
