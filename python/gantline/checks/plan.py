@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+
 from gantline.checks.check import PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
 from gantline.results import progress
+from gantline.results.gear import Drum
 from gantline.results.recording import Recording
 
 #: Motors that pull all they can for longer in all are told [s]; at starts and stops that is nothing.
 _LONG = 1.0
+#: Way that a hook may lose against motor or brake [m]: its rope stretches, and rings.
+_LOST = 0.05
 
 
 def unfinished(recording: Recording) -> Check | None:
@@ -27,19 +34,44 @@ def unfinished(recording: Recording) -> Check | None:
 
 
 def fell_behind(recording: Recording) -> list[Check]:
-    """A warning for each hoist whose motor or brake pulled all it could while its drum did not follow."""
-    hoists = [drum.name for drum in recording.rig.drums if drum.paid_out < 0.0]
-    checks = []
-    for drum in hoists:
-        begins = [time for time, _, name in recording.events("drum_slips") if name == drum]
-        if not begins:
-            continue
-        ends = [time for time, _, name in recording.events("drum_holds") if name == drum]
-        # One that slips at the end of the run has not come to hold again.
-        ends += [float(recording.time[-1])] * (len(begins) - len(ends))
-        lasted = sum(ends) - sum(begins)
-        if lasted > _LONG:
-            remark = f"from {begins[0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
-            meaning = "drums of hoists follow the plan"
-            checks.append(Check("hoist_follows", Verdict.WARNING, meaning, element=drum, remark=remark))
-    return checks
+    """Hoists whose motor or brake pulled all it could while the drum did not follow.
+
+    One that merely comes late is a warning. One whose hook runs down faster than it went as its drum began to
+    slip lets the load go, however short that is: a failure.
+    """
+    return [
+        check
+        for drum in recording.rig.drums
+        if drum.paid_out < 0.0 and (check := _slipped(recording, drum)) is not None
+    ]
+
+
+def _slipped(recording: Recording, drum: Drum) -> Check | None:
+    begins = [time for time, _, name in recording.events("drum_slips") if name == drum.name]
+    ends = [time for time, _, name in recording.events("drum_holds") if name == drum.name]
+    # One that slips at the end of the run has not come to hold again.
+    ends += [float(recording.time[-1])] * (len(begins) - len(ends))
+    spans = list(zip(begins, ends, strict=True))
+    lost, since = max(((_lost(recording, drum, span), span[0]) for span in spans), default=(0.0, 0.0))
+    lasted = sum(end - begin for begin, end in spans)
+    if lost <= _LOST and lasted <= _LONG:
+        return None
+    check = Check("hoist_follows", Verdict.WARNING, "drums of hoists follow the plan", element=drum.name)
+    remark = f"from {begins[0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
+    if lost <= _LOST:
+        return replace(check, remark=remark)
+    remark += f", and do not hold: the hook runs away, {lost:.2f} m lower than at the speed that it had"
+    return replace(check, verdict=Verdict.FAILED, time=since, remark=remark)
+
+
+def _lost(recording: Recording, drum: Drum, span: tuple[float, float]) -> float:
+    """How much further down a hook comes while its drum slips than at the speed with which that began [m]."""
+    begin, end = span
+    time, out = recording.time, recording.column("rope_paid_out", drum.name)
+    last = int(np.searchsorted(time, begin, side="right")) - 1
+    speed = max(0.0, float((out[last] - out[last - 1]) / (time[last] - time[last - 1]))) if last > 0 else 0.0
+    inside = (time >= begin) & (time <= end)
+    if not inside.any():
+        return 0.0
+    further = out[inside] - np.interp(begin, time, out) - speed * (time[inside] - begin)
+    return float(further.max()) / -drum.paid_out
