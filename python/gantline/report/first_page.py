@@ -152,7 +152,8 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     during = everywhere(subject.recording)
     force = hook_force(subject.recording, hooks, "hook_load", during)
     if force.static is not None:
-        simulated = sum(subject.static(subject.recording.column("hook_load", hook)) or 0.0 for hook in hooks)
+        every = [subject.recording.column("hook_load", hook) for hook in hooks]
+        simulated = subject.static(np.sum(every, axis=0)) or 0.0
         loads = sum(load.simulated_mass or load.weight / rig.gravity for load in rig.loads)
         if rig.loads and simulated / rig.gravity > loads:
             rows.append(("+ rigging below the hooks", show(simulated / rig.gravity - loads, "t", 1)))
@@ -161,8 +162,8 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
         rows.append((text, show(force.rule / rig.gravity, "t", 1)))
-    every = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
-    largest = float(every.max())
+    hoisted = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
+    largest = float(hoisted.max())
     # Of what one crane is rated for with its hook blocks, or one hook alone.
     level = "crane" if any(rating.level == "crane" for rating in rig.ratings) else "hook"
     rated = [one for one in rig.ratings if one.level == level]
