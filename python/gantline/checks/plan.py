@@ -1,4 +1,4 @@
-"""Whether a run got through its plan, and its hoists followed it."""
+"""Whether a run got through its plan, whether its steps moved, and its hoists followed it."""
 
 from __future__ import annotations
 
@@ -14,6 +14,10 @@ from gantline.results.recording import Recording
 
 #: Motors that pull all they can for longer in all are told [s]; at starts and stops that is nothing.
 _LONG = 1.0
+#: Steps that move hooks.
+_HOISTS = ("hoist", "lower")
+#: Share of a load's weight from which it is told that it hangs at the start.
+_HANGS = 0.02
 #: Way that a hook may lose against motor or brake [m]: its rope stretches, and rings.
 _LOST = 0.05
 
@@ -31,6 +35,29 @@ def unfinished(recording: Recording) -> Check | None:
         "all steps of the plan within the run",
         remark=f"the run ends at {recording.time[-1]:.4g} s{at}{not_begun}",
     )
+
+
+def stood_still(recording: Recording) -> Check | None:
+    """A warning where steps that hoist or lower moved nothing: what they wait for held as they began.
+
+    A vessel that floats elsewhere than the lift file has it may take the load before the first step does; and
+    `above` that was meant as `below` makes a step that is over at once.
+    """
+    begins = {name: time for time, _, name in recording.events("step_begin")}
+    ends = {name: time for time, _, name in recording.events("step_end")}
+    hoists = [step.step for step in recording.rig.plan if step.kind in _HOISTS]
+    still = [name for name in hoists if name in ends and ends[name] == begins.get(name)]
+    if not still:
+        return None
+    remark = f"what it waits for held as it began, and nothing moved: {named(still)}"
+    hung = [
+        f"{100.0 * share:.0f} % of {load.name}"
+        for load in recording.rig.loads
+        if (share := float(recording.column("load_transferred", load.name)[0])) > _HANGS
+    ]
+    if hung and begins[still[0]] == recording.time[0]:
+        remark += f"; {' and '.join(hung)} hangs before the plan begins"
+    return Check("plan_moves", Verdict.WARNING, "steps that hoist or lower move", remark=remark)
 
 
 def fell_behind(recording: Recording) -> list[Check]:

@@ -11,7 +11,7 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
-from gantline.checks.plan import fell_behind, unfinished
+from gantline.checks.plan import fell_behind, stood_still, unfinished
 from gantline.results import series
 from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
@@ -30,7 +30,7 @@ def check_recording(recording: Recording) -> list[Check]:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted; and a warning for
-        each hoist that fell behind, and where the run ends before its plan.
+        each hoist that fell behind, where steps moved nothing, and where the run ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -52,8 +52,7 @@ def check_recording(recording: Recording) -> list[Check]:
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every]
-    left = unfinished(recording)
-    return every if left is None else [*every, left]
+    return [*every, *(one for one in (stood_still(recording), unfinished(recording)) if one is not None)]
 
 
 def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> dict[str, float]:
