@@ -12,6 +12,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.plan import fell_behind, stood_still, unfinished
+from gantline.checks.slings import idle
 from gantline.results import series
 from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
@@ -30,7 +31,8 @@ def check_recording(recording: Recording) -> list[Check]:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted; and a warning for
-        each hoist that fell behind, where steps moved nothing, and where the run ends before its plan.
+        each hoist that fell behind, where slings never carried, where steps moved nothing, and where the run
+        ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -48,7 +50,7 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording)
+    every += [*fell_behind(recording), *(one for one in [idle(recording)] if one is not None)]
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every]
