@@ -13,18 +13,18 @@ from four_slings import LIFT
 from gantline.assembly import assemble
 from gantline.scenario import parse_scenario
 
-RATED, BLOCK = "rated_capacity: 60 t,", "hook_block_mass: 4 t,"
+RATED, HEAVY = "rated_capacity: 60 t,", "hook_block_mass: 4 t,"
 
 
 @pytest.mark.parametrize(
     ("more", "is_told"),
     [
-        (f"{RATED} {BLOCK}", True),
-        (f"{RATED} {BLOCK} rating_includes_hook_block: false,", False),
-        (f"{RATED} {BLOCK} rating_includes_hook_block: true,", False),
+        (f"{RATED} {HEAVY}", True),
+        (f"{RATED} {HEAVY} rating_includes_hook_block: false,", False),
+        (f"{RATED} {HEAVY} rating_includes_hook_block: true,", False),
         # Hook load and hoist load are the same, or nothing is compared with either.
         (RATED, False),
-        (BLOCK, False),
+        (HEAVY, False),
     ],
 )
 def test_it_is_told_where_it_makes_a_difference(more: str, is_told: bool) -> None:

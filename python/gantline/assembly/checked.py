@@ -169,11 +169,11 @@ def unsaid_ratings(scenario: Scenario) -> list[str]:
     doubts = []
     for name, crane in (scenario.cranes or {}).items():
         hooks = [hook for hook in scenario.hooks.values() if hook.crane == name]
-        has_block = any(hook.hook_block is not None or hook.hook_block_mass > 0.0 for hook in hooks)
+        is_heavy = any(hook.hook_block is not None or hook.hook_block_mass > 0.0 for hook in hooks)
         of_trolleys = crane.trolleys.values() if isinstance(crane, Goliath) else ()
         rated = [one.rated_capacity for one in (crane, *hooks, *of_trolleys)]
         is_rated = any(one is not None for one in (*rated, getattr(crane, "rating", None)))
-        if has_block and is_rated and "rating_includes_hook_block" not in crane.model_fields_set:
+        if is_heavy and is_rated and "rating_includes_hook_block" not in crane.model_fields_set:
             doubts.append(
                 f"nothing says whether {name} is rated with its hook block and falls: they are left out of "
                 "what is compared; 'rating_includes_hook_block: true' counts them, as most charts do"
