@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gantline.assembly.boom import add_booms, hang_in_tackles
-from gantline.assembly.checked import doubtful_charts
+from gantline.assembly.checked import doubtful_charts, unsaid_ratings
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.extension import add_extension_sheaves
@@ -121,6 +121,7 @@ def assemble(scenario: Scenario) -> Assembly:
             *(() if lifted is None else lifted.body.warnings),
             *parts.warnings,
             *doubtful_charts(scenario),
+            *unsaid_ratings(scenario),
         ),
     )
 

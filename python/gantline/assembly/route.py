@@ -54,6 +54,12 @@ def route_lengths(parts: Parts, route: Sequence[Json]) -> tuple[Array, Array]:
     return np.array(straight), np.array([circle.arc() for circle in circles])
 
 
+def level_distance(parts: Parts, route: Sequence[Json]) -> float:
+    """How far the ends of a route are apart sideways at the start, whatever their heights [m]."""
+    first, last = _Circle(parts, route[0]), _Circle(parts, route[-1])
+    return float(np.hypot(*(last.arrival - first.departure)[:2]))
+
+
 class _Circle:
     """A guide in the world: an end, half a turn between given points, or a sheave touched along tangents.
 

@@ -12,6 +12,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.stream import AIR, StreamArea, Wind
 from gantline.scenario.tanks import bodies_afloat
 from gantline.scenario.water import Water
+from gantline.units import format_quantity
 
 __all__ = ["add_streams"]
 
@@ -19,7 +20,7 @@ _AXES = ("x", "y", "z")
 
 
 def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> None:
-    """Add a force for each area of vessels, plain bodies and the load."""
+    """Add a force for each area of vessels, plain bodies and the load; warn of a stream that does nothing."""
     origins = {name: (body, np.zeros(3)) for name, body in bodies_afloat(scenario).items()}
     wind, current = scenario.wind, scenario.current
     air = (wind.density, wind.velocity) if isinstance(wind, Wind) else (AIR, (0.0, 0.0, 0.0))
@@ -32,6 +33,29 @@ def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> 
         load, origin = scenario.load, lifted.centre
         parts.forces += _pushed(load.name, "wind", load.wind_areas, origin, air)
         parts.forces += _pushed(load.name, "current", load.current_areas, origin, water)
+    parts.warnings += _idle(parts, scenario)
+
+
+def _idle(parts: Parts, scenario: Scenario) -> list[str]:
+    """Sentences on wind and current of the lift file that change nothing in it."""
+    wind, found = scenario.wind, []
+    has_limit = any(getattr(crane, "wind_limit", None) for crane in (scenario.cranes or {}).values())
+    speeds = {"current": 0.0 if scenario.current is None else scenario.current.speed}
+    if isinstance(wind, Wind):
+        speeds["wind"] = wind.speed
+    elif isinstance(wind, float) and wind > 0.0 and not has_limit:
+        found.append(
+            f"{_shown('wind', wind)} pushes nothing, being a speed without a direction, and no crane has a "
+            "'wind_limit' that it is held against"
+        )
+    for kind, speed in speeds.items():
+        if speed > 0.0 and not any(f".{kind}_areas." in str(force["name"]) for force in parts.forces):
+            found.append(f"{_shown(kind, speed)} pushes nothing: no body has '{kind}_areas'")
+    return found
+
+
+def _shown(kind: str, speed: float) -> str:
+    return f"the {kind} of {format_quantity(speed, 'm/s', 1)}"
 
 
 def _pushed(

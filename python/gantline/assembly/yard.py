@@ -10,7 +10,7 @@ import numpy as np
 from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
 from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
-from gantline.assembly.route import MOST_STRAIN, route_length, too_far
+from gantline.assembly.route import MOST_STRAIN, level_distance, route_length, too_far
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario
@@ -227,6 +227,10 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             sentence = f"the sling is {sling.length:g} m, but {apart} at the start"
             sentence += f": {too_far(distance, sling.length)}; " if may_stretch else "; "
             advice = "lower the hook or make the sling longer"
+            aside = level_distance(parts, route)
+            if sling.over is None and aside > sling.length:
+                sentence += f"{aside:.3f} m of that sideways, which no height of the hook makes up; "
+                advice = "put crane, boom or load elsewhere"
             if scenario.load_has_settled and short <= MOST_STRAIN * sling.length:
                 advice += ", or write 'start: as_given' if it shall pull from the start"
             raise scenario.start_error(("slings", sling.name), sentence + advice)

@@ -76,7 +76,8 @@ class Check:
 
         None without both, or where that is no number (a limit of 0).
         """
-        if self.value is None or self.limit is None:
+        # A margin may come as near to 0 as it likes: no share of that limit says how near.
+        if self.value is None or not self.limit:
             return None
         over, under = (self.limit, self.value) if self.at_least else (self.value, self.limit)
         used = over / under if under > 0.0 else math.inf

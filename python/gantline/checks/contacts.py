@@ -6,8 +6,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from gantline.checks.measure import Finding, Missing, extreme
+from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
+
+_UNWATCHED = "no pair under 'watch', not even slings and load"
 
 
 def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -24,6 +27,8 @@ def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 def clearance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Smallest distance of a watched pair less what it has to keep."""
+    if not recording.rig.watches and not series.is_equilibrium(recording):
+        yield from (Missing(load.name, _UNWATCHED) for load in recording.rig.loads)
     for watch in recording.rig.watches:
         distance = recording.column("clearance", watch.name)
         for found in extreme(recording, distance - watch.smallest, during, watch.name, smallest=True):

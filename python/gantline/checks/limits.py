@@ -254,6 +254,9 @@ LIMITS: dict[str, Measure] = {
         2,
         ropes.rope_factor,
         at_least=True,
+        by_definition=1.0,
+        definition="more breaks it; how much less is safe, a rule says",
+        is_listed=True,
     ),
     "rope_load_of_breaking_force": Measure(
         "rope force x load, consequence, material, wear, and termination or bending factor / minimum "

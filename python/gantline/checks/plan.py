@@ -1,31 +1,38 @@
-"""Whether a run got through its plan, its hoists followed it, and it lifted anything."""
+"""Whether a run got through its plan, its steps moved, its hoists followed, and it lifted anything."""
 
 from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
 
 from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
 from gantline.results import progress
+from gantline.results.gear import Drum
 from gantline.results.recording import Recording
 
 #: A load of which less than this share ever hangs has not been lifted [1].
 _LIFTED_FROM = 0.05
 #: Motors that pull all they can for longer in all are told [s]; at starts and stops that is nothing.
 _LONG = 1.0
+#: Steps that move hooks.
+_HOISTS = ("hoist", "lower")
+#: Share of a load's weight from which it is told that it hangs at the start.
+_HANGS = 0.02
+#: Way that a hook may lose against motor or brake [m]: its rope stretches, and rings.
+_LOST = 0.05
 
 
-def unfinished(recording: Recording) -> Check | None:
+def unfinished(recording: Recording) -> list[Check]:
     """A warning where a run ends before its plan: what did not happen has not been checked."""
     left = progress.unfinished(recording)
     if left is None:
-        return None
+        return []
     at = f" in '{left.under_way[0]}'" if left.under_way else ""
     not_begun = f"; not begun: {named(left.not_begun)}" if left.not_begun else ""
-    return Check(
-        PLAN_FINISHED,
-        Verdict.WARNING,
-        "all steps of the plan within the run",
-        remark=f"the run ends at {recording.time[-1]:.4g} s{at}{not_begun}",
-    )
+    remark = f"the run ends at {recording.time[-1]:.4g} s{at}{not_begun}"
+    return [Check(PLAN_FINISHED, Verdict.WARNING, "all steps of the plan within the run", remark=remark)]
 
 
 def not_lifted(recording: Recording) -> list[Check]:
@@ -37,26 +44,73 @@ def not_lifted(recording: Recording) -> list[Check]:
         most = float(recording.column("load_transferred", load.name).max())
         if most < _LIFTED_FROM:
             remark = f"'{load.name}' is not lifted, {max(100 * most, 0.0):.0f} % of its weight hangs at most"
-            checks.append(
-                Check(LOAD_LIFTED, Verdict.WARNING, "loads are lifted", "", element=load.name, remark=remark)
-            )
+            meaning = "loads are lifted"
+            checks.append(Check(LOAD_LIFTED, Verdict.WARNING, meaning, element=load.name, remark=remark))
     return checks
+
+
+def stood_still(recording: Recording) -> list[Check]:
+    """A warning where steps that hoist or lower moved nothing: what they wait for held as they began.
+
+    A vessel that floats elsewhere than the lift file has it may take the load before the first step does; and
+    `above` that was meant as `below` makes a step that is over at once.
+    """
+    begins = {name: time for time, _, name in recording.events("step_begin")}
+    ends = {name: time for time, _, name in recording.events("step_end")}
+    hoists = [step.step for step in recording.rig.plan if step.kind in _HOISTS]
+    still = [name for name in hoists if name in ends and ends[name] == begins.get(name)]
+    if not still:
+        return []
+    remark = f"what it waits for held as it began, and nothing moved: {named(still)}"
+    hung = [
+        f"{100.0 * share:.0f} % of {load.name}"
+        for load in recording.rig.loads
+        if (share := float(recording.column("load_transferred", load.name)[0])) > _HANGS
+    ]
+    if hung and begins[still[0]] == recording.time[0]:
+        remark += f"; {' and '.join(hung)} hangs before the plan begins"
+    return [Check("plan_moves", Verdict.WARNING, "steps that hoist or lower move", remark=remark)]
 
 
 def fell_behind(recording: Recording) -> list[Check]:
-    """A warning for each hoist whose motor or brake pulled all it could while its drum did not follow."""
-    hoists = [drum.name for drum in recording.rig.drums if drum.paid_out < 0.0]
-    checks = []
-    for drum in hoists:
-        begins = [time for time, _, name in recording.events("drum_slips") if name == drum]
-        if not begins:
-            continue
-        ends = [time for time, _, name in recording.events("drum_holds") if name == drum]
-        # One that slips at the end of the run has not come to hold again.
-        ends += [float(recording.time[-1])] * (len(begins) - len(ends))
-        lasted = sum(ends) - sum(begins)
-        if lasted > _LONG:
-            remark = f"from {begins[0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
-            meaning = "drums of hoists follow the plan"
-            checks.append(Check("hoist_follows", Verdict.WARNING, meaning, element=drum, remark=remark))
-    return checks
+    """Hoists whose motor or brake pulled all it could while the drum did not follow.
+
+    One that merely comes late is a warning. One whose hook runs down faster than it went as its drum began to
+    slip lets the load go, however short that is: a failure.
+    """
+    return [
+        check
+        for drum in recording.rig.drums
+        if drum.paid_out < 0.0 and (check := _slipped(recording, drum)) is not None
+    ]
+
+
+def _slipped(recording: Recording, drum: Drum) -> Check | None:
+    begins = [time for time, _, name in recording.events("drum_slips") if name == drum.name]
+    ends = [time for time, _, name in recording.events("drum_holds") if name == drum.name]
+    # One that slips at the end of the run has not come to hold again.
+    ends += [float(recording.time[-1])] * (len(begins) - len(ends))
+    spans = list(zip(begins, ends, strict=True))
+    lost, since = max(((_lost(recording, drum, span), span[0]) for span in spans), default=(0.0, 0.0))
+    lasted = sum(end - begin for begin, end in spans)
+    if lost <= _LOST and lasted <= _LONG:
+        return None
+    check = Check("hoist_follows", Verdict.WARNING, "drums of hoists follow the plan", element=drum.name)
+    remark = f"from {begins[0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
+    if lost <= _LOST:
+        return replace(check, remark=remark)
+    remark += f", and do not hold: the hook runs away, {lost:.2f} m lower than at the speed that it had"
+    return replace(check, verdict=Verdict.FAILED, time=since, remark=remark)
+
+
+def _lost(recording: Recording, drum: Drum, span: tuple[float, float]) -> float:
+    """How much further down a hook comes while its drum slips than at the speed with which that began [m]."""
+    begin, end = span
+    time, out = recording.time, recording.column("rope_paid_out", drum.name)
+    last = int(np.searchsorted(time, begin, side="right")) - 1
+    speed = max(0.0, float((out[last] - out[last - 1]) / (time[last] - time[last - 1]))) if last > 0 else 0.0
+    inside = (time >= begin) & (time <= end)
+    if not inside.any():
+        return 0.0
+    further = out[inside] - np.interp(begin, time, out) - speed * (time[inside] - begin)
+    return float(further.max()) / -drum.paid_out

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gantline.checks.forces import Force, Raised, factor, kilonewton, over, rope_force, sling_forces
-from gantline.checks.measure import Finding, Found, Missing, Refused, carrying, extreme
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, carrying, extreme
 from gantline.checks.slings import bending_factor, bending_text, sling_bend
 from gantline.results import series
 from gantline.results.gear import Rope
@@ -13,6 +13,11 @@ from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
 _NO_STRENGTH = "minimum breaking force not known"
+_NO_SAFETY = (
+    "neither limits nor rules say how far below its breaking force a sling has to stay: "
+    "write 'sling_factor_on_breaking_force' under 'limits'"
+)
+_FACTORS = ("sling_factor_on_breaking_force", "rope_factor_on_breaking_force")
 _NEEDED = ("load_factor", "consequence_factor", "material_factor", "termination_factor")
 _MAY_BE = ("least_safety_factor", "wear_factor")
 
@@ -27,6 +32,21 @@ def rope_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Minimum breaking force of a rope over its peak tension."""
     for rope in recording.rig.ropes:
         yield from _factor(recording, during, rope.name, rope.minimum_breaking_force, rope.name)
+    if any(sling.minimum_breaking_force is not None for sling in recording.rig.slings) and not _has_safety(
+        recording
+    ):
+        yield Caution(_NO_SAFETY)
+
+
+def _has_safety(recording: Recording) -> bool:
+    """Whether limits or rules ask for slings that carry less than what breaks them."""
+    asked = (recording.rig.limits.get(name) for name in _FACTORS)
+    return any(limit is not None for limit in asked) or not _absent(recording)
+
+
+def _absent(recording: Recording) -> list[str]:
+    """Factors that the rules lack for rope forces."""
+    return [name for name in _NEEDED if factor(recording, name) is None]
 
 
 def _factor(
@@ -49,7 +69,7 @@ def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[
     The factor is max(load x consequence x material factor, least safety factor) x wear factor x the larger of
     termination and bending factor.
     """
-    absent = [name for name in _NEEDED if factor(recording, name) is None]
+    absent = _absent(recording)
     forces = sling_forces(recording, during)
     slings = {sling.rope: sling for sling in recording.rig.slings}
     for rope in recording.rig.ropes:

@@ -12,7 +12,8 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
-from gantline.checks.plan import fell_behind, not_lifted, unfinished
+from gantline.checks.plan import fell_behind, not_lifted, stood_still, unfinished
+from gantline.checks.slings import idle
 from gantline.results import progress, series
 from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
@@ -31,8 +32,8 @@ def check_recording(recording: Recording) -> list[Check]:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted; and a warning for
-        each hoist that fell behind, where slings run through a load, where the
-        recording has warnings of its own, and where a run lifts nothing or ends before its plan.
+        each hoist that fell behind, where slings never carried or run through a load, where the recording has
+        warnings of its own, where steps moved nothing, and where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -50,12 +51,11 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording) + run_through(recording) + _told(recording)
+    every += fell_behind(recording) + idle(recording) + run_through(recording) + _told(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
-        return [replace(one, time=None) for one in [*every, *not_lifted(recording)]]
-    left = unfinished(recording)
-    return [*every, *(not_lifted(recording) if left is None else [left])]
+        return [replace(one, time=None) for one in every + not_lifted(recording)]
+    return every + stood_still(recording) + (unfinished(recording) or not_lifted(recording))
 
 
 def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> dict[str, float]:

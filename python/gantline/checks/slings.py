@@ -7,14 +7,32 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from gantline.checks.check import Check, Verdict
 from gantline.checks.forces import NO_STATIC, kilonewton
-from gantline.checks.measure import Finding, Found, Missing, carrying, extreme
+from gantline.checks.measure import Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
+
+#: Share of the largest peak of all slings below which one never carried.
+_NOTHING = 0.01
+
+
+def idle(recording: Recording) -> list[Check]:
+    """A warning where slings carried nothing in a lift whose load came clear: the others had their share.
+
+    A load that is turned, or goes from crane to crane, leaves slings slack at times; never taut is a length,
+    or a lug, that is not as it was meant.
+    """
+    peaks = {sling.name: series.rope_peak(recording, sling.rope)[0] for sling in recording.rig.slings}
+    slack = [name for name, peak in peaks.items() if peak < _NOTHING * max(peaks.values())]
+    if not slack or not series.is_clear(recording).any() or series.is_equilibrium(recording):
+        return []
+    remark = f"slack over the whole lift: {named(slack)}"
+    return [Check("slings_carry", Verdict.WARNING, "every sling carries at some time", remark=remark)]
 
 
 def sling_tension(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -22,7 +22,7 @@ def equalizer_table(recording: Recording, equalizer: Equalizer) -> list[str]:
     if equalizer.equalizing_rope:
         rope = equalizer.equalizing_rope
         force, time = series.rope_peak(recording, rope)
-        static = series.static_value(recording, recording.column("rope_tension", rope))
+        static, _ = series.greatest_static(recording, recording.column("rope_tension", rope))
         rows.append(
             (
                 "equalizing rope",

@@ -119,17 +119,17 @@ def _yaw(recording: Recording, load: Load) -> list[tuple[str, str]]:
 
 def _slings(recording: Recording) -> list[str]:
     clear = series.is_clear(recording)
-    window = series.quiet_window(recording)
     rows = []
     for sling in recording.rig.slings:
         tension = series.sling_tension(recording, sling)
+        static, window = series.greatest_static(recording, tension)
         force, time = series.rope_peak(recording, sling.rope)
         angle = series.sling_angle(recording, sling)
         carrying = series.is_carrying(tension)
         rows.append(
             (
                 sling.name,
-                show(series.static_value(recording, tension, window), "kN", 1),
+                show(static, "kN", 1),
                 show(force, "kN", 1),
                 show(time, "s", 2),
                 show(float(tension[clear].min()) if clear.any() else None, "kN", 1),
@@ -192,14 +192,12 @@ def _share(force: float | None, of: float | None) -> float | None:
 
 
 def _hooks(recording: Recording) -> list[str]:
-    window = series.quiet_window(recording)
     shares = values_of(recording, "hoist_load_of_rated_capacity")
     rows = []
     for hook in recording.rig.hooks:
         for name in ("hook_load", "hoist_load"):
             force = recording.column(name, hook.name)
-            static = series.static_value(recording, force, window)
-            most, _ = series.greatest_static(recording, force)
+            static, _ = series.greatest_static(recording, force)
             highest, time = float(force.max()), float(recording.time[int(force.argmax())])
             is_rated_for = name == ("hoist_load" if hook.rating_includes_hook_block else "hook_load")
             used = shares.get(hook.name) if is_rated_for else None
@@ -210,7 +208,7 @@ def _hooks(recording: Recording) -> list[str]:
                     show(static, "kN", 1),
                     show(highest, "kN", 1),
                     show(time, "s", 2),
-                    ABSENT if not most else f"{highest / most:.3f}",
+                    ABSENT if not static else f"{highest / static:.3f}",
                     show(used, "%", 1),
                 )
             )

@@ -29,6 +29,8 @@ _MOST_SLINGS_AFLOAT = 4
 _MOST_STEPS_AFLOAT = 12
 _MOST_NAMED = 4
 _MOST_WARNINGS = 3
+#: Tilt at which a lift is stopped where it sets no limit of its own [rad]: 1 deg.
+_USUAL_TILT = float(np.deg2rad(1.0))
 
 #: Steps whose speed is that of something that goes along a line.
 _ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out")
@@ -152,7 +154,8 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     during = everywhere(subject.recording)
     force = hook_force(subject.recording, hooks, "hook_load", during)
     if force.static is not None:
-        simulated = sum(subject.static(subject.recording.column("hook_load", hook)) or 0.0 for hook in hooks)
+        every = [subject.recording.column("hook_load", hook) for hook in hooks]
+        simulated = subject.static(np.sum(every, axis=0)) or 0.0
         loads = sum(load.simulated_mass or load.weight / rig.gravity for load in rig.loads)
         if rig.loads and simulated / rig.gravity > loads:
             rows.append(("+ rigging below the hooks", show(simulated / rig.gravity - loads, "t", 1)))
@@ -161,8 +164,8 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
         rows.append((text, show(force.rule / rig.gravity, "t", 1)))
-    every = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
-    largest = float(every.max())
+    hoisted = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
+    largest = float(hoisted.max())
     # Of what one crane is rated for with its hook blocks, or one hook alone.
     level = "crane" if any(rating.level == "crane" for rating in rig.ratings) else "hook"
     rated = [one for one in rig.ratings if one.level == level]
@@ -223,12 +226,24 @@ def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
     found = ["a hook load is off its reading above by 10 %"]
-    tilt = limits.get("load_tilt")
-    found.append(f"tilt is over {show(float(tilt) if tilt else np.deg2rad(1.0), 'deg', 1)}")
+    found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         travel = limits.get("equalizer_travel_used")
         found.append(f"travel is over {show(float(travel) if travel else 0.9, '%', 0)} of its stroke")
     return [*found, *_wind(subject)]
+
+
+def _tilt(subject: Subject, limit: Any) -> str:
+    """Which tilt stops the lift; of a load that is turned on purpose that off the plan."""
+    usual = show(_USUAL_TILT, "deg", 1)
+    if limit:
+        return f"tilt is over {show(float(limit), 'deg', 1)}"
+    recording = subject.recording
+    loads = subject.rig.loads if "load_tilt" in recording else ()
+    still = [subject.static(recording.column("load_tilt", load.name)) or 0.0 for load in loads]
+    if max(still, default=0.0) > _USUAL_TILT:
+        return f"tilt is more than {usual} off the plan, in which it comes to {show(max(still), 'deg', 1)}"
+    return f"tilt is over {usual}"
 
 
 def _wind(subject: Subject) -> list[str]:

@@ -54,18 +54,13 @@ class Subject:
         return stability_of(self.recording)
 
     @cached_property
-    def window(self) -> BoolArray:
-        """Samples over which static values are means."""
-        return series.quiet_window(self.recording)
-
-    @cached_property
     def clear(self) -> BoolArray:
         """Samples at which nothing supports any load."""
         return series.is_clear(self.recording)
 
     def static(self, values: FloatArray) -> float | None:
-        """Static value of a series; None if the lift has no quiet window."""
-        return series.static_value(self.recording, values, self.window)
+        """Static value of a series, where it was largest; None if the lift has no quiet window."""
+        return series.greatest_static(self.recording, values)[0]
 
     def peak(self, values: FloatArray, during: BoolArray | None = None) -> tuple[float, float] | None:
         """Largest sample and its time [s]."""

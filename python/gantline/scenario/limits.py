@@ -57,7 +57,7 @@ class Limits(Element):
     rope_factor_on_breaking_force: _Factor | None = Field(
         None,
         description="Least factor of minimum breaking force over peak tension, of every rope: slings, "
-        "equalizing ropes, hoist ropes, ropes of 'mechanics'.",
+        "equalizing ropes, hoist ropes, ropes of 'mechanics'; 1 if not given.",
     )
     rope_load_of_breaking_force: Ratio | None = Field(
         None,
