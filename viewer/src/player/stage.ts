@@ -267,8 +267,7 @@ export class Stage {
     const isDue = this.pace.isDue();
     if (this.session.playing && !this.needsLabels && !isDue) return;
     this.needsLabels = false;
-    const step = lift.steps.find((one) => time >= one.begin && time < one.end);
-    const text = step?.name ?? "";
+    const text = lift.stepAt(time)?.name ?? "";
     if (this.step.textContent !== text) {
       this.step.textContent = text;
       this.reserve();
