@@ -45,7 +45,7 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
     ),
     "hydro": (("gantline hydro box:100m,30m,8m --kg '5 m'", "drafts, displacement, GM of a barge"),),
     "ballast": (
-        ("gantline ballast mylift --step 'hold point 2'", "even keel while the load hangs"),
+        ("gantline ballast mylift --step 'hold point 6'", "even keel while the load hangs"),
         ("gantline ballast mylift --draft '4.4 m' --tanks row1,row2", "with a draft, by two tanks"),
     ),
     "report": (
