@@ -167,7 +167,7 @@ export class Chart {
     const hasRoom = this.areMany && this.width >= WIDE;
     const limits = limitNames(this.spec, area, this.scale);
     this.marks.replaceChildren(
-      ...unfinished(session, area),
+      ...unfinished(session, area, limits),
       ...names(session, area, limits),
       ...(hasRoom ? endNames(this.families.map(shownOnly), this.curves, paper) : []),
       ...(this.spec.peak ? peakMark(visible, this.spec.unit, paper, limits) : []),

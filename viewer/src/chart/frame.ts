@@ -163,11 +163,15 @@ function liftOffName(session: Session, area: Area): SVGElement[] {
 }
 
 /** Where the run has ended before its plan; to be drawn upon the curves. */
-export function unfinished(session: Session, area: Area): SVGElement[] {
+export function unfinished(session: Session, area: Area, limits: readonly LimitName[]): SVGElement[] {
   const { header, end } = session.lift;
   if (!header.unfinished || end > session.span[1]) return [];
   const x = xOf(area, session.span, end);
-  const place = { x: x - 4, y: area.bottom - 6, "text-anchor": "end", class: "gl-note gl-unfinished-name" };
+  // Above the names of limits, which stand at the right too.
+  const isTaken = (y: number) => limits.some(({ baseline }) => Math.abs(baseline - y) < LINE);
+  let y = area.bottom - 6;
+  while (isTaken(y) && y > area.top + LINE) y -= LINE;
+  const place = { x: x - 4, y, "text-anchor": "end", class: "gl-note gl-unfinished-name" };
   return [
     svg("line", { x1: x, x2: x, y1: 2, y2: area.bottom, class: "gl-unfinished" }),
     svg("text", place, header.unfinished),
