@@ -24,6 +24,7 @@ from gantline.cli.app import app
         ),
         (["--tension-tolerance", "1e-300 N"], "tension_tolerance: 1e-300 is absurdly small"),
         (["--duration", "1e-300 s"], "duration: 1e-300 is absurdly small"),
+        (["--duration", "10 ms"], "0.02 s between samples are more than the duration of 0.01 s"),
         (["--sample-interval", "1 us"], "sample_interval: 40 s in parts of 1e-06 s are more than 1 million"),
     ],
 )

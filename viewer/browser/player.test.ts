@@ -158,6 +158,44 @@ describe("the player", () => {
     expect(nameless).toBe(0);
   });
 
+  it("has names that cover neither each other nor what lies on the drawing, and are whole", async () => {
+    for (const [file, width] of [
+      ["report.html", 390],
+      ["afloat.html", 390],
+      ["afloat.html", 1024],
+      ["hostile.html", 390],
+    ] as const) {
+      const { page } = await open(browser, file, { width, height: 844, hash: "#t=5" });
+      await page.waitForTimeout(500);
+      const [stage, ...boxes] = await page.evaluate(() =>
+        [
+          ...document.querySelectorAll(
+            ".gl-stage, .gl-views, .gl-switches, .gl-ramp-box, .gl-step-now, .gl-label",
+          ),
+        ]
+          .map((one) => one.getBoundingClientRect())
+          .filter((one) => one.width > 0)
+          .map(({ left, right, top, bottom }) => ({ left, right, top, bottom })),
+      );
+      expect(boxes.length).toBeGreaterThan(5);
+      boxes.forEach((one, index) => {
+        expect(one.left).toBeGreaterThanOrEqual(stage!.left - 1);
+        expect(one.right).toBeLessThanOrEqual(stage!.right + 1);
+        for (const other of boxes.slice(index + 1)) {
+          const across = Math.min(one.right, other.right) - Math.max(one.left, other.left);
+          const down = Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top);
+          expect(Math.min(across, down)).toBeLessThanOrEqual(1); // places are rounded to pixels
+        }
+      });
+    }
+  });
+
+  it("says what came of a link that was asked for", async () => {
+    const { page } = await open(browser, "report.html");
+    await page.getByRole("button", { name: "Copy a link to what is shown" }).click();
+    expect(await page.getByRole("status").filter({ hasText: "link" }).count()).toBe(1);
+  });
+
   it("saves what it shows as a picture", async () => {
     const { page, troubles } = await open(browser, "report.html", { hash: "#t=17.5" });
     const waiting = page.waitForEvent("download");

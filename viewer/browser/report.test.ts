@@ -100,6 +100,23 @@ describe("the report", () => {
     expect(wide).toBeLessThanOrEqual(360);
   });
 
+  it("has tables that keys can scroll where they are wider than the page", async () => {
+    const reachable = async (width: number) => {
+      const { page } = await open(browser, "report.html", { width, height: 740 });
+      await page.waitForTimeout(200);
+      return page.evaluate(() =>
+        [...document.querySelectorAll<HTMLElement>(".scroll, .columns")].map((box) => [
+          box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight,
+          box.tabIndex === 0 && box.getAttribute("aria-label") !== null,
+        ]),
+      );
+    };
+    const narrow = await reachable(360);
+    expect(narrow.some(([scrolls]) => scrolls)).toBe(true);
+    for (const [scrolls, isReached] of [...narrow, ...(await reachable(1400))])
+      expect(isReached).toBe(scrolls);
+  });
+
   it("moves the player and all plots by one plot", async () => {
     const { page } = await open(browser, "report.html");
     const plot = page.locator("#tensions .gl-plot").first();

@@ -10,6 +10,7 @@ import { follow } from "./live";
 import { Player } from "./player/player";
 import { Session } from "./player/session";
 import { watch } from "./reload";
+import { reachScrollers } from "./scrollers";
 
 declare global {
   /** For scripts that look at the page from outside, as tests do. */
@@ -44,6 +45,7 @@ function chooseTheme(): void {
 }
 
 chooseTheme();
+reachScrollers(document.querySelectorAll<HTMLElement>(".scroll, .columns"));
 watch();
 fill().catch((problem: unknown) => {
   const text = problem instanceof Error ? problem.message : String(problem);

@@ -57,10 +57,6 @@ class Assembly:
         """The document as JSON, floats exact."""
         return json.dumps(self.document, allow_nan=False)
 
-    def settings_text(self) -> str:
-        """The settings as JSON, floats exact."""
-        return json.dumps(self.settings, allow_nan=False)
-
 
 def assemble(scenario: Scenario) -> Assembly:
     """Build the system of a scenario.

@@ -81,7 +81,8 @@ class Check:
             return None
         over, under = (self.limit, self.value) if self.at_least else (self.value, self.limit)
         used = over / under if under > 0.0 else math.inf
-        return used if math.isfinite(used) else None
+        # Adding 0 takes the sign off a zero: nobody has used -0 %.
+        return used + 0.0 if math.isfinite(used) else None
 
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""

@@ -24,3 +24,13 @@ def main() -> None:
         run_app()
     except KeyboardInterrupt:
         raise SystemExit(INTERRUPTED) from None
+    except OSError as problem:
+        # Trouble with a file has its message where the file is read or written; this is that of printing.
+        if problem.filename is not None:
+            raise
+        from gantline.cli.messages import BAD_INPUT, complain
+
+        # What has not gone out by now would be tried once more at the end, with a traceback.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        complain(f"standard output: cannot be written ({(problem.strerror or str(problem)).lower()})")
+        raise SystemExit(BAD_INPUT) from None

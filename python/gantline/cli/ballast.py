@@ -51,10 +51,6 @@ def ballast(
 
     Everything that hangs on the vessel then counts, exactly. Of all contents that do it those with the least
     water moved are found, and how the vessel floats with them before the lift.
-
-    Even keel while the load hangs: gantline ballast mylift --step 'hold point 2'
-
-    With a draft, by two tanks: gantline ballast mylift --draft '4.4 m' --tanks row1,row2
     """
     moment = quantity_of("--at-time", at_time, "time")
     angles = {"--heel": quantity_of("--heel", heel, "angle"), "--trim": quantity_of("--trim", trim, "angle")}

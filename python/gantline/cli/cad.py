@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import output_folder
+from gantline.cli.lift import output_folder, quantity_of
 from gantline.cli.messages import stop
 
 if TYPE_CHECKING:
@@ -29,17 +29,24 @@ def cad(
     ] = None,
     unit: Annotated[
         str | None,
-        typer.Option(help="Unit of length: mm, m, ...  [default: what the file says, or guessed]"),
+        typer.Option(
+            metavar="UNIT", help="Unit of length: mm, m, ...  [default: what the file says, or guessed]"
+        ),
     ] = None,
     density: Annotated[
-        float, typer.Option(help="Density of solids and plates [kg/m^3], where the file names none.")
-    ] = 7850.0,
+        str,
+        typer.Option(metavar="DENSITY", help="Density of solids and plates where the file names none."),
+    ] = "7850 kg/m^3",
     thickness: Annotated[
         str | None,
-        typer.Option(help="Plate thickness of open surfaces: '10 mm'.  [default: they have no weight]"),
+        typer.Option(
+            metavar="LENGTH",
+            help="Plate thickness of open surfaces: '10 mm'.  [default: they have no weight]",
+        ),
     ] = None,
     up: Annotated[
-        str | None, typer.Option(help="Axis that points up, y or z.  [default: y in glTF, z elsewhere]")
+        str | None,
+        typer.Option(metavar="AXIS", help="Axis that points up, y or z.  [default: y in glTF, z elsewhere]"),
     ] = None,
     list_parts: Annotated[bool, typer.Option("--parts", help="List every part.")] = False,
     plots: Annotated[bool, typer.Option("--plots/--no-plots", help="Draw a picture.")] = True,
@@ -71,17 +78,14 @@ def cad(
         typer.echo(f"Picture     {_drawn(model, folder)}", err=as_json)
 
 
-def _assumptions(unit: str | None, density: float, thickness: str | None, up: str | None) -> Assumptions:
+def _assumptions(unit: str | None, density: str, thickness: str | None, up: str | None) -> Assumptions:
     from gantline.cad import Assumptions
-    from gantline.units import UnitError, quantity
 
     if up is not None and up not in ("y", "z"):
         stop(f"--up: '{up}' is neither y nor z")
-    try:
-        size = None if thickness is None else quantity(thickness, "length")
-    except UnitError as problem:
-        stop(f"--thickness: {problem}")
-    return Assumptions(unit, density, size, "y" if up == "y" else "z" if up == "z" else None)
+    size = quantity_of("--thickness", thickness, "length")
+    mass = quantity_of("--density", density, "density")
+    return Assumptions(unit, mass, size, "y" if up == "y" else "z" if up == "z" else None)
 
 
 def _drawn(model: CadModel, folder: Path) -> Path:

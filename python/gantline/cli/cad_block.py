@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gantline.cli.lift import quantity_of
 from gantline.cli.messages import stop, writing
 
 if TYPE_CHECKING:
@@ -15,19 +16,28 @@ if TYPE_CHECKING:
 
 def make_ship_block(
     output: Annotated[Path, typer.Argument(metavar="FILE", help="OCX file to write; a .glb goes beside it.")],
-    length: Annotated[str, typer.Option(help="Length, along x: '43 m'.")],
-    breadth: Annotated[str, typer.Option(help="Breadth, along y: '23 m'.")],
-    height: Annotated[str, typer.Option(help="Height from bottom to uppermost deck: '11 m'.")],
-    mass: Annotated[str, typer.Option(help="Mass of all steel: '300 t'.")],
+    length: Annotated[str, typer.Option(metavar="LENGTH", help="Length, along x: '43 m'.")],
+    breadth: Annotated[str, typer.Option(metavar="LENGTH", help="Breadth, along y: '23 m'.")],
+    height: Annotated[
+        str, typer.Option(metavar="LENGTH", help="Height from bottom to uppermost deck: '11 m'.")
+    ],
+    mass: Annotated[str, typer.Option(metavar="MASS", help="Mass of all steel: '300 t'.")],
     centre_height: Annotated[
         str | None,
         typer.Option(
-            help="Height of the centre of gravity: '5.1 m'.  [default: where the structure puts it]"
+            metavar="LENGTH",
+            help="Height of the centre of gravity: '5.1 m'.  [default: where the structure puts it]",
         ),
     ] = None,
-    double_bottom: Annotated[str, typer.Option(help="Height of the inner bottom.")] = "1.2 m",
-    frame_spacing: Annotated[str, typer.Option(help="Between floors and web frames.")] = "3.2 m",
-    longitudinal_spacing: Annotated[str, typer.Option(help="Between longitudinals.")] = "0.9 m",
+    double_bottom: Annotated[
+        str, typer.Option(metavar="LENGTH", help="Height of the inner bottom.")
+    ] = "1.2 m",
+    frame_spacing: Annotated[
+        str, typer.Option(metavar="LENGTH", help="Between floors and web frames.")
+    ] = "3.2 m",
+    longitudinal_spacing: Annotated[
+        str, typer.Option(metavar="LENGTH", help="Between longitudinals.")
+    ] = "0.9 m",
     tween_decks: Annotated[int, typer.Option(help="Decks between inner bottom and uppermost deck.")] = 0,
 ) -> None:
     """Make a ship block: double bottom, sides, decks, web frames and pillars of a given size and mass.
@@ -41,16 +51,14 @@ def make_ship_block(
 
     try:
         sizes = ShipBlockSizes(
-            length=_quantity("--length", length, "length"),
-            breadth=_quantity("--breadth", breadth, "length"),
-            height=_quantity("--height", height, "length"),
-            mass=_quantity("--mass", mass, "mass"),
-            centre_height=None
-            if centre_height is None
-            else _quantity("--centre-height", centre_height, "length"),
-            double_bottom=_quantity("--double-bottom", double_bottom, "length"),
-            frame_spacing=_quantity("--frame-spacing", frame_spacing, "length"),
-            longitudinal_spacing=_quantity("--longitudinal-spacing", longitudinal_spacing, "length"),
+            length=quantity_of("--length", length, "length"),
+            breadth=quantity_of("--breadth", breadth, "length"),
+            height=quantity_of("--height", height, "length"),
+            mass=quantity_of("--mass", mass, "mass"),
+            centre_height=quantity_of("--centre-height", centre_height, "length"),
+            double_bottom=quantity_of("--double-bottom", double_bottom, "length"),
+            frame_spacing=quantity_of("--frame-spacing", frame_spacing, "length"),
+            longitudinal_spacing=quantity_of("--longitudinal-spacing", longitudinal_spacing, "length"),
             tween_decks=tween_decks,
         )
         made = ship_block(sizes)
@@ -62,15 +70,6 @@ def make_ship_block(
         output.write_bytes(write_ocx(made))
         beside.write_bytes(write_glb(made.model))
     typer.echo("\n".join([*_summary(made), f"Written     {output}, {beside}"]))
-
-
-def _quantity(option: str, text: str, dimension: str) -> float:
-    from gantline.units import UnitError, quantity
-
-    try:
-        return quantity(text, dimension)
-    except UnitError as problem:
-        stop(f"{option}: {problem}")
 
 
 def _summary(made: ShipBlock) -> list[str]:

@@ -9,6 +9,7 @@ from typer.core import TyperGroup
 
 from gantline.cli.cad import cad
 from gantline.cli.cad_block import make_ship_block
+from gantline.cli.examples import examples_of
 
 __all__ = ["cad_app"]
 
@@ -26,8 +27,8 @@ class _FileOrVerb(TyperGroup):
 
 
 cad_app = typer.Typer(cls=_FileOrVerb, no_args_is_help=True, rich_markup_mode=None)
-cad_app.command(_FILE)(cad)
-cad_app.command("block")(make_ship_block)
+cad_app.command(_FILE, epilog=examples_of("cad file"))(cad)
+cad_app.command("block", epilog=examples_of("cad block"))(make_ship_block)
 
 
 @cad_app.callback(epilog="`gantline cad FILE` is short for `gantline cad file FILE`.")

@@ -30,9 +30,22 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
         ("gantline check mylift", "is this lift file right?"),
         ("gantline check results/mylift", "does the lift keep its limits? code 1 if not"),
     ),
+    "cad file": (
+        ("gantline cad file load.3docx --parts", "masses part by part, and a picture"),
+        (
+            "gantline cad file hull.stl --unit mm --thickness '12 mm'",
+            "plates of a plain surface",
+        ),
+    ),
+    "cad block": (
+        (
+            "gantline cad block block.3docx --length '43 m' --breadth '23 m' --height '11 m' --mass '300 t'",
+            "a ship block to try a lift with",
+        ),
+    ),
     "hydro": (("gantline hydro box:100m,30m,8m --kg '5 m'", "drafts, displacement, GM of a barge"),),
     "ballast": (
-        ("gantline ballast mylift --step 'hold point 2'", "even keel while the load hangs"),
+        ("gantline ballast mylift --step 'hold point 6'", "even keel while the load hangs"),
         ("gantline ballast mylift --draft '4.4 m' --tanks row1,row2", "with a draft, by two tanks"),
     ),
     "report": (

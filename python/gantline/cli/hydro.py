@@ -148,13 +148,10 @@ def _values(option: str, text: str | None, dimension: str) -> list[float] | None
     span, slash, number = (word.strip() for word in text.rpartition("/"))
     first, dots, last = (word.strip() for word in span.partition(".."))
     if not (slash and dots):
-        values = [quantity_of(option, part.strip(), dimension) for part in text.split(",")]
-        return [value for value in values if value is not None]
+        return [quantity_of(option, part.strip(), dimension) for part in text.split(",")]
     if not (number.isascii() and number.isdecimal() and 2 <= int(number[:9]) <= _MOST):
         stop(f"{option}: '{number}' is no number of values; a whole number from 2 to {_MOST} is right")
     begin, end = quantity_of(option, first, dimension), quantity_of(option, last, dimension)
-    if begin is None or end is None:
-        return None
     return [begin + (end - begin) * k / (int(number) - 1) for k in range(int(number))]
 
 

@@ -7,7 +7,7 @@ import os
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, overload
 
 import typer
 
@@ -53,6 +53,14 @@ Moment = Annotated[
         help="Time of the plan, such as '12 s'.  [default: the end of the lift]",
     ),
 ]
+
+
+@overload
+def quantity_of(option: str, text: str, dimension: str) -> float: ...
+
+
+@overload
+def quantity_of(option: str, text: str | None, dimension: str) -> float | None: ...
 
 
 def quantity_of(option: str, text: str | None, dimension: str) -> float | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
@@ -15,6 +14,7 @@ from gantline.plot.comparison import comparison_figures
 from gantline.plot.energy import energy
 from gantline.plot.style import RC
 from gantline.plot.vessels import vessels
+from gantline.replacing import replaced
 from gantline.results.comparison import Comparison
 from gantline.results.recording import Recording
 
@@ -94,13 +94,7 @@ def write_pictures(pictures: Iterable[tuple[str, Figure]], directory: str | Path
     paths = []
     for name, figure in pictures:
         path = Path(directory) / f"{name}.png"
-        temporary = path.with_name(f".{path.name}.part")
-        try:
-            with matplotlib.rc_context(RC):
-                figure.savefig(temporary, format="png")
-            os.replace(temporary, path)
-        except BaseException:
-            temporary.unlink(missing_ok=True)
-            raise
+        with replaced(path) as trial, matplotlib.rc_context(RC):
+            figure.savefig(trial, format="png")
         paths.append(path)
     return paths

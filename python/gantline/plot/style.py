@@ -31,7 +31,7 @@ WARN = "#8A5A00"
 KILO = 1e3
 _LEGEND_WIDTH, _KEY_WIDTH = 6.0, 0.4  # inch
 _PEAK_BELOW = 0.84  # of a panel's height: the text above a peak stays clear of 'lift-off'
-TONNE_FORCE = 9.81e3  # N; only pictures speak of tonne-force
+TONNE_FORCE = 9.81e3  # N; only what people read speaks of tonne-force
 
 RC: Any = {
     "font.family": "DejaVu Sans",

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
@@ -21,6 +20,7 @@ import h5py
 import numpy as np
 from isal import isal_zlib
 
+from gantline.replacing import replaced
 from gantline.results.form import FormError
 from gantline.results.layout import hold_variable
 from gantline.results.recording import Recording
@@ -46,16 +46,8 @@ def save_recording(recording: Recording, path: Path) -> Path:
     Raises:
         OSError: If it cannot be written.
     """
-    handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
-    os.close(handle)
-    try:
-        with h5netcdf.File(temporary, "w") as file:
-            _write(recording, file)
-        os.chmod(temporary, 0o666 & ~_umask())
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
+    with replaced(path) as trial, h5netcdf.File(trial, "w") as file:
+        _write(recording, file)
     return path
 
 
@@ -86,7 +78,16 @@ def load_recording(path: Path) -> Recording:
         ) from None
     except (OSError, LookupError, RuntimeError, TypeError, AttributeError, ValueError) as problem:
         # What h5py says of a damaged file has many forms.
-        raise ValueError(f"{path}: not a recording of gantline ({problem})") from problem
+        raise ValueError(f"{path}: not a recording of gantline ({_reason(str(problem))})") from problem
+
+
+def _reason(words: str) -> str:
+    """What h5py says, in words of those who make recordings where it is of the commonest kinds."""
+    if "file signature not found" in words:
+        return "it is no NetCDF4 file"
+    if "truncated file" in words:
+        return "it is cut off: copy it anew, or run the lift again"
+    return words
 
 
 def _write(recording: Recording, file: h5netcdf.File) -> None:
@@ -205,9 +206,3 @@ def _attribute(name: str, value: Any) -> Any:
         return json.loads(str(value))
     except ValueError:
         return str(value)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

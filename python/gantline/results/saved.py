@@ -10,13 +10,12 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import os
-import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from gantline.replacing import replaced
 from gantline.results.recording import Recording, open_recording
 
 __all__ = [
@@ -179,15 +178,8 @@ def replace_text(path: Path, text: str) -> None:
     Raises:
         OSError: If it cannot be written there.
     """
-    handle, trial = tempfile.mkstemp(prefix=f".{path.stem}.", dir=path.parent)
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.chmod(trial, 0o644)
-        os.replace(trial, path)
-    except BaseException:
-        Path(trial).unlink(missing_ok=True)
-        raise
+    with replaced(path) as trial:
+        trial.write_text(text, encoding="utf-8", newline="\n")
 
 
 def _read_cases(path: Path) -> SavedCases | None:

@@ -34,7 +34,8 @@ def load_scenario(path: str | Path) -> Scenario:
         file = shipped()[str(path)]
     if _is_folder(file):
         if not (file / FILE_NAME).is_file():
-            sentence = f"is a folder without {FILE_NAME}; a lift file or its folder is needed"
+            holds = "with a recording" if any(file.glob("*.nc")) else f"without {FILE_NAME}"
+            sentence = f"is a folder {holds}; a lift file or its folder is needed"
             raise ScenarioError(str(file), [Problem(None, "", sentence)])
         file = file / FILE_NAME
     source = str(file)

@@ -36,6 +36,8 @@ LARGEST_FILE: Final = 5_000_000
 _DEEPEST: Final = 32
 #: What the reader refuses as it stands comes by an escape of quoted text; no file can be written with it.
 _NO_TEXT: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
+#: With what a recording begins.
+_HDF5: Final = b"\x89HDF"
 _YAML_TAG: Final = "tag:yaml.org,2002:"
 _TYPES: Final = " (equalizer_types and sling_defaults say once what many share)"
 
@@ -84,14 +86,17 @@ def read_text(path: Path, source: str) -> str:
         raise _whole(source, f"cannot be read ({reason}); a lift file or its folder is needed") from None
     if not stat.S_ISREG(status.st_mode):
         raise _whole(source, "is not a file; a lift file or its folder is needed")
-    if status.st_size > LARGEST_FILE:
-        size = status.st_size / 1e6
-        raise _whole(source, f"has {size:.1f} MB; a lift file has at most {LARGEST_FILE / 1e6:.0f} MB")
     try:
         with path.open("rb") as file:
             content = file.read(LARGEST_FILE + 1)
     except OSError as error:
         raise _whole(source, f"cannot be read ({error.strerror})") from None
+    if content.startswith(_HDF5):
+        takers = "'gantline check', 'report', 'view', 'export' and 'compare'"
+        raise _whole(source, f"is no lift file but a recording; {takers} take recordings")
+    if len(content) > LARGEST_FILE:
+        size = status.st_size / 1e6
+        raise _whole(source, f"has {size:.1f} MB; a lift file has at most {LARGEST_FILE / 1e6:.0f} MB")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

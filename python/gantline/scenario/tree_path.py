@@ -12,7 +12,7 @@ from typing import Final
 from gantline.scenario.errors import closest, nearest, shorten
 from gantline.scenario.tree import ListNode, MapNode, Node, TextNode
 
-__all__ = ["PathError", "map_node", "node_at", "put", "text_node"]
+__all__ = ["PathError", "node_at", "put", "text_node"]
 
 _AXES: Final = ("x", "y", "z")
 
@@ -55,13 +55,6 @@ def text_node(text: str, line: int) -> TextNode:
     """A scalar as if it had been written in a line."""
     node = TextNode(text)
     node.line = line
-    return node
-
-
-def map_node(entries: dict[str, str], line: int) -> MapNode:
-    """A mapping of scalars as if it had been written in a line."""
-    node = MapNode({key: text_node(text, line) for key, text in entries.items()})
-    node.line, node.key_lines = line, dict.fromkeys(entries, line)
     return node
 
 

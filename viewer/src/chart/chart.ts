@@ -5,7 +5,7 @@ import { element, set, svg } from "../dom";
 import type { Session } from "../player/session";
 import { Cursors } from "./cursors";
 import { COLOURS, type Family, familiesOf } from "./families";
-import { type Area, areaOf, type ChartSpec, frameOf, unfinished, xOf, yOf } from "./frame";
+import { type Area, areaOf, type ChartSpec, frameOf, limitNames, names, unfinished, xOf, yOf } from "./frame";
 import { Legend } from "./legend";
 import { endNames, type Paper, peakMark, roomOf } from "./marks";
 import { digitsOf, type Scale, shown, verticalScale } from "./scale";
@@ -165,10 +165,12 @@ export class Chart {
       extremes: family.extremes.filter((index) => this.isShown(this.curves[index]!)),
     });
     const hasRoom = this.areMany && this.width >= WIDE;
+    const limits = limitNames(this.spec, area, this.scale);
     this.marks.replaceChildren(
-      ...unfinished(session, area),
+      ...unfinished(session, area, limits),
+      ...names(session, area, limits),
       ...(hasRoom ? endNames(this.families.map(shownOnly), this.curves, paper) : []),
-      ...(this.spec.peak ? peakMark(visible, this.spec.unit, paper) : []),
+      ...(this.spec.peak ? peakMark(visible, this.spec.unit, paper, limits) : []),
     );
   }
 

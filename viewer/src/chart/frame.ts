@@ -141,25 +141,37 @@ function tonnes(area: Area, scale: Scale): SVGElement[] {
   });
 }
 
-function liftOff(session: Session, area: Area): SVGElement[] {
+/** Where the load lifts off; null where that is out of sight. */
+function liftOffAt(session: Session, area: Area): number | null {
   const time = session.lift.header.liftOff;
   const [begin, end] = session.span;
-  if (time === null || time < begin || time > end) return [];
-  const x = xOf(area, session.span, time);
+  return time === null || time < begin || time > end ? null : xOf(area, session.span, time);
+}
+
+function liftOff(session: Session, area: Area): SVGElement[] {
+  const x = liftOffAt(session, area);
+  if (x === null) return [];
+  return [svg("line", { x1: x, x2: x, y1: area.top - 2, y2: area.bottom, class: "gl-lift-off" })];
+}
+
+function liftOffName(session: Session, area: Area): SVGElement[] {
+  const x = liftOffAt(session, area);
+  if (x === null) return [];
   const isLate = x > area.left + 0.8 * (area.right - area.left);
   const place = { x: x + (isLate ? -4 : 4), y: area.top + 8, "text-anchor": isLate ? "end" : "start" };
-  return [
-    svg("line", { x1: x, x2: x, y1: area.top - 2, y2: area.bottom, class: "gl-lift-off" }),
-    svg("text", { ...place, class: "gl-note" }, "lift-off"),
-  ];
+  return [svg("text", { ...place, class: "gl-note" }, "lift-off")];
 }
 
 /** Where the run has ended before its plan; to be drawn upon the curves. */
-export function unfinished(session: Session, area: Area): SVGElement[] {
+export function unfinished(session: Session, area: Area, limits: readonly LimitName[]): SVGElement[] {
   const { header, end } = session.lift;
   if (!header.unfinished || end > session.span[1]) return [];
   const x = xOf(area, session.span, end);
-  const place = { x: x - 4, y: area.bottom - 6, "text-anchor": "end", class: "gl-note gl-unfinished-name" };
+  // Above the names of limits, which stand at the right too.
+  const isTaken = (y: number) => limits.some(({ baseline }) => Math.abs(baseline - y) < LINE);
+  let y = area.bottom - 6;
+  while (isTaken(y) && y > area.top + LINE) y -= LINE;
+  const place = { x: x - 4, y, "text-anchor": "end", class: "gl-note gl-unfinished-name" };
   return [
     svg("line", { x1: x, x2: x, y1: 2, y2: area.bottom, class: "gl-unfinished" }),
     svg("text", place, header.unfinished),
@@ -167,20 +179,43 @@ export function unfinished(session: Session, area: Area): SVGElement[] {
 }
 
 function limits(spec: ChartSpec, area: Area, scale: Scale): SVGElement[] {
-  const taken: { x: number; y: number }[] = [];
-  return (spec.limits ?? []).flatMap((limit) => {
+  return (spec.limits ?? []).map((limit) => {
     const y = yOf(area, scale, limit.value);
-    const hasRoom = y + LINE < area.bottom;
-    const isBelow = y - 4 - LINE < area.top || (hasRoom && area.inverted && limit.value > 0);
-    const text = isBelow ? y + LINE : y - 4;
-    // Names of limits that are near to each other stand side by side.
-    const beside = taken.filter((one) => Math.abs(one.y - text) < LINE).map((one) => one.x);
-    const x = Math.min(area.right - 4, ...beside);
-    taken.push({ x: x - LETTER * limit.label.length - 8, y: text });
-    const place = { x, y: text, "text-anchor": "end", class: "gl-limit-name" };
-    return [
-      svg("line", { x1: area.left, x2: area.right, y1: y, y2: y, class: "gl-limit" }),
-      svg("text", place, limit.label),
-    ];
+    return svg("line", { x1: area.left, x2: area.right, y1: y, y2: y, class: "gl-limit" });
   });
+}
+
+/** The name of a limit, which ends at `right`, with the line that it belongs to [pixels]. */
+export interface LimitName {
+  text: string;
+  left: number;
+  right: number;
+  baseline: number;
+  line: number;
+}
+
+/** Where the names of limits stand. */
+export function limitNames(spec: ChartSpec, area: Area, scale: Scale): LimitName[] {
+  const taken: LimitName[] = [];
+  for (const { value, label } of spec.limits ?? []) {
+    const line = yOf(area, scale, value);
+    const hasRoom = line + LINE < area.bottom;
+    const isBelow = line - 4 - LINE < area.top || (hasRoom && area.inverted && value > 0);
+    const baseline = isBelow ? line + LINE : line - 4;
+    // Names of limits that are near to each other stand side by side.
+    const beside = taken.filter((one) => Math.abs(one.baseline - baseline) < LINE).map((one) => one.left);
+    const right = Math.min(area.right - 4, ...beside);
+    taken.push({ text: label, left: right - LETTER * label.length - 8, right, baseline, line });
+  }
+  return taken;
+}
+
+/** Lift-off and the limits by name; to be drawn upon the curves. */
+export function names(session: Session, area: Area, limits: readonly LimitName[]): SVGElement[] {
+  return [
+    ...limits.map(({ text, right, baseline }) =>
+      svg("text", { x: right, y: baseline, "text-anchor": "end", class: "gl-limit-name" }, text),
+    ),
+    ...liftOffName(session, area),
+  ];
 }

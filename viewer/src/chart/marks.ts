@@ -3,11 +3,12 @@
 import type { Curve } from "../data/curve";
 import { svg } from "../dom";
 import { apart, type Family } from "./families";
-import type { Area } from "./frame";
+import type { Area, LimitName } from "./frame";
 import { digitsOf, shown } from "./scale";
 
 const LINE = 12; // pixels from one name to the next
 const LETTER = 6.1; // pixels, mean width of a letter
+const ASIDE = 7; // pixels from a point to its name
 
 /** Where a value at a time is on paper. */
 export interface Paper {
@@ -49,7 +50,12 @@ export function roomOf(families: Family[], curves: Curve[]): number {
 }
 
 /** A dot on the highest point of all with its curve, value and time, where that is in sight. */
-export function peakMark(curves: Curve[], unit: string, paper: Paper): SVGElement[] {
+export function peakMark(
+  curves: Curve[],
+  unit: string,
+  paper: Paper,
+  limits: readonly LimitName[],
+): SVGElement[] {
   if (!curves.length) return [];
   const highest = curves.reduce((one, other) => (other.top[0] > one.top[0] ? other : one));
   const [value, time] = highest.top;
@@ -57,12 +63,28 @@ export function peakMark(curves: Curve[], unit: string, paper: Paper): SVGElemen
   if (!(time >= span[0] && time <= span[1]) || value <= 0) return [];
   const [x, y] = [paper.x(time), paper.y(value)];
   const text = `${highest.entry.label} ${shown(value, digitsOf(unit))} ${unit} at ${shown(time, 2)} s`;
-  const isRight = x + LETTER * text.length > area.right;
-  const place = {
-    x: x + (isRight ? -7 : 7),
-    y: y - 5,
-    "text-anchor": isRight ? "end" : "start",
-    class: "gl-peak-name",
-  };
+  const place = { ...peakPlace(x, y, LETTER * text.length, area, limits), class: "gl-peak-name" };
   return [svg("circle", { cx: x, cy: y, r: 3, class: "gl-peak" }), svg("text", place, text)];
+}
+
+/** Where the name of a point begins: on its right, else on its left, else as far right as there is room. */
+export function peakPlace(
+  x: number,
+  y: number,
+  wide: number,
+  area: Area,
+  limits: readonly LimitName[],
+): { x: number; y: number } {
+  const [right, left] = [x + ASIDE, x - ASIDE - wide];
+  const from = right + wide <= area.right ? right : left >= area.left ? left : area.right - wide;
+  const isFree = (baseline: number) =>
+    baseline >= area.top &&
+    limits.every(
+      ({ line, baseline: other, ...name }) =>
+        (line < baseline - LINE || line > baseline + 3) &&
+        (Math.abs(other - baseline) >= LINE || from + wide < name.left || from > name.right),
+    );
+  const near = limits.map(({ line }) => line - 4).filter((line) => Math.abs(line - y) < 2 * LINE);
+  const above = [y - 5, ...near, ...near.map((line) => line - LINE)];
+  return { x: Math.max(area.left + 2, from), y: above.find(isFree) ?? y + LINE + 5 };
 }

@@ -102,6 +102,11 @@ export class Lift {
     return this.curves.filter((curve) => curve.entry.group === name);
   }
 
+  /** The step of the plan that is under way at a time [s]. */
+  stepAt(time: number): Step | undefined {
+    return this.steps.find((one) => time >= one.begin && time < one.end);
+  }
+
   array(name: string): Numbers | undefined {
     return this.arrays.get(name);
   }

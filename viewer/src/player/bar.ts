@@ -92,7 +92,7 @@ export class Bar {
     this.text = text;
     this.clock.textContent = text;
     if (this.session.playing) return; // nobody listens to what changes at every frame
-    const step = lift.steps.find((one) => time >= one.begin && time < one.end);
+    const step = lift.stepAt(time);
     set(this.slider, { "aria-valuetext": step ? `${text}, ${step.name}` : text });
   }
 

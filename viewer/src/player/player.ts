@@ -8,9 +8,14 @@ import { Pinned } from "./pinned";
 import type { Session } from "./session";
 import { Stage } from "./stage";
 
+const SAID = 3000; // ms
+
 export class Player {
   readonly stage: Stage | null;
   private pending = 0;
+  /** What came of a press that shows nothing else. */
+  private readonly said = element("span", { class: "gl-said", role: "status" });
+  private unsaid = 0;
 
   constructor(
     readonly session: Session,
@@ -20,9 +25,12 @@ export class Player {
     this.stage = this.makeStage();
     const bar = new Bar(session);
     bar.root.append(this.pinMenu());
-    bar.root.append(button("Copy a link to what is shown", ICONS.link, () => this.copyLink()));
+    bar.root.append(button("Copy a link to what is shown", ICONS.link, () => void this.copyLink()));
     if (this.stage) bar.root.append(button("Save a picture (P)", ICONS.save, () => this.savePicture()));
-    bar.root.append(button("Full screen", ICONS.full, () => this.fullScreen()));
+    bar.root.append(
+      button("Full screen", ICONS.full, () => this.fullScreen()),
+      this.said,
+    );
     root.append(bar.root, new Pinned(session).root);
     root.addEventListener("keydown", (event) => this.onKey(event));
     this.restore(parse(location.hash));
@@ -120,19 +128,34 @@ export class Player {
   private remember(): void {
     clearTimeout(this.pending);
     this.pending = setTimeout(() => {
-      if (this.session.playing) return;
-      try {
-        history.replaceState(null, "", written(this.shown()));
-      } catch {
-        // A page without an address of its own keeps none.
-      }
+      if (!this.session.playing) this.writeAddress();
     }, 300) as unknown as number;
   }
 
-  private copyLink(): void {
+  private writeAddress(): void {
+    try {
+      history.replaceState(null, "", written(this.shown()));
+    } catch {
+      // A page without an address of its own keeps none.
+    }
+  }
+
+  private async copyLink(): Promise<void> {
     const link = location.href.replace(/#.*$/, "") + written(this.shown());
-    history.replaceState(null, "", written(this.shown()));
-    void navigator.clipboard?.writeText(link).catch(() => {});
+    this.writeAddress();
+    try {
+      await navigator.clipboard.writeText(link);
+      this.say("link copied");
+    } catch {
+      // Browsers keep the clipboard from pages that they do not trust.
+      this.say("the link is in the address bar");
+    }
+  }
+
+  private say(text: string): void {
+    this.said.textContent = text;
+    clearTimeout(this.unsaid);
+    this.unsaid = setTimeout(() => this.said.replaceChildren(), SAID) as unknown as number;
   }
 
   private savePicture(): void {

@@ -6,6 +6,7 @@ import { Pace } from "../pace";
 import { Cameras, type View } from "../scene/cameras";
 import { Labels } from "../scene/labels";
 import { ropeAt } from "../scene/picking";
+import type { Box } from "../scene/settle";
 import { World } from "../scene/world";
 import { onTheme, paletteOf, rampGradient } from "../theme";
 import type { Session } from "./session";
@@ -40,6 +41,9 @@ export class Stage {
   private readonly pace = new Pace(READABLE);
   private needsLabels = true;
   private withValues = true;
+  /** What lies on the drawing, so that names keep off it. */
+  private readonly overlays: HTMLElement[];
+  private reserved: Box[] = [];
   private width = 640;
   private height = 360;
   private lastFrame = 0;
@@ -63,7 +67,8 @@ export class Stage {
       this.world.isCheap,
       (on) => this.setCheap(on),
     );
-    this.root.append(this.labels.root, this.viewButtons(), this.legend(), this.step, this.switches());
+    this.overlays = [this.viewButtons(), this.legend(), this.step, this.switches()];
+    this.root.append(this.labels.root, ...this.overlays);
     set(this.canvas, { tabindex: 0 });
     onTheme((theme) => {
       palette = paletteOf(theme);
@@ -123,8 +128,12 @@ export class Stage {
       "div",
       { class: "gl-ramp-box" },
       element("div", { class: "gl-ramp-title" }, "Rope tension"),
-      this.ramp,
-      element("div", { class: "gl-scale" }, "0", half, whole),
+      element(
+        "div",
+        { class: "gl-ramp-strip" },
+        this.ramp,
+        element("div", { class: "gl-scale" }, "0", half, whole),
+      ),
       slack,
     );
   }
@@ -176,7 +185,17 @@ export class Stage {
     // Names with values need room.
     this.withValues = this.width >= 560;
     this.world.resize(this.width, this.height);
+    this.reserve();
     this.redraw();
+  }
+
+  private reserve(): void {
+    this.reserved = this.overlays.map((one) => ({
+      x: one.offsetLeft + one.offsetWidth / 2,
+      y: one.offsetTop + one.offsetHeight / 2,
+      width: one.offsetWidth,
+      height: one.offsetHeight,
+    }));
   }
 
   private listen(): void {
@@ -248,10 +267,12 @@ export class Stage {
     const isDue = this.pace.isDue();
     if (this.session.playing && !this.needsLabels && !isDue) return;
     this.needsLabels = false;
-    this.labels.update(this.width, this.height, this.withValues);
-    const step = lift.steps.find((one) => time >= one.begin && time < one.end);
-    const text = step?.name ?? "";
-    if (this.step.textContent !== text) this.step.textContent = text;
+    const text = lift.stepAt(time)?.name ?? "";
+    if (this.step.textContent !== text) {
+      this.step.textContent = text;
+      this.reserve();
+    }
+    this.labels.update(this.width, this.height, this.withValues, this.reserved);
   }
 
   /** Where frames come slowly, ropes become thin lines; where they still do, pixels become coarse. */

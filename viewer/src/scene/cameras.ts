@@ -66,7 +66,7 @@ export class Cameras {
       const half = Math.tan((this.camera.fov * Math.PI) / 360);
       const deep = this.view === "top" ? spans[2] / 2 : spans[1] / 2;
       // A narrow drawing has its buttons above the lift, not beside it.
-      const room = this.camera.aspect < 1 ? 1.2 : 1.04;
+      const room = this.camera.aspect < 1 ? 1.4 : 1.04;
       reach = room * Math.max(tall / 2 / half, wide / 2 / half / this.camera.aspect) + deep;
       target.set(0, 0, 0);
     }

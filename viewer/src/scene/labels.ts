@@ -3,6 +3,7 @@
 import type { Lift } from "../data/lift";
 import { element, set } from "../dom";
 import { TOUCHING } from "./clearances";
+import { type Box, settle } from "./settle";
 import type { World } from "./world";
 
 /** Slings up to which each has its name; more of them would hide the lift. */
@@ -10,10 +11,17 @@ const MOST_SLINGS = 24;
 const MOST_WITH_VALUES = 8;
 const MOST_BODIES = 20;
 const MOST_PAIRS = 8;
+const LINE = 16; // pixels, as `.gl-label` has it
+const PADDING = 10; // pixels, left and right together
+const MOST_WIDE = 190; // pixels, from which a name is cut short
+const BESIDE = 12; // pixels from a hook to its name
+/** Slings of which less is seen have no name: it would cover them [pixels]. */
+const SHORT = 48;
 
 interface Label {
   root: HTMLElement;
   value: HTMLElement;
+  name: string;
   rope: number;
   body: number;
   pair: number;
@@ -26,6 +34,9 @@ export class Labels {
   readonly root = element("div", { class: "gl-labels", "aria-hidden": "true" });
   private readonly labels: Label[] = [];
   private readonly slings: number;
+  /** Measures text without a layout of the page. */
+  private readonly ruler = document.createElement("canvas").getContext("2d");
+  private knowsFont = false;
 
   constructor(
     private readonly lift: Lift,
@@ -51,35 +62,52 @@ export class Labels {
   private add(name: string, kind: string, of: Partial<Pick<Label, "rope" | "body" | "pair">>): void {
     const value = element("span", { class: "gl-label-value" });
     const root = element("div", { class: kind }, name, value);
-    this.labels.push({ root, value, rope: -1, body: -1, pair: -1, text: "", way: "", ...of });
+    this.labels.push({ root, value, name, rope: -1, body: -1, pair: -1, text: "", way: "", ...of });
     root.hidden = true;
     this.root.append(root);
   }
 
-  update(width: number, height: number, withValues: boolean): void {
+  /** Put every name where it belongs now; `reserved` is taken by buttons and legend. */
+  update(width: number, height: number, withValues: boolean, reserved: readonly Box[]): void {
     if (this.root.hidden) return;
-    const placed: [number, number][] = [];
+    const taken = [...reserved];
     const hasValues = withValues && this.slings <= MOST_WITH_VALUES;
+    if (this.ruler && !this.knowsFont) {
+      this.ruler.font = `600 11px ${getComputedStyle(this.root).fontFamily}`;
+      this.knowsFont = this.root.isConnected;
+    }
     for (const label of this.labels) {
-      const place = this.placeOf(label, width, height);
-      const isFree = place && dodge(place, placed, label.rope < 0 ? 70 : hasValues ? 84 : 30);
-      if (!place || !isFree) {
+      const text = this.textOf(label, hasValues);
+      const box = this.boxOf(label, text, width, height);
+      if (!box || !settle(box, taken, width, height)) {
         if (label.way) label.root.hidden = true;
         label.way = "";
         continue;
       }
-      placed.push(place);
+      taken.push(box);
       // On whole pixels: letters stay sharp, and what hardly moves costs nothing.
-      const way = `translate(${Math.round(place[0])}px, ${Math.round(place[1])}px) translate(-50%, -50%)`;
+      const way = `translate(${Math.round(box.x)}px, ${Math.round(box.y)}px) translate(-50%, -50%)`;
       if (!label.way) label.root.hidden = false;
       if (way !== label.way) label.root.style.transform = way;
       label.way = way;
-      const text = this.textOf(label, hasValues);
       if (text !== label.text) {
         label.text = text;
         label.value.textContent = text;
       }
     }
+  }
+
+  /** The room that a name takes at the place that it would have alone; null where it has none. */
+  private boxOf(label: Label, text: string, width: number, height: number): Box | null {
+    const place = this.placeOf(label, width, height);
+    if (!place) return null;
+    const wide = PADDING + (this.ruler?.measureText(label.name + text).width ?? 0);
+    const box = { x: place[0], y: place[1], width: Math.min(MOST_WIDE, wide), height: LINE };
+    if (label.body >= 0 && this.lift.header.bodies[label.body]!.kind === "hook") {
+      const aside = BESIDE + box.width / 2;
+      box.x += box.x + aside + box.width / 2 < width ? aside : -aside;
+    }
+    return box;
   }
 
   private textOf(label: Label, hasValues: boolean): string {
@@ -109,10 +137,7 @@ export class Labels {
     if (label.body >= 0) {
       const at = 7 * label.body;
       const { poses } = this.lift;
-      const place = this.world.project(poses[at]!, poses[at + 1]!, poses[at + 2]!, width, height);
-      // A hook's name stands beside it.
-      if (place && this.lift.header.bodies[label.body]!.kind === "hook") place[0] += 52;
-      return place;
+      return this.world.project(poses[at]!, poses[at + 1]!, poses[at + 2]!, width, height);
     }
     // Slings side by side: each label at another height, so that they do not lie upon each other.
     const rope = this.lift.header.ropes[label.rope]!;
@@ -127,20 +152,4 @@ export class Labels {
     );
     return this.world.project(point[0]!, point[1]!, point[2]!, width, height);
   }
-}
-
-const LINE = 18; // pixels
-/** Slings of which less is seen have no name: it would cover them [pixels]. */
-const SHORT = 48;
-
-/** Move a place down until it is free of those that are taken; false where that would be too far. */
-function dodge(place: [number, number], taken: readonly [number, number][], wide: number): boolean {
-  for (let round = 0; round < 3; round++) {
-    const other = taken.find(
-      (one) => Math.abs(one[0] - place[0]) < wide && Math.abs(one[1] - place[1]) < LINE,
-    );
-    if (!other) return true;
-    place[1] = other[1] + LINE;
-  }
-  return false;
 }
