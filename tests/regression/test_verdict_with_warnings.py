@@ -14,6 +14,7 @@ from gantline.checks import Verdict, check_recording, verdict_of
 from gantline.scenario import parse_scenario
 
 STRONG = LIFT.replace("13.2 t", "40 t").replace("46 t", "90 t")
+STRONG += "limits: {sling_factor_on_breaking_force: 3.0}\n"
 SLING = "  D: {from: crane, to: module.D, length: 8.6 m, rope: sling}\n"
 LEFT_OUT = STRONG.replace(SLING, "")
 IN_MID_AIR = STRONG.replace("D: {at: [ 2.5 m, -1.5 m, 3 m]", "D: {at: [ 2.5 m, -1.5 m, 4.5 m]").replace(

@@ -68,6 +68,15 @@ class ReevedHook:
         """Names of its ropes."""
         return hoist_ropes(self.name, self.reeving)
 
+    @property
+    def holds(self) -> float | None:
+        """Hoist load that motor and brake both hold by themselves, on the first layer of the drum [N].
+
+        Sheaves lose nothing of it; None where the motor pulls whatever it takes.
+        """
+        pulls = [pull for pull in (self.hook.hoist.capacity, self.hook.hoist.brake) if pull is not None]
+        return min(pulls) * self.reeving.ropes * self.reeving.parts_each if pulls else None
+
 
 def reeved_hooks(scenario: Scenario) -> list[ReevedHook]:
     """Hooks that hang in ropes, in the order of the lift file."""

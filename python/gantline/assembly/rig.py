@@ -24,6 +24,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.bounds import Bound
 from gantline.scenario.gear import Shackle
 from gantline.scenario.load import PLATE_NORMALS
+from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
 from gantline.scenario.tanks import ends_of_pump, tanks_of
@@ -133,6 +134,8 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
             "falls_weight_above": above,
             "direct_slings": [sling.name for sling in direct],
             "direct_weight": sum(upper_lump(sling) for sling in direct) * gravity,
+            "drum": hoist_drum(name),
+            "holds": reeved.holds,
         }
     elif direct:
         bearing = [name]  # the hook's own joint carries its slings, their shackles and its equalizers

@@ -56,6 +56,30 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
                 yield replace(found, formula=text)
 
 
+def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Static hoist load with the design weight over what motor and brake hold by themselves."""
+    for hook in recording.rig.hooks:
+        if not hook.holds:
+            continue
+        force = hook_force(recording, [hook.name], "hoist_load", during)
+        if force.static is None:
+            yield Missing(hook.name, NO_STATIC)
+            continue
+        holds = hook.holds * _first_layer_over_last(recording, hook.drum, during)
+        yield Found(
+            force.static / holds, hook.name, formula=f"{force.static_text} / {kilonewton(holds)} of its drum"
+        )
+
+
+def _first_layer_over_last(recording: Recording, name: str, during: BoolArray) -> float:
+    """Diameter of a drum's first layer over that of the last one that rope came on [1]."""
+    drum = next((one for one in recording.rig.drums if one.name == name), None)
+    if drum is None or name not in recording.coordinates.get("counted_drum", ()) or not during.any():
+        return 1.0
+    last = float(recording.column("drum_layer", name)[during].max())
+    return drum.diameter / (drum.diameter + 2.0 * drum.layer_step * (last - 1.0))
+
+
 def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Hoist load (or hook load, as the rating says) of hooks, trolleys and cranes over rated capacity."""
     for rating in recording.rig.ratings:

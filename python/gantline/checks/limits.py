@@ -111,6 +111,16 @@ LIMITS: dict[str, Measure] = {
         definition=_ALL,
         is_listed=True,
     ),
+    "hoist_load_of_drive_capacity": Measure(
+        "static hoist load with the design weight / what motor and brake of the drum hold where sheaves lose "
+        "nothing",
+        "%",
+        1,
+        hooks.of_drive_capacity,
+        by_definition=1.0,
+        definition="more slips; how much less is safe, a rule says",
+        is_listed=True,
+    ),
     "hoist_load_of_rating": Measure(
         "hoist load (hook load, if the rating leaves the hook block out) x factor of several cranes / rated "
         "load of the chart where the hook is, of crane and hook",

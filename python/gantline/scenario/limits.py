@@ -107,6 +107,11 @@ class Limits(Element):
         None,
         description="Hoist load of rated capacity, of hooks and of 'hook_groups'; 100 % if not given.",
     )
+    hoist_load_of_drive_capacity: Ratio | None = Field(
+        None,
+        description="Static hoist load of what motor and brake of a hoist hold, 67 % for instance; 100 % if "
+        "not given.",
+    )
     falls_out_of_plumb: PositiveAngle | None = Field(
         None, description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms."
     )
