@@ -134,6 +134,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
             "falls_weight_above": above,
             "direct_slings": [sling.name for sling in direct],
             "direct_weight": sum(upper_lump(sling) for sling in direct) * gravity,
+            "sheave_diameter": reeved.reeving.diameter((scenario.ropes or {})[reeved.reeving.rope].diameter),
             "drum": hoist_drum(name),
             "holds": reeved.holds,
         }

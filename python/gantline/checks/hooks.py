@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+import numpy as np
+
 from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, UNRAISED, hook_force, kilonewton, over
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
@@ -54,6 +56,19 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
             for found in extreme(recording, force / static, during, hook.name):
                 yield replace(found, formula=text)
+
+
+def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """How far the sheaves of a hook block stay below those above: length of the falls less a diameter."""
+    for hook in recording.rig.hooks:
+        if not hook.falls or not hook.sheave_diameter:
+            continue
+        lengths = np.min([recording.column("segment_length", part) for part in hook.falls], axis=0)
+        for found in extreme(recording, lengths - hook.sheave_diameter, during, hook.name, smallest=True):
+            shortest = found.value + hook.sheave_diameter
+            yield replace(
+                found, formula=f"falls of {shortest:.2f} m - sheaves of {hook.sheave_diameter:.2f} m"
+            )
 
 
 def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -91,6 +91,16 @@ LIMITS: dict[str, Measure] = {
         definition=_ALL,
         is_listed=True,
     ),
+    "hook_falls_margin": Measure(
+        "shortest part of the falls of a hook block - diameter of its sheaves, which meet those above at 0",
+        "m",
+        2,
+        hooks.falls_margin,
+        at_least=True,
+        by_definition=0.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
     "hook_approach_margin": Measure(
         "distance of a hook from a rail - smallest distance of its crane",
         "m",

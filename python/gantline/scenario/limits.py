@@ -127,6 +127,11 @@ class Limits(Element):
     hook_height_margin: NotNegativeLength | None = Field(
         None, description="Least distance of a hook below its highest position; 0 if not given."
     )
+    hook_falls_margin: NotNegativeLength | None = Field(
+        None,
+        description="Least length of the falls beyond the diameter of their sheaves, that two-blocking stays "
+        "away; 0 if not given.",
+    )
     hook_approach_margin: NotNegativeLength | None = Field(
         None, description="Least distance of a hook from a rail beyond that of the crane; 0 if not given."
     )

@@ -47,8 +47,8 @@ fn hauled_up(system: &System, kinematics: &Kinematics) -> Option<(String, String
             let [start, end] = part.ends(kinematics);
             if let (Some(body), true) = (moving, start.distance(end) < NOTHING) {
                 let cause = format!(
-                    "it has been hauled up to the next place that {} passes, and nothing stops it there; 'stops: true' \
-                     of an equalizer does",
+                    "it has been hauled up to the next place that {} passes, and nothing stops it there: hoist a hook less \
+                     far, or give an equalizer 'stops: true'",
                     rope.name
                 );
                 return Some((system.tree.bodies[body].name.clone(), cause));
