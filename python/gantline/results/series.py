@@ -118,10 +118,16 @@ def quiet_window(recording: Recording) -> BoolArray:
 
 
 def quiet_windows(recording: Recording) -> list[BoolArray]:
-    """Times that the loads hung still, in order, each of shape (time,); the last is the quiet window."""
+    """Times that the loads hung still, in order, each of shape (time,); the last is the quiet window.
+
+    None goes on where a rope parts: what others carry before and after has no mean.
+    """
     if is_equilibrium(recording):
         return [last_sample(recording)]
     clear = is_clear(recording)
+    for time, kind, _ in recording.events():
+        if kind in ("cut", "broken"):
+            clear[np.searchsorted(recording.time, time) :][:1] = False
     last = trailing(clear)
     earlier = []
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
