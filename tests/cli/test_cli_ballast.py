@@ -86,7 +86,7 @@ def test_only_some_tanks(lift: Path) -> None:
             3,
             "takes 1695.0 t less in the tanks, and they can give 1050.0 t (the draft is",
         ),
-        (["--trim", "6 deg"], 3, "the tanks cannot do it; the nearest that they come to is heel"),
+        (["--trim", "6 deg"], 3, "the tanks cannot do it; the nearest that was found is heel"),
     ],
 )
 def test_what_cannot_be(lift: Path, arguments: list[str], code: int, sentence: str) -> None:

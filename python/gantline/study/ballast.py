@@ -227,7 +227,7 @@ class _Search:
                 return found
             target, reached = self._programme(missing)
             if not reached and float(np.abs(target - self._contents).max()) <= 1.0:
-                raise CannotBeError(self._short_of(wanted))
+                raise CannotBeError(f"the tanks cannot do it; {self._short_of(wanted)}")
             self._step(target, found + 1)
         raise CannotBeError(f"no answer in {_ROUNDS} rounds; {self._short_of(wanted)}")
 
@@ -313,7 +313,7 @@ class _Search:
             for key, more in self._missing(wanted).items()
         ]
         because = "; the plan itself pumps until a condition holds" if self._acts_against else ""
-        return f"the tanks cannot do it; the nearest that they come to is {'; '.join(parts)}{because}"
+        return f"the nearest that was found is {'; '.join(parts)}{because}"
 
     def _refuse_unsound(self) -> None:
         """Contents with which the vessel, or what hangs on it, would not stay so."""
