@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import os
+import zlib
 from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
@@ -18,7 +19,6 @@ from typing import Any
 import h5netcdf
 import h5py
 import numpy as np
-from isal import isal_zlib
 
 from gantline.replacing import replaced
 from gantline.results.form import FormError
@@ -149,7 +149,8 @@ def _filtered(chunk: np.ndarray[Any, np.dtype[Any]], rows: int) -> bytes:
     if len(chunk) < rows:
         chunk = np.concatenate([chunk, np.zeros((rows - len(chunk), *chunk.shape[1:]))])
     shuffled = np.ascontiguousarray(chunk.reshape(-1).view(np.uint8).reshape(-1, chunk.itemsize).T)
-    return isal_zlib.compress(shuffled.data, _LEVEL)
+    # Of the faster libraries ISA-L was tried: now and then it makes other bytes of the same chunk.
+    return zlib.compress(shuffled.data, _LEVEL)
 
 
 def _chunks(values: np.ndarray[Any, np.dtype[Any]]) -> tuple[int, ...]:
