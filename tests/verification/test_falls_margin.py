@@ -11,19 +11,19 @@ from gantline.checks import Verdict, check_recording
 from gantline.scenario import parse_scenario
 
 FILE = Path(__file__).resolve().parents[2] / "scenarios" / "reeved_hoist" / "scenario.yaml"
-#: Height of the hook at the start, of its block, and diameter of the sheaves [m].
-HOOK, BLOCK, SHEAVES = 16.75, 3.0, 1.0
+#: Height of the hook at the start, of its hook block, and diameter of the sheaves [m].
+HOOK, HOOK_BLOCK, SHEAVES = 16.75, 3.0, 1.0
 
 
 @pytest.mark.parametrize(
     ("upper", "verdict"), [(60.0, Verdict.OK), (25.5, Verdict.FAILED)], ids=["far", "two-blocked"]
 )
 def test_it_is_what_is_left_between_the_sheaves(upper: float, verdict: Verdict) -> None:
-    """Upper sheaves - hook - block - rise - diameter; the falls are plumb."""
+    """Upper sheaves - hook - hook block - rise - diameter; the falls are plumb."""
     text = FILE.read_text(encoding="utf-8").replace("upper_sheaves_at: 60 m", f"upper_sheaves_at: {upper} m")
     recording = gantline.simulate(parse_scenario(text))
     height = recording.column("body_position", "hook")[:, 2]
-    left = upper - HOOK - BLOCK - float(height.max() - height[0]) - SHEAVES
+    left = upper - HOOK - HOOK_BLOCK - float(height.max() - height[0]) - SHEAVES
     (found,) = (one for one in check_recording(recording) if one.name == "hook_falls_margin")
     assert found.value == pytest.approx(left, abs=1e-9)
     assert found.verdict is verdict

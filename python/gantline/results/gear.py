@@ -26,7 +26,7 @@ class Hook(FromJson):
         falls: Segments of rope in which a hook with reeving hangs; empty for a hook without.
         falls_weight_above: What the upper sheaves bear of the weight of the falls [N].
         direct_weight: Weight of what `direct_slings` have lumped on the hook [N]; of a hook with reeving.
-        sheave_diameter: Pitch diameter of the sheaves of its block [m]; 0 for a hook without reeving.
+        sheave_diameter: Pitch diameter of the sheaves of its hook block [m]; 0 for a hook without reeving.
         drum: Name of its drum; empty for a hook without reeving.
         holds: Hoist load that motor and brake of its drum both hold on the first layer [N]; None without end.
     """
