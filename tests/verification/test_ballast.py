@@ -287,7 +287,7 @@ def test_tanks_too_small_and_a_vessel_that_would_capsize() -> None:
         solve_ballast(lift(barge(tanks)), draft=6.0)
     with pytest.raises(CannotBeError, match=r"takes 2675\.0 t less .* can give 900\.0 t"):
         solve_ballast(lift(barge(tanks)), draft=3.0)
-    with pytest.raises(CannotBeError, match=r"the nearest that they come to is heel .*; draft .* off"):
+    with pytest.raises(CannotBeError, match=r"the nearest that was found is heel .*; draft .* off"):
         solve_ballast(lift(barge(tanks)), draft=5.0)
     with pytest.raises(ValueError, match="8 m is not between the keel of barge at 0 m and its deck at 8 m"):
         solve_ballast(lift(barge(tanks)), draft=8.0)
