@@ -26,5 +26,6 @@ def test_what_the_others_carry_is_that_before_or_after() -> None:
         tension = series.sling_tension(recording, sling)
         before, after = (float(tension[recording.time <= 49.9][-1]), float(tension[-1]))
         static, window = series.greatest_static(recording, tension)
-        assert static == pytest.approx(max(before, after), rel=0.01)
+        # After the cut the load swings on until the end, by 5e-5 of the forces.
+        assert static == pytest.approx(max(before, after), rel=1e-4)
         assert bool((recording.time[window] < 50.0).all()) is (before > after)

@@ -11,23 +11,11 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from four_slings import DYNAMIC, LIFT
+from four_slings import DYNAMIC, HANDED_OVER, LIFT
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.scenario import parse_scenario
 
 SET_DOWN = "  - {step: set down, lower: crane, speed: 1 m/min, by: 0.4 m}\nrules:"
-SECOND = """\
-  second: {type: fixed_hook, at: [0 m, 0 m, 11.01 m], hoist: {speed: 3 m/min, acceleration: 0.05 m/s^2}}
-slings:
-  A2: {from: second, to: module.A, length: 8.7 m, rope: sling}
-  B2: {from: second, to: module.B, length: 8.7 m, rope: sling}
-  C2: {from: second, to: module.C, length: 8.7 m, rope: sling}
-  D2: {from: second, to: module.D, length: 8.7 m, rope: sling}
-"""
-HANDED_OVER = """\
-  - {step: take over, lower: crane, speed: 1 m/min, by: 0.5 m}
-  - {step: let it hang, hold: until_end}
-rules:"""
 
 
 def checks_of(text: str) -> dict[str, Check]:
@@ -50,8 +38,7 @@ def test_a_load_that_is_set_down_is_judged_as_it_hung() -> None:
 
 
 def test_a_hook_that_has_handed_its_load_over_is_judged_as_it_held_it() -> None:
-    text = LIFT.replace("slings:\n", SECOND).replace("rules:", HANDED_OVER)
-    alone, handed = checks_of(LIFT), checks_of(text)
+    alone, handed = checks_of(LIFT), checks_of(HANDED_OVER)
     used = handed["hoist_load_of_rated_capacity"]
     assert (used.element, used.verdict) == ("crane", Verdict.FAILED)
     # The slings of the other hook, 0.3 t, hang on it with their lower halves: 0.4 %.

@@ -36,3 +36,21 @@ plan:
   - {{step: hold point, hold: 20 s}}
 rules: {{dynamic_amplification_factor: {DYNAMIC}}}
 """
+#: The same load, handed over to a second hook with slings of its own, and left there.
+HANDED_OVER = LIFT.replace(
+    "slings:\n",
+    """\
+  second: {type: fixed_hook, at: [0 m, 0 m, 11.01 m], hoist: {speed: 3 m/min, acceleration: 0.05 m/s^2}}
+slings:
+  A2: {from: second, to: module.A, length: 8.7 m, rope: sling}
+  B2: {from: second, to: module.B, length: 8.7 m, rope: sling}
+  C2: {from: second, to: module.C, length: 8.7 m, rope: sling}
+  D2: {from: second, to: module.D, length: 8.7 m, rope: sling}
+""",
+).replace(
+    "rules:",
+    """\
+  - {step: take over, lower: crane, speed: 1 m/min, by: 0.5 m}
+  - {step: let it hang, hold: until_end}
+rules:""",
+)

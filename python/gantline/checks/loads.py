@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.measure import Caution, Finding, extreme, named
 from gantline.results.recording import Recording
-from gantline.results.through import slings_through_loads
+from gantline.results.through import Through, slings_through_loads
 from gantline.results.tilting import loose_tilt
 from gantline.results.variable import BoolArray
 
@@ -29,21 +29,18 @@ def transferred(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def run_through(recording: Recording) -> list[Check]:
-    """A warning where slings that carry run through a load: nothing in a simulation holds them off."""
-    found = slings_through_loads(recording)
-    if not found:
-        return []
-    worst = max(found, key=lambda one: math.inf if one.at is None else one.at)
-    slings = named(one.sling for one in found)
-    how = "hung from within or below" if worst.at is None else "through the skin of"
-    off = "" if worst.at is None else f", up to {worst.at:.2f} m from their ends"
-    return [
-        Check(
-            "sling_outside_load",
-            Verdict.WARNING,
-            "slings that carry stay outside of the load as drawn",
-            element=worst.sling,
-            time=worst.time,
-            remark=f"{slings} {how} '{worst.load}'{off}",
-        )
-    ]
+    """A warning for each load that slings which carry run through, or hang from within or below."""
+    ways: dict[tuple[str, bool], list[Through]] = {}
+    for one in slings_through_loads(recording):
+        ways.setdefault((one.load, one.at is None), []).append(one)
+    checks = []
+    for (load, is_inside), found in ways.items():
+        worst = max(found, key=lambda one: one.at or 0.0)
+        slings = named(one.sling for one in found)
+        remark = f"{slings} hung from within or below '{load}'"
+        if not is_inside:
+            remark = f"{slings} through the skin of '{load}', up to {worst.at:.2f} m from their ends"
+        meaning = "slings that carry stay outside of the load as drawn"
+        check = Check("sling_outside_load", Verdict.WARNING, meaning, element=worst.sling, time=worst.time)
+        checks.append(replace(check, remark=remark))
+    return checks

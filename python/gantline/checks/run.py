@@ -31,9 +31,10 @@ def check_recording(recording: Recording) -> list[Check]:
     Returns:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
-        check for each requirement of a step; one that failed for each rope that parted; and a warning for
-        each hoist that fell behind, where slings never carried or run through a load, where the recording has
-        warnings of its own, where steps moved nothing, and where a run lifts nothing or ends before its plan.
+        check for each requirement of a step; one that failed for each rope that parted, and for each hoist
+        that let its load go; and a warning for each that fell behind, where slings never carried or run
+        through a load, where the recording has warnings of its own, where steps moved nothing, and where a
+        run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
