@@ -9,7 +9,6 @@ import re
 import subprocess
 import sys
 import threading
-import time
 from pathlib import Path
 from typing import Any
 
@@ -49,16 +48,32 @@ def picked(recording: Recording, samples: slice) -> Recording:
 
 
 class Run:
-    """A run that is as far as it is told."""
+    """A run that is as far as it is told, by a clock that shows what it is told."""
 
-    def __init__(self) -> None:
-        self.count, self.asked = 2, 0
+    def __init__(self, cost: float = 0.0) -> None:
+        self.count, self.asked, self.now = 2, 0, 0.0
+        self.cost = cost
         self.recording = whole()
-        self.view = LiveView(self.so_far, 40.0)
+        self.view = LiveView(self.so_far, 40.0, lambda: self.now)
 
     def so_far(self) -> Recording:
         self.asked += 1
+        self.now += self.cost
         return up_to(self.recording, self.count)
+
+    def is_looked_at(self) -> None:
+        """A first page comes, and gets what there is."""
+        page = threading.Thread(target=self.view.first, daemon=True)
+        page.start()
+        while self.asked == 0:
+            self.view.offer()
+        assert ends(page)
+
+
+def ends(thread: threading.Thread) -> bool:
+    """Whether a thread that has nothing to wait for ends; much longer than that takes on a busy machine."""
+    thread.join(60.0)
+    return not thread.is_alive()
 
 
 def test_parts_of_a_recording_are_the_whole_one() -> None:
@@ -85,52 +100,41 @@ def test_a_run_at_which_nobody_looks_is_asked_for_nothing() -> None:
 
 def test_who_looks_gets_what_is_new_and_the_end() -> None:
     run = Run()
-    asker = threading.Thread(target=run.view.first)
-    asker.start()
-    while run.asked == 0:
-        run.view.offer()
-    asker.join(10.0)
-    assert not asker.is_alive()
+    run.is_looked_at()
     run.count = 100
-    before = run.asked
-    deadline = time.monotonic() + 10.0
-    while run.asked == before and time.monotonic() < deadline:
-        run.view.offer()
+    run.view.offer()
     header, data = told(run.view.since(2))
     assert (header["samples"], header["live"]) == (100, {"status": "running", "duration": 40.0})
     assert unpacked(Packed(header, data), "frames").size == 98
     run.view.finish(run.recording, "done")
     header, _ = told(run.view.since(100))
     assert (header["samples"], header["live"]["status"]) == (401, "done")
-    begun = time.monotonic()
-    run.view.wait_for_readers(10.0)
-    assert time.monotonic() - begun < 2.0  # the end has been seen: nothing to wait for
+    # The end has been seen: nothing to wait for, by a clock that stands.
+    waiting = threading.Thread(target=run.view.wait_for_readers, args=(1e6,), daemon=True)
+    waiting.start()
+    assert ends(waiting)
 
 
 def test_a_run_that_looks_costly_is_looked_at_less_often() -> None:
-    run = Run()
-    slow = run.view._recording
-
-    def costly() -> Recording:
-        time.sleep(0.2)
-        return slow()
-
-    run.view._recording = costly
-    threading.Thread(target=run.view.first).start()
-    begun = time.monotonic()
-    while time.monotonic() - begun < 1.0:
+    """A fifth of the time at most: 0.2 s at 0, 1.2 and 2.4 s; after 3 s without a question nobody looks."""
+    run = Run(cost=0.2)
+    run.is_looked_at()
+    asked_at = [0.0]
+    while run.now < 6.0:
+        asked, began = run.asked, run.now
         run.view.offer()
-        time.sleep(0.001)
-    # A fifth of the time at most: the second one a second after the first.
-    assert 1 <= run.asked <= 2
+        if run.asked > asked:
+            asked_at.append(began)
+        run.now += 0.01
+    assert asked_at == pytest.approx([0.0, 1.2, 2.4], abs=0.011)
 
 
 def test_nobody_comes_and_nothing_waits_longer_than_it_was_told() -> None:
     run = Run()
     run.view.finish(run.recording, "stopped")
-    begun = time.monotonic()
-    run.view.wait_for_readers(0.2)
-    assert time.monotonic() - begun < 2.0
+    waiting = threading.Thread(target=run.view.wait_for_readers, args=(0.2,), daemon=True)
+    waiting.start()
+    assert ends(waiting)
 
 
 def told(answer: str) -> tuple[dict[str, Any], bytes]:

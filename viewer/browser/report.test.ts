@@ -2,7 +2,7 @@ import { readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { clock, open, start } from "./chromium";
+import { clock, open, PATIENTLY, settled, start } from "./chromium";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -103,8 +103,7 @@ describe("the report", () => {
   it("has tables that keys can scroll where they are wider than the page", async () => {
     const reachable = async (width: number) => {
       const { page } = await open(browser, "report.html", { width, height: 740 });
-      await page.waitForTimeout(200);
-      return page.evaluate(() =>
+      return settled(page, () =>
         [...document.querySelectorAll<HTMLElement>(".scroll, .columns")].map((box) => [
           box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight,
           box.tabIndex === 0 && box.getAttribute("aria-label") !== null,
@@ -167,7 +166,9 @@ describe("the report", () => {
     expect(middle).toBeCloseTo((first + last) / 2, 0);
     expect(await path.evaluate((now, then) => now === then, before)).toBe(true);
     await page.evaluate(() => globalThis.gantlinePage!.session.show(30, 40));
-    await expect.poll(() => cursor.evaluate((one) => getComputedStyle(one).visibility)).toBe("hidden");
+    await expect
+      .poll(() => cursor.evaluate((one) => getComputedStyle(one).visibility), PATIENTLY)
+      .toBe("hidden");
   });
 
   it("shows hostile names as text and runs nothing of them", async () => {

@@ -26,11 +26,18 @@ class LiveView:
     Args:
         recording: Gives everything recorded so far; called in the thread that calls `offer`.
         duration: Simulated time at the end [s].
+        clock: Tells the time, from whenever [s].
     """
 
-    def __init__(self, recording: Callable[[], Recording], duration: float) -> None:
+    def __init__(
+        self,
+        recording: Callable[[], Recording],
+        duration: float,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
         self._recording = recording
         self._duration = duration
+        self._clock = clock
         self._latest: Recording | None = None
         self._status = "running"
         self._changed = threading.Condition()
@@ -41,11 +48,11 @@ class LiveView:
 
     def offer(self) -> None:
         """Hand on what has been recorded if somebody looks; to be called often while the lift runs."""
-        now = time.monotonic()
+        now = self._clock()
         if not self._is_watched(now) or now - self._offered_at < self._cost / _SHARE:
             return
         self._hand_on(self._recording(), "running")
-        self._offered_at = time.monotonic()
+        self._offered_at = self._clock()
         self._cost = self._offered_at - now
 
     def finish(self, recording: Recording, status: str) -> None:
@@ -64,7 +71,7 @@ class LiveView:
             ValueError: If nothing has been recorded in a while.
         """
         with self._changed:
-            self._asked_at = time.monotonic()
+            self._asked_at = self._clock()
             self._changed.wait_for(self._has_begun, _LONGEST_START)
             if self._latest is None:
                 raise ValueError("the lift has not begun yet; load this page again")
@@ -77,10 +84,10 @@ class LiveView:
             samples: How many samples it has.
         """
         with self._changed:
-            self._asked_at = time.monotonic()
+            self._asked_at = self._clock()
             self._changed.wait_for(lambda: self._has_more(samples), _PATIENCE)
             latest, status = self._latest, self._status
-            self._asked_at = time.monotonic()
+            self._asked_at = self._clock()
         if latest is None or (status == "running" and len(latest.time) <= samples):
             return ""
         packed = pack(latest, since=min(samples, len(latest.time)))
@@ -100,7 +107,7 @@ class LiveView:
         """
         with self._changed:
             self._changed.wait_for(lambda: self._asked_at is not None, start)
-            while not self._end_seen and self._is_watched(time.monotonic()):
+            while not self._end_seen and self._is_watched(self._clock()):
                 self._changed.wait(_WATCHED)
 
     def _hand_on(self, recording: Recording, status: str) -> None:

@@ -1,7 +1,5 @@
 //! Torture rigs by seed and number, and what either method has to keep on them.
 
-use std::time::{Duration, Instant};
-
 use gantline_core::build::build;
 use gantline_core::constraint::Law;
 use gantline_core::event::EventLog;
@@ -19,8 +17,6 @@ use super::{Seeds, seeds, torture};
 const DURATION: f64 = 1.0;
 /// More steps than any of the rigs needs: a stall.
 const MOST_STEPS: u64 = 200_000;
-/// So that a rig that stalls does not hang the tests; the others need milliseconds.
-const LONGEST: Duration = Duration::from_secs(20);
 
 /// How the rigs of a seed are drawn: the same ones on every machine.
 pub fn drawing(seed: u64, cases: u32) -> ProptestConfig {
@@ -57,15 +53,13 @@ pub fn adaptive_closes(seeds: &[f64]) -> Result<u64, TestCaseError> {
     let tolerance = Tolerance::default_of(&system);
     let mut method = Adaptive::new(&system, &frame, tolerance);
     let mut log = EventLog::new();
-    let began = Instant::now();
     let mut before = state.clone();
     while state.time < DURATION {
         before.copy_from(&state);
         let step = method.step(&system, &mut state, &mut frame, &mut log, DURATION);
         step.map_err(|error| TestCaseError::fail(error.to_string()))?;
         method.close_books(&system, &before, &mut state);
-        let stalls = state.steps >= MOST_STEPS || began.elapsed() > LONGEST;
-        prop_assert!(!stalls, "stalls at t = {} after {} steps", state.time, state.steps);
+        prop_assert!(state.steps < MOST_STEPS, "stalls at t = {}", state.time);
         for (law, tension) in system.rows.laws.iter().zip(&state.tension) {
             let pulls = matches!(law, Law::Friction { .. }) || *tension >= 0.0;
             prop_assert!(tension.is_finite() && pulls);
