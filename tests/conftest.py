@@ -1,5 +1,14 @@
 import sys
 from pathlib import Path
 
+from hypothesis import HealthCheck, settings
+
 # Builders that several test modules share (`import sample_lift`).
 sys.path.insert(0, str(Path(__file__).parent / "support"))
+
+# How long examples take says more of the machine than of gantline. Which ones there are is said by
+# `--hypothesis-seed` alone, as `make test` does, and not by what failed here before.
+settings.register_profile(
+    "gantline", deadline=None, suppress_health_check=[HealthCheck.too_slow], database=None
+)
+settings.load_profile("gantline")

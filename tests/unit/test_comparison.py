@@ -307,7 +307,7 @@ def deviations(comparison: Comparison) -> list[Deviation | None]:
 
 
 @given(recordings())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 def test_a_recording_does_not_differ_from_itself(recording: Recording) -> None:
     comparison = compare(recording, recording)
     assert {(value.absolute, value.relative) for value in comparison.metrics.values()} == {(0.0, 0.0)}
@@ -319,7 +319,7 @@ def test_a_recording_does_not_differ_from_itself(recording: Recording) -> None:
 
 
 @given(recordings(), recordings())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 def test_swapping_the_recordings_turns_the_signs(a: Recording, b: Recording) -> None:
     forth, back = compare(a, b), compare(b, a)
     assert set(forth.metrics) == set(back.metrics)

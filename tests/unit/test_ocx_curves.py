@@ -61,7 +61,7 @@ def basis(knots: Array, degree: int, index: int, at: float) -> float:
     return total
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(degree=st.integers(1, 4), inner=st.lists(st.floats(0.05, 0.95), max_size=3), data=st.data())
 def test_a_nurbs_is_what_its_recursion_says(degree: int, inner: list[float], data: st.DataObject) -> None:
     inner = sorted({round(knot, 2) for knot in inner})
@@ -78,7 +78,6 @@ def test_a_nurbs_is_what_its_recursion_says(degree: int, inner: list[float], dat
             assert found[span, place] == pytest.approx(parts @ points / parts.sum(), abs=1e-9)
 
 
-@settings(deadline=None)
 @given(curves)
 def test_derivatives_are_those_of_the_positions(curve: Curve) -> None:
     step = 1e-5
@@ -89,7 +88,6 @@ def test_derivatives_are_those_of_the_positions(curve: Curve) -> None:
     assert (first[:, 2] - first[:, 1]) / (2 * step) == pytest.approx(second[:, 0], abs=1e-3 * size)
 
 
-@settings(deadline=None)
 @given(curves)
 def test_backwards_is_the_same_curve(curve: Curve) -> None:
     back = curve.reversed()
@@ -101,7 +99,6 @@ def test_backwards_is_the_same_curve(curve: Curve) -> None:
     assert back.evaluate(np.array([0.75]))[0][::-1, 0] == pytest.approx(forth, abs=1e-9)
 
 
-@settings(deadline=None)
 @given(curve=curves, angle=st.floats(0, 6), shift=point)
 def test_a_moved_curve_keeps_its_length(curve: Curve, angle: float, shift: Array) -> None:
     turn = np.array(
@@ -113,7 +110,6 @@ def test_a_moved_curve_keeps_its_length(curve: Curve, angle: float, shift: Array
     assert moved.evaluate(at)[0] == pytest.approx(curve.evaluate(at)[0] @ turn.T + shift, abs=1e-9)
 
 
-@settings(deadline=None)
 @given(arcs())
 def test_chords_miss_an_arc_by_the_tolerance(curve: Curve) -> None:
     tolerance = 0.01
@@ -125,7 +121,6 @@ def test_chords_miss_an_arc_by_the_tolerance(curve: Curve) -> None:
         assert np.linalg.norm(begin + share[:, None] * way - at, axis=1).min() <= 1.2 * tolerance
 
 
-@settings(deadline=None)
 @given(one=point, other=point, third=point)
 def test_an_arc_goes_through_its_three_points(one: Array, other: Array, third: Array) -> None:
     size = float(np.linalg.norm(np.cross(other - one, third - one)))
@@ -144,7 +139,6 @@ def test_three_points_in_a_row_make_a_line() -> None:
     assert isinstance(Arc.through(*row), Line)
 
 
-@settings(deadline=None)
 @given(count=st.integers(3, 9), shuffle=st.randoms(use_true_random=False))
 def test_curves_in_any_order_are_one_path(count: int, shuffle: object) -> None:
     corners = [np.array([math.cos(t), math.sin(t), 0.0]) for t in np.arange(count) * 2 * math.pi / count]
@@ -177,14 +171,12 @@ def same(one: Moments, other: Moments, tolerance: float = 1e-8) -> None:
         assert getattr(one, name) == pytest.approx(getattr(other, name), rel=tolerance, abs=100 * tolerance)
 
 
-@settings(deadline=None)
 @given(polygon=stars(), shift=st.tuples(number, number))
 def test_moments_of_a_moved_area(polygon: Array, shift: tuple[float, float]) -> None:
     moved = np.array(shift)
     same(of_polygon(polygon + moved), of_polygon(polygon).shifted(moved))
 
 
-@settings(deadline=None)
 @given(stars())
 def test_a_polygon_of_curves_is_a_polygon(polygon: Array) -> None:
     closed = np.concatenate([polygon, polygon[:1]])
@@ -192,7 +184,6 @@ def test_a_polygon_of_curves_is_a_polygon(polygon: Array) -> None:
     same(enclosed(lines, PLANE), of_polygon(polygon))
 
 
-@settings(deadline=None)
 @given(polygon=stars(), hole=st.floats(0.02, 0.1))
 def test_triangles_have_the_area_of_their_polygon(polygon: Array, hole: float) -> None:
     middle = polygon.mean(axis=0)
@@ -211,7 +202,6 @@ def test_triangles_have_the_area_of_their_polygon(polygon: Array, hole: float) -
     assert len(triangles) == len(corners), "n + 2 (holes) − 2 triangles"
 
 
-@settings(deadline=None)
 @given(polygon=stars(), triangle=st.lists(st.tuples(number, number), min_size=3, max_size=3).map(np.array))
 def test_what_is_cut_and_what_is_left_is_the_whole(polygon: Array, triangle: Array) -> None:
     """A polygon cut along the triangles of a large square that a triangle is a part of."""
@@ -224,7 +214,6 @@ def test_what_is_cut_and_what_is_left_is_the_whole(polygon: Array, triangle: Arr
     same(inside, sum((of_polygon(clipped(each, triangle)) for each in corners[parts]), Moments.none()), 1e-6)
 
 
-@settings(deadline=None)
 @given(polygon=stars(), depth=st.floats(0.01, 2.0))
 def test_a_prism_is_closed_and_holds_its_volume(polygon: Array, depth: float) -> None:
     from gantline.cad.mesh import TriangleMesh

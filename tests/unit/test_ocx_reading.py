@@ -363,7 +363,7 @@ def test_panels_within_panels_are_read() -> None:
 SAMPLES = [sample(W), sample(Writer(unit="mm", nested=True, namespace=OLD))]
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(
     which=st.sampled_from(SAMPLES),
     cuts=st.lists(
@@ -380,7 +380,7 @@ def test_a_mutilated_file_is_read_or_refused_in_a_sentence(
     _read_or_refuse(data)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(
     which=st.sampled_from(SAMPLES),
     place=st.integers(0, 10_000),
@@ -392,7 +392,7 @@ def test_any_number_may_be_any_other(which: bytes, place: int, value: str) -> No
     _read_or_refuse(which[: chosen.start()] + value.encode() + which[chosen.end() :])
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(which=st.sampled_from(SAMPLES), first=st.integers(0, 10_000), second=st.integers(0, 10_000))
 def test_any_element_may_be_called_like_any_other(which: bytes, first: int, second: int) -> None:
     names = sorted(set(re.findall(rb"<(ocx:\w+)", which)))

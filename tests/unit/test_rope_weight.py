@@ -286,7 +286,7 @@ def test_a_sling_of_distributed_weight() -> None:
 ANGLES = st.floats(-math.pi / 2, math.pi / 2, allow_subnormal=False)
 
 
-@settings(deadline=None, max_examples=200)
+@settings(max_examples=200)
 @given(
     nodes=st.integers(1, 80),
     elevation=st.one_of(ANGLES, st.sampled_from([math.pi / 2, -math.pi / 2, 0.0])),

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gantline.scenario import ScenarioError, parse_scenario, template
@@ -28,9 +28,7 @@ VALUES = [
     "world",
     "x" * 500, "a b", "ü", "\u2028", "0 m", "1e-9 s", "1e6 s", "[1, 2]", "until_end", "0.1 mm", "90 deg",
 ]  # fmt: skip
-FUZZ = settings(
-    max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
-)
+FUZZ = settings(max_examples=150)
 
 
 def try_it(text: str) -> None:

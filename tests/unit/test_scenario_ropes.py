@@ -54,7 +54,7 @@ def test_a_rope_by_stiffness_has_what_it_is_given() -> None:
     assert rope("{axial_stiffness: 188 MN, diameter: 64 mm}").breaking_force is None
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(st.sampled_from(NAMES), st.integers(1, 300), st.sampled_from(GRADES))
 def test_a_construction_is_the_same_as_its_figures_written_out(name: str, diameter: int, grade: str) -> None:
     kind = rope(f"{{construction: {name}, diameter: {diameter} mm, grade: {grade}, damping_time: 5 ms}}")

@@ -123,7 +123,7 @@ def test_a_tube_as_a_bar_by_its_closed_form() -> None:
     assert part.properties.inertia == pytest.approx(np.diag(about), abs=1e-12)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(
     st.floats(12, 60), st.floats(8, 40), st.floats(5, 20), st.floats(100, 200), st.integers(0, 1)
 )  # fmt: skip

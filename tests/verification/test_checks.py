@@ -222,7 +222,7 @@ def test_what_an_equalizer_saves_in_one_command(tmp_path: Path) -> None:
     assert "\n  skew load factor" in result.stdout
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     tilt=st.floats(-0.6, 0.6, allow_subnormal=False),
     yaw=st.floats(-math.pi, math.pi, allow_subnormal=False),
