@@ -50,7 +50,8 @@ slings:
 ).replace(
     "rules:",
     """\
-  - {step: take over, lower: crane, speed: 1 m/min, by: 0.5 m}
+  - {step: take over, hoist: second, speed: 3 m/min, by: 0.5 m}
+  - {step: let go, lower: crane, speed: 1 m/min, by: 0.1 m}
   - {step: let it hang, hold: until_end}
 rules:""",
 )

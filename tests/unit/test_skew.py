@@ -146,7 +146,7 @@ def test_four_slings_of_which_one_is_short(short: float) -> None:
     assert found == pytest.approx(perfect, rel=1e-12)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(
     headings=st.lists(st.floats(0.0, 2 * math.pi, allow_subnormal=False), min_size=4, max_size=8),
     aside=st.floats(0.1, 1.0),

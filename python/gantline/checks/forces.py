@@ -11,13 +11,14 @@ lengths, never on one that holds its own skew.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from gantline.checks.measure import Caution, Finding, Found, Missing
 from gantline.results import series
+from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
 from gantline.results.variable import BoolArray, FloatArray
@@ -119,25 +120,76 @@ def design_ratio(recording: Recording, load: str | None = None) -> float:
     return max(ratios)
 
 
-def sling_forces(recording: Recording, during: BoolArray) -> dict[str, Force]:
+def sling_forces(
+    recording: Recording, during: BoolArray, window: BoolArray | None = None
+) -> dict[str, Force]:
     """Static and dynamic force of every sling, by name.
 
     Where lengths decide how slings share, static is the larger of the simulated force and that with perfect
     lengths times the rule's skew load factor (of the simulated one where that with perfect lengths is not
     known).
+
+    Args:
+        recording: The recording.
+        during: Samples whose peak counts.
+        window: Time that the loads hung still, of which static is asked; for each sling that with the most
+            if not given.
     """
-    by_length = {one.sling: one for one in skew_loads(recording) if one.lengths_decide}
+    by_length = {one.sling: one for one in skew_loads(recording, window) if one.lengths_decide}
     rule = factor(recording, SKEW)
     forces = {}
     for sling in recording.rig.slings:
         ratio = design_ratio(recording, sling.to_load)
-        force = _force(recording, series.sling_tension(recording, sling), ratio)
+        force = _force(recording, series.sling_tension(recording, sling), ratio, window)
         skew = by_length.get(sling.name)
         if skew is not None and rule is not None:
             perfect = skew.force if skew.perfect is None else skew.perfect
             force = _with_skew(recording, force, perfect, ratio, rule)
         forces[sling.name] = _with_peak(recording, force, sling.rope, during)
     return forces
+
+
+def force_together(recording: Recording, slings: Sequence[Sling], during: BoolArray) -> Force:
+    """Static and dynamic force of several slings that pull at one place, added up as they are at one time.
+
+    Static is that of the time that the loads hung still at which it is largest. A peak between samples counts
+    where one sling alone had it.
+
+    Args:
+        recording: The recording.
+        slings: At least one.
+        during: Samples whose peak counts.
+    """
+    alone: list[Force] = []
+    sums: list[Force] = []
+    windows: list[BoolArray | None] = [*series.quiet_windows(recording)]
+    for window in windows or [None]:
+        forces = sling_forces(recording, during, window)
+        alone = [forces[sling.name] for sling in slings]
+        sums.append(_sum(alone))
+    force = max(sums, key=lambda one: one.rule or one.static or 0.0)
+    total = np.sum([series.sling_tension(recording, sling) for sling in slings], axis=0)
+    force = _with_peak_of(recording, force, total, during)
+    highest = max([force, *alone], key=lambda one: one.peak or 0.0)
+    return replace(force, peak=highest.peak, time=highest.time)
+
+
+def _sum(forces: Sequence[Force]) -> Force:
+    """Forces of one time, without peaks."""
+
+    def total(values: Iterable[float | None]) -> float | None:
+        known = [value for value in values if value is not None]
+        return sum(known) if len(known) == len(forces) else None
+
+    return Force(
+        static=total(one.static for one in forces),
+        static_text=f"({' + '.join(one.static_text for one in forces)})",
+        rule=total(one.rule for one in forces),
+        rule_text=f"({' + '.join(one.rule_text for one in forces)})",
+        factors=tuple(dict.fromkeys(name for one in forces for name in one.factors)),
+        window=forces[0].window,
+        lacks_static=any(one.lacks_static for one in forces),
+    )
 
 
 def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
@@ -207,8 +259,11 @@ def _hook_force(recording: Recording, static: float | None, more: float, falls: 
     return replace(force, rule=rule, rule_text=text, factors=(DYNAMIC,))
 
 
-def _force(recording: Recording, values: FloatArray, ratio: float) -> Force:
-    static, window = series.greatest_static(recording, values)
+def _force(recording: Recording, values: FloatArray, ratio: float, window: BoolArray | None = None) -> Force:
+    if window is None:
+        static, window = series.greatest_static(recording, values)
+    else:
+        static = series.static_value(recording, values, window)
     if static is None:
         return _without_static(recording, ratio)
     text = f"static {kilonewton(static)}{_to_design(ratio)}"

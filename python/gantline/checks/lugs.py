@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gantline.checks.forces import Force, Raised, factor, over, sling_forces
+from gantline.checks.forces import Raised, factor, force_together, over, sling_forces
 from gantline.checks.measure import Finding, Missing, carrying, extreme
 from gantline.results import series
+from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
@@ -27,40 +28,21 @@ def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Find
 
 
 def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Load of a lug over its capacity; forces of several slings at one lug add up, peaks as well."""
+    """Load of a lug over its capacity; forces of several slings at one lug add up."""
     forces = sling_forces(recording, during)
-    loads: dict[tuple[str, str], Force] = {}
+    slings: dict[tuple[str, str], list[Sling]] = {}
     for sling in recording.rig.slings:
-        own = forces[sling.name]
         for lug_name in (one for one in sling.lugs if one is not None):
-            key = sling.to_load or "", lug_name
-            loads[key] = own if key not in loads else _together(loads[key], own)
+            slings.setdefault((sling.to_load or "", lug_name), []).append(sling)
     consequence = factor(recording, _CONSEQUENCE)
     raised = (
         Raised() if consequence is None else Raised(consequence, f" x {consequence:.4g}", (_CONSEQUENCE,))
     )
-    for (load_name, lug_name), force in loads.items():
+    for (load_name, lug_name), own in slings.items():
+        force = forces[own[0].name] if len(own) == 1 else force_together(recording, own, during)
         load = recording.rig.load(load_name)
         lug = load.lugs.get(lug_name) if load is not None else None
         if lug is None or not lug.capacity:
             yield Missing(f"{load_name}.{lug_name}", "lug capacity not known")
         else:
             yield from over(force, lug.capacity, f"{load_name}.{lug_name}", raised)
-
-
-def _together(one: Force, other: Force) -> Force:
-    def total(a: float | None, b: float | None) -> float | None:
-        return None if a is None or b is None else a + b
-
-    return Force(
-        static=total(one.static, other.static),
-        static_text=f"({one.static_text} + {other.static_text})",
-        rule=total(one.rule, other.rule),
-        rule_text=f"({one.rule_text} + {other.rule_text})",
-        peak=total(one.peak, other.peak),
-        time=one.time if (one.peak or 0.0) >= (other.peak or 0.0) else other.time,
-        factors=tuple(dict.fromkeys((*one.factors, *other.factors))),
-        counts_static=one.counts_static and other.counts_static,
-        window=one.window,
-        lacks_static=one.lacks_static or other.lacks_static,
-    )

@@ -1,7 +1,8 @@
 """The lift in key numbers: what each metric means.
 
 All values are SI. A metric that does not exist for a lift (no load, no equalizer, never clear) is absent.
-*Clear* and *static* (a mean over the quiet window) are defined in `gantline.results.series`.
+*Clear* and *static* (a mean over that time that the loads hung still at which it is largest) are defined in
+`gantline.results.series`.
 
 - `peak_sling_tension`, `peak_sling_tension_time` [N, s]: largest tension of any sling over all steps, and
   when
@@ -185,7 +186,6 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
     if not slings:
         return
     clear = series.is_clear(recording)
-    window = series.quiet_window(recording)
     highest = max(series.rope_peak(recording, sling.rope) for sling in slings)
     yield "peak_sling_tension", highest[0]
     yield "peak_sling_tension_time", highest[1]
@@ -193,11 +193,10 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
     for sling in slings:
         tension = series.sling_tension(recording, sling)
         top = series.rope_peak(recording, sling.rope)[0]
-        static = series.static_value(recording, tension, window)
+        static, _ = series.greatest_static(recording, tension)
         yield f"static_sling_tension.{sling.rope}", static
-        most, _ = series.greatest_static(recording, tension)
-        if most:
-            amplification.append(top / most)
+        if static:
+            amplification.append(top / static)
         if sling.minimum_breaking_force and top > 0.0:
             factors.append(sling.minimum_breaking_force / top)
         if clear.any():
@@ -270,12 +269,11 @@ def _moorings(recording: Recording) -> Iterator[_Metric]:
 
 
 def _hooks(recording: Recording) -> Iterator[_Metric]:
-    window = series.quiet_window(recording)
     for name in ("hook_load", "hoist_load"):
         if name not in recording:
             continue
         forces = recording[name].values.T
-        statics = (series.static_value(recording, force, window) for force in forces)
+        statics = (series.greatest_static(recording, force)[0] for force in forces)
         yield f"static_{name}", _largest(static for static in statics if static is not None)
         yield f"peak_{name}", float(forces.max())
 

@@ -160,7 +160,7 @@ def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | N
     """Static value at that time that the loads hung still at which it was largest, and that time.
 
     A load that is turned, or goes from crane to crane, hangs still at its hold points with other forces than
-    at the end. The last time counts unless an earlier value is more by a hundredth, which no swinging is.
+    at the end. The last time counts unless an earlier value is more (`is_more`).
 
     Args:
         recording: The recording.
@@ -173,9 +173,17 @@ def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | N
     static = static_value(recording, values, window)
     for earlier in before_that:
         before = static_value(recording, values, earlier)
-        if static is not None and before is not None and before > static * _CARRIED_MORE:
+        if static is not None and before is not None and is_more(before, static):
             static, window = before, earlier
     return static, window
+
+
+def is_more(earlier: float, later: float) -> bool:
+    """Whether a force at an earlier time that the loads hung still counts more than at a later one.
+
+    It is more by over a hundredth, which no swinging is.
+    """
+    return earlier > later * _CARRIED_MORE
 
 
 def static_value(recording: Recording, values: FloatArray, window: BoolArray | None = None) -> float | None:

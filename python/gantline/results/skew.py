@@ -21,6 +21,7 @@ s = A+ A s. `docs/concepts/checks.md` derives it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -57,21 +58,40 @@ class Skew:
     reason: str = ""
 
     @property
+    def most(self) -> float:
+        """The larger of both forces [N]."""
+        return max(self.force, self.perfect or 0.0)
+
+    @property
     def factor(self) -> float | None:
         """The skew load factor [1]; None if it cannot be told."""
         return None if self.perfect is None else self.force / self.perfect
 
 
-def skew_loads(recording: Recording) -> list[Skew]:
+def skew_loads(recording: Recording, window: BoolArray | None = None) -> list[Skew]:
     """Skew of every sling, in groups of those that share; none where there is no static force.
+
+    Of several times that the loads hung still that one counts at which a sling bears most, be it as it is or
+    with perfect lengths.
 
     Args:
         recording: Of any lift.
+        window: The time that counts instead, shape (time,).
     """
-    window = series.quiet_window(recording)
-    if not window.any():
-        return []
-    gone = {one.rope for one in partings(recording)}
+    found: dict[str, Skew] = {}
+    windows = series.quiet_windows(recording) if window is None else [window]
+    for one in reversed(windows):
+        for skew in _at(recording, one):
+            later = found.get(skew.sling)
+            if later is None or series.is_more(skew.most, later.most):
+                found[skew.sling] = skew
+    return list(found.values())
+
+
+def _at(recording: Recording, window: BoolArray) -> list[Skew]:
+    """Skew of every sling that hung together over one quiet window."""
+    end = float(recording.time[window][-1])
+    gone = {one.rope for one in partings(recording) if one.time <= end}
     slings = [sling for sling in recording.rig.slings if sling.rope not in gone]
     sharing = [sling for sling in slings if sling.over is None]
     skews = [skew for group in _groups(recording, sharing) for skew in _of_group(recording, window, group)]
@@ -106,7 +126,8 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
     if (unit[:, 2] <= _NO_LEVER).any() or tension.max(initial=0.0) <= 0.0:
         yield from _none(slings, tension, "its slings do not hang")
         return
-    if equalizer is not None and not pinned_sheaves(recording, equalizer):
+    end = float(recording.time[window][-1])
+    if equalizer is not None and not pinned_sheaves(recording, equalizer, end):
         perfect = np.mean(tension * unit[:, 2]) / unit[:, 2]
         yield from _all(slings, tension, perfect, lengths_decide=False)
         return
@@ -148,10 +169,12 @@ def perfect_forces(gradient: FloatArray, stiffness: FloatArray, tension: FloatAr
     return perfect
 
 
-def pinned_sheaves(recording: Recording, equalizer: Equalizer) -> set[str]:
-    """Moving sheaves that pins hold at the end."""
+def pinned_sheaves(recording: Recording, equalizer: Equalizer, until: float = math.inf) -> set[str]:
+    """Moving sheaves that pins hold, at the end or at a time [s]."""
     pinned = set(equalizer.locked)
-    for _, kind, sheave in recording.events():
+    for time, kind, sheave in recording.events():
+        if time > until:
+            break
         if kind == "pin_put_in" and sheave in equalizer.moving_sheaves:
             pinned.add(sheave)
         elif kind == "pin_pulled":
