@@ -77,6 +77,7 @@ pub struct Rest {
 pub struct Statics {
     search: Search,
     bearings: Vec<Bearing>,
+    pace: friction::Pace,
     /// Where the drives were at the time of the equilibrium found last.
     asked: Vec<f64>,
     /// Where they are, which is not the same of motors that were too weak.
@@ -91,6 +92,7 @@ impl Statics {
         Self {
             search: Search::new(system),
             bearings: Vec::new(),
+            pace: friction::Pace::default(),
             asked: Vec::new(),
             places: Vec::new(),
             doubt: 0.0,
@@ -141,11 +143,12 @@ impl Statics {
         let before = std::mem::replace(&mut self.bearings, bearings(system, state, losses));
         self.slip_as(&before, losses.sheaves);
         self.hold_motors(system);
+        self.pace.begin(system.friction.len());
         for round in 1.. {
             let descended = self.search.descend(system, state, &mut self.bearings);
             descended.map_err(|stuck| self.explain(system, stuck, losses))?;
             let lengths = self.move_multipliers();
-            if lengths <= LENGTH_LEFT && self.follow_friction(system, state, (losses, round)) {
+            if lengths <= LENGTH_LEFT && self.follow_friction(system, state, losses) {
                 break;
             }
             let (element, cause) = if lengths > LENGTH_LEFT && round == ROUNDS {
@@ -153,8 +156,7 @@ impl Statics {
                 let rigid = self.bearings.iter().position(|bearing| bearing.is_rigid).unwrap_or(0);
                 (rigid, "lengths that cannot change contradict one another")
             } else if round == FRICTION_ROUNDS {
-                let slips = |row: &usize| !self.search.here.follows[*row];
-                let row = system.friction.iter().copied().find(slips).unwrap_or(0);
+                let row = system.friction.get(self.pace.worst()).copied().unwrap_or(0);
                 (row, "its friction and what that holds find no balance")
             } else {
                 continue;
