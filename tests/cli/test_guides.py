@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import shlex
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import Any
 import pytest
 import typer.main
 
+import gantline
 import shown
 from gantline.cli.app import app
 from gantline.scenario.shipped import shipped
@@ -90,6 +92,26 @@ def test_words_in_a_sentence_name_verbs_and_their_options(page: Path) -> None:
         known = {name for parameter in verb.params for name in (*parameter.opts, *parameter.secondary_opts)}
         options = {word.partition("=")[0] for word in rest if re.match(r"--?[a-z]", word)}
         assert options <= known | {"--help"}, words
+
+
+def test_the_first_lift_changes_as_its_guide_says() -> None:
+    lift = gantline.load_scenario("equalizer")
+    slow = {"plan.1.speed": "0.05 m/s", "plan.1.brake_from": "50 s", "duration": "65 s"}
+    usual, slower, shorter, off = (
+        gantline.simulate(lift.changed(changes)).metrics()
+        for changes in ({}, slow, {"slings.S3.length": "25.8 m"}, {"load.centre_of_gravity.at.x": "0.1 m"})
+    )
+    peaks = [f"{metrics['peak_sling_tension'] / 1e3:.0f} kN" for metrics in (slower, usual)]
+    assert (
+        unsaid(
+            "docs/guides/first_lift.md",
+            f"The slings then peak at {peaks[0]}, not {peaks[1]}",
+            f"The load tilts by up to {math.degrees(off['peak_load_tilt']):.1f}°",
+        )
+        == []
+    )
+    static = "static_sling_tension.sling.S3"
+    assert shorter[static] == pytest.approx(usual[static], rel=1e-3)
 
 
 # --- the rule itself -----------------------------------------------------------------------------
