@@ -182,8 +182,14 @@ def test_where_a_run_has_got_to(tmp_path: Path) -> None:
     [
         (("equalizer", "--time", "12"), "--time: "),
         (("equalizer", "--time", "-1 s"), "--time: '-1 s' is before the start of the lift; 0 s is the start"),
-        (("equalizer", "--state", "nowhere.bin"), "--state: nowhere.bin: No such file or directory"),
-        (("equalizer", "--state", REFERENCE), "the saved state cannot be used: "),
+        (
+            ("equalizer", "--state", "nowhere.bin"),
+            "--state: nowhere.bin: cannot be read (no such file or directory)",
+        ),
+        (
+            ("equalizer", "--state", REFERENCE),
+            "is no state of a run, or is cut off; a run that cannot go on leaves one",
+        ),
         (("equalizer", "--state", "nowhere.bin", "--time", "1 s"), "--time and --sweep do not go with it"),
         (("mechanisms",), "e1 adjusts lengths step by step, which statics does not know"),
     ],

@@ -152,7 +152,7 @@ def test_the_largest_file_is_still_looked_at(tmp_path: Path) -> None:
 
 def test_folders_and_missing_files(tmp_path: Path) -> None:
     missing = tmp_path / "nothing.yaml"
-    assert refused(missing, "check") == f"{missing}: cannot be read (No such file or directory); {NEEDED}"
+    assert refused(missing, "check") == f"{missing}: cannot be read (no such file or directory); {NEEDED}"
     folder = tmp_path / "lift"
     folder.mkdir()
     assert refused(folder, "check") == f"{folder}: is a folder without scenario.yaml; {NEEDED}"

@@ -1,4 +1,7 @@
-"""Every scenario does what its `expect.yaml` says: keys of `metrics()`, each with the source of its value."""
+"""Every scenario does what its `expect.yaml` says: keys of `metrics()`, each with the source of its value.
+
+And documents show what `gantline run` prints of it, which is held here so that it is simulated once.
+"""
 
 from __future__ import annotations
 
@@ -9,9 +12,12 @@ import pytest
 from ruamel.yaml import YAML
 
 import gantline
+from gantline.results.recording import Recording
 from gantline.units import DIMENSIONS, UnitError, quantity
+from shown import PAGES, lift_that_runs, shown_on, stale, table_of
 
 SCENARIOS = sorted(path.parent for path in (Path(__file__).parents[2] / "scenarios").glob("*/scenario.yaml"))
+SHOWN = [one for page in PAGES for one in shown_on(page) if lift_that_runs(one.command)]
 
 
 def si(text: str) -> tuple[float, str]:
@@ -37,7 +43,8 @@ def margin(within: str, value: float, dimension: str) -> float:
 @pytest.mark.parametrize("folder", SCENARIOS, ids=lambda folder: folder.name)
 def test_a_scenario_does_what_it_promises(folder: Path) -> None:
     expected: dict[str, dict[str, Any]] = YAML(typ="safe").load(folder / "expect.yaml")
-    metrics = gantline.simulate(folder).metrics()
+    recording = gantline.simulate(folder)
+    metrics = recording.metrics()
     wrong = []
     for key, entry in expected.items():
         assert set(entry) == {"value", "within", "source"}, key
@@ -45,6 +52,18 @@ def test_a_scenario_does_what_it_promises(folder: Path) -> None:
         if not abs(metrics[key] - value) <= margin(entry["within"], value, dimension):
             wrong.append(f"{key}: {metrics[key]:g}, not {entry['value']} within {entry['within']}")
     assert wrong == []
+    assert stale_of(folder.name, recording) == {}
+
+
+def stale_of(lift: str, recording: Recording) -> dict[str, list[str]]:
+    """What pages show of the table of a lift and is otherwise, by where it stands."""
+    shown = [one for one in SHOWN if lift_that_runs(one.command) == lift]
+    differs = {str(one): stale(one, table_of(recording)) for one in shown}
+    return {place: lines for place, lines in differs.items() if lines}
+
+
+def test_the_documents_show_tables_of_scenarios() -> None:
+    assert {"equalizer", "floating_crane"} <= {lift_that_runs(one.command) for one in SHOWN}
 
 
 def test_a_margin_is_a_share_or_a_quantity() -> None:

@@ -57,6 +57,11 @@ def sling_curves(curves: Mapping[str, FloatArray]) -> FloatArray:
     return np.stack([curves[f"sling{k}_N"] for k in range(1, 6)], axis=1)
 
 
+def travel_curves(curves: Mapping[str, FloatArray]) -> FloatArray:
+    """Travel of the five moving sheaves in the independent solution [m], shape (time, 5)."""
+    return np.stack([curves[f"sheave{k}_travel_m"] for k in range(1, 6)], axis=1)
+
+
 def tensions(recording: gantline.Recording) -> FloatArray:
     """Tension of the five slings [N], shape (time, 5)."""
     return np.stack([recording.column("rope_tension", f"sling.S{k}") for k in range(1, 6)], axis=1)

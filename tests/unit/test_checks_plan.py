@@ -10,7 +10,8 @@ import gantline
 from four_slings import LIFT
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results import series
-from gantline.scenario import parse_scenario
+from gantline.scenario import parse_scenario, template
+from gantline.statics import Statics
 
 EQUALIZER = Path(__file__).resolve().parents[2] / "scenarios" / "equalizer" / "scenario.yaml"
 #: Peak over static force of its slings is 1.19; this is more.
@@ -43,6 +44,14 @@ def test_a_run_that_lifts_nothing_is_no_verdict() -> None:
     assert found.remark == "'module' is not lifted, 0 % of its weight hangs at most"
     assert verdict_of(checks).startswith(f"NO VERDICT: {found.remark}; ")
     assert named(check_recording(gantline.simulate(parse_scenario(LIFT))), "load_lifted") is None
+
+
+def test_what_a_step_requires_is_for_a_run() -> None:
+    """An equilibrium is of one time: there was said of it that the recording ends too early."""
+    recording = Statics(parse_scenario(template())).equilibrium().recording
+    (required,) = [check for check in check_recording(recording) if check.step]
+    assert required.verdict is Verdict.NOT_CHECKED
+    assert required.remark == "a run checks what steps require; an equilibrium has no steps"
 
 
 def test_a_warning_without_a_number_is_no_verdict() -> None:

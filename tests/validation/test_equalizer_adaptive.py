@@ -27,8 +27,10 @@ from reference_lift import (
     sampled_error,
     sling_curves,
     tensions,
+    travel_curves,
     travels,
 )
+from shown import unsaid
 
 #: Defaults of this lift: a ten-thousandth of the mean load of a rope, 52 N, and 0.1 mm.
 TENSION, POSITION = 52.0, 1e-4
@@ -102,6 +104,35 @@ def test_whole_curves_at_tight_tolerances(
 ) -> None:
     """rms difference over 40 s below 1e-5 of 591 kN; of the curves' own 1e-10 per step 4e-6 have become."""
     assert rms(tensions(tight) - sling_curves(curves)) < 1e-5
+
+
+def test_the_documents_say_so(
+    default: gantline.Recording, tight: gantline.Recording, curves: Mapping[str, FloatArray]
+) -> None:
+    """README and pages have the differences, steps and energy remainders that are measured here."""
+    exact, travel = sling_curves(curves), travel_curves(curves)
+    later = curves["time_s"] >= 18.0
+    rows = []
+    for recording in (default, tight):
+        metrics = recording.metrics()
+        peak = metrics["peak_sling_tension"]
+        apart = np.abs(travels(recording) - travel)[later].max()
+        cells = [
+            f"{recording.attributes['counters']['steps']}",
+            f"{100 * rms(tensions(recording) - exact):.2g} %",
+            f"{peak / 1e3:.2f} kN ({100 * (peak / exact.max() - 1):+.3f} %)",
+            f"{metrics['lift_off_time']:.3f} s",
+            f"{1e3 * apart:.2g} mm",
+            f"{recording.attributes['energy_remainder']:.1e}",
+        ]
+        rows.append(f"| {' | '.join(cells)} |")
+    assert unsaid("docs/verification/index.md", *rows) == []
+    low = 1 - default.metrics()["peak_sling_tension"] / exact.max()
+    sentence = (
+        f"by {100 * rms(tensions(default) - exact):.2g} % rms of sling tension and {100 * low:.3f} % "
+        f"of the peak, in {default.attributes['counters']['steps']} steps for 40 s"
+    )
+    assert unsaid("README.md", sentence) == []
 
 
 def test_tight_tolerances_are_the_limit_of_looser_ones(tight: gantline.Recording) -> None:

@@ -177,7 +177,7 @@ def _joined(remarks: Iterable[str]) -> str:
 def _nothing(measure: Measure) -> str:
     if measure.when_clear:
         return "the load never came clear of its supports"
-    return "the lift has nothing that it is about"
+    return "the lift has nothing that it is about, or nothing of that carries"
 
 
 def _check_step(recording: Recording, step: Step) -> Iterator[Check]:
@@ -204,6 +204,8 @@ def _check_requirement(recording: Recording, step: Step, key: str, side: str, li
     )
     during = end_of_step(recording, step)
     if during is None:
+        if series.is_equilibrium(recording):
+            return replace(check, remark="a run checks what steps require; an equilibrium has no steps")
         return replace(check, remark="the recording ends before this step does")
     found = _look(sided, recording, during)
     if found.worst is None:

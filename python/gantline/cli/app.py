@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from pathlib import Path
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from gantline.cli.ballast import ballast
 from gantline.cli.cad_group import cad_app
@@ -22,8 +24,22 @@ from gantline.cli.schema import schema
 from gantline.cli.statics import statics
 from gantline.cli.view import view
 
+
+class _Verbs(TyperGroup):
+    """Tells who gives a lift and no verb what there is to be done with it."""
+
+    # typer has a copy of click inside, so the context's type has no public name.
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        lift = args[0]
+        if lift not in self.commands and Path(lift).exists():
+            both = f"'gantline run {lift}' simulates it, 'gantline check {lift}' looks it over"
+            ctx.fail(f"'{lift}' is no verb; {both}")
+        return super().resolve_command(ctx, args)
+
+
 app = typer.Typer(
     name="gantline",
+    cls=_Verbs,
     help="Simulate heavy lifts: what every rope, sheave, lug and hook carries, and when.",
     rich_markup_mode=None,
     no_args_is_help=True,

@@ -47,7 +47,8 @@ def export(
     """
     kind = output.suffix.lower()
     if kind not in _KINDS:
-        stop(f"{output}: ends with '{output.suffix}'; right would be one of {', '.join(_KINDS)}")
+        ending = f"ends with '{output.suffix}'" if output.suffix else "has no ending"
+        stop(f"{output}: {ending}; right would be one of {', '.join(_KINDS)}")
     for option, given, kinds, what in (
         ("--variable", variable, _TABLES, "tables"),
         ("--time", time, _STILLS, "pictures"),

@@ -108,14 +108,21 @@ def hang_as_wanted(
 
 def _wanted(level: bool, want: str | None) -> Wanted:
     """What is wanted, from both options."""
+    from gantline.units import UnitError, quantity
+
     slopes: dict[str, float] = dict.fromkeys(_SLOPES, 0.0) if level else {}
     heading, shares = None, dict[str, float]()
     for part in (want or "").split(",") if want is not None else ():
         name, equals, value = (word.strip() for word in part.partition("="))
         if not (name and equals and value):
             stop(f"--want: '{part.strip()}' says nothing; {_WRITTEN}")
-        number = quantity_of(f"--want: {name}", value, "angle" if name in (*_SLOPES, "heading") else "ratio")
-        assert number is not None
+        is_angle = name in (*_SLOPES, "heading")
+        # Another name is that of a sling, and what is wanted of it is a share.
+        other = "" if is_angle else "; angles are those of slope_x, slope_y and heading"
+        try:
+            number = quantity(value, "angle" if is_angle else "ratio")
+        except UnitError as problem:
+            stop(f"--want: {name}: {problem}{other}")
         if name in _SLOPES:
             slopes[name] = number
         elif name == "heading":

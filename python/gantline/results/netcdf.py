@@ -161,9 +161,9 @@ def _chunks(values: np.ndarray[Any, np.dtype[Any]]) -> tuple[int, ...]:
 
 def _read(file: h5netcdf.File) -> Recording:
     if "recording_format" not in file.attrs:
-        raise KeyError("no attribute recording_format")
+        raise ValueError("another program wrote it: it has no attribute 'recording_format'")
     if int(file.attrs["recording_format"]) > _FORMAT:
-        raise KeyError(
+        raise ValueError(
             f"recording format {file.attrs['recording_format']}; this version reads up to {_FORMAT}"
         )
     variables: dict[str, Variable] = {}

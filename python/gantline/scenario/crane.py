@@ -9,7 +9,6 @@ from pydantic import Field, model_validator
 from pydantic.json_schema import JsonSchemaValue
 
 from gantline.scenario.base import Element
-from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import (
     Angle,
     Flag,
@@ -153,11 +152,14 @@ class FixedHook(Element):
     def refuse_early(cls, data: MapNode) -> None:
         """A crane of another type has other keys: say only that the type is not there."""
         kind = data.get("type")
-        if kind is None or kind == "fixed_hook":
+        if kind == "fixed_hook":
             return
+        known = ", ".join(f"'{name}'" for name in _CRANES)
+        if "type" not in data:
+            raise refuse(f"'type' is missing; a crane is one of {known}")
         if isinstance(kind, str) and kind in _MEANT:
             raise refuse(f"a {found(kind)} is written as 'type: {_MEANT[str(kind)]}' here", "type")
-        raise refuse(f"{found(kind)} is not a type of crane; {nearest(str(kind), _CRANES)}", "type")
+        raise refuse(f"{found(kind)} is not a type of crane; known here: {known}", "type")
 
 
 class EqualizerFrame(Element):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gantline.scenario.errors import Problem, ScenarioError
+from gantline.scenario.errors import Problem, ScenarioError, closest
 from gantline.scenario.from_tree import from_tree
 from gantline.scenario.model import Scenario
 from gantline.scenario.shipped import shipped
@@ -32,6 +32,10 @@ def load_scenario(path: str | Path) -> Scenario:
     file = Path(path)
     if str(path) in shipped() and not file.exists():
         file = shipped()[str(path)]
+    likely = closest(str(path), shipped()) if _is_name(file) else None
+    if likely is not None:
+        sentence = f"is no file or folder; did you mean '{likely}', a lift that comes with gantline?"
+        raise ScenarioError(str(file), [Problem(None, "", sentence)])
     if _is_folder(file):
         if not (file / FILE_NAME).is_file():
             holds = "with a recording" if any(file.glob("*.nc")) else f"without {FILE_NAME}"
@@ -51,6 +55,14 @@ def parse_scenario(text: str, source: str = "scenario.yaml") -> Scenario:
     scenario = from_tree(parse_text(text, source), source, text)
     check_cases(scenario)
     return scenario
+
+
+def _is_name(path: Path) -> bool:
+    """Whether a path looks like the name of a lift: nothing is there, and it has no folder and no ending."""
+    try:
+        return len(path.parts) == 1 and not path.suffix and not path.exists()
+    except (OSError, ValueError):
+        return False
 
 
 def _is_folder(path: Path) -> bool:

@@ -77,6 +77,8 @@ def _sentence(error: ErrorDetails, path: Sequence[PathPart], node: Any, parent: 
 def _missing(key: str, node: Any) -> str:
     if not isinstance(node, MapNode):
         return f"'{key}' is missing"
+    if key == "format":
+        return f"'{key}' is missing; a lift file begins with 'format: 1'"
     misspelt = closest(key, [name for name in node if name not in node.allowed])
     hint = f" (is '{shorten(misspelt)}' a misspelt '{key}'?)" if misspelt is not None else ""
     return f"'{key}' is missing; {node.what or 'this mapping'} needs it{hint}"

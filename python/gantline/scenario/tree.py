@@ -28,6 +28,7 @@ from ruamel.yaml.events import (
 from ruamel.yaml.reader import ReaderError
 
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path, shorten
+from gantline.scenario.not_yaml import problem_of
 
 __all__ = ["LARGEST_FILE", "ListNode", "MapNode", "Node", "TextNode", "line_of", "parse_text", "read_text"]
 
@@ -82,7 +83,8 @@ def read_text(path: Path, source: str) -> str:
     try:
         status = path.stat()
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else "not a usable file name"
+        says = error.strerror if isinstance(error, OSError) else None
+        reason = says.lower() if says else "not a usable file name"
         raise _whole(source, f"cannot be read ({reason}); a lift file or its folder is needed") from None
     if not stat.S_ISREG(status.st_mode):
         raise _whole(source, "is not a file; a lift file or its folder is needed")
@@ -90,7 +92,7 @@ def read_text(path: Path, source: str) -> str:
         with path.open("rb") as file:
             content = file.read(LARGEST_FILE + 1)
     except OSError as error:
-        raise _whole(source, f"cannot be read ({error.strerror})") from None
+        raise _whole(source, f"cannot be read ({(error.strerror or str(error)).lower()})") from None
     if content.startswith(_HDF5):
         takers = "'gantline check', 'report', 'view', 'export' and 'compare'"
         raise _whole(source, f"is no lift file but a recording; {takers} take recordings")
@@ -123,16 +125,7 @@ def parse_text(text: str, source: str) -> MapNode:
             source, [Problem(line, "", "a character that YAML does not allow; save the file as plain text")]
         ) from None
     except MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        found = shorten(str(error.problem or error.context or "unknown")).replace("<", "").replace(">", "")
-        raise ScenarioError(
-            source,
-            [
-                Problem(
-                    mark.line + 1 if mark else None, "", f"not YAML: {found}; check indentation and brackets"
-                )
-            ],
-        ) from None
+        raise ScenarioError(source, [problem_of(error, text)]) from None
     except (YAMLError, ValueError, OverflowError) as error:
         if isinstance(error, ScenarioError):
             raise
@@ -261,7 +254,9 @@ class _Builder:
         key = self.keys[-1]
         if key is not None:
             sentence = "nothing is given here; write a value or leave the key out"
-            if key[:1].isdigit():  # `{length: 26,0 m}` is two keys to YAML
+            if ":" in key:
+                sentence += " (a ':' needs a blank behind it)"
+            elif key[:1].isdigit():  # `{length: 26,0 m}` is two keys to YAML
                 sentence += " (a decimal comma? write a point, such as 26.5 m)"
             self.problems.append(Problem(key.line, self._path(key), sentence))
         else:

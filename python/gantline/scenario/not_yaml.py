@@ -1,0 +1,103 @@
+"""What is wrong with a text that is not YAML, in words of who wrote it and not of the parser."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, Final
+
+from ruamel.yaml.error import MarkedYAMLError
+
+from gantline.scenario.errors import Problem, shorten
+
+__all__ = ["problem_of"]
+
+_CLOSING: Final = {"[": "]", "{": "}"}
+_ONE_COLUMN: Final = "keys of one mapping begin in one column"
+_ENTRY: Final = "an entry of a list begins with '- ', a dash and a blank"
+#: Where a line ends in YAML.
+_NEW_LINE: Final = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
+
+
+def problem_of(error: MarkedYAMLError, text: str) -> Problem:
+    """The problem for which the parser gave up, with the line in which something has to be changed.
+
+    Args:
+        error: What the parser says.
+        text: The whole text.
+    """
+    at = error.problem_mark or error.context_mark
+    found, context = str(error.problem or error.context or "unknown"), str(error.context or "")
+    if at is None:
+        return Problem(None, "", _as_found(found))
+    # Where that begins within which the parser was; brackets, quotes and keys are to be mended there.
+    begin = error.context_mark or at
+    if context.endswith(("flow sequence", "flow mapping")):
+        return _in_brackets(found, begin, at, text)
+    if "quoted scalar" in context and "escape" not in found:
+        return Problem(begin.line + 1, "", "a quote opens here and is not closed")
+    if context.endswith("simple key"):
+        key = _shown(text, begin)
+        return Problem(begin.line + 1, "", f"'{key}' has no ':'; a line is 'key: value', and {_ENTRY}")
+    return Problem(at.line + 1, "", _in_line(found, context, at, text))
+
+
+def _in_line(found: str, context: str, at: Any, text: str) -> str:
+    """What is wrong at a place, where the line of that place is the one to change."""
+    rest = _shown(text, at)
+    if found.startswith("found character '\\t'"):
+        return "a tab stands here; indent and part words with blanks"
+    if found.endswith("that cannot start any token"):
+        return f"a text that begins with '{rest[:1]}' is put into quotes: \"{rest}\""
+    if found.startswith("found unknown escape"):
+        return f"'\\{rest[:1]}' means nothing between double quotes; use single ones"
+    if found.startswith("mapping values"):
+        if ":" in _before(text, at):
+            return "a second ':' in one value; a text with a colon is put into quotes"
+        return f"the line is indented more than the one above, which has its value already; {_ONE_COLUMN}"
+    if found.endswith(("found '}'", "found ']'")):
+        return f"'{rest[:1]}' closes what nothing opens"
+    if found.endswith("mapping start>'") and "end>" in found:
+        return (
+            f"the line begins in column {at.column + 1}, and nothing to which it could belong; {_ONE_COLUMN}"
+        )
+    if found.endswith("'<scalar>'"):
+        return f"'{rest}' stands behind a value; a quote is not closed, here or above, or ends too early"
+    if context.endswith("collection"):
+        return f"'{rest}' stands in a list; {_ENTRY}"
+    if found.startswith("sequence entries"):
+        return "'- ' begins an entry of a list, which stands in a line of its own"
+    if "end>, but found" in found:
+        return f"'{rest}' stands where a key is needed"
+    if found.startswith("expected '<document start>'"):
+        return f"'{rest}' is no part of what begins above; {_ONE_COLUMN}"
+    return _as_found(found)
+
+
+def _in_brackets(found: str, begin: Any, at: Any, text: str) -> Problem:
+    """What is wrong in a list or mapping that a bracket opened: one that is not closed, or a comma."""
+    opening = text[begin.index]
+    closing = _CLOSING[opening]
+    if at.line > begin.line:
+        sentence = f"'{opening}' opens here and is not closed before line {at.line + 1}"
+        return Problem(
+            begin.line + 1, "", f"{sentence}: a '{closing}' is missing, or a ',' at the end of a line"
+        )
+    # The parser sees that a comma is missing only at the colon behind the next key.
+    key = re.findall(r"[^\s,:{\[]*\s*$", _before(text, at))[0] if found.endswith("got ':'") else ""
+    rest = shorten(key + _shown(text, at)) or "the end"
+    return Problem(at.line + 1, "", f"a ',' or '{closing}' is missing before '{rest}'")
+
+
+def _before(text: str, at: Any) -> str:
+    """The line of a place up to there."""
+    return _NEW_LINE.split(text[: at.index])[-1]
+
+
+def _shown(text: str, at: Any) -> str:
+    """The rest of a line from a place on, without a remark, fit to be repeated."""
+    return shorten(re.sub(r"\s#.*", "", _NEW_LINE.split(text[at.index :], maxsplit=1)[0]))
+
+
+def _as_found(found: str) -> str:
+    plain = shorten(found).replace("<", "").replace(">", "")
+    return f"not YAML: {plain}; check indentation and brackets"
