@@ -19,6 +19,7 @@ crane, current.
 from __future__ import annotations
 
 import itertools
+import json
 import math
 from dataclasses import dataclass
 from typing import Any
@@ -26,10 +27,11 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
+from scipy.optimize import brentq, least_squares
 
 from floating import SEA, box_hull, buoyancy
-from lagrange import Batch
+from gantline._core import Statics
+from lagrange import Batch, quaternion, yaw_pitch_roll
 from mechanics import Floats, G, Json, adaptive, body, document, end, free, point, rope
 
 CORNERS = np.array(list(itertools.product((0, 1), repeat=3)))
@@ -135,7 +137,7 @@ def weight_and_water(turn: Floats, height: float, centre: Floats) -> tuple[Float
     return force, np.array(moment)
 
 
-def rates(_: float, state: Floats, centre: Floats, inertia: Floats) -> Floats:
+def rates(_: float, state: Floats, centre: Floats, inertia: Floats, resists: bool = True) -> Floats:
     """Of place, quaternion, velocity and spin in the barge's axes, place and velocity of the load."""
     place, q, u, w, load, speed = np.split(state, [3, 7, 10, 13, 16])
     turn = rotation(q)
@@ -144,8 +146,9 @@ def rates(_: float, state: Floats, centre: Floats, inertia: Floats) -> Floats:
     flow = u + np.cross(w, DRAG_AT) - turn.T @ STREAM
     resistance = -DAMPING @ np.concatenate([flow, w])
     resistance -= QUADRATIC * np.concatenate([np.linalg.norm(flow) * flow, np.abs(w) * w])
-    force = force + resistance[:3]
-    moment = moment + resistance[3:] + np.cross(DRAG_AT, resistance[:3])
+    if resists:
+        force = force + resistance[:3]
+        moment = moment + resistance[3:] + np.cross(DRAG_AT, resistance[:3])
     way = load - place - turn @ TIP
     span = float(np.linalg.norm(way))
     rate = way @ (speed - turn @ (u + np.cross(w, TIP))) / span
@@ -235,3 +238,51 @@ def test_a_crane_barge_moves_as_its_own_equations_say(
     angle = np.degrees(np.arctan2(ups[:, 1], ups[:, 2]))
     assert heel[0] - 1.0 < angle.min() and angle.max() < heel[1] + 1.0
     assert run.energy_remainder < 1e-7
+
+
+def test_modes_of_a_barge_with_a_load_that_hangs_from_it() -> None:
+    """ω² of nine motions, three of which nothing holds, against differences of the accelerations at rest."""
+    centre = np.array([0.3, -0.2, 3.5])
+    inertia = inertia_of_all(centre)
+
+    def accelerations(turn: Floats, place: Floats, load: Floats) -> Floats:
+        """Of the barge along its axes and about them, and of the load, from rest (9,)."""
+        state = np.concatenate([place, quaternion(turn), np.zeros(6), load, np.zeros(3)])
+        return rates(0.0, state, centre, inertia, resists=False)[[7, 8, 9, 10, 11, 12, 16, 17, 18]]
+
+    def lying(found: Floats) -> tuple[Floats, Floats, Floats]:
+        """Attitude, place and load of height, two angles and the load's place."""
+        turn = yaw_pitch_roll(np.array([[0.02, found[1], found[2]]]))[0]
+        return turn, np.array([0, 0, found[0]]), found[3:]
+
+    def unbalanced(found: Floats) -> Floats:
+        return accelerations(*lying(found))
+
+    guess = np.concatenate([[-3.0, -0.02, -0.06], TIP + np.array([1.2, 1.0, -3.0 - FALLS])])
+    rest = least_squares(unbalanced, guess, xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    assert np.abs(rest.fun).max() < 1e-9
+    turn, place, load = lying(rest.x)
+
+    def moved(by: Floats) -> Floats:
+        """Accelerations along the axes at rest, moved and turned along and about these."""
+        further = yaw_pitch_roll(by[None, [5, 4, 3]])[0]
+        found = accelerations(turn @ further, place + turn @ by[:3], load + by[6:])
+        return np.concatenate([further @ found[:3], found[3:]])
+
+    step = 1e-4
+    slopes = [
+        (8 * (moved(way) - moved(-way)) - moved(2 * way) + moved(-2 * way)) / (12 * step)
+        for way in step * np.eye(9)
+    ]
+    squares = np.sort(-np.linalg.eigvals(np.array(slopes).T).real)
+    state = np.concatenate([place, quaternion(turn), np.zeros(6), load, np.zeros(3)])
+    document_at_rest = system(state, centre)
+    for force in document_at_rest["forces"]:
+        if force["type"] == "drag":
+            force["stream"] = [0.0, 0.0, 0.0]
+    statics = Statics(json.dumps(document_at_rest))
+    statics.settle()
+    found = np.sort(statics.modes()["square"])
+    # Differences of fourth order at 0.1 mrad: 1e-8 and less. Surge, sway and yaw have none.
+    assert np.abs(found[:3]).max() < 1e-9
+    assert found[3:] == pytest.approx(squares[3:], rel=1e-6)

@@ -16,7 +16,7 @@ import math
 import numpy as np
 import pytest
 
-from mechanics import Floats, G, adaptive, body, document, end, eye, free, half_turn, rope, slider
+from mechanics import Floats, G, adaptive, body, document, end, eye, free, half_turn, point, rope, slider
 
 MASSES = np.array([300.0, 500.0])
 INERTIAS = np.array([[60.0, 90.0, 120.0], [150.0, 110.0, 190.0]])
@@ -146,3 +146,27 @@ def test_a_rope_with_a_moving_sheave_hands_an_impact_on() -> None:
     assert run.tension("r")[-1] == pytest.approx(tension, rel=1e-9)
     # Caught within 0.5 µm: weights do that much work more.
     assert run.energy("impact")[-1] == pytest.approx((masses * (before**2 - after**2)).sum() / 2, abs=1e-3)
+
+
+def test_a_hoist_that_stops_harder_than_gravity_throws_its_load() -> None:
+    """T = m (g + a) as it speeds up; then slack, free flight, and ½ m v² is lost where it is caught."""
+    mass, speed, begin, braking, stop = 10.0, 3.0, 0.1, 0.8, 0.05
+    speeding = 0.5
+    ramps = [
+        {"at": begin, "duration": speeding, "velocity": speed},
+        {"at": braking, "duration": stop, "velocity": 0.0},
+    ]
+    bodies = [body("trolley", slider(drive="hoist"), 2.0), body("load", point((0, 0, -1)), mass)]
+    ropes = [rope("r", 1.0, [end("trolley"), end("load")], None)]
+    run = adaptive(document(bodies, ropes=ropes, drives=[{"name": "hoist", "ramps": ramps}]), 2.0)
+    during = (run.time > begin + 1e-9) & (run.time < begin + speeding - 1e-9)
+    assert np.abs(run.tension("r")[during] - mass * (G + speed / speeding)).max() < 1e-9
+    cruising = (run.time > begin + speeding + 1e-9) & (run.time < braking - 1e-9)
+    assert np.abs(run.tension("r")[cruising] - mass * G).max() < 1e-9
+    [(slack, _)], [(taut, _)] = run.events("slack"), run.events("taut")
+    # Braking with 60 m/s² begins with a jump; the trolley rises by v d/2 more.
+    flight = (speed + math.sqrt(speed**2 - 2 * G * speed * stop / 2)) / G
+    assert slack == pytest.approx(braking, abs=1e-12)
+    assert taut == pytest.approx(braking + flight, abs=1e-9)
+    # Caught within 0.5 µm: the weight does 50 µJ more.
+    assert run.energy("impact")[-1] == pytest.approx(mass * (speed - G * flight) ** 2 / 2, abs=1e-4)
