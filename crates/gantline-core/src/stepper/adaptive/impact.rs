@@ -4,6 +4,8 @@
 use super::Adaptive;
 use super::rodas::Rodas;
 use crate::clock::Stage;
+use crate::constraint::AnyConstraint;
+use crate::constraint::brake::Brake;
 use crate::event::{EventKind, EventLog};
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
@@ -67,7 +69,8 @@ impl Adaptive {
     /// Puts inextensible ropes that act back to their length and their ends to equal speed, both with the least
     /// kinetic energy of the correction. Where one has just gone taut (`hit`), that is the impact (restitution 0),
     /// in which others at their length take part: 0 ≤ p ⟂ G v₊ ≤ 0. One after the other, two ropes that tighten
-    /// each other would hand an impact to and fro for ever.
+    /// each other would hand an impact to and fro for ever. Dry friction takes no part in it. Returns what drives put in
+    /// at once [J].
     pub(super) fn project(
         &mut self,
         system: &System,
@@ -75,7 +78,7 @@ impl Adaptive {
         frame: &mut Frame,
         log: &mut EventLog,
         hit: bool,
-    ) -> Result<(), ZeroPivot> {
+    ) -> Result<f64, ZeroPivot> {
         self.note_taut(system, state);
         let mut settled = false;
         while !settled {
@@ -91,6 +94,34 @@ impl Adaptive {
         }
         system.tree.advance(&mut state.q, &self.rate.a);
         frame.update(system, state);
+        let held = if hit { release(system, state) } else { Vec::new() };
+        self.equalise(system, state, frame, hit)?;
+        if self.hold_again(system, state, &held) {
+            self.equalise(system, state, frame, hit)?;
+        }
+        let work = self.work_at_once(system, state, frame);
+        for (velocity, change) in state.v.iter_mut().zip(&self.rate.a) {
+            *velocity += change;
+        }
+        self.turn_friction(system, state);
+        for (&row, &was) in system.inextensible.iter().zip(&self.taut) {
+            let taut = state.modes[row] == Mode::Acting;
+            if taut != was {
+                let rope = system.constraint_index(row);
+                log.push(state.time, if taut { EventKind::Taut } else { EventKind::Slack }, rope);
+            }
+        }
+        Ok(work)
+    }
+
+    /// The change of velocities, in `self.rate.a`, that brings the ends of inextensible ropes to equal speed.
+    fn equalise(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &Frame,
+        hit: bool,
+    ) -> Result<(), ZeroPivot> {
         // Exchanging one at a time ends (Murty 1974); the bound is against rounding.
         for _ in 0..100 + 4 * system.inextensible.len() {
             let rate = |row| -system.rows.rate(&frame.gradient, row, &state.v);
@@ -99,17 +130,30 @@ impl Adaptive {
             let taut = state.modes[row] == Mode::Slack;
             state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
         }
-        for (velocity, change) in state.v.iter_mut().zip(&self.rate.a) {
-            *velocity += change;
-        }
-        for (&row, &was) in system.inextensible.iter().zip(&self.taut) {
-            let taut = state.modes[row] == Mode::Acting;
-            if taut != was {
-                let rope = system.constraint_index(row);
-                log.push(state.time, if taut { EventKind::Taut } else { EventKind::Slack }, rope);
+        Ok(())
+    }
+
+    /// Lets brakes that the impact leaves where they are hold again, of those `held` before; true where any does.
+    fn hold_again(&self, system: &System, state: &mut State, held: &[usize]) -> bool {
+        let mut any = false;
+        for (row, brake) in brakes(system).filter(|(row, _)| held.contains(row)) {
+            if brake.along(&self.rate.a).abs() <= STANDSTILL {
+                state.modes[row] = Mode::Acting;
+                any = true;
             }
         }
-        Ok(())
+        any
+    }
+
+    /// Friction is against the velocity after the impact.
+    fn turn_friction(&self, system: &System, state: &mut State) {
+        for (row, brake) in brakes(system) {
+            let speed = brake.along(&state.v);
+            let jumps = brake.along(&self.rate.a).abs() > STANDSTILL && speed.abs() > STANDSTILL;
+            if jumps && state.modes[row] == Mode::Slipping {
+                state.memory[row] = speed.signum();
+            }
+        }
     }
 
     /// Notes which inextensible ropes act.
@@ -119,7 +163,7 @@ impl Adaptive {
     }
 
     /// The change of coordinates or velocities, in `self.rate.a`, of least kinetic energy that gives each inextensible
-    /// rope that acts the change `wanted` of length or speed; brakes that hold go on to hold.
+    /// rope that acts the change `wanted` of length or speed; brakes that hold keep their velocity.
     fn correct(
         &mut self,
         system: &System,
@@ -141,6 +185,22 @@ impl Adaptive {
         Ok(())
     }
 
+    /// What drives put in at once [J]: each keeps its velocity against the impulses p that change those of the others,
+    /// which takes M Δv + Gᵀ p. `correct` has just found Δv and p.
+    fn work_at_once(&mut self, system: &System, state: &State, frame: &Frame) -> f64 {
+        let impulse = &mut self.rate.phi;
+        frame.mass.multiply(&self.rate.a, impulse);
+        for &row in system.inextensible.iter().filter(|&&row| state.modes[row] == Mode::Acting) {
+            for (dof, entry) in system.rows.entries(&frame.gradient, row) {
+                impulse[dof] += entry * self.rodas.matrix.row_solution(row);
+            }
+        }
+        system
+            .prescribed(&state.plan.timelines)
+            .map(|(drive, _)| impulse[drive.dof] * state.v[drive.dof])
+            .sum()
+    }
+
     /// An inextensible rope on the wrong side of an impact: it pushes, or its ends move apart at its full length.
     fn wrong(&self, system: &System, state: &State, frame: &Frame) -> Option<usize> {
         let acts = |row: usize| state.modes[row] == Mode::Acting;
@@ -156,4 +216,22 @@ impl Adaptive {
             frame.value[row] > -self.tolerance.position && after > STANDSTILL
         })
     }
+}
+
+/// Brakes and their rows, but for those of light sheaves.
+fn brakes(system: &System) -> impl Iterator<Item = (usize, &Brake)> {
+    system.fed.iter().filter_map(|&index| match &system.constraints[index] {
+        AnyConstraint::Brake(brake) if !system.is_light[brake.dof] => Some((system.rows.first[index], brake)),
+        _ => None,
+    })
+}
+
+/// Lets all brakes go, whose rows are returned: a force that is bounded has no share in an impact.
+fn release(system: &System, state: &mut State) -> Vec<usize> {
+    let held: Vec<usize> =
+        brakes(system).map(|(row, _)| row).filter(|&row| state.modes[row] == Mode::Acting).collect();
+    for &row in &held {
+        state.modes[row] = Mode::Slipping;
+    }
+    held
 }

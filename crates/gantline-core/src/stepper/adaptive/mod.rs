@@ -412,12 +412,13 @@ impl Adaptive {
         let hit = were_taut.into_iter().any(|(&row, &taut)| !taut && state.modes[row] == Mode::Acting);
         if system.inextensible.iter().any(|&row| state.modes[row] == Mode::Acting) {
             let before = flows::stored(system, state, frame).sum();
-            self.project(system, state, frame, log, hit)?;
+            let work = self.project(system, state, frame, log, hit)?;
             self.rodas.evaluate(system, state);
             self.refresh(system, frame);
             self.hand_over(system, state);
-            let lost = before - flows::stored(system, state, frame).sum();
+            let lost = before + work - flows::stored(system, state, frame).sum();
             let flows = &mut state.ledger.flows;
+            flows.drive_work += work;
             *(if hit { &mut flows.impact } else { &mut flows.method }) += lost;
         }
         flows::store(system, state, frame);
