@@ -29,7 +29,7 @@ __all__ = [
 
 #: A triangle of a hull is part of its deck where the cosine of its slope is more than this.
 _DECK = 0.5
-#: A vessel that the way to rest takes farther in plan than this has not been meant to go there [m].
+#: A vessel that the way to rest takes farther than this, in plan or in height, was not meant to go there [m].
 _ADRIFT = 1.0
 
 
@@ -170,7 +170,14 @@ def adrift(document: Json, vessels: Collection[str], at_start: Mapping[str, Sequ
     for body in (one for one in document["bodies"] if one["name"] in vessels):
         joint = body["joint"]
         given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
-        way = float(np.hypot(*(np.asarray(at_start[body["name"]]) - given)[:2]))
+        moved = np.asarray(at_start[body["name"]]) - given
+        way, higher = float(np.hypot(*moved[:2])), float(moved[2])
+        if abs(higher) > _ADRIFT:
+            towards = "higher" if higher > 0 else "deeper"
+            sentences.append(
+                f"{body['name']} starts {abs(higher):.1f} m {towards} than by the draft of the lift file, "
+                "and hooks, deck and fairleads with it: there it rests; see its draft, its masses and tanks"
+            )
         if way > _ADRIFT:
             sentences.append(
                 f"{body['name']} starts {way:.1f} m from where the lift file has it: there it rests; "
