@@ -40,6 +40,9 @@ __all__ = ["RopeMaterial", "Shackle", "Sling", "SlingDefaults", "SlingShackles"]
 #: Diameters that a stranded rope can have [m]; beyond them a unit has slipped.
 _SMALLEST_DIAMETER = 1e-3
 _LARGEST_DIAMETER = 0.3
+#: Diameters of bows and pins of shackles [m]; those of shackles of 1550 t are 0.34 m.
+_SMALLEST_SHACKLE = 4e-3
+_LARGEST_SHACKLE = 0.5
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its metallic area.
 _STEEL_MODULUS = 210e9
 
@@ -201,6 +204,15 @@ class Shackle(Element):
     pin_diameter: PositiveLength | None = Field(None, description="Diameter of the pin.")
     minimum_breaking_force: PositiveForce | None = Field(None, description="Minimum breaking force.")
     proof_load: NotNegativeForce | None = Field(None, description="Proof load.")
+
+    @model_validator(mode="after")
+    def _diameters_are_those_of_shackles(self) -> Shackle:
+        for key in ("bow_diameter", "pin_diameter"):
+            diameter = getattr(self, key)
+            if diameter is not None and not _SMALLEST_SHACKLE <= diameter <= _LARGEST_SHACKLE:
+                sentence = f"{diameter / 1e-3:g} mm is no diameter of a shackle"
+                raise refuse(f"{sentence}; from 4 mm to 500 mm is right, such as '{key}: 97 mm'", key)
+        return self
 
 
 class SlingShackles(Element):
