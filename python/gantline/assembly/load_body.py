@@ -164,7 +164,9 @@ def _apart(stated: Array, found: Array, box: Array) -> list[str]:
     distance = float(np.linalg.norm(stated - found))
     if distance <= _CENTRES_AGREE * float(np.linalg.norm(box[1] - box[0])):
         return []
-    here, there = (f"({x:.3g}, {y:.3g}, {z:.3g}) m" for x, y, z in (stated, found))
+    # Adding 0 takes the sign off a zero.
+    places = [np.round(place, 3) + 0.0 for place in (stated, found)]
+    here, there = (f"({x:g}, {y:g}, {z:g}) m" for x, y, z in places)
     sentence = f"the centre of gravity of the load is stated at {here}; CAD and outfitting give {there}"
     return [f"{sentence}, {distance:.3g} m away: the stated one is simulated"]
 
