@@ -9,7 +9,7 @@ import numpy as np
 
 from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.spatial import about_axis, quaternion_product, rotation_matrix
+from gantline.assembly.spatial import Array, about_axis, quaternion_product, rotation_matrix
 from gantline.assembly.water import hull_name
 from gantline.scenario import Scenario
 from gantline.scenario.check_vessels import check_inside
@@ -22,6 +22,7 @@ __all__ = [
     "adrift",
     "deck_edge",
     "vessel_hull",
+    "vessel_hulls",
     "vessel_rig",
     "vessel_shape",
     "watch_vessels",
@@ -184,3 +185,14 @@ def adrift(document: Json, vessels: Collection[str], at_start: Mapping[str, Sequ
                 "see what pulls or pushes it, its draft and its mooring lines"
             )
     return sentences
+
+
+def vessel_hulls(document: Json, vessels: Collection[str]) -> dict[str, Array]:
+    """Vertices of the hulls of vessels by their names, vessel axes, shape (vertices, 3) [m].
+
+    Args:
+        document: What has been assembled of the lift.
+        vessels: Names of the bodies of its vessels.
+    """
+    meshes = {force["name"]: force["vertices"] for force in document["forces"] if force["type"] == "buoyancy"}
+    return {name: np.array(meshes[hull_name(name)]) for name in vessels}
