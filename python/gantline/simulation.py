@@ -13,16 +13,18 @@ from typing import Any
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
 from gantline.assembly.origin import refused
-from gantline.assembly.vessels import adrift
+from gantline.assembly.vessels import adrift, vessel_hulls
 from gantline.interrupt import noted_interrupt
 from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.crawler import tipping_warnings
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
+from gantline.results.grounding import grounding_warnings
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
+from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.vessels import under_water_warnings, vessel_warnings
 from gantline.scenario import Scenario, load_scenario, resolve
@@ -205,6 +207,8 @@ class Simulation:
             at_start = dict(zip(names["body"], columns["body_position"][0], strict=True))
             afloat = [vessel.body for vessel in rig.vessels]
             warnings += adrift(self.assembly.document, afloat, at_start)
+            hulls = vessel_hulls(self.assembly.document, afloat)
+            warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground_in(self.assembly.scene))
         warnings += pump_warnings(rig, columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)

@@ -180,7 +180,8 @@ def _on_supports(
 
 
 def _tips_over(scenario: Scenario, lifted: LiftedLoad, what: str) -> StartError:
-    x, y, _ = lifted.centre
+    # Adding 0 takes the sign off a zero.
+    x, y, _ = np.round(lifted.centre, 3) + 0.0
     sentence = f"the load would tip over: its centre of gravity, with rigging, is at ({x:g}, {y:g}) m"
     advice = f"which is not well within the {what} it stands on; move it towards the middle"
     return scenario.start_error(("load", "centre_of_gravity"), f"{sentence}, {advice}")

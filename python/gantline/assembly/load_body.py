@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +28,10 @@ _MOST_TRIANGLES = 4000
 _HULL_ERROR = 1e-3
 #: Masses that differ by less than this share, and centres by less than this share of the size, agree.
 _MASSES_AGREE, _CENTRES_AGREE = 0.02, 0.002
+#: Lugs nearer to each other than this are one [m].
+_ONE_PLACE = 1e-3
+#: Density of air [kg/m^3]: what weighs less than the air in its box has been given a unit too small.
+_AIR = 1.2
 #: Lugs stand on what is lifted, or on masts and houses that its box leaves out, so far [m].
 _OFF = 1.0
 
@@ -42,7 +47,7 @@ class LoadBody:
         box: least and largest x, y, z (2, 3) [m].
         mesh: light triangles to draw it; None for a box.
         hull: corners of a convex body to touch it with (n, 3) [m]; of a box its own.
-        warnings: where lift file and CAD do not agree, and lugs in mid-air, a sentence each.
+        warnings: where lift file and CAD do not agree, and doubts on weight and lugs, a sentence each.
     """
 
     mass: float
@@ -71,8 +76,30 @@ def _of_box(load: Load) -> LoadBody:
     inertia = (
         _stated(load.inertia) if isinstance(load.inertia, LoadInertia) else solid_box(mass, load.shape.box)
     )
-    centre, off = np.array(load.centre_of_gravity.at), tuple(_lugs_off(load, box))
-    return LoadBody(mass, centre, inertia, box, None, _corners(box), off)
+    centre, doubts = np.array(load.centre_of_gravity.at), tuple(_doubts(load, box))
+    return LoadBody(mass, centre, inertia, box, None, _corners(box), doubts)
+
+
+def _doubts(load: Load, box: Array) -> list[str]:
+    """What cannot well be meant of weight and lugs in a box."""
+    return [*_lighter_than_air(load, box), *_lugs_off(load, box), *_lugs_at_one_place(load)]
+
+
+def _lighter_than_air(load: Load, box: Array) -> list[str]:
+    air = _AIR * float(np.prod(box[1] - box[0]))
+    if load.weight.calculated >= air:
+        return []
+    weight = f"the load weighs {load.weight.calculated:.4g} kg"
+    return [f"{weight}, less than the air in its box, {air:.4g} kg; a unit has slipped, kg for t or mm for m"]
+
+
+def _lugs_at_one_place(load: Load) -> list[str]:
+    pairs = combinations(load.lugs.items(), 2)
+    same = [
+        (one, other) for (one, a), (other, b) in pairs if np.allclose(a.at, b.at, rtol=0, atol=_ONE_PLACE)
+    ]
+    without = "one lug would bear the slings of both"
+    return [f"lugs {one} and {other} are at one place; {without}" for one, other in same]
 
 
 def _lugs_off(load: Load, box: Array) -> list[str]:
@@ -116,7 +143,7 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
     if stated != "from_cad":
         centre = np.array(stated)
         warnings += _apart(centre, whole.centre, box)
-    warnings += _lugs_off(load, box)
+    warnings += _doubts(load, box)
     _check(scenario, load, box)
     if isinstance(load.inertia, LoadInertia):
         inertia = _stated(load.inertia)
@@ -164,7 +191,9 @@ def _apart(stated: Array, found: Array, box: Array) -> list[str]:
     distance = float(np.linalg.norm(stated - found))
     if distance <= _CENTRES_AGREE * float(np.linalg.norm(box[1] - box[0])):
         return []
-    here, there = (f"({x:.3g}, {y:.3g}, {z:.3g}) m" for x, y, z in (stated, found))
+    # Adding 0 takes the sign off a zero.
+    places = [np.round(place, 3) + 0.0 for place in (stated, found)]
+    here, there = (f"({x:g}, {y:g}, {z:g}) m" for x, y, z in places)
     sentence = f"the centre of gravity of the load is stated at {here}; CAD and outfitting give {there}"
     return [f"{sentence}, {distance:.3g} m away: the stated one is simulated"]
 

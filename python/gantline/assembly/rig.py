@@ -250,6 +250,7 @@ def _step(scenario: Scenario, step: Any) -> Json:
         "step": step.step,
         "kind": kind,
         "hold_until": _held_until(step) if isinstance(step, HoldStep) else "",
+        "lasts": step.hold if isinstance(step, HoldStep) and isinstance(step.hold, float) else None,
         "drives": moved_drives(scenario, step),
         "report": list(step.report),
         "require": require,

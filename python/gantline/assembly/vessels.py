@@ -9,7 +9,7 @@ import numpy as np
 
 from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.spatial import about_axis, quaternion_product, rotation_matrix
+from gantline.assembly.spatial import Array, about_axis, quaternion_product, rotation_matrix
 from gantline.assembly.water import hull_name
 from gantline.scenario import Scenario
 from gantline.scenario.check_vessels import check_inside
@@ -22,6 +22,7 @@ __all__ = [
     "adrift",
     "deck_edge",
     "vessel_hull",
+    "vessel_hulls",
     "vessel_rig",
     "vessel_shape",
     "watch_vessels",
@@ -29,7 +30,7 @@ __all__ = [
 
 #: A triangle of a hull is part of its deck where the cosine of its slope is more than this.
 _DECK = 0.5
-#: A vessel that the way to rest takes farther in plan than this has not been meant to go there [m].
+#: A vessel that the way to rest takes farther than this, in plan or in height, was not meant to go there [m].
 _ADRIFT = 1.0
 
 
@@ -170,10 +171,28 @@ def adrift(document: Json, vessels: Collection[str], at_start: Mapping[str, Sequ
     for body in (one for one in document["bodies"] if one["name"] in vessels):
         joint = body["joint"]
         given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
-        way = float(np.hypot(*(np.asarray(at_start[body["name"]]) - given)[:2]))
+        moved = np.asarray(at_start[body["name"]]) - given
+        way, higher = float(np.hypot(*moved[:2])), float(moved[2])
+        if abs(higher) > _ADRIFT:
+            towards = "higher" if higher > 0 else "deeper"
+            sentences.append(
+                f"{body['name']} starts {abs(higher):.1f} m {towards} than by the draft of the lift file, "
+                "and hooks, deck and fairleads with it: there it rests; see its draft, its masses and tanks"
+            )
         if way > _ADRIFT:
             sentences.append(
                 f"{body['name']} starts {way:.1f} m from where the lift file has it: there it rests; "
                 "see what pulls or pushes it, its draft and its mooring lines"
             )
     return sentences
+
+
+def vessel_hulls(document: Json, vessels: Collection[str]) -> dict[str, Array]:
+    """Vertices of the hulls of vessels by their names, vessel axes, shape (vertices, 3) [m].
+
+    Args:
+        document: What has been assembled of the lift.
+        vessels: Names of the bodies of its vessels.
+    """
+    meshes = {force["name"]: force["vertices"] for force in document["forces"] if force["type"] == "buoyancy"}
+    return {name: np.array(meshes[hull_name(name)]) for name in vessels}

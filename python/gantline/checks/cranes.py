@@ -7,7 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
-from gantline.checks.measure import Finding, Found, Missing, extreme
+from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -59,10 +59,15 @@ def distance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding
 
 
 def corner_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Load of a corner of a crane by moments."""
+    """Load of a corner of a crane by moments; rails push and do not pull."""
     for crane in recording.rig.cranes:
         for name in crane.corners:
-            yield from extreme(recording, recording.column("corner_load", name), during, name)
+            load = recording.column("corner_load", name)
+            lifted = np.flatnonzero(during & (load < 0.0))
+            if lifted.size:
+                at = float(recording.time[lifted[0]])
+                yield Refused(name, f"it would lift off its rail at {at:.2f} s: the crane tips")
+            yield from extreme(recording, load, during, name)
 
 
 def wind_of_limit(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, UNRAISED, hook_force, kilonewton, over
+from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, UNRAISED, Raised, hook_force, kilonewton, over
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
+from gantline.checks.ratings import SEVERAL, kept_back
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
@@ -96,7 +97,11 @@ def _first_layer_over_last(recording: Recording, name: str, during: BoolArray) -
 
 
 def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Hoist load (or hook load, as the rating says) of hooks, trolleys and cranes over rated capacity."""
+    """Hoist load (or hook load, as the rating says) of hooks, trolleys and cranes over rated capacity.
+
+    Cranes that lift together keep capacity back: of their charts, and those without a chart of this.
+    """
+    charted = {chart.crane for chart in recording.rig.rating_charts}
     for rating in recording.rig.ratings:
         element = rating.name if rating.level == "hook" else f"{rating.level} {rating.name}"
         if not rating.rated_capacity:
@@ -104,4 +109,9 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
             continue
         variable = "hoist_load" if rating.includes_hook_block else "hook_load"
         force = hook_force(recording, rating.hooks, variable, during)
-        yield from over(force, rating.rated_capacity, element)
+        raised = Raised()
+        if rating.level == "crane" and rating.name not in charted:
+            kept, cautions = kept_back(recording, rating.name)
+            yield from cautions
+            raised = Raised(kept, f" x {kept:.4g}", (SEVERAL,)) if kept > 1.0 else raised
+        yield from over(force, rating.rated_capacity, element, raised)

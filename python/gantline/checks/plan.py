@@ -18,6 +18,8 @@ _LIFTED_FROM = 0.05
 _LONG = 1.0
 #: Steps that move hooks.
 _HOISTS = ("hoist", "lower")
+#: Steps that take a load along and do not lower it.
+_TAKES_ALONG = {"luff", "slew", "traverse", "travel"}
 #: Share of a load's weight from which it is told that it hangs at the start.
 _HANGS = 0.02
 #: Way that a hook may lose against motor or brake [m]: its rope stretches, and rings.
@@ -70,6 +72,29 @@ def stood_still(recording: Recording) -> list[Check]:
     if hung and begins[still[0]] == recording.time[0]:
         remark += f"; {' and '.join(hung)} hangs before the plan begins"
     return [Check("plan_moves", Verdict.WARNING, "steps that hoist or lower move", remark=remark)]
+
+
+def came_down(recording: Recording) -> list[Check]:
+    """A warning for each load that comes down on what is below it while a step takes it along.
+
+    A boom that goes down lowers its hooks, and nobody may have thought of that; what follows drags the load.
+    """
+    kinds = {step.step: step.kind for step in recording.rig.plan}
+    loads = {load.name for load in recording.rig.loads}
+    moved = [
+        stretch
+        for stretch in progress.stretches(recording)
+        if all(kinds.get(name) in _TAKES_ALONG for name in stretch.names)
+    ]
+    first: dict[str, Check] = {}
+    for time, _, name in recording.events("set_down"):
+        steps = [stretch.name for stretch in moved if stretch.begin < time <= stretch.end]
+        if name in loads and steps:
+            remark = f"it comes down on what is below it in '{steps[0]}', which does not lower it"
+            meaning = "loads that are taken along stay clear"
+            check = Check("stays_clear", Verdict.WARNING, meaning, element=name, time=time, remark=remark)
+            first.setdefault(name, check)
+    return list(first.values())
 
 
 def fell_behind(recording: Recording) -> list[Check]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gantline.checks.forces import UNRAISED, Force, factor, hook_force, kilonewton
-from gantline.checks.measure import Caution, Finding, Found, Refused, extreme
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.rating import RatedGroup, chart_load, chart_places, rated_groups, rated_load
 from gantline.results.rating_chart import RatingChart
@@ -24,13 +24,23 @@ _OF_HOOK = {"off_lead": "off_lead", "side_lead": "side_lead"}
 
 def load_of_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Hoist load (or hook load) over the rated load of the chart, of cranes and of each of several hooks."""
-    several = len(_lifting(recording)) > 1
     for chart in recording.rig.rating_charts:
-        kept = factor(recording, SEVERAL) if several and chart.crane in _lifting(recording) else None
-        if several and kept is None and chart.crane in _lifting(recording):
-            yield Caution(f"{len(_lifting(recording))} cranes lift together, and no rule keeps capacity back")
+        kept, cautions = kept_back(recording, chart.crane)
+        yield from cautions
         for group in rated_groups(chart):
-            yield from _of_row(recording, during, chart, group, kept or 1.0)
+            yield from _of_row(recording, during, chart, group, kept)
+    yield from _without_chart(recording)
+
+
+def kept_back(recording: Recording, crane: str) -> tuple[float, list[Caution]]:
+    """The rule's factor on what hangs from a crane, 1 if it lifts alone; a caution if no rule has one."""
+    lifting = _lifting(recording)
+    if len(lifting) < 2 or crane not in lifting:
+        return 1.0, []
+    kept = factor(recording, SEVERAL)
+    if kept is None:
+        return 1.0, [Caution(f"{len(lifting)} cranes lift together, and no rule keeps capacity back")]
+    return kept, []
 
 
 def _lifting(recording: Recording) -> set[str]:
@@ -38,6 +48,20 @@ def _lifting(recording: Recording) -> set[str]:
     rig = recording.rig
     hooks = {rig.hook_of(sling) for sling in rig.slings}
     return {hook.crane for hook in rig.hooks if hook.name in hooks}
+
+
+def _without_chart(recording: Recording) -> Iterator[Missing]:
+    """Cranes that lift with a boom of which nothing says what may hang at their radius.
+
+    One number is enough where the boom keeps its angle.
+    """
+    rig = recording.rig
+    charted = {chart.crane for chart in rig.rating_charts}
+    rated = {one.name for one in rig.ratings if one.level == "crane" and one.rated_capacity}
+    for boom in rig.booms:
+        is_said = boom.name in charted or (boom.range is None and boom.name in rated)
+        if boom.name in _lifting(recording) and not is_said:
+            yield Missing(boom.name, "no rating chart")
 
 
 def _of_row(

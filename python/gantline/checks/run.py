@@ -12,7 +12,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
-from gantline.checks.plan import fell_behind, not_lifted, stood_still, unfinished
+from gantline.checks.plan import came_down, fell_behind, not_lifted, stood_still, unfinished
 from gantline.checks.slings import idle
 from gantline.results import progress, series
 from gantline.results.parting import Parting, partings
@@ -33,8 +33,8 @@ def check_recording(recording: Recording) -> list[Check]:
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
         that let its load go; and a warning for each that fell behind, where slings never carried or run
-        through a load, where the recording has warnings of its own, where steps moved nothing, and where a
-        run lifts nothing or ends before its plan.
+        through a load, where the recording has warnings of its own, where steps moved nothing, where a load
+        came down while it was taken along, and where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -56,7 +56,8 @@ def check_recording(recording: Recording) -> list[Check]:
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
-    return every + stood_still(recording) + (unfinished(recording) or not_lifted(recording))
+    every += stood_still(recording) + came_down(recording)
+    return every + (unfinished(recording) or not_lifted(recording))
 
 
 def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> dict[str, float]:

@@ -9,6 +9,8 @@ from gantline.results.rig import Step
 
 __all__ = ["Stretch", "Unfinished", "end_of_step", "stretches", "unfinished"]
 
+#: Rounding of the end of a hold [s].
+_ROUNDING = 1e-9
 #: Between the names of steps that go side by side.
 _BESIDE = " + "
 
@@ -74,25 +76,30 @@ def stretches(recording: Recording) -> list[Stretch]:
 def end_of_step(recording: Recording, step: Step) -> float | None:
     """When a step of the plan ended [s]; None if it did not within the recording.
 
-    One that holds until the end of the run ends with a run that was done.
+    One that holds until the end of the run, or for a time that is over then, ends with a run that was done.
     """
     ends = [time for time, _, name in recording.events("step_end") if name == step.step]
     if ends:
         return ends[0]
-    begun = any(name == step.step for _, _, name in recording.events("step_begin"))
-    is_over = recording.attributes.get("status") == "done" and len(recording.time) > 0
-    return float(recording.time[-1]) if begun and is_over and step.hold_until == "end" else None
+    begins = [time for time, _, name in recording.events("step_begin") if name == step.step]
+    if not begins or recording.attributes.get("status") != "done" or not len(recording.time):
+        return None
+    last = float(recording.time[-1])
+    is_over = step.lasts is not None and begins[0] + step.lasts <= last + _ROUNDING
+    return last if is_over or step.hold_until == "end" else None
 
 
 def unfinished(recording: Recording) -> Unfinished | None:
     """What is left of the plan at the end of a run; None if nothing is.
 
-    A hold that is under way has nothing left to do, unless it waits for a condition; any other step has.
+    A hold that is under way has nothing left to do, unless it waits for a condition or requires something
+    at its end; any other step has.
     """
     begun = {name for _, _, name in recording.events("step_begin")}
-    ended = {name for _, _, name in recording.events("step_end")}
     plan = recording.rig.plan
     left = tuple(step.step for step in plan if step.step not in begun)
-    has_more = {step.step for step in plan if step.kind != "hold" or step.hold_until == "met"}
-    under_way = tuple(step.step for step in plan if step.step in (begun - ended) & has_more)
+    not_over = [step for step in plan if step.step in begun and end_of_step(recording, step) is None]
+    under_way = tuple(
+        step.step for step in not_over if step.kind != "hold" or step.hold_until == "met" or step.require
+    )
     return Unfinished(under_way, left) if (left or under_way) and len(recording.time) else None

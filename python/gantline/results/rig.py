@@ -133,6 +133,7 @@ class Step(FromJson):
         step: Its name.
         kind: What it does: `hoist`, `hold`, ...
         hold_until: What a hold without a length lasts until: `end` of the run, or a condition is `met`.
+        lasts: How long a hold goes on [s]; None where that is not said, and of any other step.
         report: Quantities to be read off at its end.
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
         tanks: Tanks that it pumps.
@@ -144,6 +145,7 @@ class Step(FromJson):
     step: str
     kind: str = ""
     hold_until: str = ""
+    lasts: float | None = None
     speed: float | None = None
     pull_pins: Sequence[str] = ()
     put_in_pins: Sequence[str] = ()

@@ -36,6 +36,18 @@ class Ground:
     level: float
     holes: tuple[Hole, ...]
 
+    def under(self, points: FloatArray) -> FloatArray:
+        """Height of the ground at the places of points, shape (points, 3), in plan; shape (points,) [m]."""
+        heights: FloatArray = np.full(len(points), self.level)
+        for hole in self.holes:
+            sides = [
+                (points[:, axis] - hole.side(axis)[0], hole.side(axis)[1] - points[:, axis])
+                for axis in (0, 1)
+            ]
+            inside = np.all([part >= 0.0 for side in sides for part in side], axis=0)
+            heights = np.where(inside, hole.floor, heights)
+        return heights
+
     def near(self, points: FloatArray) -> FloatArray:
         """Points of the ground that a drawing of these points holds [m], shape (n, 3).
 
@@ -146,7 +158,12 @@ class Structure:
 
 def ground_of(recording: Recording) -> Ground | None:
     """The ground of a recording; None if it has none."""
-    given = _scene(recording).get("ground")
+    return ground_in(_scene(recording))
+
+
+def ground_in(scene: Mapping[str, Any]) -> Ground | None:
+    """The ground of a scene; None if it has none."""
+    given = scene.get("ground")
     if not given:
         return None
     holes = [Hole(_pair(one["x"]), _pair(one["y"]), float(one["floor"])) for one in given.get("holes") or ()]

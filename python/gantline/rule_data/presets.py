@@ -38,7 +38,7 @@ FACTORS: Final[Mapping[str, str]] = MappingProxyType(
         "least_safety_factor": "least product of load, consequence and material factor",
         "lug_consequence_factor": "on lug loads, where a capacity does not hold it already",
         "shackle_breaking_factor": "between the dynamic load of a shackle and its minimum breaking force",
-        "several_cranes_factor": "on the share of each crane with a chart, where several lift one load",
+        "several_cranes_factor": "on the share of each crane, where several lift one load",
     }
 )
 

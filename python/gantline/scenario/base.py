@@ -28,14 +28,22 @@ class Element(BaseModel):
             data.what = cls.what
             cls.refuse_early(data)
         elif not isinstance(data, (dict, cls)):
-            keys = ", ".join(cls.keys()[:6])
-            raise refuse(f"found {found(data)}; {cls.what} is a mapping with keys such as {keys}")
+            # What it cannot be without comes first: the others may be left out.
+            keys = sorted(cls.keys(), key=lambda key: key not in cls.needed_keys())
+            raise refuse(
+                f"found {found(data)}; {cls.what} is a mapping with keys such as {', '.join(keys[:6])}"
+            )
         return handler(data)
 
     @classmethod
     def keys(cls) -> tuple[str, ...]:
         """Keys that this mapping may have, as written in a file."""
         return tuple(field.alias or name for name, field in cls.model_fields.items())
+
+    @classmethod
+    def needed_keys(cls) -> set[str]:
+        """Those of them that it cannot be without."""
+        return {field.alias or name for name, field in cls.model_fields.items() if field.is_required()}
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 from gantline.scenario.model import Scenario
-from gantline.scenario.structures import Dock
+from gantline.scenario.structures import Dock, dock_of
 from gantline.scenario.supports import Supports, supports_of
 
 __all__ = ["check_places", "check_supports", "foot_of", "top_of"]
@@ -78,7 +79,25 @@ def _check_group(findings: Findings, name: str, group: Supports) -> list[str]:
         if one.removed_at is not None and one.removed_at > scenario.duration:
             sentence = f"'{one.name}' is taken away at {one.removed_at:g} s, after the end of the lift"
             findings.add(path, f"{sentence} at {scenario.duration:g} s")
+    _check_over_dock(findings, name, group)
     return [one.name for one in supports]
+
+
+def _check_over_dock(findings: Findings, name: str, group: Supports) -> None:
+    """Note a support whose middle is over the dock, where nothing says that its foot is on the floor."""
+    load, dock = findings.scenario.load, dock_of(findings.scenario)
+    if dock is None or load is None or group.foot is not None:
+        return
+    is_on_load = group.measured_from == "load"
+    heading, from_x, from_y = (load.heading, *load.position[:2]) if is_on_load else (group.heading, 0.0, 0.0)
+    cos, sin = math.cos(heading), math.sin(heading)
+    for one in supports_of(name, group):
+        x, y = from_x + cos * one.at[0] - sin * one.at[1], from_y + sin * one.at[0] + cos * one.at[1]
+        if dock.x[0] < x < dock.x[1] and dock.y[0] < y < dock.y[1]:
+            sentence = f"'{one.name}' at ({x:.2f}, {y:.2f}) m is over the dock, and would stand on the air"
+            right = f"'foot: {dock.floor:g} m' puts it onto the floor"
+            findings.add(("supports", name), f"{sentence}; {right}, or move it onto the ground beside it")
+            return
 
 
 def check_places(findings: Findings, least: Sequence[float], most: Sequence[float]) -> None:

@@ -53,6 +53,9 @@ __all__ = [
 #: Ends of the two tracks.
 TRACK_CORNERS = ("left.front", "left.back", "right.front", "right.back")
 
+#: Length of tracks over their gauge, or the other way round, beyond which a decimal point has slipped [1].
+_SLENDEST = 4.0
+
 _Place = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 _Angles = Annotated[tuple[float, float] | None, ListOf(Quantity("angle"), 2)]
 
@@ -131,6 +134,9 @@ class Tracks(Element):
         if self.gauge <= self.width:
             sentence = f"tracks of {self.width:g} m, {self.gauge:g} m apart from middle to middle, overlap"
             raise refuse(f"{sentence}; a larger gauge is right", "gauge")
+        if not 1 / _SLENDEST <= self.length / self.gauge <= _SLENDEST:
+            sentence = f"tracks of {self.length:g} m with a gauge of {self.gauge:g} m are no crane's"
+            raise refuse(f"{sentence}; about as long as they are apart is usual", "length")
         if self.mats is not None and not self.width <= self.mats <= self.gauge:
             sentence = f"mats of {self.mats:g} m are not between the width and the gauge of the tracks"
             raise refuse(f"{sentence}, {self.width:g} m and {self.gauge:g} m", "mats")

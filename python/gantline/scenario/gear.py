@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Annotated, ClassVar, Literal
@@ -40,6 +41,11 @@ __all__ = ["RopeMaterial", "Shackle", "Sling", "SlingDefaults", "SlingShackles"]
 #: Diameters that a stranded rope can have [m]; beyond them a unit has slipped.
 _SMALLEST_DIAMETER = 1e-3
 _LARGEST_DIAMETER = 0.3
+#: Highest tensile grade of steel for ropes [Pa], EN 10264-2: no rope holds more over all of its circle.
+_STRONGEST_STEEL = 2160e6
+#: Diameters of bows and pins of shackles [m]; those of shackles of 1550 t are 0.34 m.
+_SMALLEST_SHACKLE = 4e-3
+_LARGEST_SHACKLE = 0.5
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its metallic area.
 _STEEL_MODULUS = 210e9
 
@@ -129,12 +135,24 @@ class RopeMaterial(Element):
             self._refuse_without_construction()
         else:
             self._refuse_incomplete_construction(self.construction)
+        self._refuse_beyond_steel()
         if self.breaks_at == "minimum_breaking_force" and self.breaking_force is None:
             sentence = "the minimum breaking force of this rope is not known"
             raise refuse(f"{sentence}; give it, or a force here, such as '600 kN'", "breaks_at")
         if self.inextensible and self.damping_time > 0:
             raise refuse("an inextensible rope has no damping; leave 'damping_time' out", "damping_time")
         return self
+
+    def _refuse_beyond_steel(self) -> None:
+        if self.diameter is None or self.minimum_breaking_force is None:
+            return
+        stress = self.minimum_breaking_force / (math.pi / 4 * self.diameter**2)
+        if stress > _STRONGEST_STEEL:
+            force, thick = f"{self.minimum_breaking_force / 1e3:g} kN", f"{self.diameter / 1e-3:g} mm"
+            sentence = (
+                f"{force} are {stress / 1e9:.3g} kN/mm^2 of a rope of {thick}, and solid steel holds 2.16"
+            )
+            raise refuse(f"{sentence}; one of both is wrong", "minimum_breaking_force")
 
     def _refuse_without_construction(self) -> None:
         for key in ("grade", "modulus"):
@@ -201,6 +219,15 @@ class Shackle(Element):
     pin_diameter: PositiveLength | None = Field(None, description="Diameter of the pin.")
     minimum_breaking_force: PositiveForce | None = Field(None, description="Minimum breaking force.")
     proof_load: NotNegativeForce | None = Field(None, description="Proof load.")
+
+    @model_validator(mode="after")
+    def _diameters_are_those_of_shackles(self) -> Shackle:
+        for key in ("bow_diameter", "pin_diameter"):
+            diameter = getattr(self, key)
+            if diameter is not None and not _SMALLEST_SHACKLE <= diameter <= _LARGEST_SHACKLE:
+                sentence = f"{diameter / 1e-3:g} mm is no diameter of a shackle"
+                raise refuse(f"{sentence}; from 4 mm to 500 mm is right, such as '{key}: 97 mm'", key)
+        return self
 
 
 class SlingShackles(Element):

@@ -233,8 +233,8 @@ class Rules(Element):
     )
     several_cranes: Annotated[str, Word(tuple(SEVERAL_CRANES))] | None = Field(
         None,
-        description="Rule that says what capacity cranes with a rating chart keep back where several lift "
-        "one load.",
+        description="Rule that says what capacity cranes keep back, of their rating chart or without one of "
+        "their rated capacity, where several lift one load.",
     )
     several_cranes_factor: _Factor | None = Field(
         None, description="The same as a factor of one's own, on the share of each of them."

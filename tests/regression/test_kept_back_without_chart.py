@@ -1,0 +1,58 @@
+"""What a rule keeps back of several cranes, of cranes that have one rated capacity and no chart.
+
+`rules: {several_cranes: queensland}` was applied to charts alone. Two cranes of 180 t without a chart took
+160 t each at 89 %, GO, where the rule that the lift file names asks for 1.2 times that: 107 %.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from gantline.checks import Check, Verdict, check_recording
+from gantline.results.recording import Recording
+from rated_lift import T, recording
+
+LOAD, RATED, KEPT = 160.0, 180.0, 1.2
+FACTORS = {"several_cranes_factor": {"value": KEPT, "source": "example rule"}}
+
+
+def checked(cranes: tuple[str, ...], factors: dict[str, Any]) -> Check:
+    """`hoist_load_of_rated_capacity` of cranes with one hook each and a rated capacity of 180 t, no chart."""
+    count = len(cranes)
+    of = recording([[16.0] * count] * 2, [[LOAD] * count] * 2, cranes=cranes, factors=factors)
+    ratings = [
+        {
+            "name": crane,
+            "level": "crane",
+            "hooks": [f"H{n}"],
+            "rated_capacity": RATED * T,
+            "includes_hook_block": True,
+        }
+        for n, crane in enumerate(cranes)
+    ]
+    rig = {**of.attributes["rig"], "rating_charts": [], "ratings": ratings}
+    again = Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig})
+    return next(one for one in check_recording(again) if one.name == "hoist_load_of_rated_capacity")
+
+
+def test_two_cranes_keep_capacity_back() -> None:
+    found = checked(("c1", "c2"), FACTORS)
+    assert found.value == pytest.approx(KEPT * LOAD / RATED)
+    assert found.verdict is Verdict.FAILED
+    assert "x 1.2 / " in found.formula
+    assert "several_cranes_factor 1.2: example rule" in found.source
+
+
+def test_one_alone_does_not() -> None:
+    found = checked(("c1",), FACTORS)
+    assert found.value == pytest.approx(LOAD / RATED)
+    assert found.verdict is Verdict.OK
+
+
+def test_without_a_rule_it_is_said() -> None:
+    found = checked(("c1", "c2"), {})
+    assert found.value == pytest.approx(LOAD / RATED)
+    assert found.verdict is Verdict.WARNING
+    assert "2 cranes lift together, and no rule keeps capacity back" in found.remark
