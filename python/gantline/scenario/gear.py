@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 from pydantic.json_schema import JsonSchemaValue
@@ -46,6 +46,8 @@ _STRONGEST_STEEL = 2160e6
 #: Diameters of bows and pins of shackles [m]; those of shackles of 1550 t are 0.34 m.
 _SMALLEST_SHACKLE = 4e-3
 _LARGEST_SHACKLE = 0.5
+#: Tolerance of a sling's length beyond which a '%' has been left out.
+_LARGEST_TOLERANCE = 0.1
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its metallic area.
 _STEEL_MODULUS = 210e9
 
@@ -253,6 +255,13 @@ class SlingDefaults(Element):
     breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
     shackles: SlingShackles | None = Field(None, description="Shackles at both ends.")
     tolerance: Ratio | None = Field(None, description="Tolerance of the length, plus and minus.")
+
+    @model_validator(mode="after")
+    def _tolerance_is_small(self) -> Self:
+        if self.tolerance is not None and self.tolerance > _LARGEST_TOLERANCE:
+            sentence = f"a sling that is {self.tolerance * 100:g} % too long or too short is none"
+            raise refuse(f"{sentence}; at most 10 % is right, such as 'tolerance: 0.25 %'", "tolerance")
+        return self
 
 
 class Sling(SlingDefaults):

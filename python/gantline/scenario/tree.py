@@ -258,11 +258,21 @@ class _Builder:
                 sentence += " (a ':' needs a blank behind it)"
             elif key[:1].isdigit():  # `{length: 26,0 m}` is two keys to YAML
                 sentence += " (a decimal comma? write a point, such as 26.5 m)"
+            elif self._stands_behind_a_comma(key):  # `{title: one, two}` is two keys, too
+                sentence += " (a text with a comma in it stands in quotes)"
             self.problems.append(Problem(key.line, self._path(key), sentence))
         else:
             self.problems.append(
                 Problem(line, self._path(), "an item of the list is empty; write a value or remove it")
             )
+
+    def _stands_behind_a_comma(self, key: TextNode) -> bool:
+        """Whether another key, with a text, stands before this one in its line."""
+        mapping = self.stack[-1]
+        if not isinstance(mapping, MapNode):
+            return False
+        before = [other for other, line in mapping.key_lines.items() if line == key.line and other != key]
+        return bool(before) and isinstance(mapping.get(before[-1]), TextNode)
 
     def _place(self, node: Node) -> None:
         if not self.stack:
