@@ -166,6 +166,19 @@ def test_load_tilt() -> None:
     assert (failed.verdict, failed.element, failed.time) == (Verdict.FAILED, "block", 40.0)
 
 
+def test_load_yaw() -> None:
+    """To either side, from where it was at the start; more than half a turn too."""
+    clock = np.linspace(0.0, 40.0, 2001)
+    yaw = 1.0 - 0.1 * clock
+    assert only(ringing_lift(load_yaw=yaw, rig=sample_rig(load_yaw=4.01))).verdict is Verdict.OK
+    failed = only(ringing_lift(load_yaw=yaw, rig=sample_rig(load_yaw=3.99)))
+    assert (failed.verdict, failed.element, failed.time) == (Verdict.FAILED, "block", 40.0)
+    assert failed.value == pytest.approx(4.0, rel=1e-12)
+    upended = only(ringing_lift(tilt=0.04 * clock, rig=sample_rig(load_yaw=1.0)))
+    assert (upended.verdict, upended.value) == (Verdict.NOT_CHECKED, None)
+    assert "no heading" in upended.remark
+
+
 def test_angles_count_only_while_a_sling_carries() -> None:
     angle = math.atan2(math.hypot(4.1, 2.5), 36.483 - 8.65 - 5.0)  # S2, see test_metrics
     check = with_limit(sling_angle_from_vertical=angle + 1e-6)

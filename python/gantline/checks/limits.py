@@ -390,6 +390,7 @@ LIMITS: dict[str, Measure] = {
     "load_tilt": Measure(
         "largest angle of the load's own z axis from plumb", "deg", 2, loads.tilt, is_listed=True
     ),
+    "load_yaw": Measure("largest change of the load's heading from the start", "deg", 1, loads.yaw),
     "tension_spread": Measure(
         "(max - min)/mean over one equalizer's slings", "%", 2, equalizers.tension_spread
     ),

@@ -1,12 +1,15 @@
-"""Loads: tilt, what keeps them from it, what their supports have given up, slings that run through them."""
+"""Loads: tilt, yaw, what keeps them upright, what supports have given up, slings that run through them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
 
+import numpy as np
+
 from gantline.checks.check import Check, Verdict
-from gantline.checks.measure import Caution, Finding, extreme, named
+from gantline.checks.measure import Caution, Finding, Missing, extreme, named
+from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.through import Through, slings_through_loads
 from gantline.results.tilting import loose_tilt
@@ -20,6 +23,16 @@ def tilt(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         loose = loose_tilt(recording, load)
         if loose is not None:
             yield Caution(str(loose))
+
+
+def yaw(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Change of a load's heading from the start, to either side."""
+    for load in recording.rig.loads:
+        turned = series.load_yaw(recording, load)
+        if turned is None:
+            yield Missing(load.name, "its own x axis comes near plumb, so that it has no heading")
+        else:
+            yield from extreme(recording, np.abs(turned), during, load.name)
 
 
 def transferred(recording: Recording, during: BoolArray) -> Iterator[Finding]:

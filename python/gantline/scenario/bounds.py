@@ -65,6 +65,7 @@ MEASURES = (
     "hook_load",
     "hoist_load",
     "load_tilt",
+    "load_yaw",
     "load_transferred",
     "load_swing",
     "hook_height",
@@ -111,6 +112,7 @@ class Require(Element):
     what: ClassVar[str] = "require"
 
     load_tilt: AngleBound | None = Field(None, description="Angle of the load's own z axis from plumb.")
+    load_yaw: AngleBound | None = Field(None, description="Change of the load's heading from the start.")
     equalizer_travel_used: RatioBound | None = Field(None, description="Travel used, of the stroke.")
     tension_spread: RatioBound | None = Field(
         None, description="(max - min)/mean over one equalizer's slings."

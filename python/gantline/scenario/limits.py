@@ -37,6 +37,9 @@ class Limits(Element):
         None, description="Force of a support of its capacity; 100 % if not given."
     )
     load_tilt: PositiveAngle | None = Field(None, description="Tilt of the load.")
+    load_yaw: PositiveAngle | None = Field(
+        None, description="Change of the load's heading from the start, to either side."
+    )
     sling_angle_from_vertical: PositiveAngle | None = Field(
         None, description="Angle of slings from the vertical."
     )
