@@ -65,7 +65,6 @@ MEASURES = (
     "hook_load",
     "hoist_load",
     "load_tilt",
-    "load_yaw",
     "load_transferred",
     "load_swing",
     "hook_height",
