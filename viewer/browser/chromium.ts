@@ -78,15 +78,18 @@ export async function open(browser: Browser, file: string, wishes: Wishes = {}):
 /** For `expect.poll`, on a machine that has much else to do. */
 export const PATIENTLY = { timeout: 40_000 };
 
-/** What there is to see on a page once it has been drawn and two looks, some frames apart, see the same. */
+/** What there is to see on a page once two looks, some frames apart, see the same. */
 export async function settled<Seen>(page: Page, look: () => Seen): Promise<Seen> {
-  await page.waitForFunction(() => globalThis.gantlinePage!.player!.stage!.measured.count > 0);
   for (let before = ""; ; ) {
+    // Two frames, so that what was to be drawn in the next one has been.
+    await page.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
+    await page.waitForTimeout(200);
     const seen = await page.evaluate(look);
     const now = JSON.stringify(seen);
     if (now === before) return seen as Seen;
     before = now;
-    await page.waitForTimeout(200);
   }
 }
 
