@@ -217,10 +217,10 @@ def test_slings_may_be_stretched_by_a_fiftieth_at_the_start() -> None:
 
 
 def test_a_change_that_is_wrong_as_such_is_no_case_that_cannot_start() -> None:
-    """A tolerance of more than the length itself leaves no sling."""
-    text = plumb_lift("off: {vary: slings.tolerance, pattern: each}", tolerance="200 %")
+    """An offset of more than the weight itself leaves no load."""
+    text = plumb_lift("off: {vary: {load.weight.calculated: [-400 t]}}")
     with pytest.raises(
-        ScenarioError, match=r"cases\.off\.vary: slings\.SA\.length: .* is negative"
+        ScenarioError, match=r"cases\.off\.vary: load\.weight\.calculated: .* is negative"
     ) as caught:
         run_cases(parse_scenario(text))
     assert not isinstance(caught.value, StartError)
