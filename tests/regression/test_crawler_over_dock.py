@@ -11,6 +11,7 @@ import pytest
 import gantline
 from crawler_lift import GAUGE, TRACK, crawler_lift
 from gantline.scenario import parse_scenario
+from gantline.scenario.crawler import Crawler
 
 #: Of the crane of `crawler_lift`: its slewing axis [m].
 X, Y = 3.0, -2.0
@@ -39,4 +40,7 @@ def test_what_is_under_them_may_be_said() -> None:
     """All four on the floor of a dry dock."""
     corners = ("left.front", "left.back", "right.front", "right.back")
     levels = ", ".join(f"{corner}: -9 m" for corner in corners)
-    parse_scenario(lift(-90.0, tracks=f", levels: {{{levels}}}"))
+    cranes = parse_scenario(lift(-90.0, tracks=f", levels: {{{levels}}}")).cranes or {}
+    crane = cranes["c1"]
+    assert isinstance(crane, Crawler)
+    assert crane.tracks.levels == dict.fromkeys(corners, -9.0)

@@ -23,6 +23,12 @@ def text(force: float, diameter: str = ", diameter: 28 mm") -> str:
     return LIFT.replace(OLD, f"{{axial_stiffness: 36 MN, minimum_breaking_force: {force} kN{diameter}}}")
 
 
+def breaking_force(text: str) -> float | None:
+    ropes = parse_scenario(text).ropes
+    assert ropes is not None
+    return ropes["sling"].minimum_breaking_force
+
+
 @pytest.mark.parametrize("force", [4890.0, 1.001 * MOST])
 def test_more_than_steel_holds_is_refused(force: float) -> None:
     with pytest.raises(ScenarioError, match=r"kN/mm\^2 of a rope of 28 mm, and solid steel holds 2.16"):
@@ -31,8 +37,8 @@ def test_more_than_steel_holds_is_refused(force: float) -> None:
 
 @pytest.mark.parametrize("force", [489.0, 0.999 * MOST])
 def test_what_a_rope_may_hold_is_taken(force: float) -> None:
-    parse_scenario(text(force))
+    assert breaking_force(text(force)) == pytest.approx(force * 1e3, rel=1e-12)
 
 
 def test_without_a_diameter_nothing_is_known() -> None:
-    parse_scenario(text(4890.0, ""))
+    assert breaking_force(text(4890.0, "")) == 4890e3

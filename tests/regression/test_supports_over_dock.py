@@ -36,7 +36,8 @@ def test_supports_in_the_world_over_a_dock_are_refused() -> None:
 
 
 def test_with_a_foot_they_stand_on_the_floor() -> None:
-    parse_scenario(lift(f"{WORLD}, foot: -9 m"))
+    supports = parse_scenario(lift(f"{WORLD}, foot: -9 m")).supports or {}
+    assert supports["stools"].foot == -9.0
 
 
 @pytest.mark.parametrize("heading", [0.0, 90.0])

@@ -126,6 +126,7 @@ def test_a_run_that_looks_costly_is_looked_at_less_often() -> None:
         if run.asked > asked:
             asked_at.append(began)
         run.now += 0.01
+    # Offers are 10 ms apart, and a sum of them rounds.
     assert asked_at == pytest.approx([0.0, 1.2, 2.4], abs=0.011)
 
 

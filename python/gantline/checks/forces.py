@@ -170,6 +170,7 @@ def force_together(recording: Recording, slings: Sequence[Sling], during: BoolAr
     force = max(sums, key=lambda one: one.rule or one.static or 0.0)
     total = np.sum([series.sling_tension(recording, sling) for sling in slings], axis=0)
     force = _with_peak_of(recording, force, total, during)
+    # Peaks of each alone are the same whatever the window.
     highest = max([force, *alone], key=lambda one: one.peak or 0.0)
     return replace(force, peak=highest.peak, time=highest.time)
 
