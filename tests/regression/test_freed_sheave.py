@@ -42,3 +42,16 @@ def test_a_sling_that_is_too_long_ends_the_run_too(tmp_path: Path) -> None:
     path.write_text(text.replace(line, line.replace("23 m", "28 m")), encoding="utf-8")
     with pytest.raises(gantline.SimulationError, match=r"at e1\.1: it has been hauled up"):
         gantline.simulate(path)
+
+
+def test_so_does_one_that_no_step_is_short_enough_for(tmp_path: Path) -> None:
+    """Under a frame that tilts the run found no step at all, and said only that forces change too fast."""
+    text = LIFT.read_text(encoding="utf-8")
+    changes = {"damping: 0 kN m s}": "damping: 0 kN m s, tilts: true}", "locked: false": "locked: [5]"}
+    for before, after in changes.items():
+        assert text.count(before) == 1
+        text = text.replace(before, after)
+    path = tmp_path / "scenario.yaml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(gantline.SimulationError, match=r"at e1\.4: it has been hauled up"):
+        gantline.simulate(path)

@@ -2,7 +2,8 @@
 //!
 //! The length of a rope knows nothing of sheaves that meet: beyond, the part between them would only point the other way,
 //! and where it is nothing it has no direction. A method under error control may stand still there, step after step of
-//! microseconds; then the run ends, with the name of what is there. So does one that stands still for any other reason.
+//! microseconds, or find no step that is short enough; then the run ends, with the name of what is there. So does one that
+//! stands still for any other reason.
 
 use crate::stepper::StepError;
 use crate::system::System;
@@ -37,7 +38,7 @@ pub fn look(system: &System, kinematics: &Kinematics, [since, time]: [f64; 2]) -
 
 /// A body that has met the next place of its rope, where a straight part of that, one end of which moves against the other,
 /// has come to nothing; and the cause in words.
-fn hauled_up(system: &System, kinematics: &Kinematics) -> Option<(String, String)> {
+pub fn hauled_up(system: &System, kinematics: &Kinematics) -> Option<(String, String)> {
     for rope in system.ropes().filter(|rope| rope.route.parts.len() > 1) {
         for part in &rope.route.parts {
             let ends = [part.from.at.body, part.to.at.body];

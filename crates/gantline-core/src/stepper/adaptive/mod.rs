@@ -29,7 +29,7 @@ use super::{StepError, StepReport, coils, flows, parting, pinning, removing, sea
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
-use crate::event::EventLog;
+use crate::event::{EventLog, standstill};
 use crate::record::Sample;
 use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
@@ -462,6 +462,9 @@ impl Adaptive {
         if let Some(rope) = used_up {
             let cause = "there is no rope left between two of the places that it passes".to_owned();
             return StepError { time: state.time, element: rope.name.clone(), cause };
+        }
+        if let Some((element, cause)) = standstill::hauled_up(system, &self.rodas.here.frame.kinematics) {
+            return StepError { time: state.time, element, cause };
         }
         let element = self.weights.worst(system, state, &self.rodas);
         let cause =
