@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,9 +12,9 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from gantline.plot import figures, save_pictures
-from gantline.plot.drawing import SIDE, TOP
+from gantline.plot.drawing import SIDE, TOP, draw, norm_of
 from gantline.plot.moments import moments
-from gantline.plot.scene import snapshot
+from gantline.plot.scene import Box, snapshot
 from gantline.results.recording import Recording
 from sample_lift import ringing_lift, sample_recording, sample_rig, sample_scene
 
@@ -229,3 +230,25 @@ def test_names_of_slings_stand_clear_of_ropes_and_centres(drawn: dict[str, Figur
             corners = TOP.project(rope.path)
             between = np.linspace(corners[:-1], corners[1:], 30).reshape(-1, 2)
             assert np.linalg.norm(between - place, axis=1).min() > 0.025 * width
+
+
+def test_the_link_of_a_frame_that_leans_ends_in_the_middle_of_its_top() -> None:
+    """A box of 2 m below a bearing, 3 m to its top, both turned by 20° about y: the link is its axis."""
+    lean = np.radians(20.0)
+    turn = np.array([[np.cos(lean), 0, np.sin(lean)], [0, 1, 0], [-np.sin(lean), 0, np.cos(lean)]])
+    corners = np.array([[x, y, z] for x in (-4, 4) for y in (-1, 1) for z in (-5, -3)]) @ turn.T
+    snap = replace(
+        snapshot(ringing_lift(), 0),
+        boxes=[Box("e1", "frame", corners.reshape(2, 4, 3))],
+        sheaves=[],
+        ropes=[],
+        points={},
+        centres={},
+        lugs={},
+        frame_axes={"e1": turn},
+        frame_origin={"e1": np.zeros(3)},
+    )
+    panel = Figure().subplots()
+    draw(panel, snap, SIDE, norm_of([("start", snap)]))
+    [link] = [line.get_xydata() for line in panel.lines]
+    assert link == pytest.approx(np.array([[0.0, 0.0], [-3 * np.sin(lean), -3 * np.cos(lean)]]))

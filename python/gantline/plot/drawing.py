@@ -179,7 +179,7 @@ def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: boo
     for box in (*snap.surroundings, *snap.boxes):
         _draw_box(panel, box, view)
         if box.name in snap.frame_origin:
-            _draw_hanger(panel, box, snap.frame_origin[box.name], view)
+            _draw_hanger(panel, box, snap.frame_origin[box.name], snap.frame_axes[box.name][:, 2], view)
     for rope in snap.ropes:
         _draw_rope(panel, rope, view, norm, 2.0 if large else 1.1)
     for sheave in snap.sheaves:
@@ -240,10 +240,11 @@ def _draw_mesh(panel: Axes, triangles: FloatArray, view: View, fill: str) -> Non
     )
 
 
-def _draw_hanger(panel: Axes, frame: Box, bearing: FloatArray, view: View) -> None:
-    """The link from the hook's bearing to the top of a frame."""
+def _draw_hanger(panel: Axes, frame: Box, bearing: FloatArray, upwards: FloatArray, view: View) -> None:
+    """The link from the hook's bearing to the top of a frame, seen along its own axis `upwards`."""
     corners = frame.faces.reshape(-1, 3)
-    top = corners[corners[:, 2] > corners[:, 2].max() - 1e-3 * np.ptp(corners[:, 2])].mean(axis=0)
+    height = corners @ upwards
+    top = corners[height > height.max() - 1e-3 * np.ptp(height)].mean(axis=0)
     line = view.project(np.stack([bearing, top]))
     panel.plot(line[:, 0], line[:, 1], color=_EDGE["frame"], linewidth=2.0, solid_capstyle="butt", zorder=2.4)
 
