@@ -54,6 +54,24 @@ def test_bodies_of_the_reference_lift() -> None:
     assert load["joint"]["position"][2] == pytest.approx(2.49632125, abs=1e-12)
 
 
+def test_a_frame_that_tilts_hangs_in_what_turns() -> None:
+    """About the vertical, then about its length and its width, each with its friction and damping."""
+    hinge = "hinge: {friction: 3 kN m, tilts: true, tilt_friction: 2 kN m, tilt_damping: 1 kN m s}"
+    hinge += "\n    heading: 30 deg"
+    adaptive = spoiled("integrator: del, step: 1 ms, ", "")
+    tilting = assemble(parse_scenario(spoiled("hinge: {damping: 1 kN m s}", hinge, adaptive)))
+    turn, over, frame = (named(tilting.document["bodies"], name) for name in ("e1/turn", "e1/over", "e1"))
+    assert [one["parent"] for one in (turn, over, frame)] == ["hook", "e1/turn", "e1/over"]
+    assert [one["joint"]["axis"] for one in (turn, over, frame)] == [[0, 0, 1], [1, 0, 0], [0, 1, 0]]
+    assert [one["joint"]["friction"] for one in (turn, over, frame)] == [3e3, 2e3, 2e3]
+    assert [one["joint"]["damping"] for one in (turn, over, frame)] == [0.0, 1e3, 1e3]
+    assert turn["joint"]["position"] == pytest.approx(math.radians(30))
+    assert [one["mass"] for one in (turn, over)] == [0.0, 0.0]
+    (equalizer,) = tilting.rig["equalizers"]
+    assert (equalizer["heading_joint"], equalizer["tilts"]) == ("e1/turn", True)
+    assert equalizer["bearing"] == pytest.approx([0.0, 0.0, 2.0])
+
+
 def test_the_rig_knows_every_rope() -> None:
     text = spoiled(
         "thick: {axial_stiffness: 100 MN,", "thick: {construction: 6x36WS-IWRC, diameter: 46 mm, grade: 1960,"

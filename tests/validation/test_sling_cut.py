@@ -4,6 +4,7 @@ but the model, and ends in the statics of four slings.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 import gantline
 from gantline.checks import Verdict, check_recording
 from gantline.results.parting import partings, stops_met
+from gantline.results.rotation import axes
 from gantline.results.series import rope_ends, sling_direction
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
@@ -48,8 +50,8 @@ def test_the_spread_is_that_of_what_is_left(lift: gantline.Recording) -> None:
     left = np.array([lift.column("rope_tension", f"sling.{sling}")[-1] for sling in OTHERS])
     spread = lift.metrics()["final_tension_spread"]
     assert spread == pytest.approx((left.max() - left.min()) / left.mean(), rel=1e-12)
-    # One rope: slings differ as one over the cosines of their angles, up to 8°.
-    assert spread < 1 / np.cos(np.radians(8.0)) - 1
+    # One rope: slings differ as one over the cosines of their angles to the guides of the frame, which tilts.
+    assert spread < 1 / min(along_guides(lift, sling)[-1] for sling in OTHERS) - 1
 
 
 def test_what_parted_is_told(lift: gantline.Recording) -> None:
@@ -92,31 +94,38 @@ def test_the_others_and_the_stops(lift: gantline.Recording, stepped: gantline.Re
 
 
 def test_slings_share_what_stops_do_not_hold(lift: gantline.Recording) -> None:
-    """Slings whose sheaves are clear of stops pull up alike; that of a sheave at its stop a bit more."""
+    """Once no stop holds the sheaves of slings that carry, these pull along their guides alike."""
     since = AT_REST + 10
-    forces = [mean_pull(lift, sling, since) for sling in OTHERS]
-    assert sum(forces) == pytest.approx(carried(lift, since), rel=1e-4)
-    # Sheave 5 rebounds from its stop until 129 s; the mean acceleration of the others, of 300 kg, is nothing.
-    assert forces[:3] == pytest.approx([forces[0]] * 3, rel=1e-4)
-    assert forces[0] < forces[3]
-    [*_, last] = [when for when, kind, name in lift.events() if (kind, name) == ("stop_left", "e1.5")]
-    later = [mean_pull(lift, sling, last + 0.5) for sling in OTHERS]
-    # All four clear: what is left is the velocity of sheaves, of 300 kg, at the ends of some 10 s.
-    assert later == pytest.approx([carried(lift, last + 0.5) / 4] * 4, rel=1e-4)
+    left = [when for when, kind, name in lift.events() if (kind, name) == ("stop_left", "e1.5")]
+    assert max(left) < since
+    assert sum(mean_pull(lift, sling, since) for sling in OTHERS) == pytest.approx(
+        carried(lift, since), rel=1e-4
+    )
+    # The mean acceleration of sheaves of 300 kg along their guides, over 69 s, is nothing.
+    alike = [mean_pull(lift, sling, since, along_guides) for sling in OTHERS]
+    assert alike == pytest.approx([alike[0]] * 4, rel=1e-4)
 
 
 def test_it_ends_about_the_equilibrium_of_four_slings(lift: gantline.Recording) -> None:
-    """Statics: each of the four pulls up with a quarter of the weight. The load swings about that."""
+    """Statics: the four pull along their guides alike, up with the weight. The load swings about that."""
     rest = Statics(SCENARIO).equilibrium()
-    along = [upwards(rest.recording, sling)[-1] * rest.tension(f"sling.{sling}") for sling in OTHERS]
-    assert along == pytest.approx([WEIGHT / 4] * 4, rel=1e-9)
+    tension = np.array([rest.tension(f"sling.{sling}") for sling in OTHERS])
+    along = tension * [along_guides(rest.recording, sling)[-1] for sling in OTHERS]
+    assert along == pytest.approx([along[0]] * 4, rel=1e-9)
+    up = tension * [upwards(rest.recording, sling)[-1] for sling in OTHERS]
+    assert up.sum() == pytest.approx(WEIGHT, rel=1e-9)
     tilt = lift.column("load_tilt", "block")[lift.time > AT_REST + 10]
     assert tilt.min() < rest.recording.column("load_tilt", "block")[-1] < tilt.max()
 
 
-def mean_pull(recording: gantline.Recording, sling: str, since: float) -> float:
-    """Mean upward pull of a sling on the load after a time [N]."""
-    pull = recording.column("rope_tension", f"sling.{sling}") * upwards(recording, sling)
+def mean_pull(
+    recording: gantline.Recording,
+    sling: str,
+    since: float,
+    part: Callable[[gantline.Recording, str], np.ndarray] | None = None,
+) -> float:
+    """Mean pull of a sling after a time [N], up if no other part of it is asked for."""
+    pull = recording.column("rope_tension", f"sling.{sling}") * (part or upwards)(recording, sling)
     return float(pull[recording.time > since].mean())
 
 
@@ -134,6 +143,14 @@ def upwards(recording: gantline.Recording, sling: str) -> np.ndarray:
     return sling_direction(recording, one)[:, 2]
 
 
+def along_guides(recording: gantline.Recording, sling: str) -> np.ndarray:
+    """Part along the guides of the frame of the unit vector along a sling, over time."""
+    [one] = [given for given in recording.rig.slings if given.name == sling]
+    guides: np.ndarray = axes(recording.column("body_orientation", "e1"))[:, :, 2]
+    cosine: np.ndarray = np.sum(sling_direction(recording, one) * guides, axis=1)
+    return cosine
+
+
 def test_with_slings_that_break_the_next_one_goes() -> None:
     """Sling 5 breaks at its minimum breaking force; three slings then carry the weight at equal shares."""
     text = (SCENARIO / "scenario.yaml").read_text(encoding="utf-8")
@@ -143,7 +160,7 @@ def test_with_slings_that_break_the_next_one_goes() -> None:
     recording = gantline.simulate(parse_scenario(text))
     cut, broken = partings(recording)
     assert (cut.rope, cut.kind, broken.rope, broken.kind) == ("sling.S1", "cut", "sling.S5", "broken")
-    assert CUT < broken.time < CUT + 1.0
+    assert CUT < broken.time < CUT + 2.0
     assert recording.metrics()["peak_rope_tension.sling.S5"] == pytest.approx(3039e3, rel=1e-6)
     assert recording.metrics()["energy_remainder"] < 1e-6
     since = AT_REST + 10

@@ -19,7 +19,7 @@ from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wr
 from gantline.assembly.shapes import watch_name
 from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.vessels import vessel_rig
-from gantline.assembly.yard import upper_lump
+from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.bounds import Bound
 from gantline.scenario.gear import Shackle
@@ -49,7 +49,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"crawlers": crawlers} if (crawlers := crawler_rig(scenario, parts)) else {}),
         **({"rating_charts": charts} if (charts := rating_charts(scenario)) else {}),
         "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
-        "equalizers": [_equalizer(scenario, rigging, name) for name in rigging.equalizers],
+        "equalizers": [_equalizer(scenario, rigging, name, parts) for name in rigging.equalizers],
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
         "ropes": rope_rig(scenario, rigging, parts),
         "sheaves": sheaves_with_flow(parts),
@@ -153,7 +153,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
     }
 
 
-def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
+def _equalizer(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json:
     equalizer = rigging.equalizers[name]
     hanging = [sling for sling in rigging.slings.values() if sling.equalizer == name]
     return {
@@ -170,7 +170,9 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str) -> Json:
         "stops": equalizer.travel.stops,
         "locked": _locked(equalizer),
         "rated_capacity": _force(scenario, equalizer.rated_capacity),
-        "heading_joint": name,
+        "heading_joint": turning_body(equalizer),
+        "tilts": equalizer.hinge.tilts,
+        "bearing": [-float(part) for part in parts.bodies[name]["centre_of_gravity"]],
     }
 
 

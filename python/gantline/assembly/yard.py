@@ -24,6 +24,7 @@ __all__ = [
     "hoist_drive",
     "lower_end",
     "lower_lump",
+    "turning_body",
     "upper_end",
     "upper_lump",
 ]
@@ -70,7 +71,7 @@ def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
 
 
 def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> None:
-    """Frames on a vertical hinge under their hooks, moving sheaves as sliders in them, equalizing ropes.
+    """Frames on hinges under their hooks, moving sheaves as sliders in them, equalizing ropes.
 
     `pins`: moving sheaves that have locking pins, and whether they are in at the start.
 
@@ -160,25 +161,42 @@ def _slider(axis: Sequence[float], drive: str | None, stops: Json | None = None)
     }
 
 
+def turning_body(equalizer: EqualizerRigging) -> str:
+    """Name of what turns about the vertical under the hook: the frame, or what it tilts in."""
+    return f"{equalizer.name}/turn" if equalizer.hinge.tilts else equalizer.name
+
+
+def _hinge(axis: Sequence[float], friction: float, damping: float) -> Json:
+    return {
+        "type": "hinge",
+        "axis": list(axis),
+        "position": 0.0,
+        "velocity": 0.0,
+        "damping": damping,
+        "friction": friction,
+        "drive": None,
+    }
+
+
 def _add_frame(parts: Parts, equalizer: EqualizerRigging) -> None:
     frame = equalizer.frame
     box = np.diag(solid_box(frame.mass, (frame.length, frame.width, frame.height)))
     given = (frame.inertia_about_length, frame.inertia_about_width, frame.inertia_about_vertical)
     inertia = [float(own if value is None else value) for own, value in zip(box, given, strict=True)]
-    axes = parts.pose(equalizer.hook)[1]  # of a hook at a boom turned with its vessel
-    hinge = {
-        "type": "hinge",
-        "axis": [0.0, 0.0, 1.0],
-        "position": equalizer.heading - math.atan2(axes[1, 0], axes[0, 0]),
-        "velocity": 0.0,
-        "damping": equalizer.hinge.damping,
-        "friction": equalizer.hinge.friction,
-        "drive": None,
-    }
+    parent, hinge = equalizer.hook, equalizer.hinge
+    axes = parts.pose(parent)[1]  # of a hook at a boom turned with its vessel
+    joint = _hinge((0.0, 0.0, 1.0), hinge.friction, hinge.damping)
+    joint["position"] = equalizer.heading - math.atan2(axes[1, 0], axes[0, 0])
+    if hinge.tilts:  # in the hook's pin, which turns with the frame
+        turn, over = turning_body(equalizer), f"{equalizer.name}/over"
+        tilt = hinge.tilt_friction, hinge.tilt_damping
+        parts.add_body(turn, joint, parent=parent)
+        parts.add_body(over, _hinge((1.0, 0.0, 0.0), *tilt), parent=turn)
+        parent, joint = over, _hinge((0.0, 1.0, 0.0), *tilt)
     parts.add_body(
         equalizer.name,
-        hinge,
-        parent=equalizer.hook,
+        joint,
+        parent=parent,
         mass=frame.mass,
         centre_of_gravity=(0.0, 0.0, -frame.centre_of_gravity_below_hook),
         inertia=inertia_list(np.diag(inertia)),

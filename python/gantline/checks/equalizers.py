@@ -1,19 +1,26 @@
-"""Equalizers: how evenly they share, how far their sheaves travel, what they bear."""
+"""Equalizers: how evenly they share, how far their sheaves travel and their frames tilt, what they bear."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.checks.check import Check, Verdict
 from gantline.checks.forces import NO_STATIC, kilonewton, sum_force
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, everywhere, extreme
 from gantline.results import series
+from gantline.results.gear import Equalizer
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
+from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
+
+#: Slings pull a frame that is held upright this far off plumb below its hook before a warning says so.
+_OFF_PLUMB = math.radians(1.0)
 
 
 def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -85,6 +92,74 @@ def _at_stop(recording: Recording, clear: BoolArray, sheave: str, time: float) -
     way = max(ways, key=lambda one: one.travel[around].max() / one.stroke)
     stroke = format_quantity(way.stroke, "m", 3)
     return Found(1.0, way.element, time, f"{stroke} / {stroke}")
+
+
+def frame_tilt(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Angle from plumb of frames that tilt under their hooks."""
+    for equalizer in recording.rig.equalizers:
+        if equalizer.tilts:
+            yield from extreme(recording, series.frame_tilt(recording, equalizer), during, equalizer.name)
+
+
+def held_upright(recording: Recording) -> list[Check]:
+    """A warning for each frame that its hook holds upright although its slings pull well beside the hook.
+
+    A frame does not tilt unless the lift file says so, and no real hook bears that moment.
+    """
+    checks = []
+    for equalizer in recording.rig.equalizers:
+        found = None if equalizer.tilts else _moment_on_hook(recording, equalizer)
+        if found is None or found.off_plumb <= _OFF_PLUMB:
+            continue
+        moment = format_quantity(found.moment, "kN m", 0)
+        remark = (
+            f"the hook holds the frame of {equalizer.name} upright with {moment}: its slings pull "
+            f"{found.beside:.2f} m beside the hook. A real frame tilts, and shares otherwise; "
+            "'tilts: true' under 'hinge' simulates that"
+        )
+        meaning = "slings of a frame that cannot tilt pull from below its hook"
+        check = Check("frame_held_upright", Verdict.WARNING, meaning, element=equalizer.name, remark=remark)
+        checks.append(check)
+    return checks
+
+
+@dataclass(frozen=True)
+class _Moment:
+    """What a hook bears of its slings about its bearing, while the load hangs still.
+
+    Attributes:
+        moment: About level axes [N m].
+        beside: The same over the vertical force of the slings [m].
+        off_plumb: Angle from plumb of the line from the bearing to where the slings pull [rad].
+    """
+
+    moment: float
+    beside: float
+    off_plumb: float
+
+
+def _moment_on_hook(recording: Recording, equalizer: Equalizer) -> _Moment | None:
+    """When it is largest; None where the load never hung still, or where the hook is not known."""
+    if equalizer.bearing is None:
+        return None
+    attitude = axes(recording.column("body_orientation", equalizer.body))
+    hook = recording.column("body_position", equalizer.body) + attitude @ np.asarray(equalizer.bearing)
+    moment, force, depth = np.zeros_like(hook), np.zeros(len(hook)), np.zeros(len(hook))
+    for sling in (one for one in recording.rig.slings if one.rope in equalizer.slings):
+        # From its sheave, or where that would be on the frame.
+        arm = series.rope_ends(recording, sling.rope)[0] - hook
+        tension = series.sling_tension(recording, sling)
+        pull = -tension[:, None] * series.sling_direction(recording, sling)
+        moment += np.cross(arm, pull)
+        force -= pull[:, 2]
+        depth += arm[:, 2] * pull[:, 2]
+    level = np.hypot(moment[:, 0], moment[:, 1])
+    most, window = series.greatest_static(recording, level)
+    carried = series.static_value(recording, force, window)
+    lever = series.static_value(recording, depth, window)
+    if most is None or not carried or not lever or carried <= 0.0:
+        return None
+    return _Moment(most, most / carried, math.atan2(most, lever))
 
 
 def travel_at_any_time(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -216,6 +216,9 @@ LIMITS: dict[str, Measure] = {
         equalizers.tension_spread,
         when_clear=True,
     ),
+    "equalizer_tilt": Measure(
+        "largest angle from plumb of a frame that tilts", "deg", 2, equalizers.frame_tilt, is_listed=True
+    ),
     "skew_load_factor": Measure(
         "static force of a sling / its force with perfect lengths",
         "",

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
+from gantline.checks.equalizers import held_upright
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
@@ -33,8 +34,9 @@ def check_recording(recording: Recording) -> list[Check]:
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
         that let its load go; and a warning for each that fell behind, where slings never carried or run
-        through a load, where the recording has warnings of its own, where steps moved nothing, where a load
-        came down while it was taken along, and where a run lifts nothing or ends before its plan.
+        through a load, where a hook holds a frame upright, where the recording has warnings of its own,
+        where steps moved nothing, where a load came down while it was taken along, and where a run lifts
+        nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -52,7 +54,8 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording) + idle(recording) + run_through(recording) + _told(recording)
+    every += fell_behind(recording) + idle(recording) + run_through(recording) + held_upright(recording)
+    every += _told(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]

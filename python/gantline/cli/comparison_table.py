@@ -34,6 +34,7 @@ _HEADLINES = (
     ("final_load_transferred", "load transferred at the end", "%", 1),
     ("travel_used_up", "travel of a moving sheave up, of stroke", "%", 1),
     ("travel_used_down", "travel of a moving sheave down, of stroke", "%", 1),
+    ("peak_equalizer_tilt", "tilt of an equalizer's frame", "deg", 2),
     ("peak_load_tilt", "tilt of a load", "deg", 2),
     ("peak_load_yaw", "yaw of a load", "deg", 2),
     ("peak_load_drift_when_clear", "drift of a load when clear", "m", 3),

@@ -52,6 +52,9 @@ def _equalizer(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
         most, last = float(spread[subject.clear].max()), float(spread[-1])
         text = f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end"
         facts.append(("tension spread", text))
+    tilt = subject.peak(series.frame_tilt(recording, equalizer)) if equalizer.tilts else None
+    if tilt is not None:
+        facts.append(("tilt of the frame", f"{show(tilt[0], 'deg', 2)} at most, at {show(tilt[1], 's', 2)}"))
     found = equalising(recording, equalizer) if equalizer.slings else None
     if found is not None:
         facts.append(("time to equalise", f"{show(found.time, 's', 2)}, from {show(found.begin, 's', 2)} on"))

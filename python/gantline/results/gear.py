@@ -62,6 +62,9 @@ class Equalizer(FromJson):
         stops: Whether stops at both ends of the stroke are simulated.
         rated_capacity: Below the moving sheaves [N]; None if not said.
         heading_joint: Joint about which the frame turns under its hook.
+        tilts: Whether the frame tilts under its hook too; else the hook holds it upright.
+        bearing: Where it hangs in its hook, from its centre of gravity, axes of the frame [m]; None if not
+            said.
         mechanism: `sheaves`, or `approximated`: no sheave moves, the lengths of its slings are adjusted.
         adjusting_factor: Of an approximated one, else None.
         locked: Moving sheaves that pins hold at the start.
@@ -78,6 +81,8 @@ class Equalizer(FromJson):
     stops: bool = False
     rated_capacity: float | None = None
     heading_joint: str | None = None
+    tilts: bool = False
+    bearing: Sequence[float] | None = None
     mechanism: str = "sheaves"
     adjusting_factor: float | None = None
     locked: Sequence[str] = ()

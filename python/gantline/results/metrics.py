@@ -42,6 +42,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `final_load_transferred` [1]: 1 - support forces/weight at the last sample, the smallest over the loads
 - `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
 - `peak_load_yaw` [rad]: largest change of a load's heading from its start, to either side
+- `peak_equalizer_tilt` [rad]: largest angle from plumb of the frame of any equalizer that tilts
 - `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity, while clear,
   from its start and where the plan has taken it from there (`gantline.results.drift`)
 - `final_draft.<vessel>`, `final_draft_aft.<vessel>`, `final_draft_forward.<vessel>` [m],
@@ -220,6 +221,8 @@ def _spread(recording: Recording) -> Iterator[_Metric]:
     for equalizer in recording.rig.equalizers:
         found = equalising(recording, equalizer)
         yield f"time_to_equalise.{equalizer.name}", found.time if found is not None else None
+    tilts = [series.frame_tilt(recording, e).max() for e in recording.rig.equalizers if e.tilts]
+    yield "peak_equalizer_tilt", _largest(map(float, tilts))
     if "pin_force" in recording:
         yield "peak_pin_force", float(np.abs(recording["pin_force"].values).max())
 

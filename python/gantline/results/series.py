@@ -22,7 +22,7 @@ from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
-from gantline.results.rotation import axes, heading
+from gantline.results.rotation import axes, heading, tilt
 from gantline.results.variable import BoolArray, FloatArray
 
 _SHORTEST_QUIET = 5.0  # s
@@ -280,6 +280,11 @@ def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
     spread = highest - np.minimum(np.min(tensions, axis=0, where=counts, initial=np.inf), highest)
     ratio: FloatArray = np.divide(spread, mean, out=np.zeros_like(mean), where=mean > 0.0)
     return ratio
+
+
+def frame_tilt(recording: Recording, equalizer: Equalizer) -> FloatArray:
+    """Angle of an equalizer's frame from plumb [rad], shape (time,)."""
+    return tilt(recording.column("body_orientation", equalizer.body))
 
 
 def fleet_angle(recording: Recording, sheave: WrappedSheave) -> FloatArray:

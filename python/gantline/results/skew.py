@@ -3,9 +3,9 @@
 The skew load factor of a sling is its static force over the force that it would have with perfect lengths.
 Both are taken where the load hangs; slings that share are taken together:
 
-- under an equalizer whose sheaves move, perfect means that every moving sheave bears the same vertical
-  force. An ideal equalizer has 1 whatever the lengths, one with losses has what they leave uneven, one whose
-  lengths are adjusted instead what that has left;
+- under an equalizer whose sheaves move, perfect means that every moving sheave bears the same force along
+  its guide, which is plumb unless the frame tilts. An ideal one has 1 whatever the lengths, one with losses
+  has what they leave uneven, one whose lengths are adjusted instead what that has left;
 - under a hook the forces keep their sum on the hook, in three directions. Three slings have no choice. More
   share as their stiffnesses EA/L say, which is the least elastic energy;
 - under an equalizer of which pins hold a sheave, slings count as parallel: what they keep is the sum of
@@ -31,6 +31,7 @@ from gantline.results import series
 from gantline.results.gear import Equalizer, Sling
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
+from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 
 #: Levers, and directions, below this share of the largest are none: lugs in one line, ropes in one plane.
@@ -128,7 +129,9 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
         return
     end = float(recording.time[window][-1])
     if equalizer is not None and not pinned_sheaves(recording, equalizer, end):
-        perfect = np.mean(tension * unit[:, 2]) / unit[:, 2]
+        guide = axes(recording.column("body_orientation", equalizer.body))[:, :, 2]
+        along = unit @ [_static(recording, window, part) for part in guide.T]
+        perfect = np.mean(tension * along) / along
         yield from _all(slings, tension, perfect, lengths_decide=False)
         return
     if equalizer is None:

@@ -112,6 +112,9 @@ class Require(Element):
 
     load_tilt: AngleBound | None = Field(None, description="Angle of the load's own z axis from plumb.")
     load_yaw: AngleBound | None = Field(None, description="Change of the load's heading from the start.")
+    equalizer_tilt: AngleBound | None = Field(
+        None, description="Angle from plumb of an equalizer's frame, of one that tilts."
+    )
     equalizer_travel_used: RatioBound | None = Field(None, description="Travel used, of the stroke.")
     tension_spread: RatioBound | None = Field(
         None, description="(max - min)/mean over one equalizer's slings."

@@ -160,7 +160,7 @@ def _has_friction(scenario: Scenario) -> bool:
             found |= taken_together(words).bearing_efficiency < 1
         kind = (scenario.equalizer_types or {}).get(given.type or "")
         hinge = given.hinge or (kind and kind.hinge)
-        found |= bool(hinge and hinge.friction)
+        found |= bool(hinge and (hinge.friction or hinge.tilt_friction))
     for hook in scenario.hooks.values():
         found |= hook.reeving is not None and hook.reeving.words.bearing_efficiency < 1
         found |= hook.hoist.capacity is not None

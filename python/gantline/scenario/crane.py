@@ -191,8 +191,26 @@ class Hinge(Element):
     what: ClassVar[str] = "the hinge of an equalizer"
 
     axis: Literal["vertical"] = Field("vertical", description="Axis of the hinge.")
-    friction: Torque = Field(0.0, description="Friction torque; only 0 can be simulated yet.")
+    friction: Torque = Field(0.0, description="Friction torque of the turning.")
     damping: RotationalDamping = Field(0.0, description="Damping of the turning.")
+    tilts: Flag = Field(
+        False,
+        description="true: below the hinge the frame tilts too, about its length and about its width; false: "
+        "the hook holds it upright, whatever moment that takes.",
+    )
+    tilt_friction: Torque = Field(
+        0.0, description="Friction torque of the tilting about either axis; with 'tilts: true'."
+    )
+    tilt_damping: RotationalDamping = Field(
+        0.0, description="Damping of the tilting about either axis; with 'tilts: true'."
+    )
+
+    @model_validator(mode="after")
+    def _only_what_tilts_rubs(self) -> Hinge:
+        for key in ("tilt_friction", "tilt_damping"):
+            if getattr(self, key) > 0.0 and not self.tilts:
+                raise refuse(f"'{key}' is given without 'tilts: true'; the frame is held upright", key)
+        return self
 
 
 class RopeEnds(Element):

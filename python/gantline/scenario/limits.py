@@ -40,6 +40,9 @@ class Limits(Element):
     load_yaw: PositiveAngle | None = Field(
         None, description="Change of the load's heading from the start, to either side."
     )
+    equalizer_tilt: PositiveAngle | None = Field(
+        None, description="Angle from plumb of an equalizer's frame, of one that tilts."
+    )
     sling_angle_from_vertical: PositiveAngle | None = Field(
         None, description="Angle of slings from the vertical."
     )
