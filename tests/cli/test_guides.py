@@ -16,9 +16,11 @@ import typer.main
 
 import gantline
 import shown
+from gantline.assembly import assemble
 from gantline.cli.app import app
+from gantline.scenario import parse_scenario
 from gantline.scenario.shipped import shipped
-from shown import PAGES, ROOT, NotSaidError, Shown, lift_that_runs, renewed, shown_on, stale, unsaid
+from shown import PAGES, ROOT, NotSaidError, Shown, lift_that_runs, lifts_on, renewed, shown_on, stale, unsaid
 
 #: Tables of runs of lifts that come with gantline are held in tests/regression/test_expectations.py.
 SHOWN = {
@@ -34,6 +36,12 @@ def test_a_page_shows_what_the_program_prints(page: Path, tmp_path: Path) -> Non
     shown.prepare(page, tmp_path)
     wrong = {str(one): stale(one, shown.said_by(one.command, tmp_path)) for one in SHOWN[page]}
     assert {command: lines for command, lines in wrong.items() if lines} == {}
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if lifts_on(page)], ids=lambda page: page.stem)
+def test_lift_files_on_pages_can_be_built(page: Path) -> None:
+    for title, text in lifts_on(page).items():
+        assert assemble(parse_scenario(text)).document["bodies"], title
 
 
 # --- commands ------------------------------------------------------------------------------------

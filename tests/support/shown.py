@@ -23,6 +23,7 @@ import re
 import shlex
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -33,10 +34,12 @@ from gantline.cli.app import app
 from gantline.cli.check_table import styled
 from gantline.cli.summary import summary
 from gantline.results.recording import Recording
+from gantline.scenario import parse_scenario
 from gantline.scenario.shipped import shipped
 from hooked_lift import two_hooks
 
 ROOT = Path(__file__).resolve().parents[2]
+MECHANICS = ROOT / "docs" / "guides" / "mechanics_in_a_lift_file.md"
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 LEFT_OUT = "..."
 WIDTH = 100  # columns of the terminal
@@ -103,11 +106,24 @@ def lift_out_of_range() -> str:
     return text.replace("by: 75 m", "by: 85 m")
 
 
+def lifts_on(page: Path) -> dict[str, str]:
+    """Whole lift files that a page shows, by title."""
+    text = page.read_text(encoding="utf-8")
+    files = re.findall(r"^```yaml\n(format: 1\n.*?)^```", text, flags=re.M | re.S)
+    return {parse_scenario(file).lift.title: file for file in files}
+
+
+def lift_on(page: Path, title: str) -> str:
+    """The lift file of that title that a page shows."""
+    return lifts_on(page)[title]
+
+
 #: The lift file `mylift` of pages that have one of their own.
 LIFTS: dict[str, Callable[[], str]] = {
     "cases.md": lift_with_cases,
     "goliath.md": lift_out_of_range,
     "inverse.md": two_hooks,
+    "mechanics_in_a_lift_file.md": partial(lift_on, MECHANICS, "A module on a spreader bar"),
 }
 
 

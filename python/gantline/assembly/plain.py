@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gantline.assembly.parts import Json, Parts, drum_layers, end, eye, half_turn, material, sheave
+from gantline.assembly.reeving import reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
 from gantline.assembly.route import MOST_STRAIN, route_length, route_lengths, too_far
 from gantline.assembly.sheave import add_sheave_flow
@@ -35,7 +36,7 @@ from gantline.scenario.mechanics import (
 from gantline.scenario.rope_weight import rope_weight
 from gantline.scenario.sheave import sheave_losses
 
-__all__ = ["add_mechanics", "drum_drive"]
+__all__ = ["add_mechanics", "bodies_in_hook", "drum_drive", "ropes_ending_at"]
 
 _WORLD = "world"
 _ROUNDING = 1e-9
@@ -56,6 +57,10 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
         _add_drum(parts, name, drum)
     for name, rope in (mechanics.ropes or {}).items():
         _add_rope(parts, scenario, name, rope)
+        for hook in (one.name for one in reeved_hooks(scenario)):
+            if any(guide.body == hook for guide in rope.route[1:-1]):
+                sentence = f"rope {name} runs over {hook}: its pull there is no part of the hook load"
+                parts.warnings.append(f"{sentence}, which knows what ends at a hook")
     for name, contact in (mechanics.contacts or {}).items():
         parts.contacts.append(
             {
@@ -70,6 +75,23 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
                 "friction": contact.friction,
             }
         )
+
+
+def bodies_in_hook(scenario: Scenario, hook: str) -> list[str]:
+    """Bodies of `mechanics` that hang in a hook by a joint."""
+    bodies = scenario.mechanics.bodies if scenario.mechanics is not None else {}
+    return [name for name, body in bodies.items() if body.parent == hook]
+
+
+def ropes_ending_at(scenario: Scenario, body: str) -> list[list[str]]:
+    """Ropes of `mechanics` that end at a body, each with which of its ends does: `first` or `last`."""
+    ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
+    return [
+        [name, end]
+        for name, rope in ropes.items()
+        for end, guide in (("first", rope.route[0]), ("last", rope.route[-1]))
+        if guide.body == body
+    ]
 
 
 def drum_drive(drum: str) -> str:

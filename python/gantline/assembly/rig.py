@@ -14,6 +14,7 @@ from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.moorings import mooring_rig
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.plain import bodies_in_hook, ropes_ending_at
 from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks
 from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wrapped_sheaves
 from gantline.assembly.shapes import watch_name
@@ -103,6 +104,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "calculated_mass": load.weight.calculated,
         "contingency": load.weight.contingency,
         "design_mass": load.weight.design,
+        "other_ropes": [rope for rope, _ in ropes_ending_at(scenario, load.name)],
         "contact_group": load.name if contacts else None,
         "contacts": contacts,
         "lugs": {
@@ -123,6 +125,8 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
     hook = scenario.hooks[name]
     bearing = [equalizer.name for equalizer in rigging.equalizers.values() if equalizer.hook == name]
     direct = [s for s in rigging.slings.values() if s.equalizer is None and s.hook == name]
+    joined, ropes = bodies_in_hook(scenario, name), ropes_ending_at(scenario, name)
+    bearing += joined
     reeved = next((one for one in reeved_hooks(scenario) if one.name == name), None)
     falls: Json = {}
     if reeved is not None:
@@ -134,12 +138,13 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
             "falls_weight_above": above,
             "direct_slings": [sling.name for sling in direct],
             "direct_weight": sum(upper_lump(sling) for sling in direct) * gravity,
+            "direct_ropes": ropes,
             "sheave_diameter": reeved.reeving.diameter((scenario.ropes or {})[reeved.reeving.rope].diameter),
             "drum": hoist_drum(name),
             "holds": reeved.holds,
         }
-    elif direct:
-        bearing = [name]  # the hook's own joint carries its slings, their shackles and its equalizers
+    elif direct or joined or ropes:
+        bearing = [name]  # the hook's own joint carries all of them, shackles and equalizers too
     return {
         "name": name,
         "crane": hook.crane,
@@ -149,6 +154,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
         "rating_includes_hook_block": hook.rating_includes_hook_block,
         "hoist_weight_extra": hook.hook_block_mass * scenario.simulation.gravity,
         "drive_body": name,
+        "bears_mechanics": bool(joined or ropes),
         **falls,
     }
 

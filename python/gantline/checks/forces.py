@@ -227,12 +227,16 @@ def hook_force(
     hook_load = np.sum([recording.column("hook_load", name) for name in names], axis=0)
     total = np.sum([recording.column(variable, name) for name in names], axis=0)
     window = series.greatest_static(recording, total)[1] if window is None else window
-    more = 0.0
+    more = by_slings = 0.0
     for sling in (one for one in rig.slings if rig.hook_of(one) in names):
         up = series.sling_tension(recording, sling) * series.sling_direction(recording, sling)[:, 2]
         share = series.static_value(recording, up, window) or 0.0
         more += (design_ratio(recording, sling.to_load) - 1.0) * share
+        by_slings += share
     static = series.static_value(recording, hook_load, window)
+    if static is not None and any(hook.bears_mechanics for hook in rig.hooks if hook.name in names):
+        # What hangs there by other ropes is not known: all of it is raised, gear too.
+        more += (design_ratio(recording) - 1.0) * (static - by_slings)
     falls = series.static_value(recording, total - hook_load, window) or 0.0
     force = replace(_hook_force(recording, static, more, falls), window=window)
     return _with_peak_of(recording, force, total, during)

@@ -12,6 +12,8 @@ from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
 _CONSEQUENCE = "lug_consequence_factor"
+#: Share of a load's weight from which a rope bears it; less holds its heading.
+_BEARS = 0.05
 
 
 def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -46,3 +48,7 @@ def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Findin
             yield Missing(f"{load_name}.{lug_name}", "lug capacity not known")
         else:
             yield from over(force, lug.capacity, f"{load_name}.{lug_name}", raised)
+    for one in recording.rig.loads:
+        for rope in one.other_ropes:
+            if series.rope_peak(recording, rope)[0] > _BEARS * one.weight:
+                yield Missing(rope, f"carries {one.name} as a rope of 'mechanics', which has no lug")

@@ -264,16 +264,21 @@ def _hoist_load(columns: Columns, names: Names, hook: Hook, hook_load: FloatArra
 
 def _hook_load(columns: Columns, names: Names, hook: Hook) -> FloatArray:
     bodies, ropes, points = list(names["body"]), list(names["rope"]), list(names["rope_point"])
+    segments = list(names["segment"])
     total = np.full(len(columns["time"]), hook.direct_weight)
     for body in hook.bearing_joints:
         total += columns["joint_force"][:, bodies.index(body), 2]
-    for sling in hook.direct_slings:
-        rope = sling if sling in ropes else f"sling.{sling}"
-        first = points.index(rope)
-        # The upper end of a sling comes first; it pulls the hook towards the next point of the rope.
-        pull = columns["rope_point"][:, first + 1] - columns["rope_point"][:, first]
-        down = -pull[:, 2] / np.linalg.norm(pull, axis=1)
-        total += columns["rope_tension"][:, ropes.index(rope)] * down
+    slings = [sling if sling in ropes else f"sling.{sling}" for sling in hook.direct_slings]
+    # The upper end of a sling comes first.
+    for rope, end in [*((sling, "first") for sling in slings), *hook.direct_ropes]:
+        at = [place for place, of in enumerate(points) if of == rope]
+        own, following = (at[0], at[1]) if end == "first" else (at[-1], at[-2])
+        own_segments = [place for place, of in enumerate(segments) if of.rpartition("/")[0] == rope]
+        tension = columns["segment_tension"][:, own_segments[0 if end == "first" else -1]]
+        pull = columns["rope_point"][:, following] - columns["rope_point"][:, own]
+        # A rope that has parted is drawn as one point at its upper end, and pulls no way.
+        down = -pull[:, 2] / np.maximum(np.linalg.norm(pull, axis=1), np.finfo(np.float64).tiny)
+        total += tension * down
     return total
 
 

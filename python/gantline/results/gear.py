@@ -25,6 +25,9 @@ class Hook(FromJson):
         hoist_weight_extra: Hook block and hanging falls [N] that are no part of the mechanics.
         falls: Segments of rope in which a hook with reeving hangs; empty for a hook without.
         falls_weight_above: What the upper sheaves bear of the weight of the falls [N].
+        direct_ropes: Other ropes that end at the hook, each with its end there, `first` or `last`; of a hook
+            with reeving.
+        bears_mechanics: Whether ropes or bodies of `mechanics` hang in it, whatever hangs on them.
         direct_weight: Weight of what `direct_slings` have lumped on the hook [N]; of a hook with reeving.
         sheave_diameter: Pitch diameter of the sheaves of its hook block [m]; 0 for a hook without reeving.
         drum: Name of its drum; empty for a hook without reeving.
@@ -40,6 +43,8 @@ class Hook(FromJson):
     hoist_weight_extra: float = 0.0
     falls: Sequence[str] = ()
     falls_weight_above: float = 0.0
+    direct_ropes: Sequence[Sequence[str]] = ()
+    bears_mechanics: bool = False
     direct_weight: float = 0.0
     sheave_diameter: float = 0.0
     drum: str = ""

@@ -51,7 +51,9 @@ def chart_load(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -
     """
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     bears = any(
-        hook.bearing_joints or hook.direct_slings for hook in recording.rig.hooks if hook.name in chart.hooks
+        hook.bearing_joints or hook.direct_slings or hook.direct_ropes
+        for hook in recording.rig.hooks
+        if hook.name in chart.hooks
     )
     seen = "hook_load" if bears else "hoist_load"
     borne = np.sum([recording.column(seen, hook) for hook in chart.hooks], axis=0)

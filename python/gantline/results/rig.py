@@ -54,6 +54,7 @@ class Load(FromJson):
         contingency: Factor on the calculated mass.
         design_mass: With contingency [kg].
         lugs: Lugs by name.
+        other_ropes: Ropes that are no slings and end at it.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
     """
 
@@ -67,6 +68,7 @@ class Load(FromJson):
     contingency: float | None = None
     design_mass: float | None = None
     lugs: Mapping[str, Lug] = field(default_factory=dict)
+    other_ropes: Sequence[str] = ()
     centre_envelope: Vector = (0.0, 0.0, 0.0)
 
     @classmethod
