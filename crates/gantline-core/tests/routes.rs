@@ -4,7 +4,7 @@
 //! Other seeds: `GANTLINE_ROUTE_SEEDS=1-20 cargo test --release --test routes`.
 
 use gantline_core::build::build;
-use gantline_core::rope::route::Part;
+use gantline_core::rope::part::Part;
 use gantline_core::rope::tangency::NoTangent;
 use gantline_core::spec::{
     BodySpec, GuideSpec, JointSpec, MaterialSpec, PlacementSpec, RopeSpec, SystemSpec,

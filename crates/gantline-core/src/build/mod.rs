@@ -25,7 +25,7 @@ use crate::force;
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;
-use crate::rope::route::Guide;
+use crate::rope::guide::Guide;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::spec::SystemSpec;

@@ -13,8 +13,9 @@ use crate::constraint::rope::Rope;
 use crate::constraint::rope::span::{Feed, Span};
 use crate::constraint::stop::Stop;
 use crate::contact::plane::Plane;
+use crate::rope::guide::{Attachment, Guide};
 use crate::rope::material::Material;
-use crate::rope::route::{Attachment, Guide, Route};
+use crate::rope::route::Route;
 use crate::rope::seat::Seat;
 use crate::spec::{
     BodySpec, ContactSpec, GrooveSpec, GuideSpec, JointSpec, MaterialSpec, RopeSpec, StopsSpec, SystemSpec,
