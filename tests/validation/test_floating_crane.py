@@ -22,6 +22,7 @@ from gantline.scenario.mooring import line_weight
 from gantline.simulation import Simulation, SimulationError
 from gantline.statics import Equilibrium, Statics
 from gantline.study.inclining import metacentric_heights
+from lift_text import changed
 from mechanics import G
 
 FILE = Path(__file__).parents[2] / "scenarios" / "floating_crane" / "scenario.yaml"
@@ -41,14 +42,6 @@ def without(text: str, *sections: str) -> str:
         found = re.search(rf"^{name}:.*\n(?: .*\n|\n)*", text, re.M)
         assert found is not None, name
         text = text[: found.start()] + text[found.end() :]
-    return text
-
-
-def changed(text: str, *changes: tuple[str, str]) -> str:
-    """A lift file with changes, each of which has something to change."""
-    for old, new in changes:
-        assert old in text, old
-        text = text.replace(old, new)
     return text
 
 
