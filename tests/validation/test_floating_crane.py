@@ -121,7 +121,7 @@ def test_holding_the_load_it_floats_on_even_keel(held: tuple[Statics, Equilibriu
     assert abs(math.degrees(vessel(found, "heel"))) < 1e-6
     heights = metacentric_heights(question, rest)["barge"]
     # Four hooks in a row under one stiff load: it heels along with the vessel, and its weight counts below
-    # the boom head, see `rows_of_hooks`.
+    # the boom head, see `row_of_hooks`.
     assert heights.longitudinal == pytest.approx(191.4, rel=0.02)
     assert heights.transverse == pytest.approx(25.6 + row_of_hooks(), rel=0.02)
 
