@@ -8,6 +8,7 @@ mod forces;
 mod light;
 mod moorings;
 mod plan;
+mod ropes;
 mod rows;
 mod start;
 mod touches;
