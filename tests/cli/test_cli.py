@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 import gantline
 from gantline.cli.app import app
 from gantline.scenario import shipped
+from program import program
 
 HEAVY = (
     "numpy",
@@ -116,9 +117,7 @@ def test_version_is_that_of_the_package() -> None:
 
 
 def test_the_module_is_the_command() -> None:
-    result = subprocess.run(
-        [sys.executable, "-m", "gantline", "--version"], capture_output=True, text=True, check=False
-    )
+    result = program("--version")
     assert (result.returncode, result.stdout) == (0, f"gantline {gantline.__version__}\n")
 
 

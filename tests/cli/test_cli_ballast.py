@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from ballasted import barge, pump, tank, text
+from program import program
 
 TANKS = {
     "fore": tank((85, 0, 0.5), 900.0),
@@ -20,8 +20,7 @@ PLAN = [pump("fore", "aft", "3000 t/h", by="100 t"), {"step": "wait", "hold": "u
 
 
 def ballast(*arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "gantline", "ballast", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+    return program("ballast", *arguments)
 
 
 @pytest.fixture

@@ -11,6 +11,7 @@ from typer.testing import CliRunner, Result
 
 from gantline.cli.app import app
 from gantline.results.saved import SavedCases
+from lift_text import changed
 from plumb_lift import WEIGHT, plumb_lift
 
 ALL = """\
@@ -86,11 +87,7 @@ def test_json(lift: Path) -> None:
 
 
 def spoil(lift: Path, *changes: tuple[str, str]) -> None:
-    text = lift.read_text(encoding="utf-8")
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
-    lift.write_text(text, encoding="utf-8")
+    lift.write_text(changed(lift.read_text(encoding="utf-8"), *changes), encoding="utf-8")
 
 
 def test_a_check_that_fails_in_a_case_ends_with_one(lift: Path) -> None:

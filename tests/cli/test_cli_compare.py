@@ -6,7 +6,6 @@ import json
 import os
 import signal
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -16,6 +15,7 @@ import gantline
 from fake_core import FakeCore, core
 from gantline.cli.app import app
 from lift_text import DEAD_CENTRE
+from program import PROGRAM
 
 __all__ = ["core"]
 
@@ -83,7 +83,7 @@ def test_recordings_and_folders_of_runs(two_methods: tuple[Result, Path], tmp_pa
     assert "simulat" not in result.stderr
     assert "time in the integrator - - - -" in lines(result)
     numbers = json.loads((tmp_path / "out" / "comparison.json").read_text())
-    assert all(rope["deviation"]["largest"] == 0.0 for rope in numbers["ropes"])
+    assert {rope["deviation"]["largest"] for rope in numbers["ropes"]} == {0.0}
     assert (tmp_path / "out" / "a.nc").read_bytes() == (folder / "a.nc").read_bytes()
 
 
@@ -204,7 +204,7 @@ def test_an_open_balance_is_said_in_so_many_words(core: type[FakeCore], tmp_path
 
 
 def test_an_interrupt_saves_what_there_is(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "gantline", "compare", "equalizer_yard", "pulleys", "--no-plots"]
+    command = [*PROGRAM, "compare", "equalizer_yard", "pulleys", "--no-plots"]
     command += ["-o", str(tmp_path), "--a", "duration=4000 s", "--a", "sample_interval=1 s"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         assert process.stderr is not None

@@ -6,17 +6,16 @@ import json
 import math
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 import databases
+from program import program
 
 
 def hydro(*arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "gantline", "hydro", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+    return program("hydro", *arguments)
 
 
 def test_table_and_picture_of_a_box(tmp_path: Path) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -12,11 +11,11 @@ import pytest
 from gantline.results import open_recording
 from gantline.study import run_cases
 from hooked_lift import two_hooks
+from program import program
 
 
 def statics(*arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "gantline", "statics", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+    return program("statics", *arguments)
 
 
 @pytest.fixture

@@ -4,7 +4,6 @@ import os
 import re
 import signal
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -13,6 +12,7 @@ from typer.testing import CliRunner, Result
 import gantline
 from fake_core import FakeCore, core
 from gantline.cli.app import app
+from program import PROGRAM
 
 __all__ = ["core"]
 
@@ -189,7 +189,7 @@ def test_an_interrupt_after_the_last_step_waits_until_the_run_is_saved(
 
 
 def test_an_interrupt_saves_what_there_is(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "gantline", "run", str(SCENARIOS / "equalizer_yard"), "--no-plots"]
+    command = [*PROGRAM, "run", str(SCENARIOS / "equalizer_yard"), "--no-plots"]
     command += ["-o", str(tmp_path), "--duration", "4000 s", "--sample-interval", "1 s"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         assert process.stderr is not None

@@ -6,12 +6,13 @@ import json
 import math
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 import gantline
+from lift_text import changed
+from program import program
 
 ROOT = Path(__file__).resolve().parents[2]
 LOAD = "block"  # as the lift file calls it
@@ -19,17 +20,12 @@ REFERENCE = ROOT / "scenarios" / "equalizer" / "scenario.yaml"
 
 
 def statics(*arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "gantline", "statics", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+    return program("statics", *arguments)
 
 
 def lift(folder: Path, *changes: tuple[str, str]) -> Path:
-    text = REFERENCE.read_text(encoding="utf-8")
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
     path = folder / "lift.yaml"
-    path.write_text(text, encoding="utf-8")
+    path.write_text(changed(REFERENCE.read_text(encoding="utf-8"), *changes), encoding="utf-8")
     return path
 
 
@@ -213,8 +209,7 @@ def test_what_keeps_a_load_upright(tmp_path: Path) -> None:
     assert f"WARNING: {warning}" in result.stdout
     assert re.search(r"\+x +0\.080 m +tilt beyond its limit of 2\.00 deg", result.stdout)
     assert re.search(r"up +2\.302 m +unstable", result.stdout)
-    command = [sys.executable, "-m", "gantline", "check", str(tmp_path / "out" / "equilibrium.nc")]
-    checked = subprocess.run(command, capture_output=True, text=True, check=False)
+    checked = program("check", tmp_path / "out" / "equilibrium.nc")
     assert warning in " ".join(checked.stdout.split())
 
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
 from gantline.cli.app import app
+from program import PROGRAM
 from sample_lift import ringing_lift
 
 FULL = Path("/dev/full")
@@ -21,7 +21,7 @@ FULL = Path("/dev/full")
 def test_a_disk_that_is_full_is_told_in_a_sentence(words: list[str]) -> None:
     with FULL.open("w") as full:
         result = subprocess.run(
-            [sys.executable, "-m", "gantline", *words],
+            [*PROGRAM, *words],
             stdout=full,
             stderr=subprocess.PIPE,
             text=True,

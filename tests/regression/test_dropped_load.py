@@ -12,45 +12,21 @@ import pytest
 import gantline
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.scenario import parse_scenario
+from mechanics import G
+from weak_hoist import DRUM, HOOK_BLOCK, PARTS, hanging
 
-GRAVITY, PARTS = 9.81, 2
-#: What hangs [kg]; what the drum's 500 kg at its rim, two parts of line fast, weigh at the hook [kg].
-HANGS, DRUM = 2000.0 + 100.0, 500.0 * PARTS**2
+#: Mass of the load [kg]; what hangs; what the drum counts for at the hook, its rim being PARTS times as fast.
+MASS = 2000.0
+HANGS, TURNS = MASS + HOOK_BLOCK, DRUM * PARTS**2
 STOP = 20.0  # s
-LIFT = """\
-format: 1
-lift: {title: a brake for two tonnes}
-duration: DURATION
-ground: {level: 0 m}
-ropes:
-  hoist: {axial_stiffness: 36 MN, damping_time: 20 ms}
-  sling: {axial_stiffness: 36 MN, damping_time: 10 ms}
-load:
-  name: load
-  shape: {box: [2 m, 2 m, 2 m]}
-  position: [0 m, 0 m, 5 m]
-  weight: {calculated: 2 t, contingency: 1.0}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs: {A: {at: [0 m, 0 m, 2 m]}}
-cranes:
-  crane:
-    type: fixed_hook
-    at: [0 m, 0 m, 13 m]
-    block: {mass: 100 kg, height: 1 m}
-    reeving: {ropes: 1, parts_each: 2, rope: hoist, sheave_diameter: 0.4 m, upper_sheaves_at: 20 m}
-    drum: {diameter: 0.4 m, layers: 1, rotating_mass: 500 kg}
-    hoist: {speed: 6 m/min, acceleration: 0.05 m/s^2, capacity: 20 kN, brake: BRAKE}
-slings:
-  S: {from: crane, to: load.A, length: 6 m, rope: sling}
-plan:
-  - {step: look, hold: 10 s}
-  - {step: lower, lower: crane, speed: 6 m/min, emergency_stop_at: 20 s}
-  - {step: hold, hold: until_end}
-"""
+PLAN = """\
+{step: look, hold: 10 s}
+{step: lower, lower: crane, speed: 6 m/min, emergency_stop_at: 20 s}"""
 
 
 def checks_with(brake: float, duration: float) -> list[Check]:
-    text = LIFT.replace("BRAKE", f"{brake} kN").replace("DURATION", f"{duration} s")
+    """Checks of the lift with an emergency stop by a brake of so many kN."""
+    text = hanging(PLAN, MASS / 1e3, f"capacity: 20 kN, brake: {brake} kN", duration)
     return check_recording(gantline.simulate(parse_scenario(text)))
 
 
@@ -60,7 +36,7 @@ def follows(checks: list[Check]) -> Check | None:
 
 def deceleration(brake: float) -> float:
     """Of hook and load against the brake [m/s^2]."""
-    return (PARTS * brake * 1e3 - HANGS * GRAVITY) / (HANGS + DRUM)
+    return (PARTS * brake * 1e3 - HANGS * G) / (HANGS + TURNS)
 
 
 @pytest.mark.parametrize("lasts", [0.8, 2.0])

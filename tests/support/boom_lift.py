@@ -1,6 +1,13 @@
-"""Lift files of a floating crane on a base that stands still, with masses that hang in its hooks."""
+"""Lift files of a floating crane with masses that hang in its hooks, and the geometry of its boom."""
 
 from __future__ import annotations
+
+import math
+
+from gantline import Simulation
+from gantline.results import Recording
+from gantline.scenario import parse_scenario
+from mechanics import G
 
 #: Heel pins ahead of and above the base, length of the boom [m]: lift C's sheerleg.
 HEEL, LENGTH = (98.0, 9.0), 110.0
@@ -8,6 +15,8 @@ HEEL, LENGTH = (98.0, 9.0), 110.0
 A_FRAME = (70.0, 62.0)
 #: Masses of boom and head gear [kg], place of the boom's centre of gravity along it.
 BOOM, HEAD_GEAR, CENTRE = 1500e3, 140e3, 0.48
+#: Moment of inertia of boom and head gear about the heel pins [kg m^2].
+BOOM_INERTIA = 1.51e9 + BOOM * (CENTRE * LENGTH) ** 2 + HEAD_GEAR * LENGTH**2
 #: Mass of a hook block and of a sheave block at the head [kg], depth of the upper sheaves below the head [m].
 HOOK_BLOCK, SHEAVE_BLOCK, BELOW = 50e3, 8e3, 1.3
 #: Where outreach counts from [m]: the bow.
@@ -107,3 +116,45 @@ def boom_lift(
         more=more,
         tolerance=tolerance,
     )
+
+
+def boom_afloat(draft: float, trim: float, **rest: str) -> str:
+    """The crane on its vessel, with the middle of its waterline at x = 0."""
+    turn = math.radians(trim)
+    stern = -(105.6 / 2 * math.cos(turn) - draft * math.sin(turn))
+    vessel = f"""\
+vessels:
+  barge:
+    position: [{stern!r} m, 0 m]
+    draft: {draft} m
+    trim: {trim} deg
+    hull: {{box: [105.6 m, 46 m, 7.5 m]}}
+    masses: {{all: {{mass: 18852 t, at: [39 m, 0 m, 5 m]}}}}
+    radii_of_gyration: [15 m, 28.5 m, 30 m]
+"""
+    return boom_lift(duration=0.1, base="    vessel: barge\n", more=vessel, **rest)  # type: ignore[arg-type]
+
+
+def simulated(text: str) -> Recording:
+    """Run a lift."""
+    return Simulation(parse_scenario(text)).run()
+
+
+def head(angle: float) -> tuple[float, float]:
+    """Place of the boom's head ahead of the base's origin and above it [m]."""
+    return HEEL[0] + LENGTH * math.cos(angle), HEEL[1] + LENGTH * math.sin(angle)
+
+
+def tackle(angle: float) -> tuple[float, float, float]:
+    """Of a tackle at an angle its length d, the lever of its pull, -dd/dangle [m], and d2d/dangle2 [m]."""
+    back, up = A_FRAME[0] - HEEL[0], A_FRAME[1] - HEEL[1]
+    ahead, high = LENGTH * math.cos(angle), LENGTH * math.sin(angle)
+    length = math.hypot(ahead - back, high - up)
+    lever = (ahead * up - high * back) / length
+    # d2 = a2 + L2 - 2 a.h, so d d' = -a.h' and d d'' = a.h - d'^2
+    return length, lever, (ahead * back + high * up - lever**2) / length
+
+
+def weight_moment(angle: float, on_head: float) -> float:
+    """Moment of boom, head gear and a further mass [kg] at the head about the heel pins [N m]."""
+    return G * math.cos(angle) * LENGTH * (CENTRE * BOOM + HEAD_GEAR + on_head)

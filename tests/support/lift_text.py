@@ -117,6 +117,14 @@ def spoiled(old: str, new: str, base: str = BASE) -> str:
     return base.replace(old, new)
 
 
+def changed(text: str, *changes: tuple[str, str]) -> str:
+    """A lift with several pieces replaced, one after the other, wherever they stand; none is missing."""
+    for old, new in changes:
+        assert old in text, f"{old!r} does not stand in the lift"
+        text = text.replace(old, new)
+    return text
+
+
 #: A lift that cannot go on: it is refused by its equations at the start.
 DEAD_CENTRE = """
 format: 1

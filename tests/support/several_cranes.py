@@ -8,6 +8,7 @@ from pathlib import Path
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
+from lift_text import changed
 
 FILE = Path(__file__).parents[2] / "scenarios" / "floating_crane_and_crawlers" / "scenario.yaml"
 TEXT = FILE.read_text(encoding="utf-8")
@@ -19,19 +20,10 @@ LOAD = 560e3
 DISPLACED = 105.6 * 46 * 4.30 * 1025
 
 
-def changed(*changes: tuple[str, str]) -> str:
-    """The lift file with other text in places that occur once."""
-    text = TEXT
-    for old, new in changes:
-        assert text.count(old) == 1, old
-        text = text.replace(old, new)
-    return text
-
-
 @cache
 def at_rest(time: float, *changes: tuple[str, str]) -> Recording:
     """The lift, changed, at rest at a time of its plan; the last sample is the equilibrium."""
-    found = Statics(parse_scenario(changed(*changes), str(FILE))).equilibrium(time)
+    found = Statics(parse_scenario(changed(TEXT, *changes), str(FILE))).equilibrium(time)
     assert found.is_stable
     return found.recording
 

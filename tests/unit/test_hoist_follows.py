@@ -7,44 +7,16 @@ import pytest
 import gantline
 from gantline.checks import Verdict, check_recording
 from gantline.scenario import parse_scenario
-
-LIFT = """\
-format: 1
-lift: {title: a motor for two tonnes}
-duration: 60 s
-ground: {level: 0 m}
-ropes:
-  hoist: {axial_stiffness: 36 MN, damping_time: 20 ms}
-  sling: {axial_stiffness: 36 MN, damping_time: 10 ms}
-load:
-  name: LOAD
-  shape: {box: [2 m, 2 m, 2 m]}
-  weight: {calculated: WEIGHT, contingency: 1.0}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  stands_on: ground
-  lugs: {A: {at: [0 m, 0 m, 2 m]}}
-cranes:
-  crane:
-    type: fixed_hook
-    at: [0 m, 0 m, 7.99 m]
-    block: {mass: 100 kg, height: 1 m}
-    reeving: {ropes: 1, parts_each: 2, rope: hoist, sheave_diameter: 0.4 m, upper_sheaves_at: 14 m}
-    drum: {diameter: 0.4 m, layers: 1, rotating_mass: 500 kg}
-    hoist: {speed: 6 m/min, acceleration: 0.05 m/s^2, capacity: 12 kN}
-slings:
-  S: {from: crane, to: LOAD.A, length: 6 m, rope: sling}
-plan:
-  - {step: hoist, hoist: crane, speed: 1 m/min, by: 0.5 m}
-  - {step: hold, hold: until_end}
-"""
+from weak_hoist import standing
 
 
-@pytest.mark.parametrize(("weight", "is_too_weak"), [("2 t", False), ("3 t", True)])
-def test_a_motor_that_cannot_lift_is_told(weight: str, is_too_weak: bool) -> None:
+@pytest.mark.parametrize(("mass", "is_too_weak"), [(2.0, False), (3.0, True)])
+def test_a_motor_that_cannot_lift_is_told(mass: float, is_too_weak: bool) -> None:
     """Two parts of 12 kN hold 2.45 t, hook block and load together."""
-    recording = gantline.simulate(parse_scenario(LIFT.replace("WEIGHT", weight)))
+    text = standing("{step: hoist, hoist: crane, speed: 1 m/min, by: 0.5 m}", mass, "capacity: 12 kN", 60.0)
+    recording = gantline.simulate(parse_scenario(text))
     found = [check for check in check_recording(recording) if check.name == "hoist_follows"]
-    assert bool(found) is is_too_weak
+    assert bool(found) is is_too_weak, found
     for check in found:
         assert check.verdict is Verdict.WARNING
         assert check.remark.endswith("motor or brake pull all they can")

@@ -20,7 +20,7 @@ from gantline.cli.app import app
 from gantline.plot.drawing import system
 from gantline.plot.scene import snapshot
 from gantline.scenario import ScenarioError, load_scenario
-from lift_text import spoiled
+from lift_text import changed, spoiled
 
 SIZES = ShipBlockSizes(8, 6, 3, 40e3, double_bottom=0.9, frame_spacing=2.0)
 BOX = "shape: {box: [8 m, 6 m, 3 m]}"
@@ -56,11 +56,7 @@ def lift(folder: Path, more: str = "", shape: str = "cad: load.3docx") -> Path:
 
 
 def assembled(path: Path, *replaced: tuple[str, str]) -> Assembly:
-    text = path.read_text(encoding="utf-8")
-    for old, new in replaced:
-        assert old in text
-        text = text.replace(old, new)
-    path.write_text(text, encoding="utf-8")
+    path.write_text(changed(path.read_text(encoding="utf-8"), *replaced), encoding="utf-8")
     return assemble(load_scenario(path))
 
 

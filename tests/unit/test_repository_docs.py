@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 
 import typer.main
@@ -54,6 +55,29 @@ def test_every_metric_is_documented_where_it_is_made() -> None:
     table = metrics.__doc__ or ""
     names = {name.split(".")[0] for name in sample_lift.ringing_lift().metrics()}
     assert [name for name in sorted(names) if f"`{name}" not in table] == []
+
+
+def test_names_in_documents_are_those_of_the_sources() -> None:
+    """What stands as `snake_case` in a document is a name of the sources: none has been left behind."""
+    places = ("crates/**/*.rs", "crates/**/*.toml", "python/**/*.py", "viewer/src/**/*.ts", "schema/*.json")
+    lifts = [*ROOT.glob("scenarios/*/scenario.yaml")]
+    sources = [*lifts, *(path for place in places for path in ROOT.glob(place))]
+    assert len(sources) > 400, "the folders are where they were"
+    known = {word for path in sources for word in re.findall(r"\w+", path.read_text(encoding="utf-8"))}
+    known |= {path.parent.name for path in lifts}
+    documents = [
+        *ROOT.glob("*.md"),
+        *(ROOT / "docs").rglob("*.md"),
+        *(ROOT / "scenarios").glob("*/README.md"),
+    ]
+    unknown = [
+        f"{path.relative_to(ROOT)}: {name}"
+        for path in documents
+        if path.name != "CHANGELOG.md"
+        for name in re.findall(r"(?<!`)`([a-z0-9]+(?:_[a-z0-9]+)+)`(?!`)", path.read_text(encoding="utf-8"))
+        if name not in known
+    ]
+    assert unknown == []
 
 
 def test_every_verification_says_what_it_compares_with() -> None:

@@ -7,7 +7,6 @@ import http.client
 import json
 import re
 import subprocess
-import sys
 import threading
 from pathlib import Path
 from typing import Any
@@ -21,6 +20,7 @@ from gantline.viewer.live import LiveView
 from gantline.viewer.pack import Packed, pack
 from gantline.viewer.server import PageServer
 from packed_arrays import unpacked
+from program import PROGRAM
 from sample_lift import ringing_lift
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -183,7 +183,7 @@ def test_a_lift_is_shown_while_it_runs_and_the_program_ends_as_without(tmp_path:
     lift = ROOT / "scenarios" / "equalizer"
     words = ["run", str(lift), "--live", "--no-browser", "--no-plots", "--no-report", "-o", str(tmp_path)]
     with subprocess.Popen(
-        [sys.executable, "-m", "gantline", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [*PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
         assert process.stdout is not None
         address = re.fullmatch(r"Live +http://127\.0\.0\.1:(\d+)(/[\w-]+/)\n", process.stdout.readline())

@@ -22,6 +22,7 @@ from gantline.scenario.mooring import line_weight
 from gantline.simulation import Simulation, SimulationError
 from gantline.statics import Equilibrium, Statics
 from gantline.study.inclining import metacentric_heights
+from lift_text import changed
 from mechanics import G
 
 FILE = Path(__file__).parents[2] / "scenarios" / "floating_crane" / "scenario.yaml"
@@ -41,14 +42,6 @@ def without(text: str, *sections: str) -> str:
         found = re.search(rf"^{name}:.*\n(?: .*\n|\n)*", text, re.M)
         assert found is not None, name
         text = text[: found.start()] + text[found.end() :]
-    return text
-
-
-def changed(text: str, *changes: tuple[str, str]) -> str:
-    """A lift file with changes, each of which has something to change."""
-    for old, new in changes:
-        assert old in text, old
-        text = text.replace(old, new)
     return text
 
 
@@ -128,7 +121,7 @@ def test_holding_the_load_it_floats_on_even_keel(held: tuple[Statics, Equilibriu
     assert abs(math.degrees(vessel(found, "heel"))) < 1e-6
     heights = metacentric_heights(question, rest)["barge"]
     # Four hooks in a row under one stiff load: it heels along with the vessel, and its weight counts below
-    # the boom head, see `rows_of_hooks`.
+    # the boom head, see `row_of_hooks`.
     assert heights.longitudinal == pytest.approx(191.4, rel=0.02)
     assert heights.transverse == pytest.approx(25.6 + row_of_hooks(), rel=0.02)
 

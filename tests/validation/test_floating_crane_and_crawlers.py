@@ -22,6 +22,7 @@ from gantline.results.variable import FloatArray
 from gantline.scenario import load_scenario, parse_scenario
 from gantline.simulation import Simulation
 from gantline.statics import Statics
+from lift_text import changed
 from mechanics import G
 from several_cranes import (
     DISPLACED,
@@ -31,8 +32,8 @@ from several_cranes import (
     HANGS,
     HOOKS,
     LOAD,
+    TEXT,
     at_rest,
-    changed,
     hook_loads,
     last,
 )
@@ -245,7 +246,7 @@ def test_a_third_is_kept_back_by_the_chart() -> None:
             ("position: [71.4 m, 24 m]", f"position: [71.4 m, {away}"),
             ("position: [71.4 m, -24 m]", f"position: [71.4 m, -{away}"),
         ]
-        text = changed(*moved).replace("radius: 16 m,", f"radius: {radius} m,")
+        text = changed(TEXT, *moved).replace("radius: 16 m,", f"radius: {radius} m,")
         found = Statics(parse_scenario(text, str(FILE))).equilibrium(HANGS)
         return check(found.recording, "hoist_load_of_rating")
 

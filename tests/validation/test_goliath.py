@@ -15,6 +15,7 @@ from gantline.results.variable import FloatArray
 from gantline.scenario import load_scenario, parse_scenario
 from gantline.simulation import Simulation
 from gantline.statics import Statics
+from lift_text import changed
 from mechanics import G
 
 FILE = Path(__file__).parents[2] / "scenarios" / "goliath" / "scenario.yaml"
@@ -151,9 +152,7 @@ def incident(more: str, *changes: tuple[str, str]) -> Recording:
     """The lift with a further section and changes, until a little after."""
     text = FILE.read_text(encoding="utf-8")
     shorter = (("duration: 1060 s", "duration: 350 s"), ("sample_interval: 0.1 s", "sample_interval: 20 ms"))
-    for old, new in (*shorter, *changes):
-        assert text.count(old) == 1, old
-        text = text.replace(old, new)
+    text = changed(text, *shorter, *changes)
     begin = text.index("cases:")
     return Simulation(parse_scenario(text[:begin] + more + text[text.index("limits:") :], str(FILE))).run()
 

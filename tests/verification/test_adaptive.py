@@ -24,6 +24,7 @@ from mechanics import (
     rope,
     slider,
 )
+from one_rope import DROP_PEAK, GROUND, LIFT_OFF, LIFT_OFF_FACTOR, TAUT, WEIGHT, drop, lift_off
 
 
 def pulleys() -> Json:
@@ -91,17 +92,10 @@ def test_observed_order() -> None:
 
 def test_slack_to_taut_drop() -> None:
     """A mass that falls h before an undamped rope goes taut: peak T = m g (1 + √(1 + 2 k h/(m g)))."""
-    mass, ea, length, fall = 1000.0, 1e7, 10.0, 0.5
-    k = ea / length
-    peak = mass * G * (1 + math.sqrt(1 + 2 * k * fall / (mass * G)))
-    system = document(
-        [body("m", slider(), mass, position=(0, 0, fall))],
-        ropes=[rope("r", length, [end(None, (0, 0, length)), end("m")], ea)],
-    )
-    run = adaptive(system, 2.0, tension_tolerance=1e-2, position_tolerance=1e-8, sample_interval=1e-4)
+    run = adaptive(drop(), 2.0, tension_tolerance=1e-2, position_tolerance=1e-8, sample_interval=1e-4)
     # Sampled peaks miss by (ω dt)²/8 = 1e-6.
-    assert run.tension("r").max() == pytest.approx(peak, rel=2e-6)
-    assert run.events("taut")[0][0] == pytest.approx(math.sqrt(2 * fall / G), abs=1e-7)
+    assert run.tension("r").max() == pytest.approx(DROP_PEAK, rel=2e-6)
+    assert run.events("taut")[0][0] == pytest.approx(TAUT, abs=1e-7)
     # It is thrown back to where it came from.
     assert run.joint("m").max() == pytest.approx(0.0, abs=1e-6)
     assert run.energy_remainder < 1e-7
@@ -123,22 +117,12 @@ def test_impact_of_an_inextensible_rope() -> None:
 
 def test_lift_off_at_constant_speed() -> None:
     """Hoisted off rigid ground at v by an undamped rope: dynamic factor 1 + v √(k/m)/g."""
-    mass, ea, length, speed = 1e5, 1.5e8, 20.0, 0.1
-    k = ea / length
-    system = document(
-        [
-            body("hook", slider(drive="hoist"), 0.0, position=(0, 0, 0.5 + length - 0.005)),
-            body("load", slider(position=-mass * G / 1e12), mass, position=(0, 0, 0.5)),
-        ],
-        ropes=[rope("r", length, [end("hook"), end("load")], ea)],
-        contacts=[contact("c", "load", (0, 0, -0.5), stiffness=1e12)],
-        drives=[{"name": "hoist", "ramps": [{"at": 0.0, "duration": 1e-6, "velocity": speed}]}],
-    )
+    system = lift_off(depth=WEIGHT / GROUND)
     run = adaptive(system, 3.0, tension_tolerance=1.0, position_tolerance=1e-8, sample_interval=1e-3)
     # The ground gives way by m g/k = 1 µm: 2e-6 of the factor. The sampled peak misses by (ω dt)²/8 = 1e-5.
-    assert run.tension("r").max() / (mass * G) == pytest.approx(1 + speed * math.sqrt(k / mass) / G, rel=2e-5)
+    assert run.tension("r").max() / WEIGHT == pytest.approx(LIFT_OFF_FACTOR, rel=2e-5)
     # The rope going taut sets the load ringing on the ground by k v/√(k_ground/m) = 237 N: 0.3 ms of lift.
-    assert run.events("lift_off")[0][0] == pytest.approx((0.005 + mass * G / k) / speed, abs=4e-4)
+    assert run.events("lift_off")[0][0] == pytest.approx(LIFT_OFF, abs=4e-4)
 
 
 def test_torque_free_body() -> None:

@@ -14,6 +14,7 @@ from gantline.scenario.variants import without_cases
 from gantline.statics import Statics
 from gantline.study import CasesResult, State, run_cases, values_of
 from gantline.study.moment import begin_of_step
+from lift_text import changed
 from mechanics import G
 from plumb_lift import AXIAL_STIFFNESS, INEXTENSIBLE, LENGTH, SQUARE, TRIANGLE, WEIGHT, plumb_lift
 
@@ -32,11 +33,7 @@ def tensions(state: State) -> list[float]:
 
 def reference(case: str, *changes: tuple[str, str]) -> CasesResult:
     """The reference lift with one case."""
-    text = REFERENCE
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
-    return cases(f"{text}\ncases:\n  one: {case}\n")
+    return cases(f"{changed(REFERENCE, *changes)}\ncases:\n  one: {case}\n")
 
 
 def upright(state: State) -> np.ndarray:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from mechanics import G, Json, body, document, end, half_turn, point, rope, simulate, slider
+from one_rope import DROP_PEAK, LIFT_OFF, LIFT_OFF_FACTOR, TAUT, WEIGHT, drop, lift_off
 
 
 def pulleys(length: float = 50 + 4 * math.pi * 0.5) -> Json:
@@ -77,19 +78,11 @@ def test_atwood_machine() -> None:
 
 def test_slack_to_taut_drop() -> None:
     """A mass that falls h before an undamped rope goes taut: peak T = m g (1 + √(1 + 2 k h/(m g)))."""
-    mass, ea, length, fall = 1000.0, 1e7, 10.0, 0.5
-    k = ea / length
-    peak = mass * G * (1 + math.sqrt(1 + 2 * k * fall / (mass * G)))
-    system = document(
-        [body("m", slider(), mass, position=(0, 0, fall))],
-        ropes=[rope("r", length, [end(None, (0, 0, length)), end("m")], ea)],
-    )
     errors = []
     for step in (4e-4, 2e-4, 1e-4):
-        run = simulate(system, 0.6, step=step)
-        errors.append(abs(run.peak("r") / peak - 1))
-        taut = run.events("taut")
-        assert taut[0][0] == pytest.approx(math.sqrt(2 * fall / G), abs=step)
+        run = simulate(drop(), 0.6, step=step)
+        errors.append(abs(run.peak("r") / DROP_PEAK - 1))
+        assert run.events("taut")[0][0] == pytest.approx(TAUT, abs=step)
     # The scheme damps at h ω²/2: in the half period up to the peak, ω = 31.6 rad/s, it loses at most
     # h ω π/2 = 0.5 % of the amplitude at h = 1e-4.
     assert errors[-1] < 5e-3
@@ -99,30 +92,11 @@ def test_slack_to_taut_drop() -> None:
 
 def test_lift_off_at_constant_speed() -> None:
     """Hoisted off the ground at v by an undamped rope of stiffness k: dynamic factor 1 + v √(k/m)/g."""
-    mass, ea, length, speed = 1e5, 1.5e8, 20.0, 0.1
-    k = ea / length
-    system = document(
-        [
-            body("hook", slider(drive="hoist"), 0.0, position=(0, 0, 0.5 + length - 0.005)),
-            body("load", slider(), mass, position=(0, 0, 0.5)),
-        ],
-        ropes=[rope("r", length, [end("hook"), end("load")], ea)],
-        contacts=[
-            {
-                **dict(name="c", group="load", body="load", at=[0, 0, -0.5], friction=0.0, damping_time=0.0),
-                **dict(plane_point=[0, 0, 0], plane_normal=[0, 0, 1], stiffness=1e12),
-            }
-        ],
-        drives=[{"name": "hoist", "ramps": [{"at": 0.0, "duration": 1e-6, "velocity": speed}]}],
-    )
-    run = simulate(system, 2.0, step=5e-5, sample_interval=1e-3)
-    factor = run.peak("r") / (mass * G)
-    exact = 1 + speed * math.sqrt(k / mass) / G
-    # The rigid ground (1e12 N/m) and the step cost less than 0.02 % of the factor.
-    assert factor == pytest.approx(exact, rel=2e-4)
+    run = simulate(lift_off(), 2.0, step=5e-5, sample_interval=1e-3)
+    # The rigid ground and the step cost less than 0.02 % of the factor.
+    assert run.peak("r") / WEIGHT == pytest.approx(LIFT_OFF_FACTOR, rel=2e-4)
     assert [name for _, name in run.events("lift_off")] == ["load"]
-    lift_off = 0.005 / speed + mass * G / k / speed
-    assert run.events("lift_off")[0][0] == pytest.approx(lift_off, abs=2e-3)
+    assert run.events("lift_off")[0][0] == pytest.approx(LIFT_OFF, abs=2e-3)
 
 
 def test_slack_ropes_carry_nothing_and_never_push() -> None:

@@ -14,6 +14,7 @@ import pytest
 import gantline
 from floating import SEA, box_hull, buoyancy, pitch_and_roll
 from gantline._core import Statics
+from lift_text import spoiled
 from mechanics import G, Json, adaptive, body, document, free
 
 LENGTH, BREADTH, DEPTH, DRAFT, KG = 100.0, 30.0, 8.0, 4.0, 5.0
@@ -152,9 +153,8 @@ def test_a_lift_file_with_a_barge(tmp_path: Path) -> None:
 )
 def test_mistakes_about_water_have_a_line(old: str, new: str, sentence: str, tmp_path: Path) -> None:
     """One message with the line for each."""
-    assert old in LIFT
     path = tmp_path / "lift.yaml"
-    path.write_text(LIFT.replace(old, new), encoding="utf-8")
+    path.write_text(spoiled(old, new, LIFT), encoding="utf-8")
     with pytest.raises(gantline.ScenarioError) as raised:
         gantline.load_scenario(path)
     assert sentence in str(raised.value)

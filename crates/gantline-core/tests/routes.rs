@@ -3,8 +3,10 @@
 //!
 //! Other seeds: `GANTLINE_ROUTE_SEEDS=1-20 cargo test --release --test routes`.
 
+mod rigs;
+
 use gantline_core::build::build;
-use gantline_core::rope::route::Part;
+use gantline_core::rope::part::Part;
 use gantline_core::rope::tangency::NoTangent;
 use gantline_core::spec::{
     BodySpec, GuideSpec, JointSpec, MaterialSpec, PlacementSpec, RopeSpec, SystemSpec,
@@ -13,6 +15,7 @@ use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use glam::DVec3;
+use rigs::system_of;
 
 /// Routes of one seed.
 const ROUTES: usize = 10_000;
@@ -76,22 +79,7 @@ fn random_route(random: &mut Random) -> SystemSpec {
     let count = MOST.powf(random.between(0.0, 1.0)).round() as usize;
     let cramped =
         if random.between(0.0, 1.0) < 0.1 { random.next() as usize % (count + 1) } else { usize::MAX };
-    let mut spec = SystemSpec {
-        gravity: [0.0, 0.0, -9.81],
-        bodies: Vec::new(),
-        ropes: Vec::new(),
-        contacts: Vec::new(),
-        drives: Vec::new(),
-        plan: Vec::new(),
-        emergency_stop: None,
-        supports: Vec::new(),
-        shapes: Vec::new(),
-        pairs: Vec::new(),
-        vessels: Vec::new(),
-        watches: Vec::new(),
-        forces: Vec::new(),
-        adjusters: Vec::new(),
-    };
+    let mut spec = system_of(Vec::new());
     let mut place = random.vector(5.0);
     let mut route = Vec::with_capacity(count + 2);
     for index in 0..count + 2 {

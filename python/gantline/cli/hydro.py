@@ -97,19 +97,12 @@ def hydro(
     water = quantity_of("--density", density, "density")
     height, tilt = quantity_of("--kg", kg, "length"), quantity_of("--trim", trim, "angle")
     angles = _values("--heel", heel, "angle")
-    if angles is not None and height is None:
-        stop("--heel: righting arms need the centre of gravity; give it with --kg")
+    _refuse_angles(angles, height)
     if not water or water <= 0:
         stop(f"--density: {density!r} is not the density of water; sea water has '1.025 t/m^3'")
-    if angles is not None and max(map(abs, angles)) > math.pi:
-        stop("--heel: angles go up to 180 deg, to either side")
     if tilt is not None and abs(tilt) > math.radians(45):
         stop(f"--trim: {trim!r} is too steep; at most 45 deg, to either side")
-    if output is not None:
-        from gantline.plot.hydrostatics import FORMATS
-
-        if output.suffix.lower() not in FORMATS:
-            stop(f"--output: '{output}' is no picture that can be drawn; names end in {', '.join(FORMATS)}")
+    _refuse_picture(output)
     from gantline.hydro import Attitude, HullError, hydrostatics, read_hull
 
     try:
@@ -120,13 +113,7 @@ def hydro(
     wanted = _values("--drafts", drafts, "length") or _usual(float(low[2]), float(high[2]))
     middle = float(low[0] + high[0]) / 2
     rows = [hydrostatics(found, Attitude(draft, 0.0, tilt or 0.0, middle), water) for draft in wanted]
-    for row in rows:
-        if not 0 < row.volume < (1 - 1e-9) * found.closure.volume:
-            where = "is out of the water" if row.volume == 0 else "is under water with all of it"
-            stop(
-                f"--drafts: at {row.attitude.draft:g} m {found.name} {where}; "
-                f"it reaches from {low[2]:g} to {high[2]:g} m"
-            )
+    _refuse_drafts(found, rows)
     arms = _righting(found, rows, angles, height) if angles is not None and height is not None else []
     if as_json:
         typer.echo(json.dumps(_as_json(found, rows, arms, height), indent=2, allow_nan=False))
@@ -139,6 +126,36 @@ def hydro(
     if output is not None:
         _draw(found, rows, arms, height, output)
     raise typer.Exit(DONE)
+
+
+def _refuse_angles(angles: list[float] | None, kg: float | None) -> None:
+    if angles is None:
+        return
+    if kg is None:
+        stop("--heel: righting arms need the centre of gravity; give it with --kg")
+    if max(map(abs, angles)) > math.pi:
+        stop("--heel: angles go up to 180 deg, to either side")
+
+
+def _refuse_picture(output: Path | None) -> None:
+    if output is None:
+        return
+    from gantline.plot.hydrostatics import FORMATS
+
+    if output.suffix.lower() not in FORMATS:
+        stop(f"--output: '{output}' is no picture that can be drawn; names end in {', '.join(FORMATS)}")
+
+
+def _refuse_drafts(hull: Hull, rows: list[Hydrostatics]) -> None:
+    """Refuse drafts at which nothing of the hull is in the water, or all of it."""
+    low, high = hull.box[:, 2]
+    for row in rows:
+        if not 0 < row.volume < (1 - 1e-9) * hull.closure.volume:
+            where = "is out of the water" if row.volume == 0 else "is under water with all of it"
+            stop(
+                f"--drafts: at {row.attitude.draft:g} m {hull.name} {where}; "
+                f"it reaches from {low:g} to {high:g} m"
+            )
 
 
 def _values(option: str, text: str | None, dimension: str) -> list[float] | None:

@@ -14,6 +14,7 @@ from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_
 
 if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Mode, Statics
+    from gantline.study.tilting import Margin
 
 #: Modes that are shown where it is not said how many.
 _MODES = 6
@@ -115,35 +116,20 @@ def statics(
     if adjust is not None or most is not None:
         stop("--adjust and --most belong to --level, --want or --plumb")
     with scenario_errors():
-        from gantline.cli.friction import contact_forces, stick_ranges
-        from gantline.scenario.variants import without_cases
-        from gantline.statics import NoEquilibriumError, Statics
+        from gantline.statics import Statics
 
         question = Statics(lift)
     refuse_beyond(question.scenario, moment)
-    try:
-        bounds = _bounds(question, moment) if state is None else []
-        rest = _rest(question, moment, state, held=held)
-        ranges = []
-        if held and state is None and any(contact.bound > 0.0 for contact in rest.contacts):
-            ranges = stick_ranges(question, rest)
-            # Motions are those of the equilibrium found last.
-            rest = _rest(question, moment, state, held=held)
-    except NoEquilibriumError as problem:
-        stop(str(problem), COULD_NOT_GO_ON)
     from gantline.checks import check_recording, has_failed
     from gantline.cli import rest_table
+    from gantline.cli.friction import contact_forces
     from gantline.cli.tilting import tilting_lines
     from gantline.cli.vessels import vessels_at_rest
-    from gantline.study.tilting import margins_of, tilting_of
+    from gantline.study.tilting import tilting_of
 
+    rest, bounds, ranges = _settled(question, moment, state, held=held)
     found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
-    far = []
-    if margins and rest.recording.rig.loads:
-        try:
-            far = margins_of(without_cases(question.scenario), rest)
-        except ValueError as problem:
-            stop(f"--margins: {problem}")
+    far = _margins(question, rest) if margins else []
     shown = found[: max(modes, rest.unstable)]
     if output is not None:
         _write(question, rest, shown, output, aside=as_json)
@@ -173,6 +159,26 @@ def statics(
         parts += _beyond(question, rest)
     typer.echo("\n".join(line for part in parts if part for line in (*part, "")))
     raise typer.Exit(DONE if is_sound else CHECK_FAILED)
+
+
+def _settled(
+    question: Statics, moment: float | None, state: Path | None, *, held: bool
+) -> tuple[Equilibrium, list[Equilibrium], list[str]]:
+    """The equilibrium; with all sheaves slipping one way and the other; lines on what friction may hold."""
+    from gantline.cli.friction import stick_ranges
+    from gantline.statics import NoEquilibriumError
+
+    try:
+        bounds = _bounds(question, moment) if state is None else []
+        rest = _rest(question, moment, state, held=held)
+        ranges = []
+        if held and state is None and any(contact.bound > 0.0 for contact in rest.contacts):
+            ranges = stick_ranges(question, rest)
+            # Motions are those of the equilibrium found last.
+            rest = _rest(question, moment, state, held=held)
+    except NoEquilibriumError as problem:
+        stop(str(problem), COULD_NOT_GO_ON)
+    return rest, bounds, ranges
 
 
 def _rest(question: Statics, moment: float | None, state: Path | None, *, held: bool) -> Equilibrium:
@@ -217,6 +223,19 @@ def _bounds(question: Statics, moment: float | None) -> list[Equilibrium]:
     """With all sheaves slipping one way and the other; none where no sheave has losses."""
     along = question.equilibrium(moment, losses="forward")
     return [along, question.equilibrium(moment, losses="backward")] if along.lossy else []
+
+
+def _margins(question: Statics, rest: Equilibrium) -> list[Margin]:
+    """How far the centre of gravity may be elsewhere; nothing where there is no load."""
+    from gantline.scenario.variants import without_cases
+    from gantline.study.tilting import margins_of
+
+    if not rest.recording.rig.loads:
+        return []
+    try:
+        return margins_of(without_cases(question.scenario), rest)
+    except ValueError as problem:
+        stop(f"--margins: {problem}")
 
 
 def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path, *, aside: bool) -> None:

@@ -23,6 +23,7 @@ from gantline.plot.style import (
     figure_over_time,
     force_axis,
     force_unit,
+    legend_above,
     shortened,
     widen,
 )
@@ -252,18 +253,7 @@ def _legend(panel: Axes, names: list[str], note: str) -> None:
     if note:
         keys.append(Line2D([], [], linestyle="none"))
         labels.append(f"({note})")
-    panel.legend(
-        keys,
-        labels,
-        ncols=len(labels),
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.0),
-        borderaxespad=0.2,
-        handlelength=1.3,
-        handletextpad=0.5,
-        columnspacing=1.1,
-        fontsize=8.5,
-    )
+    legend_above(panel, keys, labels, len(labels), spacing=1.1)
 
 
 def _difference_panel(

@@ -173,16 +173,23 @@ def legend_of(panel: Axes, entries: Mapping[str, str]) -> None:
     keys = [Line2D([], [], color=shade, linewidth=2.4) for shade in entries.values()]
     longest = max((len(name) for name in entries), default=1)
     columns = int(_LEGEND_WIDTH / (8.5 * LETTER * longest + _KEY_WIDTH))
+    legend_above(panel, keys, list(entries), min(8, max(1, columns), max(1, len(entries))))
+
+
+def legend_above(
+    panel: Axes, keys: Sequence[Line2D], labels: Sequence[str], columns: int, *, spacing: float = 1.4
+) -> None:
+    """Keys with their labels above a panel, `spacing` times the size of a letter between columns."""
     panel.legend(
         keys,
-        list(entries),
-        ncols=min(8, max(1, columns), max(1, len(entries))),
+        labels,
+        ncols=columns,
         loc="lower left",
         bbox_to_anchor=(0.0, 1.0),
         borderaxespad=0.2,
         handlelength=1.3,
         handletextpad=0.5,
-        columnspacing=1.4,
+        columnspacing=spacing,
         fontsize=8.5,
     )
 

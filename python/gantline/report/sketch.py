@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from gantline.report.sketch_names import Box, around_dot, has_room, names_beside, text_box
+from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
 from gantline.results.rotation import axes
 from gantline.results.surroundings import (
@@ -28,17 +28,10 @@ _SIDES = {
     "y": np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
 }
 _PLAN = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-_ORDER = {
-    "hull": 0,
-    "load": 1,
-    "frame": 2,
-    "hook": 3,
-}  # what is drawn upon what; cranes and supports lie below
-_ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)  # m, lengths of a scale bar
-
-
-#: Of the paper [mm]; no world is drawn beyond the margin.
-_WIDTH, _HEIGHT, _MARGIN = 92.0, 62.0, 2.0
+#: What is drawn upon what; cranes and supports lie below.
+_ORDER = {"hull": 0, "load": 1, "frame": 2, "hook": 3}
+#: Lengths of a scale bar [m].
+_ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
 
 #: Where along a sling its number is tried, the best first.
 _ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
@@ -51,29 +44,6 @@ _SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
 
 #: Kind of each body, and points in space of each of its parts.
 _Solids = dict[str, tuple[str, list[FloatArray]]]
-
-
-@dataclass(frozen=True)
-class Mark:
-    """One thing that a sketch draws.
-
-    Attributes:
-        kind: `area`, `line`, `dot`, `text` or `centre`.
-        style: Its class in the style sheet.
-        points: Places on paper [mm], `x,y x,y ...`.
-        x: Of a dot or text [mm].
-        y: Of a dot or text [mm].
-        text: Of a text.
-        anchor: Of a text: `start`, `middle` or `end`.
-    """
-
-    kind: str
-    style: str
-    points: str = ""
-    x: float = 0.0
-    y: float = 0.0
-    text: str = ""
-    anchor: str = "middle"
 
 
 @dataclass(frozen=True)
@@ -100,51 +70,6 @@ class Sketch:
     def bar_width(self) -> float:
         """The scale bar on paper [mm]."""
         return self.bar / self.scale
-
-
-class _Paper:
-    """Points in space to places on paper."""
-
-    def __init__(self, view: FloatArray, extent: FloatArray, below: float = 6.0) -> None:
-        flat = extent @ view.T
-        low, high = flat.min(axis=0), flat.max(axis=0)
-        room = np.array([_WIDTH - 14.0, _HEIGHT - 10.0 - below])
-        self.scale = float(np.max((high - low) / room)) or 0.01
-        self._view, self._middle = view, (low + high) / 2
-        self._centre = np.array([_WIDTH / 2, (_HEIGHT - below) / 2 + 1.0])
-
-    def place(self, points: FloatArray) -> FloatArray:
-        flat = (points @ self._view.T - self._middle) / self.scale
-        moved: FloatArray = self._centre + flat * np.array([1.0, -1.0])
-        return moved
-
-    def shown(self, points: FloatArray) -> FloatArray:
-        """Places of points, those beyond the margin on it."""
-        within: FloatArray = np.clip(
-            self.place(points), _MARGIN, np.array([_WIDTH - _MARGIN, _HEIGHT - _MARGIN])
-        )
-        return within
-
-    def ends(self) -> tuple[float, float]:
-        """Least and most on the horizontal axis that the paper shows [m]."""
-        half = (_WIDTH / 2 - _MARGIN) * self.scale
-        return float(self._middle[0]) - half, float(self._middle[0]) + half
-
-    def lowest(self) -> float:
-        """The height at the lower end of what the paper shows [m]."""
-        below = _HEIGHT - _MARGIN - float(self._centre[1])
-        return float(self._middle[1]) - below * self.scale
-
-    def line(self, path: FloatArray, style: str) -> list[Mark]:
-        """A line of the world as far as it is on the paper."""
-        places = self.place(path)
-        pieces = (_cut(one, other) for one, other in pairwise(places))
-        return [Mark("line", style, _text(piece)) for piece in pieces if piece is not None]
-
-    def area(self, points: FloatArray, style: str) -> list[Mark]:
-        """The outline of something of the world as far as it is on the paper; none if it is beside it."""
-        shown = self.shown(points)
-        return [Mark("area", style, _text(_hull(shown)))] if (np.ptp(shown, axis=0) > 0.0).all() else []
 
 
 def sketches(subject: Subject) -> list[Sketch]:
@@ -174,12 +99,12 @@ def sketches(subject: Subject) -> list[Sketch]:
     frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
     along = _along(subject, np.concatenate(frames or carried or parts), sample)
     view = _SIDES[along]
-    paper = _Paper(view, extent)
+    paper = Paper(view, extent)
     axis = "xy".index(along)
     behind = _water(paper, subject, axis, lift) + _standing(paper, around)
     behind += _ground_line(paper, ground, axis, lift)
     side = _draw(subject, f"side view, {along} to the right", view, paper, solids, ropes, behind)
-    paper = _Paper(_PLAN, np.concatenate(carried) if carried else extent)
+    paper = Paper(_PLAN, np.concatenate(carried) if carried else extent)
     behind = _holes(paper, ground, water_level(recording)) + _standing(paper, around)
     plan = _draw(subject, "plan, x to the right", _PLAN, paper, solids, ropes, behind)
     return [side, plan]
@@ -197,9 +122,7 @@ def _along(subject: Subject, shown: FloatArray, sample: int) -> str:
     return "x" if wide[0] >= wide[1] else "y"
 
 
-def _solids(
-    subject: Subject, scene: Mapping[str, Any], sample: int
-) -> dict[str, tuple[str, list[FloatArray]]]:
+def _solids(subject: Subject, scene: Mapping[str, Any], sample: int) -> _Solids:
     """Kind of each body that has a shape, and points in space of each of its parts."""
     recording = subject.recording
     names = recording.coordinates.get("body", ())
@@ -227,8 +150,7 @@ def _parts(shape: Mapping[str, Any] | None) -> list[FloatArray]:
 
 
 def _corners(box: Mapping[str, Any]) -> FloatArray:
-    signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
-    half = signs * np.asarray(vector(box["size"])) / 2
+    half = _SIGNS * np.asarray(vector(box["size"])) / 2
     corners: FloatArray = np.asarray(vector(box.get("centre"))) + half
     return corners
 
@@ -246,7 +168,7 @@ def _draw(
     subject: Subject,
     title: str,
     view: FloatArray,
-    paper: _Paper,
+    paper: Paper,
     solids: _Solids,
     ropes: Mapping[str, FloatArray],
     behind: list[Mark],
@@ -256,7 +178,7 @@ def _draw(
     plan = view is _PLAN
     for _, (kind, pieces) in order:
         style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
-        marks += [Mark("area", style, _text(_hull(paper.place(points)))) for points in pieces]
+        marks += [Mark("area", style, drawn_path(outline(paper.place(points)))) for points in pieces]
     slings = {sling.rope for sling in subject.rig.slings}
     moorings = {line.rope for line in subject.rig.mooring_lines}
     for name, path in ropes.items():
@@ -265,50 +187,50 @@ def _draw(
             continue
         if plan and slings and name not in slings:
             continue  # what hangs above would cover where slings are
-        marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", _text(paper.place(path))))
+        marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", drawn_path(paper.place(path))))
     marks += _hangers(subject, paper, solids) if not plan else []
     above = _centres(subject, paper) + _hooks(subject, paper, ropes, plan=plan)
     marks += _numbers(subject, paper, ropes, above, plan=plan) + above
-    bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * _WIDTH), default=_ROUND[0])
-    return Sketch(title, _WIDTH, _HEIGHT, paper.scale, bar, marks)
+    bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * WIDTH), default=_ROUND[0])
+    return Sketch(title, WIDTH, HEIGHT, paper.scale, bar, marks)
 
 
-def _standing(paper: _Paper, around: list[Structure]) -> list[Mark]:
+def _standing(paper: Paper, around: list[Structure]) -> list[Mark]:
     """Structures, and supports upon them."""
     order = sorted(around, key=lambda one: one.kind == "support")
     return [mark for one in order for box in one.boxes for mark in paper.area(box, f"sk-solid sk-{one.kind}")]
 
 
-def _ground_line(paper: _Paper, ground: Ground | None, axis: int, lift: FloatArray) -> list[Mark]:
+def _ground_line(paper: Paper, ground: Ground | None, axis: int, lift: FloatArray) -> list[Mark]:
     """The ground in a side view, with the holes that the lift is over."""
     if ground is None:
         return []
     line = ground.profile(axis, paper.ends(), lift)
     points = np.zeros((len(line), 3))
     points[:, axis], points[:, 2] = line.T
-    return [Mark("line", "sk-ground", _text(paper.place(points)))]
+    return [Mark("line", "sk-ground", drawn_path(paper.place(points)))]
 
 
-def _water(paper: _Paper, subject: Subject, axis: int, lift: FloatArray) -> list[Mark]:
+def _water(paper: Paper, subject: Subject, axis: int, lift: FloatArray) -> list[Mark]:
     """The water in a side view, cut where the lift is."""
     level = water_level(subject.recording)
     if level is None:
         return []
-    low = float(paper.lowest())
+    low = paper.lowest()
     marks = []
     for corners in water_cut(ground_of(subject.recording), level, axis, (paper.ends(), low), lift):
         points = np.zeros((4, 3))
         points[:, axis], points[:, 2] = corners.T
         marks += paper.area(points, "sk-water")
-        marks.append(Mark("line", "sk-surface", _text(paper.place(points[2:]))))
+        marks.append(Mark("line", "sk-surface", drawn_path(paper.place(points[2:]))))
     return marks
 
 
-def _holes(paper: _Paper, ground: Ground | None, water: float | None) -> list[Mark]:
+def _holes(paper: Paper, ground: Ground | None, water: float | None) -> list[Mark]:
     """Holes of the ground in a plan; none that goes on beyond the paper on all sides."""
     if ground is None:
         return []
-    whole = np.array([_WIDTH, _HEIGHT]) - 2 * _MARGIN
+    whole = np.array([WIDTH, HEIGHT]) - 2 * MARGIN
     marks = []
     for hole in ground.holes:
         rim = np.array([(x, y, ground.level) for x in hole.x for y in hole.y])
@@ -318,7 +240,7 @@ def _holes(paper: _Paper, ground: Ground | None, water: float | None) -> list[Ma
     return marks
 
 
-def _hangers(subject: Subject, paper: _Paper, solids: _Solids) -> list[Mark]:
+def _hangers(subject: Subject, paper: Paper, solids: _Solids) -> list[Mark]:
     """From the bearing of its hook to the ends of each equalizer's frame."""
     marks = []
     hooks = _hook_bodies(subject)
@@ -330,14 +252,14 @@ def _hangers(subject: Subject, paper: _Paper, solids: _Solids) -> list[Mark]:
         left, right, top = frame[:, 0].min(), frame[:, 0].max(), frame[:, 1].min()
         inset = 0.14 * (right - left)
         marks += [
-            Mark("line", "sk-hanger", _text(np.array([bearing, (x, top)])))
+            Mark("line", "sk-hanger", drawn_path(np.array([bearing, (x, top)])))
             for x in (left + inset, right - inset)
         ]
     return marks
 
 
 def _numbers(
-    subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], above: list[Mark], *, plan: bool
+    subject: Subject, paper: Paper, ropes: Mapping[str, FloatArray], above: list[Mark], *, plan: bool
 ) -> list[Mark]:
     """Lugs as dots, and the number of each sling beside its lug or on its way, clear of what lies above."""
     marks: list[Mark] = []
@@ -366,9 +288,8 @@ def _numbers(
         found = next(free, None)
         if found is None:  # too many beside each other: those that have room stand for them
             continue
-        place = found
-        taken.append(place)
-        marks.append(Mark("text", "sk-number", x=float(place[0]), y=float(place[1]), text=sling.name))
+        taken.append(found)
+        marks.append(Mark("text", "sk-number", x=float(found[0]), y=float(found[1]), text=sling.name))
     return marks
 
 
@@ -379,7 +300,7 @@ def _box(mark: Mark) -> Box:
     return around_dot(np.array([mark.x, mark.y]))
 
 
-def _centres(subject: Subject, paper: _Paper) -> list[Mark]:
+def _centres(subject: Subject, paper: Paper) -> list[Mark]:
     marks = []
     for load in subject.rig.loads:
         if load.body in subject.recording.coordinates.get("body", ()):
@@ -393,7 +314,7 @@ def _centres(subject: Subject, paper: _Paper) -> list[Mark]:
     return marks
 
 
-def _hooks(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *, plan: bool) -> list[Mark]:
+def _hooks(subject: Subject, paper: Paper, ropes: Mapping[str, FloatArray], *, plan: bool) -> list[Mark]:
     """Hooks as dots; in a side view with their names, where these do not lie on each other."""
     names = _hook_bodies(subject)
     places = [paper.place(subject.recording.column("body_position", name)[-1]) for name in names]
@@ -404,7 +325,7 @@ def _hooks(subject: Subject, paper: _Paper, ropes: Mapping[str, FloatArray], *, 
     # A sling takes its ends and some places between: enough for names, which are higher than those lie apart.
     along = [path[0] + part * (path[-1] - path[0]) for path in slings for part in (0.0, *_ALONG, 1.0)]
     drawn: list[Box] = [(float(x), float(x), float(y)) for x, y in along]
-    placed = names_beside(places, _short(subject, names), _WIDTH - _MARGIN, drawn)
+    placed = names_beside(places, _short(subject, names), WIDTH - MARGIN, drawn)
     return marks + [Mark("text", "sk-name", x=x, y=y, text=text, anchor=side) for x, y, text, side in placed]
 
 
@@ -420,41 +341,3 @@ def _hook_bodies(subject: Subject) -> list[str]:
     return [
         hook.name for hook in subject.rig.hooks if hook.name in subject.recording.coordinates.get("body", ())
     ]
-
-
-def _cut(one: FloatArray, other: FloatArray) -> FloatArray | None:
-    """What of a straight line is within the margin of the paper (Liang and Barsky); None if nothing is."""
-    begin, end = 0.0, 1.0
-    for axis, most in enumerate((_WIDTH, _HEIGHT)):
-        way = float(other[axis] - one[axis])
-        for room, sign in ((float(one[axis]) - _MARGIN, -1.0), (most - _MARGIN - float(one[axis]), 1.0)):
-            if sign * way > 0.0:
-                end = min(end, room / (sign * way))
-            elif sign * way < 0.0:
-                begin = max(begin, room / (sign * way))
-            elif room < 0.0:
-                return None
-    return None if begin >= end else np.array([one + begin * (other - one), one + end * (other - one)])
-
-
-def _text(points: FloatArray) -> str:
-    return " ".join(f"{x:.2f},{y:.2f}" for x, y in points)
-
-
-def _hull(points: FloatArray) -> FloatArray:
-    """Convex hull of points on paper (Andrew's monotone chain)."""
-    order = points[np.lexsort((points[:, 1], points[:, 0]))]
-
-    def half(ordered: FloatArray) -> list[FloatArray]:
-        chain: list[FloatArray] = []
-        for point in ordered:
-            while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= 0.0:
-                chain.pop()
-            chain.append(point)
-        return chain[:-1]
-
-    return np.array([*half(order), *half(order[::-1])])
-
-
-def _turn(a: FloatArray, b: FloatArray, c: FloatArray) -> float:
-    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))

@@ -106,15 +106,18 @@ def is_equilibrium(recording: Recording) -> bool:
 
 def last_sample(recording: Recording) -> BoolArray:
     """The mask of the last sample alone, shape (time,)."""
-    mask = np.zeros(len(recording.time), dtype=np.bool_)
+    mask = _no_sample(recording)
     mask[-1:] = True
     return mask
 
 
+def _no_sample(recording: Recording) -> BoolArray:
+    return np.zeros(len(recording.time), dtype=np.bool_)
+
+
 def quiet_window(recording: Recording) -> BoolArray:
     """Samples over which static values are means, shape (time,); all false if the loads never hung still."""
-    windows = quiet_windows(recording)
-    return windows[-1] if windows else np.zeros(len(recording.time), dtype=np.bool_)
+    return (quiet_windows(recording) or [_no_sample(recording)])[-1]
 
 
 def quiet_windows(recording: Recording) -> list[BoolArray]:
@@ -169,7 +172,7 @@ def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | N
     Returns:
         The mean, in the unit of `values`, None if the loads never hung still; and its quiet window.
     """
-    *before_that, window = quiet_windows(recording) or [quiet_window(recording)]
+    *before_that, window = quiet_windows(recording) or [_no_sample(recording)]
     static = static_value(recording, values, window)
     for earlier in before_that:
         before = static_value(recording, values, earlier)

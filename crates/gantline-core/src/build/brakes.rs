@@ -7,6 +7,7 @@ use super::rows::flow_named;
 use super::{BuildError, at_least_zero, error, positive};
 use crate::constraint::AnyConstraint;
 use crate::constraint::brake::{Brake, Grip, share_of_ratio};
+use crate::constraint::rope::span::Span;
 use crate::force::{Force, moorings};
 use crate::spec::{GrooveSpec, GuideSpec, JointSpec, SystemSpec};
 use crate::tree::Tree;
@@ -21,95 +22,109 @@ pub(super) fn build_brakes(
     ropes: &[AnyConstraint],
 ) -> Result<Vec<AnyConstraint>, BuildError> {
     let mut brakes = Vec::new();
-    for (index, given) in spec.bodies.iter().enumerate() {
-        if let JointSpec::Hinge(joint) | JointSpec::Slider(joint) = &given.joint {
-            at_least_zero(&given.name, "the joint's friction", joint.friction)?;
-            if joint.friction > 0.0 && joint.drive.is_none() {
-                let dof = tree.bodies[index].first_velocity;
-                let (limits, none) =
-                    ([joint.friction, joint.friction / SLOW, f64::INFINITY], Grip::Share(0.0));
-                let brake = Brake::new(given.name.clone(), (dof, None), limits, none, Vec::new());
-                brakes.push(AnyConstraint::Brake(brake));
-            }
-        }
+    for index in 0..spec.bodies.len() {
+        brakes.extend(friction_of_joint(spec, tree, index)?);
     }
-    for (index, given) in spec.bodies.iter().enumerate() {
-        let JointSpec::Flow { brake, capacity, power, drive, .. } = &given.joint else { continue };
-        at_least_zero(&given.name, "its brake", *brake)?;
-        let limit = match capacity {
-            Some(capacity) => {
-                positive(&given.name, "the capacity of its drive", *capacity)?;
-                if drive.is_none() || *brake > 0.0 {
-                    return error(
-                        &given.name,
-                        "a capacity is that of a drive, which takes the place of a brake",
-                    );
-                }
-                *capacity
-            }
-            None => *brake,
-        };
-        let power = power.unwrap_or(f64::INFINITY);
-        if power <= 0.0 || power.is_nan() || power.is_finite() && capacity.is_none() {
+    for index in 0..spec.bodies.len() {
+        brakes.extend(brake_of_flow(spec, tree, ropes, index)?);
+    }
+    Ok(brakes.into_iter().map(AnyConstraint::Brake).collect())
+}
+
+/// Dry friction of the joint of a body, if it has any.
+fn friction_of_joint(spec: &SystemSpec, tree: &Tree, index: usize) -> Result<Option<Brake>, BuildError> {
+    let given = &spec.bodies[index];
+    let (JointSpec::Hinge(joint) | JointSpec::Slider(joint)) = &given.joint else { return Ok(None) };
+    at_least_zero(&given.name, "the joint's friction", joint.friction)?;
+    if joint.friction <= 0.0 || joint.drive.is_some() {
+        return Ok(None);
+    }
+    let dof = tree.bodies[index].first_velocity;
+    let limits = [joint.friction, joint.friction / SLOW, f64::INFINITY];
+    Ok(Some(Brake::new(given.name.clone(), (dof, None), limits, Grip::Share(0.0), Vec::new())))
+}
+
+/// What holds the flow of a body: a brake, a motor, the losses of its sheave; none where nothing does.
+fn brake_of_flow(
+    spec: &SystemSpec,
+    tree: &Tree,
+    ropes: &[AnyConstraint],
+    index: usize,
+) -> Result<Option<Brake>, BuildError> {
+    let given = &spec.bodies[index];
+    let JointSpec::Flow { brake, capacity, power, drive, .. } = &given.joint else { return Ok(None) };
+    let limit = limit_of_force(&given.name, *brake, *capacity, drive.is_some())?;
+    let power = power.unwrap_or(f64::INFINITY);
+    if power <= 0.0 || power.is_nan() || power.is_finite() && capacity.is_none() {
+        return error(&given.name, "the power of a drive is more than zero and stands beside its capacity");
+    }
+    let dof = tree.bodies[index].first_velocity;
+    let passing = Passing::of(spec, &given.name);
+    check_inertia(spec, index, passing.as_ref())?;
+    if moorings(tree).any(|line| line.flow() == Some(dof)) {
+        if *brake > 0.0 || capacity.is_some() {
             return error(
                 &given.name,
-                "the power of a drive is more than zero and stands beside its capacity",
+                "it pays out a mooring line, which no brake and no capacity can hold; leave them out",
             );
         }
-        let dof = tree.bodies[index].first_velocity;
-        let passing = Passing::of(spec, &given.name);
-        check_inertia(spec, index, passing.as_ref())?;
-        if moorings(tree).any(|line| line.flow() == Some(dof)) {
-            if *brake > 0.0 || capacity.is_some() {
-                return error(
-                    &given.name,
-                    "it pays out a mooring line, which no brake and no capacity can hold; leave them out",
-                );
-            }
-            continue;
-        }
-        // What spins moves no rope by itself: the tensions on its bearing are those of the flow over it.
-        let passes = match &passing {
-            Some(passing) => flow_named(&given.name, tree, passing.flow)?.first_velocity,
-            None => dof,
-        };
-        let built = ropes.iter().filter_map(|constraint| match constraint {
-            AnyConstraint::Rope(rope) => Some(rope),
-            _ => None,
-        });
-        let rows = built.flat_map(|rope| rope.spans.iter().map(|span| (span, rope.material))).enumerate();
-        let (mut spans, mut stiffness, mut damping) = (Vec::new(), 0.0, 0.0);
-        for (row, (span, material)) in rows {
-            if span.feeds.iter().any(|feed| feed.dof == passes) {
-                let own = 1.0 / material.compliance(span.length);
-                stiffness += own;
-                damping += own * material.damping_time;
-                spans.push((row, span.clone()));
-            }
-        }
-        let impedance = damping + (stiffness * tree.armature[dof]).sqrt();
-        if spans.is_empty() {
-            return error(&given.name, "no rope passes this flow");
-        }
-        let grip = passing.as_ref().map_or(Grip::Share(0.0), |passing| passing.grip(&given.name, ropes));
-        let is_lossy = !grip.is_none();
-        if is_lossy && spans.len() != 2 {
-            let problem =
-                format!("a flow with losses passes one sheave of one rope, not {} spans", spans.len());
-            return error(&given.name, problem);
-        }
-        if capacity.is_some() || (is_lossy || limit > 0.0) && drive.is_none() {
-            let spin = passing.and_then(|passing| passing.groove?.spin.as_ref());
-            let spin = match spin.filter(|spin| **spin != given.name) {
-                Some(spin) => Some(flow_named(&given.name, tree, spin)?.first_velocity),
-                None => None,
-            };
-            let limits = [limit, impedance, power];
-            let brake = Brake::new(given.name.clone(), (dof, spin), limits, grip, spans);
-            brakes.push(AnyConstraint::Brake(brake));
+        return Ok(None);
+    }
+    // What spins moves no rope by itself: the tensions on its bearing are those of the flow over it.
+    let passes = match &passing {
+        Some(passing) => flow_named(&given.name, tree, passing.flow)?.first_velocity,
+        None => dof,
+    };
+    let (spans, impedance) = spans_fed_by(passes, ropes, tree.armature[dof]);
+    if spans.is_empty() {
+        return error(&given.name, "no rope passes this flow");
+    }
+    let grip = passing.as_ref().map_or(Grip::Share(0.0), |passing| passing.grip(&given.name, ropes));
+    let is_lossy = !grip.is_none();
+    if is_lossy && spans.len() != 2 {
+        let problem = format!("a flow with losses passes one sheave of one rope, not {} spans", spans.len());
+        return error(&given.name, problem);
+    }
+    let is_held = capacity.is_some() || (is_lossy || limit > 0.0) && drive.is_none();
+    if !is_held {
+        return Ok(None);
+    }
+    let spin = passing.and_then(|passing| passing.groove?.spin.as_ref());
+    let spin = match spin.filter(|spin| **spin != given.name) {
+        Some(spin) => Some(flow_named(&given.name, tree, spin)?.first_velocity),
+        None => None,
+    };
+    Ok(Some(Brake::new(given.name.clone(), (dof, spin), [limit, impedance, power], grip, spans)))
+}
+
+/// Spans that a flow feeds, with their numbers among all, and their impedance beside its inertia [N s/m].
+fn spans_fed_by(flow: usize, ropes: &[AnyConstraint], inertia: f64) -> (Vec<(usize, Span)>, f64) {
+    let built = ropes.iter().filter_map(|constraint| match constraint {
+        AnyConstraint::Rope(rope) => Some(rope),
+        _ => None,
+    });
+    let rows = built.flat_map(|rope| rope.spans.iter().map(|span| (span, rope.material))).enumerate();
+    let (mut spans, mut stiffness, mut damping) = (Vec::new(), 0.0, 0.0);
+    for (row, (span, material)) in rows {
+        if span.feeds.iter().any(|feed| feed.dof == flow) {
+            let own = 1.0 / material.compliance(span.length);
+            stiffness += own;
+            damping += own * material.damping_time;
+            spans.push((row, span.clone()));
         }
     }
-    Ok(brakes)
+    (spans, damping + (stiffness * inertia).sqrt())
+}
+
+/// The most that the brake of a flow, or the motor in its place, can hold [N].
+fn limit_of_force(name: &str, brake: f64, capacity: Option<f64>, has_drive: bool) -> Result<f64, BuildError> {
+    at_least_zero(name, "its brake", brake)?;
+    let Some(capacity) = capacity else { return Ok(brake) };
+    positive(name, "the capacity of its drive", capacity)?;
+    if !has_drive || brake > 0.0 {
+        return error(name, "a capacity is that of a drive, which takes the place of a brake");
+    }
+    Ok(capacity)
 }
 
 /// A sheave that rope passes with a flow.

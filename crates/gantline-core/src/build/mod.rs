@@ -8,7 +8,9 @@ mod forces;
 mod light;
 mod moorings;
 mod plan;
+mod ropes;
 mod rows;
+mod start;
 mod touches;
 mod tree;
 mod vessels;
@@ -16,24 +18,14 @@ mod vessels;
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::audit::{Ledger, Stored, elastic_energy, gravity_energy};
 use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
-use crate::contact::spot::Spot;
-use crate::force;
-use crate::plan::PlanState;
-use crate::plan::drive::Timeline;
-use crate::rope::coil::Coil;
-use crate::rope::route::Guide;
-use crate::rope::seat::Seat;
-use crate::solver::complementarity::Mode;
+use crate::rope::guide::Guide;
 use crate::spec::SystemSpec;
 use crate::state::State;
-use crate::stepper::STANDSTILL;
-use crate::stepper::frame::Frame;
 use crate::stepper::spots::find;
-use crate::system::{Rows, SheavePlace, System};
+use crate::system::{DriveJoint, Rows, SheavePlace, System};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use adjusters::build_adjusters;
@@ -43,6 +35,7 @@ use light::rows_of_light;
 use moorings::place_moorings;
 use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
+use start::first_state;
 use touches::{Touches, build_shapes, build_watches};
 use tree::{build_tree, start_of_joint};
 use vessels::build_vessels;
@@ -66,17 +59,7 @@ fn error<T>(element: &str, problem: impl Into<String>) -> Result<T, BuildError> 
 /// # Errors
 /// [`BuildError`] names the element and says what would be right.
 pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
-    unique("body", spec.bodies.iter().map(|body| body.name.as_str()))?;
-    let ropes = spec.ropes.iter().map(|rope| rope.name.as_str());
-    unique("adjuster", spec.adjusters.iter().map(|adjuster| adjuster.name.as_str()))?;
-    let contacts = spec.contacts.iter().map(|contact| contact.name.as_str());
-    let supports = spec.supports.iter().map(|support| support.name.as_str());
-    unique("contact", contacts.chain(supports).chain(spec.pairs.iter().map(|pair| pair.name.as_str())))?;
-    unique("shape", spec.shapes.iter().map(|shape| shape.name.as_str()))?;
-    unique("watch", spec.watches.iter().map(|watch| watch.name.as_str()))?;
-    unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
-    unique("force", spec.forces.iter().map(|force| force.name()))?;
-    unique("rope or line", ropes.chain(spec.moorings().map(|line| line.name.as_str())))?;
+    check_names(spec)?;
     let mut tree = build_tree(spec)?;
     tree.forces = build_forces(spec, &tree)?;
     let mut q = vec![0.0; tree.positions];
@@ -115,21 +98,10 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let plan = build_plan(spec, &tree, &drives, &groups, (&constraints, &rows))?;
     let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
     let pins = build_pinnings(spec, &constraints)?;
-    let is_fed = |rope: &Rope| rope.spans.iter().any(|span| !span.feeds.is_empty());
-    let feeds = |constraint: &AnyConstraint| match constraint {
-        AnyConstraint::Rope(rope) => is_fed(rope),
-        AnyConstraint::Stop(_) | AnyConstraint::Pin(_) | AnyConstraint::Brake(_) => true,
-        AnyConstraint::Contact(_) | AnyConstraint::Touch(_) => false,
-    };
-    let fed = (0..constraints.len()).filter(|&index| feeds(&constraints[index])).collect();
+    let fed = (0..constraints.len()).filter(|&index| is_fed(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
     let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
-    let motors =
-        constraints[first_brake..].iter().zip(rows.first[first_brake]..).filter_map(|(brake, row)| {
-            let AnyConstraint::Brake(brake) = brake else { return None };
-            Some((row, drives.iter().position(|drive| drive.dof == brake.dof)?))
-        });
-    let motors = motors.collect();
+    let motors = motors_of(&constraints[first_brake..], rows.first[first_brake], &drives);
     let flows = (0..tree.velocities)
         .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
         .collect();
@@ -173,6 +145,24 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     Ok((system, state))
 }
 
+/// True where a constraint acts on degrees of freedom by themselves, see [`System::fed`].
+fn is_fed(constraint: &AnyConstraint) -> bool {
+    match constraint {
+        AnyConstraint::Rope(rope) => rope.spans.iter().any(|span| !span.feeds.is_empty()),
+        AnyConstraint::Stop(_) | AnyConstraint::Pin(_) | AnyConstraint::Brake(_) => true,
+        AnyConstraint::Contact(_) | AnyConstraint::Touch(_) => false,
+    }
+}
+
+/// Rows of the brakes that are motors, and their drives; each brake has one row.
+fn motors_of(brakes: &[AnyConstraint], first_row: usize, drives: &[DriveJoint]) -> Vec<(usize, usize)> {
+    let motors = brakes.iter().zip(first_row..).filter_map(|(brake, row)| {
+        let AnyConstraint::Brake(brake) = brake else { return None };
+        Some((row, drives.iter().position(|drive| drive.dof == brake.dof)?))
+    });
+    motors.collect()
+}
+
 fn places_of_sheaves(constraints: &[AnyConstraint]) -> Vec<SheavePlace> {
     let mut places = Vec::new();
     for (rope, constraint) in constraints.iter().enumerate() {
@@ -183,6 +173,21 @@ fn places_of_sheaves(constraints: &[AnyConstraint]) -> Vec<SheavePlace> {
         }));
     }
     places
+}
+
+/// Every name once among those of its kind.
+fn check_names(spec: &SystemSpec) -> Result<(), BuildError> {
+    unique("body", spec.bodies.iter().map(|body| body.name.as_str()))?;
+    let ropes = spec.ropes.iter().map(|rope| rope.name.as_str());
+    unique("adjuster", spec.adjusters.iter().map(|adjuster| adjuster.name.as_str()))?;
+    let contacts = spec.contacts.iter().map(|contact| contact.name.as_str());
+    let supports = spec.supports.iter().map(|support| support.name.as_str());
+    unique("contact", contacts.chain(supports).chain(spec.pairs.iter().map(|pair| pair.name.as_str())))?;
+    unique("shape", spec.shapes.iter().map(|shape| shape.name.as_str()))?;
+    unique("watch", spec.watches.iter().map(|watch| watch.name.as_str()))?;
+    unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
+    unique("force", spec.forces.iter().map(|force| force.name()))?;
+    unique("rope or line", ropes.chain(spec.moorings().map(|line| line.name.as_str())))
 }
 
 fn unique<'a>(kind: &str, names: impl Iterator<Item = &'a str>) -> Result<(), BuildError> {
@@ -221,113 +226,4 @@ fn unit(element: &str, what: &str, given: [f64; 3]) -> Result<DVec3, BuildError>
         Some(unit) => Ok(unit),
         None => error(element, format!("{what} is {given:?}; it must have a direction")),
     }
-}
-
-/// The state at t = 0: forces by their laws, ledger opened, inertia scales set.
-fn first_state(
-    spec: &SystemSpec,
-    system: &mut System,
-    (q, v): (Vec<f64>, Vec<f64>),
-    (seats, spots): (Vec<Seat>, Vec<Spot>),
-) -> Result<State, BuildError> {
-    let rows = system.rows.count();
-    let timelines = system.drives.iter().zip(&spec.drives).map(|(drive, given)| {
-        let start = q[system.tree.bodies[drive.body].first_position];
-        let mut timeline = Timeline::new(start, given.ramps.len() + 2 * spec.plan.len() + 1);
-        for ramp in &given.ramps {
-            timeline.ramp(ramp.at, ramp.duration, ramp.velocity, ramp.shape);
-        }
-        timeline
-    });
-    let plan = PlanState::new(&system.plan, timelines.collect());
-    let mut state = State {
-        time: 0.0,
-        steps: 0,
-        acceleration: vec![0.0; v.len()],
-        bias: vec![0.0; v.len()],
-        q,
-        v,
-        tension: vec![0.0; rows],
-        trial: vec![0.0; rows],
-        modes: vec![Mode::Slack; rows],
-        memory: vec![0.0; rows],
-        seats,
-        spots,
-        coils: vec![Coil::new(0.0); system.coils.len()],
-        next_step: 0.0,
-        restart: true,
-        engaged: false,
-        engaged_step: f64::MAX,
-        plan,
-        ledger: Ledger::default(),
-    };
-    let mut frame = Frame::new(system);
-    frame.update(system, &state);
-    // Contacts start with their anchors below them: without deflection.
-    for (row, law) in system.rows.laws.iter().enumerate() {
-        if matches!(law, Law::Friction { .. }) {
-            state.memory[row] = frame.value[row];
-        }
-    }
-    frame.update(system, &state);
-    for dof in 0..system.tree.velocities {
-        let inertia = frame.mass.diagonal(dof);
-        if system.driven[dof].is_none() && inertia <= 0.0 && !system.is_light[dof] {
-            let name = system.tree.bodies[system.tree.owner[dof]].name.clone();
-            return error(
-                &name,
-                "it has no inertia in a direction that it can move: give it mass or inertia",
-            );
-        }
-        system.tree.inertia_scale[dof] = if inertia > 0.0 { inertia } else { 1.0 };
-    }
-    for (row, law) in system.rows.laws.iter().enumerate() {
-        let (compliance, damping_time) = match *law {
-            Law::Unilateral { compliance, damping_time } => (compliance, damping_time),
-            Law::Friction { normal, .. } => {
-                state.modes[row] = state.modes[normal];
-                continue;
-            }
-            Law::Pin => continue,
-            Law::Brake { .. } => {
-                let speed = system.rows.rate(&frame.gradient, row, &state.v);
-                state.modes[row] = if speed == 0.0 { Mode::Acting } else { Mode::Slipping };
-                state.memory[row] = speed.signum();
-                continue;
-            }
-        };
-        let e = frame.value[row];
-        let rate = system.rows.rate(&frame.gradient, row, &state.v);
-        if compliance > 0.0 {
-            state.trial[row] = (e + damping_time * rate) / compliance;
-            state.tension[row] = state.trial[row].max(0.0);
-        } else if e > 1e-9 * (1.0 + e.abs()) {
-            let name = system.constraint_of_row(row).name().to_owned();
-            return error(&name, format!("it is inextensible and {e} m shorter than its route at the start"));
-        }
-        // A row at its bound starts as acting, so that a lift that starts taut logs no event for it. An inextensible
-        // rope whose ends do not keep their distance is about to go slack, or is hit: steps find which.
-        let keeps = compliance == 0.0 && e >= -1e-9 && rate.abs() <= STANDSTILL;
-        if state.trial[row] > 0.0 || keeps {
-            state.modes[row] = Mode::Acting;
-        }
-    }
-    for pinning in system.pins.iter().filter(|pinning| pinning.starts_in) {
-        state.modes[system.rows.first[pinning.pin]] = Mode::Acting;
-    }
-    if !system.coils.is_empty() {
-        frame.update(system, &state);
-    }
-    for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
-        coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
-    }
-    let held = force::energy(&system.tree, &frame.kinematics);
-    let stored = Stored {
-        kinetic: 0.5 * frame.mass.quadratic(&state.v),
-        gravity: gravity_energy(system, &frame.kinematics),
-        elastic: elastic_energy(system, &frame.value, &state.modes) + held.lines,
-        fluid: held.fluid,
-    };
-    state.ledger = Ledger::open(stored);
-    Ok(state)
 }

@@ -63,16 +63,6 @@ impl Square {
         Self { linear: self.linear, cross, back, angular }
     }
 
-    /// The sum of two.
-    pub fn plus(&self, other: &Self) -> Self {
-        Self {
-            linear: self.linear + other.linear,
-            cross: self.cross + other.cross,
-            back: self.back + other.back,
-            angular: self.angular + other.angular,
-        }
-    }
-
     /// The opposite.
     pub fn negated(&self) -> Self {
         Self { linear: -self.linear, cross: -self.cross, back: -self.back, angular: -self.angular }

@@ -11,7 +11,7 @@ use crate::constraint::rope::Rope;
 use crate::constraint::touch::Touch;
 use crate::contact::spot::Spot;
 use crate::event::{EventKind, EventLog};
-use crate::rope::route::Straight;
+use crate::rope::part::Straight;
 use crate::rope::seat::Seat;
 use crate::system::System;
 use crate::tree::Tree;

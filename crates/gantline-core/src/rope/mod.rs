@@ -1,8 +1,10 @@
 //! Geometry and material of ropes. Knows no catalogue.
 
 pub mod coil;
+pub mod guide;
 pub mod light;
 pub mod material;
+pub mod part;
 pub mod route;
 pub mod seat;
 pub mod tangency;

@@ -128,7 +128,7 @@ impl Statics {
     fn follow_contacts(&mut self, system: &System, contacts: Contacts) -> f64 {
         let (mut most, mut largest) = (0.0_f64, f64::MIN_POSITIVE);
         for (rows, index) in system.friction.chunks_exact(2).zip((0..).step_by(2)) {
-            let asked = &mut self.pace.asked[0][index..index + 2];
+            let asked = &mut self.pace.asked()[index..index + 2];
             asked.fill(0.0);
             let Law::Friction { coefficient, normal, .. } = system.rows.laws[rows[0]] else { continue };
             let tension = &self.search.here.tension;

@@ -7,7 +7,7 @@
 use super::matrix::Matrix;
 use super::potential::Potential;
 use crate::constraint::AnyConstraint;
-use crate::rope::route::Attachment;
+use crate::rope::guide::Attachment;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
 

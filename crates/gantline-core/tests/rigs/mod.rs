@@ -143,12 +143,16 @@ pub fn rig(seeds: &[f64]) -> SystemSpec {
         damping_time: 0.01,
         friction: 0.5,
     };
-    let drives = Vec::new();
+    SystemSpec { ropes, contacts: vec![contact], ..system_of(bodies) }
+}
+
+/// Bodies under gravity, and nothing else.
+pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
     SystemSpec {
         gravity: [0.0, 0.0, -9.81],
         bodies,
-        ropes,
-        contacts: vec![contact],
+        ropes: Vec::new(),
+        contacts: Vec::new(),
         supports: Vec::new(),
         shapes: Vec::new(),
         pairs: Vec::new(),
@@ -156,7 +160,7 @@ pub fn rig(seeds: &[f64]) -> SystemSpec {
         watches: Vec::new(),
         forces: Vec::new(),
         adjusters: Vec::new(),
-        drives,
+        drives: Vec::new(),
         plan: Vec::new(),
         emergency_stop: None,
     }
@@ -258,22 +262,7 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
         friction: 0.4 * (1.0 + draw.number()),
     });
     let contacts = contacts.collect();
-    let mut spec = SystemSpec {
-        gravity: [0.0, 0.0, -9.81],
-        bodies,
-        ropes: Vec::new(),
-        contacts,
-        supports: Vec::new(),
-        shapes: Vec::new(),
-        pairs: Vec::new(),
-        vessels: Vec::new(),
-        watches: Vec::new(),
-        forces: Vec::new(),
-        adjusters: Vec::new(),
-        drives: Vec::new(),
-        plan: Vec::new(),
-        emergency_stop: None,
-    };
+    let mut spec = SystemSpec { contacts, ..system_of(bodies) };
     let (system, state) = build(&spec).expect("bodies are valid");
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);

@@ -7,7 +7,9 @@
 use std::ops::Range;
 
 use super::Rope;
-use crate::rope::route::{Guide, Part, Route};
+use crate::rope::guide::Guide;
+use crate::rope::part::Part;
+use crate::rope::route::Route;
 use crate::rope::seat::Seat;
 
 /// A straight part past one sheave or more.

@@ -13,8 +13,10 @@ pub mod span;
 use glam::DVec3;
 
 use super::{Constraint, Law, Line, Moving, Placed};
+use crate::rope::guide::Attachment;
 use crate::rope::material::Material;
-use crate::rope::route::{Attachment, Part, Route, Straight, unit};
+use crate::rope::part::{Part, Straight, unit};
+use crate::rope::route::Route;
 use crate::rope::seat::Seat;
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;

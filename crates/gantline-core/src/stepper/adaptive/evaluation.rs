@@ -16,7 +16,7 @@ use super::point::{Point, Schedule};
 use crate::clock::Stage;
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law, Line, Moving};
-use crate::rope::route::Attachment;
+use crate::rope::guide::Attachment;
 use crate::solver::complementarity::Mode;
 use crate::stepper::coils;
 use crate::stepper::frame::Frame;
