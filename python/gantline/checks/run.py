@@ -21,6 +21,9 @@ from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 
+#: Of a bound that nobody set.
+_OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
+
 
 def check_recording(recording: Recording) -> list[Check]:
     """Check a recording: of a run, or of an equilibrium.
@@ -144,13 +147,21 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if found.worst is None:
         return replace(check, remark=found.missing or _nothing(measure))
     check = _with_value(check, found.worst)
+    remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
+    if given is None and measure.alarm is not None:
+        alarm = measure.alarm.value(recording)
+        within = limit is None or _verdict(measure, found.worst.value, limit) is Verdict.OK
+        if within and _verdict(measure, found.worst.value, alarm) is Verdict.FAILED:
+            check = replace(
+                check, limit=alarm, source=_with_factors(recording, measure.alarm.source, factors)
+            )
+            return replace(check, verdict=Verdict.WARNING, remark=_joined([_OWN_LIMIT, *remarks]))
     if limit is None:
         return replace(check, remark=_joined([found.missing, found.cautions]))
-    remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     verdict = _verdict(measure, found.worst.value, limit)
     if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
-        remarks.append("a limit of its own under 'limits' would make this a failure")
+        remarks.append(_OWN_LIMIT)
     remark = _joined(remarks)
     if remark and verdict is Verdict.OK:
         verdict = Verdict.WARNING

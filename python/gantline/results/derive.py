@@ -272,7 +272,8 @@ def _hook_load(columns: Columns, names: Names, hook: Hook) -> FloatArray:
         first = points.index(rope)
         # The upper end of a sling comes first; it pulls the hook towards the next point of the rope.
         pull = columns["rope_point"][:, first + 1] - columns["rope_point"][:, first]
-        down = -pull[:, 2] / np.linalg.norm(pull, axis=1)
+        # A sling that has parted is drawn as one point at its upper end, and pulls no way.
+        down = -pull[:, 2] / np.maximum(np.linalg.norm(pull, axis=1), np.finfo(np.float64).tiny)
         total += columns["rope_tension"][:, ropes.index(rope)] * down
     return total
 
