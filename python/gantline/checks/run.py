@@ -12,6 +12,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
+from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, not_lifted, stood_still, unfinished
 from gantline.checks.slings import idle
 from gantline.results import progress, series
@@ -35,9 +36,10 @@ def check_recording(recording: Recording) -> list[Check]:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
-        that let its load go; and a warning for each that fell behind, where slings never carried or run
-        through a load, where the recording has warnings of its own, where steps moved nothing, where a load
-        came down while it was taken along, and where a run lifts nothing or ends before its plan.
+        that let its load go; a warning or a failure for each pair that is drawn in one place; and a warning
+        for each hoist that fell behind, where slings never carried or run through a load, where the
+        recording has warnings of its own, where steps moved nothing, where a load came down while it was
+        taken along, and where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -55,7 +57,8 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording) + idle(recording) + run_through(recording) + _told(recording)
+    every += fell_behind(recording) + idle(recording) + run_through(recording) + run_into(recording)
+    every += _told(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
