@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
+from gantline.checks.crawlers import left_ground
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
@@ -58,7 +59,7 @@ def check_recording(recording: Recording) -> list[Check]:
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
     every += fell_behind(recording) + idle(recording) + run_through(recording) + run_into(recording)
-    every += _told(recording)
+    every += left_ground(recording) + _told(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]

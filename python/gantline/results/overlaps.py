@@ -91,7 +91,7 @@ _LOOKED_AT = {
 
 
 def overlaps(recording: Recording) -> list[Overlap]:
-    """Pairs of bodies that are drawn in the same place, each at the moment when they are most so.
+    """Pairs of bodies that are drawn in the same place, with how deep they are at most.
 
     Pairs that the lift file watches are judged by that.
     """
@@ -120,12 +120,8 @@ def _is_watched(recording: Recording, one: str, other: str) -> bool:
     def stands_for(watched: str, name: str) -> bool:
         return name == watched or name.startswith(f"{watched}.")
 
-    return any(
-        stands_for(first, a) and stands_for(second, b)
-        for watch in recording.rig.watches
-        for first, second in (watch.between, watch.between[::-1])
-        for a, b in ((one, other),)
-    )
+    pairs = [pair for watch in recording.rig.watches for pair in (watch.between, watch.between[::-1])]
+    return any(stands_for(first, one) and stands_for(second, other) for first, second in pairs)
 
 
 def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
