@@ -207,9 +207,12 @@ class Simulation:
         density = (self.scenario.water or Water()).density
         warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density)
         if rig.vessels and len(columns["time"]):
-            at_start = dict(zip(names["body"], columns["body_position"][0], strict=True))
+            at_start, turned = (
+                dict(zip(names["body"], columns[name][0], strict=True))
+                for name in ("body_position", "body_orientation")
+            )
             afloat = [vessel.body for vessel in rig.vessels]
-            warnings += adrift(self.assembly.document, afloat, at_start)
+            warnings += adrift(self.assembly.document, afloat, at_start, turned)
             hulls = vessel_hulls(self.assembly.document, afloat)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground_in(self.assembly.scene))
         warnings += pump_warnings(rig, columns, names)
