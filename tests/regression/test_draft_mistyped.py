@@ -45,6 +45,6 @@ def test_a_heel_or_trim_that_does_not_come_out_is_told(
     """All that it weighs is in the middle, so that it floats upright."""
     given = barge(heel=f"{heel} deg", trim=f"{trim} deg")
     run = simulate(written(tmp_path, lift_of(given, duration="0.1 s")))
-    found = [one for one in run.attributes["warnings"] if "heel and trim of the lift file" in one]
+    found = [one for one in run.attributes["warnings"] if "from heel and trim of the lift file" in one]
     assert bool(found) is is_told
-    assert all(one.startswith("barge starts 0.8 deg from the heel") for one in found)
+    assert all(one.startswith("barge starts 0.8 deg from heel and") for one in found)
