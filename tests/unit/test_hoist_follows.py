@@ -48,3 +48,15 @@ def test_a_motor_that_cannot_lift_is_told(weight: str, is_too_weak: bool) -> Non
     for check in found:
         assert check.verdict is Verdict.WARNING
         assert check.remark.endswith("motor or brake pull all they can")
+
+
+def test_a_hook_that_runs_away_before_the_lift_begins_fails() -> None:
+    """A brake in N for kN: the hook block of 100 kg pulls 490 N, and goes down until its sling holds it."""
+    weak = LIFT.replace("WEIGHT", "2 t").replace("capacity: 12 kN", "capacity: 12 N, brake: 12 N")
+    checks = check_recording(gantline.simulate(parse_scenario(weak)))
+    found = next(check for check in checks if check.name == "hoist_follows")
+    assert found.verdict is Verdict.FAILED
+    assert "and the hook runs away: it begins" in found.remark
+    # The sling of 6 m hangs down past the top of the load until it is taut.
+    below = float(found.remark.split("begins ")[-1].split(" m below")[0])
+    assert below > 5.9

@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
-from gantline.results import progress
+from gantline.results import progress, series
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
 
@@ -33,7 +33,9 @@ def unfinished(recording: Recording) -> list[Check]:
         return []
     at = f" in '{left.under_way[0]}'" if left.under_way else ""
     not_begun = f"; not begun: {named(left.not_begun)}" if left.not_begun else ""
-    remark = f"the run ends at {recording.time[-1]:.4g} s{at}{not_begun}"
+    stopped = [time for time, _, _ in recording.events("emergency_stop")]
+    after = f", after the emergency stop at {stopped[0]:.4g} s" if stopped else ""
+    remark = f"the run ends at {recording.time[-1]:.4g} s{at}{after}{not_begun}"
     return [Check(PLAN_FINISHED, Verdict.WARNING, "all steps of the plan within the run", remark=remark)]
 
 
@@ -111,6 +113,14 @@ def fell_behind(recording: Recording) -> list[Check]:
 
 
 def _slipped(recording: Recording, drum: Drum) -> Check | None:
+    check = Check("hoist_follows", Verdict.WARNING, "drums of hoists follow the plan", element=drum.name)
+    ran_away = _ran_away(recording, drum)
+    if ran_away > _LOST:
+        began = f"it begins {ran_away:.2f} m below where the lift file has it"
+        remark = (
+            f"motor or brake do not hold what hangs before the lift begins, and the hook runs away: {began}"
+        )
+        return replace(check, verdict=Verdict.FAILED, time=float(recording.time[0]), remark=remark)
     begins = [time for time, _, name in recording.events("drum_slips") if name == drum.name]
     ends = [time for time, _, name in recording.events("drum_holds") if name == drum.name]
     # One that slips at the end of the run has not come to hold again.
@@ -120,12 +130,18 @@ def _slipped(recording: Recording, drum: Drum) -> Check | None:
     lasted = sum(end - begin for begin, end in spans)
     if lost <= _LOST and lasted <= _LONG:
         return None
-    check = Check("hoist_follows", Verdict.WARNING, "drums of hoists follow the plan", element=drum.name)
     remark = f"from {begins[0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
     if lost <= _LOST:
         return replace(check, remark=remark)
     remark += f", and do not hold: the hook runs away, {lost:.2f} m lower than at the speed that it had"
     return replace(check, verdict=Verdict.FAILED, time=since, remark=remark)
+
+
+def _ran_away(recording: Recording, drum: Drum) -> float:
+    """How far a hook comes down on the way to the rest in which a run begins [m]."""
+    if series.is_equilibrium(recording) or not len(recording.time):
+        return 0.0
+    return float(recording.column("rope_paid_out", drum.name)[0]) / -drum.paid_out
 
 
 def _lost(recording: Recording, drum: Drum, span: tuple[float, float]) -> float:
