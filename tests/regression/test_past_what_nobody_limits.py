@@ -115,3 +115,49 @@ def test_a_load_that_hangs_askew(higher: float, is_told: bool) -> None:
         text = text.replace(f"module.{sling}, length: 8.6 m", f"module.{sling}, length: {8.6 + higher} m")
     found = check(text, "load_tilt")
     assert (found.verdict is Verdict.WARNING) is is_told
+
+
+#: The hook of the lift is as fast as that of a workshop crane, and so are its steps.
+FAST = LIFT.replace("speed: 3 m/min, acceleration: 0.05 m/s^2", "speed: 30 m/min, acceleration: 0.5 m/s^2")
+
+
+@pytest.mark.parametrize(("speed", "is_told"), [("1 m/min", False), ("30 m/min", True)])
+def test_a_load_that_is_snatched(speed: str, is_told: bool) -> None:
+    """A mass on a spring whose other end goes up at v swings up to W + v sqrt(k m)."""
+    found = check(
+        FAST.replace("hoist: crane, speed: 1 m/min", f"hoist: crane, speed: {speed}"), "hook_dynamic_factor"
+    )
+    assert (found.verdict is Verdict.WARNING) is is_told
+
+
+@pytest.mark.parametrize(("bow", "is_told"), [("43 mm", True), ("45 mm", False)])
+def test_a_sling_on_a_shackle_that_is_thinner(bow: str, is_told: bool) -> None:
+    """Slings are 44 mm thick."""
+    shackle = (
+        f"shackles: {{S: {{working_load_limit: 40 t, bow_diameter: {bow}, pin_diameter: 40 mm}}}}\nload:"
+    )
+    text = LIFT.replace("load:", shackle, 1).replace(
+        "rope: sling}", "rope: sling, shackles: {top: S, bottom: S}}"
+    )
+    found = check(text, "sling_bending_ratio")
+    assert (found.verdict is Verdict.WARNING) is is_told
+
+
+@pytest.mark.parametrize(("diameter", "is_told"), [("16 mm", True), ("18 mm", False)])
+def test_ropes_that_are_too_thin(diameter: str, is_told: bool) -> None:
+    """14.3 kN per mm^2 of 10 mm: 1.30 kN/mm^2 of the diameter's square, against 107 kN with a little on top."""
+    found = check(LIFT.replace("diameter: 44 mm", f"diameter: {diameter}"), "rope_factor_on_breaking_force")
+    assert (found.limit == 2.3) is is_told
+    assert found.value is not None and (found.value < 2.3) is is_told
+
+
+@pytest.mark.parametrize(("speed", "is_told"), [("5 m/min", False), ("30 m/min", True)])
+def test_a_load_that_is_set_down_hard(speed: str, is_told: bool) -> None:
+    down = f"  - {{step: down, lower: crane, speed: {speed}, until: {{supports: touched}}}}\nrules:"
+    text = FAST.replace("by: 0.2 m", "by: 1 m").replace("rules:", down)
+    recording = gantline.simulate(parse_scenario(text))
+    found = [one for one in check_recording(recording) if one.name == "set_down_softly"]
+    assert bool(found) is is_told
+    for one in found:
+        met = float(one.remark.split(" at ")[1].split(" m/min")[0])
+        assert met == pytest.approx(30.0, rel=0.1)

@@ -71,6 +71,29 @@ def test_a_load_through_a_deck(by: float, verdict: Verdict | None) -> None:
         assert deep == pytest.approx(by - (UNDERSIDE - DECK), abs=0.03)
 
 
+def test_a_hook_that_is_lowered_into_the_load() -> None:
+    """A module on the ground, slings of 5 m from a hook that is drawn as 3 m, and 6 m of way down."""
+    standing = BARGE[: BARGE.index("vessels:")] + BARGE[BARGE.index("cranes:") :]
+    ground = standing.replace("ropes:", "ground: {level: 12 m}\nropes:", 1)
+    lift = ground.replace("  lugs:", "  stands_on: ground\n  lugs:").replace(
+        "[20 m, 0 m, 20 m]", "[20 m, 0 m, 19.9 m]"
+    )
+    block = lift.replace("type: fixed_hook,", "type: fixed_hook, block: {mass: 2 t, height: 3 m},")
+    reeving = block.replace(
+        "hoist: {speed",
+        "reeving: {parts_each: 4, rope: sling, sheave_diameter: 0.6 m, upper_sheaves_at: 40 m},\n"
+        "    drum: {diameter: 0.8 m}, hoist: {speed",
+    )
+    slings = reeving.replace("damping_time: 10 ms}", "damping_time: 10 ms, diameter: 30 mm}")
+
+    def found(by: float) -> list[str]:
+        text = slings.replace("LOWERED", f"{by} m")
+        return [one.element for one in told(gantline.simulate(parse_scenario(text)))]
+
+    assert found(4.5) == []
+    assert found(6.0) == ["hook to module"]
+
+
 def test_a_pair_that_is_watched_is_judged_by_that() -> None:
     recording = lowered(10.5, "watch: [{between: [module, barge]}]\n")
     assert not told(recording)

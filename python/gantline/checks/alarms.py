@@ -7,7 +7,17 @@ import math
 from gantline.checks.measure import Alarm
 from gantline.results.recording import Recording
 
-__all__ = ["FALLS", "SHEAVE_BENDING", "SIDE_LEAD", "SLING_ANGLE", "TILT", "TIPPING"]
+__all__ = [
+    "FALLS",
+    "HOOK_DYNAMICS",
+    "ROPE_FACTOR",
+    "SHEAVE_BENDING",
+    "SIDE_LEAD",
+    "SLING_ANGLE",
+    "SLING_BENDING",
+    "TILT",
+    "TIPPING",
+]
 
 #: Falls out of plumb whichever way [rad].
 _OUT_OF_PLUMB = math.radians(2.0)
@@ -34,5 +44,8 @@ FALLS = Alarm(_falls, "more than 3 % of what hangs pulls sideways; plausible, no
 SIDE_LEAD = Alarm(_side_lead, "lattice booms are tested with 2 % of what hangs sideways: SAE J987")
 TIPPING = Alarm(lambda _: 0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1")
 SLING_ANGLE = Alarm(lambda _: math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
+SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5")
+ROPE_FACTOR = Alarm(lambda _: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1")
+HOOK_DYNAMICS = Alarm(lambda _: 1.3, "more comes of snatching a load; plausible, no document")
 SHEAVE_BENDING = Alarm(lambda _: 11.2, "drums of the lightest duty, group M1: ISO 4308-1")
 TILT = Alarm(lambda _: math.radians(5.0), "loose things on a load begin to move; plausible, no document")

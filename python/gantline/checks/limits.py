@@ -22,7 +22,17 @@ from gantline.checks import (
     slings,
     vessels,
 )
-from gantline.checks.alarms import FALLS, SHEAVE_BENDING, SIDE_LEAD, SLING_ANGLE, TILT, TIPPING
+from gantline.checks.alarms import (
+    FALLS,
+    HOOK_DYNAMICS,
+    ROPE_FACTOR,
+    SHEAVE_BENDING,
+    SIDE_LEAD,
+    SLING_ANGLE,
+    SLING_BENDING,
+    TILT,
+    TIPPING,
+)
 from gantline.checks.measure import Measure
 
 _ALL = "by definition"
@@ -44,6 +54,7 @@ LIMITS: dict[str, Measure] = {
         3,
         hooks.hook_dynamic_factor,
         is_listed=True,
+        alarm=HOOK_DYNAMICS,
     ),
     "hoist_load_of_rated_capacity": Measure(
         "hoist load (hook load, if the rating leaves the hook block out) / rated capacity of hook, trolley, "
@@ -269,6 +280,7 @@ LIMITS: dict[str, Measure] = {
         slings.sling_bending_ratio,
         at_least=True,
         is_listed=True,
+        alarm=SLING_BENDING,
     ),
     "sling_factor_on_breaking_force": Measure(
         "minimum breaking force / peak tension of the same sling",
@@ -286,6 +298,7 @@ LIMITS: dict[str, Measure] = {
         by_definition=1.0,
         definition="more breaks it; how much less is safe, a rule says",
         is_listed=True,
+        alarm=ROPE_FACTOR,
     ),
     "rope_load_of_breaking_force": Measure(
         "rope force x load, consequence, material, wear, and termination or bending factor / minimum "

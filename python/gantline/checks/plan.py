@@ -11,6 +11,7 @@ from gantline.checks.measure import named
 from gantline.results import progress, series
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
+from gantline.units import format_quantity
 
 #: A load of which less than this share ever hangs has not been lifted [1].
 _LIFTED_FROM = 0.05
@@ -22,6 +23,8 @@ _HOISTS = ("hoist", "lower")
 _TAKES_ALONG = {"luff", "slew", "traverse", "travel"}
 #: Share of a load's weight from which it is told that it hangs at the start.
 _HANGS = 0.02
+#: Speed at which a load that is set down makes nobody wonder, beyond rounding of a hoist's own [m/s].
+_HARD = 0.1 + 1e-3
 #: Way that a hook may lose against motor or brake [m]: its rope stretches, and rings.
 _LOST = 0.05
 
@@ -97,6 +100,28 @@ def came_down(recording: Recording) -> list[Check]:
             check = Check("stays_clear", Verdict.WARNING, meaning, element=name, time=time, remark=remark)
             first.setdefault(name, check)
     return list(first.values())
+
+
+def hit(recording: Recording) -> list[Check]:
+    """A warning for each load that comes down hard on what is below it, the hardest time of it.
+
+    Speeds are those of the centre of gravity at the sample before.
+    """
+    checks = []
+    for load in recording.rig.loads:
+        down = [time for time, _, name in recording.events("set_down") if name == load.name]
+        if not down:
+            continue
+        before = np.maximum(np.searchsorted(recording.time, down, side="left") - 1, 0)
+        speeds = -recording.column("body_velocity", load.body)[before, 2]
+        worst = int(np.argmax(speeds))
+        if speeds[worst] > _HARD:
+            met = format_quantity(float(speeds[worst]), "m/min", 1)
+            remark = f"it meets what is below it at {met}; creep, or a brake before it, is usual"
+            meaning = f"loads are set down with at most {format_quantity(_HARD, 'm/min', 0)}"
+            check = Check("set_down_softly", Verdict.WARNING, meaning, element=load.name, remark=remark)
+            checks.append(replace(check, time=float(down[worst])))
+    return checks
 
 
 def fell_behind(recording: Recording) -> list[Check]:

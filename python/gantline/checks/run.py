@@ -14,7 +14,7 @@ from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
-from gantline.checks.plan import came_down, fell_behind, not_lifted, stood_still, unfinished
+from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, stood_still, unfinished
 from gantline.checks.slings import idle
 from gantline.results import progress, series
 from gantline.results.parting import Parting, partings
@@ -40,7 +40,7 @@ def check_recording(recording: Recording) -> list[Check]:
         that let its load go; a warning or a failure for each pair that is drawn in one place; and a warning
         for each hoist that fell behind, where slings never carried or run through a load, where the
         recording has warnings of its own, where steps moved nothing, where a load came down while it was
-        taken along, and where a run lifts nothing or ends before its plan.
+        taken along or came down hard, and where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -63,7 +63,7 @@ def check_recording(recording: Recording) -> list[Check]:
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
-    every += stood_still(recording) + came_down(recording)
+    every += stood_still(recording) + came_down(recording) + hit(recording)
     return every + (unfinished(recording) or not_lifted(recording))
 
 

@@ -58,7 +58,7 @@ class _Body:
     Attributes:
         name: Of the body.
         of: What it belongs to: a crane, itself.
-        kind: `load`, `frame`, `hull`, `crane`, `tracks` or `structure`.
+        kind: `load`, `frame`, `hook`, `hull`, `crane`, `tracks` or `structure`.
         sizes: Of its boxes, half, shape (boxes, 3) [m].
         centres: Of its boxes from its centre of gravity, its axes, shape (boxes, 3) [m].
         place: Of that centre of gravity, shape (looks, 3) [m].
@@ -83,7 +83,7 @@ class _Body:
 _LOOKED_AT = {
     frozenset(pair)
     for pair in (
-        *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame")),
+        *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
         *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
         *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
     )
