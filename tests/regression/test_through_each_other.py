@@ -75,11 +75,10 @@ def test_a_hook_that_is_lowered_into_the_load() -> None:
     """A module on the ground, slings of 5 m from a hook that is drawn as 3 m, and 6 m of way down."""
     standing = BARGE[: BARGE.index("vessels:")] + BARGE[BARGE.index("cranes:") :]
     ground = standing.replace("ropes:", "ground: {level: 12 m}\nropes:", 1)
-    lift = ground.replace("  lugs:", "  stands_on: ground\n  lugs:").replace(
-        "[20 m, 0 m, 20 m]", "[20 m, 0 m, 19.9 m]"
-    )
-    block = lift.replace("type: fixed_hook,", "type: fixed_hook, block: {mass: 2 t, height: 3 m},")
-    reeving = block.replace(
+    lift = ground.replace("  lugs:", "  stands_on: ground\n  lugs:")
+    lower = lift.replace("[20 m, 0 m, 20 m]", "[20 m, 0 m, 19.9 m]")
+    hook = lower.replace("type: fixed_hook,", "type: fixed_hook, block: {mass: 2 t, height: 3 m},")
+    reeving = hook.replace(
         "hoist: {speed",
         "reeving: {parts_each: 4, rope: sling, sheave_diameter: 0.6 m, upper_sheaves_at: 40 m},\n"
         "    drum: {diameter: 0.8 m}, hoist: {speed",
