@@ -102,6 +102,14 @@ def test_a_pair_that_is_watched_is_judged_by_that() -> None:
     )
 
 
+def test_a_pair_that_touches_is_held_apart_by_that() -> None:
+    """On a soft deck the module sinks in by 20 t g / (4 x 1 MN/m), 49 mm, and no further."""
+    deck = "{between: [module, barge], stiffness: 1 MN/m, damping: 100 kN s/m}"
+    recording = lowered(12.0, f"mechanics: {{body_contacts: {{deck: {deck}}}}}\n")
+    assert recording.column("load_transferred", "module")[-1] < 0.05
+    assert not told(recording)
+
+
 def slewed(tower: str) -> Recording:
     """The boom of the crawler crane, whose slewing axis is at (3, -2) m, goes by 10 deg to the left."""
     box = f"structures: {{tower: {{type: box, x: [10 m, 12 m], {tower}}}}}\n"
@@ -150,3 +158,9 @@ def test_triangles_are_looked_at_as_they_are() -> None:
     pointed = [(-2.0, 0.0, 1.5), (2.0, 0.0, 1.5), (0.0, 1.0, 1.5), (0.0, 19.0, -1.5)]
     faces = [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)]
     assert overlaps(drawn_as(recording, pointed, faces)) == []
+
+
+def test_a_vessel_that_a_load_is_to_stand_on_is_told_how() -> None:
+    text = BARGE.replace("  lugs:", "  stands_on: barge\n  lugs:").replace("LOWERED", "1 m")
+    with pytest.raises(gantline.ScenarioError, match="let both touch by 'body_contacts' of 'mechanics'"):
+        parse_scenario(text)

@@ -80,9 +80,10 @@ def stood_still(recording: Recording) -> list[Check]:
 
 
 def came_down(recording: Recording) -> list[Check]:
-    """A warning for each load that comes down on what is below it while a step takes it along.
+    """A check for each load that meets something while a step takes it along.
 
-    A boom that goes down lowers its hooks, and nobody may have thought of that; what follows drags the load.
+    A boom that goes down lowers its hooks, and nobody may have thought of that; what follows drags the load:
+    a warning. What slews, traverses or travels comes no lower, and runs into what is in its way: a failure.
     """
     kinds = {step.step: step.kind for step in recording.rig.plan}
     loads = {load.name for load in recording.rig.loads}
@@ -93,11 +94,14 @@ def came_down(recording: Recording) -> list[Check]:
     ]
     first: dict[str, Check] = {}
     for time, _, name in recording.events("set_down"):
-        steps = [stretch.name for stretch in moved if stretch.begin < time <= stretch.end]
+        steps = [stretch for stretch in moved if stretch.begin < time <= stretch.end]
         if name in loads and steps:
-            remark = f"it comes down on what is below it in '{steps[0]}', which does not lower it"
+            luffs = any(kinds[one] == "luff" for one in steps[0].names)
+            verdict = Verdict.WARNING if luffs else Verdict.FAILED
+            met = "it comes down on what is below it" if luffs else "it runs into what is in its way"
+            remark = f"{met} in '{steps[0].name}', which does not lower it"
             meaning = "loads that are taken along stay clear"
-            check = Check("stays_clear", Verdict.WARNING, meaning, element=name, time=time, remark=remark)
+            check = Check("stays_clear", verdict, meaning, element=name, time=time, remark=remark)
             first.setdefault(name, check)
     return list(first.values())
 

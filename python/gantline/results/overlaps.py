@@ -93,7 +93,7 @@ _LOOKED_AT = {
 def overlaps(recording: Recording) -> list[Overlap]:
     """Pairs of bodies that are drawn in the same place, with how deep they are at most.
 
-    Pairs that the lift file watches are judged by that.
+    Pairs that the lift file watches are judged by that, and those that touch in the simulation stay apart.
     """
     count = len(recording.time)
     if not count:
@@ -106,7 +106,7 @@ def overlaps(recording: Recording) -> list[Overlap]:
         if (
             one.of == other.of
             or frozenset({one.kind, other.kind}) not in _LOOKED_AT
-            or _is_watched(recording, one.name, other.name)
+            or _is_looked_after(recording, one.name, other.name)
         ):
             continue
         depth, is_past = _depths(one, other)
@@ -116,11 +116,14 @@ def overlaps(recording: Recording) -> list[Overlap]:
     return found
 
 
-def _is_watched(recording: Recording, one: str, other: str) -> bool:
+def _is_looked_after(recording: Recording, one: str, other: str) -> bool:
+    """Whether the lift file watches a pair, or lets it touch."""
+
     def stands_for(watched: str, name: str) -> bool:
         return name == watched or name.startswith(f"{watched}.")
 
-    pairs = [pair for watch in recording.rig.watches for pair in (watch.between, watch.between[::-1])]
+    given = [*(watch.between for watch in recording.rig.watches), *recording.rig.touching]
+    pairs = [pair for first, second in given for pair in ((first, second), (second, first))]
     return any(stands_for(first, one) and stands_for(second, other) for first, second in pairs)
 
 

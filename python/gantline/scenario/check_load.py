@@ -119,8 +119,8 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
         sentence = f"'{base}' is not a group of 'supports' and not 'ground'"
         right = nearest(base, ["ground", *supports])
         if base in (scenario.vessels or {}):
-            sentence = f"'{base}' is a vessel, and decks of vessels bear no load here"
-            right = "a load that is taken off one hangs from the start, without 'stands_on'"
+            sentence = f"'{base}' is a vessel, which no load stands on by 'stands_on'"
+            right = "leave it out and let both touch by 'body_contacts' of 'mechanics'"
         findings.add(("load", "stands_on"), f"{sentence}; {right}")
     elif ground is None:
         sentence = "the load stands on the ground but there is no 'ground' in this file"
