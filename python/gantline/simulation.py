@@ -20,16 +20,18 @@ from gantline.results.crawler import tipping_warnings
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
+from gantline.results.immersion import immersion_warnings
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
-from gantline.results.vessels import under_water_warnings, vessel_warnings
+from gantline.results.vessels import vessel_warnings
 from gantline.scenario import Scenario, load_scenario, resolve
 from gantline.scenario.quantities import SMALLEST
 from gantline.scenario.times import wrong_times
+from gantline.scenario.water import Water
 from gantline.version import version
 
 Progress = Callable[[float], bool | None]
@@ -202,11 +204,15 @@ class Simulation:
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
         loads = {load.name: load.body for load in rig.loads}
-        warnings += under_water_warnings(columns, names, rig.vessels, loads)
+        density = (self.scenario.water or Water()).density
+        warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density)
         if rig.vessels and len(columns["time"]):
-            at_start = dict(zip(names["body"], columns["body_position"][0], strict=True))
+            at_start, turned = (
+                dict(zip(names["body"], columns[name][0], strict=True))
+                for name in ("body_position", "body_orientation")
+            )
             afloat = [vessel.body for vessel in rig.vessels]
-            warnings += adrift(self.assembly.document, afloat, at_start)
+            warnings += adrift(self.assembly.document, afloat, at_start, turned)
             hulls = vessel_hulls(self.assembly.document, afloat)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground_in(self.assembly.scene))
         warnings += pump_warnings(rig, columns, names)

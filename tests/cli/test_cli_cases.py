@@ -249,3 +249,18 @@ def test_cases_are_saved_for_a_report_and_do_not_depend_on_the_workers(lift: Pat
     worst = saved.worst_of("sling_tension")
     assert worst is not None
     assert worst.value == max(one.value for one in found.worst if one.quantity == "sling_tension")
+
+
+def test_a_case_past_what_nobody_limits_is_named(tmp_path: Path) -> None:
+    """Two slings 0.9 m longer, 5 m from the others, tilt the load by 10 deg; nobody set a limit of that."""
+    path = tmp_path / "lift.yaml"
+    askew = "askew: {set: {slings.SA.length: 10.9 m, slings.SB.length: 10.9 m}}"
+    heavy = "heavy: {set: {load.weight.simulate: design}}"
+    path.write_text(plumb_lift(f"{askew}\n{heavy}"), encoding="utf-8")
+    result = gantline("cases", str(path), columns=120)
+    assert result.exit_code == 0, result.stdout + result.stderr
+    assert "  load_tilt past a limit that only warns: askew\n" in result.stdout
+    document = json.loads(gantline("cases", str(path), "--json").stdout)
+    named = {one["case"]: one["states"][0] for one in document["cases"]}
+    assert named["askew"]["past_limits_that_warn"] == ["load_tilt"]
+    assert named["heavy"]["past_limits_that_warn"] == []

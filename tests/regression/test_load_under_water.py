@@ -1,7 +1,8 @@
 """A load that was lowered through the surface as if there were no water.
 
 Hulls of vessels and of bodies of `mechanics` displace water, a load has no hull: a module that would float
-went down to the sea bed with all of its weight in the hook, without a word.
+went down to the sea bed with all of its weight in the hook, without a word. Then it was told once its centre
+of gravity was under, when water would have carried all of it, and only where a vessel was about.
 """
 
 from __future__ import annotations
@@ -43,15 +44,32 @@ plan:
 """
 
 
-@pytest.mark.parametrize(("lowered", "is_told"), [("3 m", False), ("6 m", True)])
-def test_it_is_told_once_its_centre_of_gravity_is_under(lowered: str, is_told: bool) -> None:
-    recording = gantline.simulate(parse_scenario(LIFT.replace("LOWERED", lowered)))
-    told = [one for one in recording.attributes["warnings"] if "module is under water" in one]
-    assert bool(told) is is_told
-    if is_told:
-        # From 3.5 m above the water, less what the sling stretches: 0.2 m/s, reached in 2 s, so 1 s later
-        # than at once. Told is the first sample after it.
+#: The same off a quay, with no vessel anywhere.
+ASHORE = LIFT[: LIFT.index("vessels:")] + "water: {density: 1000 kg/m^3}\n" + LIFT[LIFT.index("cranes:") :]
+
+
+def told(text: str, lowered: str) -> list[str]:
+    recording = gantline.simulate(parse_scenario(text.replace("LOWERED", lowered)))
+    return [one for one in recording.attributes["warnings"] if "module goes into the water" in one]
+
+
+@pytest.mark.parametrize(("text", "density"), [(LIFT, 1025.0), (ASHORE, 1000.0)], ids=["afloat", "ashore"])
+@pytest.mark.parametrize(("lowered", "depth"), [("1.9 m", 0.0), ("3 m", 1.0), ("6 m", 4.0)])
+def test_it_is_told_once_it_goes_under(text: str, density: float, lowered: str, depth: float) -> None:
+    found = told(text, lowered)
+    assert bool(found) is (depth > 0.0)
+    if found:
+        # From 2 m above the water, less what the sling stretches: 0.2 m/s, reached in 2 s, so 1 s later than
+        # at once; told is the first sample 10 mm deep, 20 ms apart.
         stretched = 20e3 * 9.81 * 5.0 / 100e6
-        exact = (3.5 - stretched) / 0.2 + 1.0
-        when = float(told[0].split(" at ")[1].split(" s")[0])
-        assert exact <= when <= exact + float(recording.time[1])
+        exact = (2.0 + 0.01 - stretched) / 0.2 + 1.0
+        when = float(found[0].split(" at ")[1].split(" s")[0])
+        assert exact - 1e-6 <= when <= exact + 0.021
+        assert float(found[0].split("up to ")[1].split(" m")[0]) == pytest.approx(depth + stretched, abs=0.02)
+        # A box of 4 x 4 m, 3 m high.
+        carried = density * 16.0 * min(depth + stretched, 3.0) / 1e3
+        assert float(found[0].split("carry up to ")[1].split(" t")[0]) == pytest.approx(carried, rel=0.01)
+
+
+def test_on_dry_land_there_is_nothing_to_go_into() -> None:
+    assert told(ASHORE.replace("water: {density: 1000 kg/m^3}\n", ""), "6 m") == []

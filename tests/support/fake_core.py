@@ -92,7 +92,7 @@ def core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
     class Core(FakeCore):
         pass
 
-    scenario = SimpleNamespace(text="format: 1\n", source="lift.yaml", mechanics=None)
+    scenario = SimpleNamespace(text="format: 1\n", source="lift.yaml", mechanics=None, water=None)
     assembly = SimpleNamespace(
         document={},
         settings=SETTINGS,

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from gantline.assembly.boom import add_booms, hang_in_tackles
-from gantline.assembly.checked import doubtful_charts, unsaid_ratings
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
+from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
@@ -116,8 +116,7 @@ def assemble(scenario: Scenario) -> Assembly:
         warnings=(
             *(() if lifted is None else lifted.body.warnings),
             *parts.warnings,
-            *doubtful_charts(scenario),
-            *unsaid_ratings(scenario),
+            *doubtful_cranes(scenario),
         ),
     )
 

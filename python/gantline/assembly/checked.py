@@ -23,11 +23,9 @@ from gantline.scenario.crane import FixedHook
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
 from gantline.scenario.limits import Rules
-from gantline.scenario.rating import Rating
 from gantline.scenario.reeving import hoist_drum
-from gantline.units import format_quantity
 
-__all__ = ["bends", "doubtful_charts", "limits_and_rules", "rating_charts", "ratings", "unsaid_ratings"]
+__all__ = ["bends", "limits_and_rules", "rating_charts", "ratings"]
 
 #: Largest fleet angle where the lift file names none [rad]: 4 deg (1 : 15), by the notes on section 20 of
 #: DGUV Vorschrift 54; `docs/concepts/sheave.md` has more rules.
@@ -143,42 +141,6 @@ def rating_charts(scenario: Scenario) -> list[Json]:
             }
         )
     return found
-
-
-def doubtful_charts(scenario: Scenario) -> list[str]:
-    """A sentence for each rating chart by which more may hang farther out."""
-    doubts = []
-    for name, crane in (scenario.cranes or {}).items():
-        chart: Rating | None = getattr(crane, "rating", None)
-        if chart is not None and chart.rises is not None:
-            unit = "deg" if chart.over == "angle" else "m"
-            near, far = (
-                f"{format_quantity(mass, 't', 1)} at {format_quantity(place, unit, 1)}"
-                for place, mass in chart.rises
-            )
-            sentence = f"the rating chart of {name} has {far} and only {near}, nearer by"
-            doubts.append(f"{sentence}; charts fall outwards")
-    return doubts
-
-
-def unsaid_ratings(scenario: Scenario) -> list[str]:
-    """A sentence for each crane of which nothing says whether its ratings have hook block and falls in them.
-
-    They are then taken for hook loads, which leaves the weight of hook block and falls out.
-    """
-    doubts = []
-    for name, crane in (scenario.cranes or {}).items():
-        hooks = [hook for hook in scenario.hooks.values() if hook.crane == name]
-        is_heavy = any(hook.hook_block is not None or hook.hook_block_mass > 0.0 for hook in hooks)
-        of_trolleys = crane.trolleys.values() if isinstance(crane, Goliath) else ()
-        rated = [one.rated_capacity for one in (crane, *hooks, *of_trolleys)]
-        is_rated = any(one is not None for one in (*rated, getattr(crane, "rating", None)))
-        if is_heavy and is_rated and "rating_includes_hook_block" not in crane.model_fields_set:
-            doubts.append(
-                f"nothing says whether {name} is rated with its hook block and falls: they are left out of "
-                "what is compared; 'rating_includes_hook_block: true' counts them, as most charts do"
-            )
-    return doubts
 
 
 def _rating(name: str, level: str, hooks: tuple[str, ...], rated: Any, gravity: float) -> Json:

@@ -143,8 +143,9 @@ def _at_rest(
     weight = lifted.mass * scenario.simulation.gravity
     depth = weight / (4 * ground.stiffness)
     if depth > _DEEPEST * float(np.ptp(corners[:, 2])):
-        sentence = f"the load would sink {depth:.3g} m into this ground; a greater stiffness is right"
-        raise scenario.start_error(("ground", "stiffness"), f"{sentence}, such as 200 MN/m")
+        sentence = f"the load of {lifted.mass / 1e3:.7g} t would sink {depth:.3g} m into this ground"
+        right = "a greater stiffness is right, such as 200 MN/m, or a smaller weight"
+        raise scenario.start_error(("ground", "stiffness"), f"{sentence}; {right}")
     try:
         resting = rest_on_ground(corners, weight, ground.stiffness)
     except TipsOver:

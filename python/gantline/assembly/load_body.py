@@ -11,6 +11,7 @@ import numpy as np
 
 from gantline.assembly.spatial import Array, inertia_matrix, solid_box
 from gantline.cad import Assumptions, CadError, CadModel, read, read_light_mesh
+from gantline.cad.assumptions import STEEL
 from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.simplify import contact_hull
@@ -82,15 +83,20 @@ def _of_box(load: Load) -> LoadBody:
 
 def _doubts(load: Load, box: Array) -> list[str]:
     """What cannot well be meant of weight and lugs in a box."""
-    return [*_lighter_than_air(load, box), *_lugs_off(load, box), *_lugs_at_one_place(load)]
+    return [*_of_no_matter(load, box), *_lugs_off(load, box), *_lugs_at_one_place(load)]
 
 
-def _lighter_than_air(load: Load, box: Array) -> list[str]:
-    air = _AIR * float(np.prod(box[1] - box[0]))
-    if load.weight.calculated >= air:
-        return []
-    weight = f"the load weighs {load.weight.calculated:.4g} kg"
-    return [f"{weight}, less than the air in its box, {air:.4g} kg; a unit has slipped, kg for t or mm for m"]
+def _of_no_matter(load: Load, box: Array) -> list[str]:
+    """Of a weight that nothing has that is as large as the load's box."""
+    volume, weight = float(np.prod(box[1] - box[0])), load.weight.calculated
+    air, steel = _AIR * volume, STEEL * volume
+    if weight < air:
+        said = f"the load weighs {weight:.4g} kg, less than the air in its box, {air:.4g} kg"
+        return [f"{said}; a unit has slipped, kg for t or mm for m"]
+    if weight > steel:
+        said = f"the load weighs {weight / 1e3:.4g} t, more than its box full of steel, {steel / 1e3:.4g} t"
+        return [f"{said}; a unit has slipped, t for kg or mm for m"]
+    return []
 
 
 def _lugs_at_one_place(load: Load) -> list[str]:

@@ -82,7 +82,10 @@ def _supports_and_watches(scenario: Scenario) -> Json:
         {"name": watch_name(watch), "between": list(watch.between), "smallest": watch.smallest}
         for watch in scenario.watch
     ]
-    return {key: given for key, given in (("supports", supports), ("watches", watches)) if given}
+    contacts = (scenario.mechanics and scenario.mechanics.body_contacts) or {}
+    touching = [list(contact.between) for contact in contacts.values()]
+    parts_of_it = (("supports", supports), ("watches", watches), ("touching", touching))
+    return {key: given for key, given in parts_of_it if given}
 
 
 def _force(scenario: Scenario, mass: float | None) -> float | None:

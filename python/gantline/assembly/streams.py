@@ -9,6 +9,8 @@ import numpy as np
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.scenario import Scenario
+from gantline.scenario.boom import FloatingCrane
+from gantline.scenario.crawler import Crawler
 from gantline.scenario.stream import AIR, StreamArea, Wind
 from gantline.scenario.tanks import bodies_afloat
 from gantline.scenario.water import Water
@@ -16,6 +18,8 @@ from gantline.units import format_quantity
 
 __all__ = ["add_streams"]
 
+#: Wind in which cranes with booms lift, where nothing else is known [m/s]: ISO 4302, the lightest in service.
+_LIFTS_UP_TO = 14.0
 _AXES = ("x", "y", "z")
 
 
@@ -33,7 +37,7 @@ def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> 
         load, origin = scenario.load, lifted.centre
         parts.forces += _pushed(load.name, "wind", load.wind_areas, origin, air)
         parts.forces += _pushed(load.name, "current", load.current_areas, origin, water)
-    parts.warnings += _idle(parts, scenario)
+    parts.warnings += _idle(parts, scenario) + _strong(scenario)
 
 
 def _idle(parts: Parts, scenario: Scenario) -> list[str]:
@@ -52,6 +56,20 @@ def _idle(parts: Parts, scenario: Scenario) -> list[str]:
         if speed > 0.0 and not any(f".{kind}_areas." in str(force["name"]) for force in parts.forces):
             found.append(f"{_shown(kind, speed)} pushes nothing: no body has '{kind}_areas'")
     return found
+
+
+def _strong(scenario: Scenario) -> list[str]:
+    """A sentence on wind in which cranes with booms do not lift, of which nothing else is held against it."""
+    cranes = (scenario.cranes or {}).items()
+    booms = [name for name, crane in cranes if isinstance(crane, Crawler | FloatingCrane)]
+    speed = scenario.wind_speed or 0.0
+    if not booms or speed <= _LIFTS_UP_TO:
+        return []
+    usual = (
+        f"{format_quantity(_LIFTS_UP_TO, 'm/s', 0)} is usual where their makers say nothing else (ISO 4302)"
+    )
+    pushed = f"does not push the booms of {', '.join(booms)} here, as it would"
+    return [f"{_shown('wind', speed)} {pushed}; to lift in up to {usual}"]
 
 
 def _shown(kind: str, speed: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
 
@@ -32,6 +33,9 @@ __all__ = [
 _DECK = 0.5
 #: A vessel that the way to rest takes farther than this, in plan or in height, was not meant to go there [m].
 _ADRIFT = 1.0
+#: One whose heel and trim come out farther than this from those of the lift file was not meant so [rad]: the
+#: head of a boom is 1 m elsewhere then.
+_LEANS = math.radians(0.5)
 
 
 def add_vessels(parts: Parts, scenario: Scenario) -> None:
@@ -159,13 +163,19 @@ def _edge(mesh: HullMesh, upwards: float) -> list[list[float]]:
     return [[float(part) for part in mesh.vertices[at]] for at in sorted(edge)]
 
 
-def adrift(document: Json, vessels: Collection[str], at_start: Mapping[str, Sequence[float]]) -> list[str]:
+def adrift(
+    document: Json,
+    vessels: Collection[str],
+    at_start: Mapping[str, Sequence[float]],
+    turned: Mapping[str, Sequence[float]],
+) -> list[str]:
     """A sentence for each vessel that a run begins with elsewhere than the lift file has it.
 
     Args:
         document: What has been assembled of the lift.
         vessels: Names of the bodies of its vessels.
         at_start: Centres of gravity of bodies at the start of the run by their names, world axes [m].
+        turned: Quaternions world from body of bodies then.
     """
     sentences = []
     for body in (one for one in document["bodies"] if one["name"] in vessels):
@@ -183,6 +193,13 @@ def adrift(document: Json, vessels: Collection[str], at_start: Mapping[str, Sequ
             sentences.append(
                 f"{body['name']} starts {way:.1f} m from where the lift file has it: there it rests; "
                 "see what pulls or pushes it, its draft and its mooring lines"
+            )
+        upright = rotation_matrix(turned[body["name"]])[:, 2] @ rotation_matrix(joint["orientation"])[:, 2]
+        leans = math.acos(min(1.0, float(upright)))
+        if leans > _LEANS:
+            sentences.append(
+                f"{body['name']} starts {math.degrees(leans):.1f} deg from heel and trim of the lift file, "
+                "and booms and hooks with it: there it rests; see heel, trim, its masses and tanks"
             )
     return sentences
 

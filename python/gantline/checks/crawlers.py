@@ -7,10 +7,18 @@ from dataclasses import replace
 
 import numpy as np
 
+from gantline.checks.check import Check, Verdict
 from gantline.checks.measure import Finding, Missing, Refused, extreme
 from gantline.results.recording import Recording
+from gantline.results.rotation import axes
+from gantline.results.surroundings import ground_of
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
+
+#: Ends of tracks in the order of `Crawler.corners`, along and across the heading.
+_ENDS = ((1, 1), (-1, 1), (1, -1), (-1, -1))
+#: How far the end of a track moves as a crane rocks [m].
+_ROCKS = 0.05
 
 
 def ground_pressure(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -38,3 +46,37 @@ def tipping(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             yield Refused(crane.name, f"it tips at {at:.2f} s: nothing is left under one side")
             continue
         yield from extreme(recording, used, during, crane.name)
+
+
+def left_ground(recording: Recording) -> list[Check]:
+    """A failure for each crawler crane that takes an end of a track over an edge: its ground is level here.
+
+    At the start it stands where the lift file says, on the floor of a dry dock maybe.
+    """
+    ground = ground_of(recording)
+    if ground is None or not len(recording.time):
+        return []
+    checks = []
+    for crane in recording.rig.crawlers:
+        turn = axes(recording.column("body_orientation", crane.tracks))
+        place = recording.column("body_position", crane.tracks)
+        for corner, (along, across) in zip(crane.corners, _ENDS, strict=True):
+            at = np.array([along * crane.length, across * crane.gauge, 0.0]) / 2 - np.asarray(crane.centre)
+            points = place + turn @ at
+            under = ground.under(points)
+            # One that stands at the very edge and rocks does not go over it.
+            goes = np.linalg.norm(points[:, :2] - points[0, :2], axis=1) > _ROCKS
+            gone = np.flatnonzero(goes & (under != under[0]))
+            if gone.size:
+                when = float(recording.time[gone[0]])
+                deep = format_quantity(abs(under[gone[0]] - under[0]), "m", 2)
+                lower = "lower" if under[gone[0]] < under[0] else "higher"
+                remark = f"it goes over an edge at {when:.2f} s: the ground is {deep} {lower} there"
+                meaning = "tracks stay on the ground on which they begin"
+                checks.append(
+                    Check(
+                        "tracks_on_ground", Verdict.FAILED, meaning, element=corner, time=when, remark=remark
+                    )
+                )
+                break
+    return checks

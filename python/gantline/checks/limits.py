@@ -22,6 +22,17 @@ from gantline.checks import (
     slings,
     vessels,
 )
+from gantline.checks.alarms import (
+    FALLS,
+    HOOK_DYNAMICS,
+    ROPE_FACTOR,
+    SHEAVE_BENDING,
+    SIDE_LEAD,
+    SLING_ANGLE,
+    SLING_BENDING,
+    TILT,
+    TIPPING,
+)
 from gantline.checks.measure import Measure
 
 _ALL = "by definition"
@@ -43,6 +54,7 @@ LIMITS: dict[str, Measure] = {
         3,
         hooks.hook_dynamic_factor,
         is_listed=True,
+        alarm=HOOK_DYNAMICS,
     ),
     "hoist_load_of_rated_capacity": Measure(
         "hoist load (hook load, if the rating leaves the hook block out) / rated capacity of hook, trolley, "
@@ -55,7 +67,12 @@ LIMITS: dict[str, Measure] = {
         is_listed=True,
     ),
     "falls_out_of_plumb": Measure(
-        "largest angle of the falls of a hook from plumb", "deg", 2, cranes.falls_out_of_plumb, is_listed=True
+        "largest angle of the falls of a hook from plumb",
+        "deg",
+        2,
+        cranes.falls_out_of_plumb,
+        is_listed=True,
+        alarm=FALLS,
     ),
     "off_lead": Measure(
         "largest angle of the falls of a hook from plumb in the plane of its boom",
@@ -70,6 +87,7 @@ LIMITS: dict[str, Measure] = {
         2,
         booms.side_lead,
         is_listed=True,
+        alarm=SIDE_LEAD,
     ),
     "boom_angle_margin": Measure(
         "distance of the angle of a boom from the nearer end of its range",
@@ -158,6 +176,7 @@ LIMITS: dict[str, Measure] = {
         by_definition=1.0,
         definition=_ALL,
         is_listed=True,
+        alarm=TIPPING,
     ),
     "ground_pressure_of_allowed": Measure(
         "largest pressure on the ground under a track or its mats / what the ground bears",
@@ -239,6 +258,7 @@ LIMITS: dict[str, Measure] = {
         1,
         slings.angle_from_vertical,
         is_listed=True,
+        alarm=SLING_ANGLE,
     ),
     "sling_angle_from_horizontal": Measure(
         "least angle of a carrying sling from the horizontal",
@@ -263,6 +283,7 @@ LIMITS: dict[str, Measure] = {
         slings.sling_bending_ratio,
         at_least=True,
         is_listed=True,
+        alarm=SLING_BENDING,
     ),
     "sling_factor_on_breaking_force": Measure(
         "minimum breaking force / peak tension of the same sling",
@@ -280,6 +301,7 @@ LIMITS: dict[str, Measure] = {
         by_definition=1.0,
         definition="more breaks it; how much less is safe, a rule says",
         is_listed=True,
+        alarm=ROPE_FACTOR,
     ),
     "rope_load_of_breaking_force": Measure(
         "rope force x load, consequence, material, wear, and termination or bending factor / minimum "
@@ -298,6 +320,7 @@ LIMITS: dict[str, Measure] = {
         ropes.sheave_bending_ratio,
         at_least=True,
         is_listed=True,
+        alarm=SHEAVE_BENDING,
     ),
     "fleet_angle": Measure(
         "largest angle of a carrying rope to the plane of a sheave",
@@ -391,7 +414,12 @@ LIMITS: dict[str, Measure] = {
         is_listed=True,
     ),
     "load_tilt": Measure(
-        "largest angle of the load's own z axis from plumb", "deg", 2, loads.tilt, is_listed=True
+        "largest angle of the load's own z axis from plumb",
+        "deg",
+        2,
+        loads.tilt,
+        is_listed=True,
+        alarm=TILT,
     ),
     "load_yaw": Measure("largest change of the load's heading from the start", "deg", 1, loads.yaw),
     "tension_spread": Measure(

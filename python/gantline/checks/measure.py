@@ -78,6 +78,19 @@ Findings = Callable[[Recording, BoolArray], Iterator[Finding]]
 
 
 @dataclass(frozen=True)
+class Alarm:
+    """A bound past which nothing goes without a word where nobody set a limit; no limit of any rule.
+
+    Attributes:
+        value: SI, of a recording.
+        source: Where it comes from, or why it is sensible.
+    """
+
+    value: Callable[[Recording], float]
+    source: str
+
+
+@dataclass(frozen=True)
 class Measure:
     """One quantity that a limit can be set for.
 
@@ -93,6 +106,7 @@ class Measure:
         by_definition: Limit that holds where nobody sets one, such as all of a rated capacity.
         definition: Where that limit comes from.
         is_listed: Whether it stands in the table without a limit too.
+        alarm: Where nobody sets a limit, a value past this one warns; one within it is as without it.
     """
 
     meaning: str
@@ -105,6 +119,7 @@ class Measure:
     by_definition: float | None = None
     definition: str = ""
     is_listed: bool = False
+    alarm: Alarm | None = None
 
 
 def extreme(

@@ -8,9 +8,10 @@ import numpy as np
 
 from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
-from gantline.results import progress
+from gantline.results import progress, series
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
+from gantline.units import format_quantity
 
 #: A load of which less than this share ever hangs has not been lifted [1].
 _LIFTED_FROM = 0.05
@@ -22,6 +23,8 @@ _HOISTS = ("hoist", "lower")
 _TAKES_ALONG = {"luff", "slew", "traverse", "travel"}
 #: Share of a load's weight from which it is told that it hangs at the start.
 _HANGS = 0.02
+#: Speed at which a load that is set down makes nobody wonder, beyond rounding of a hoist's own [m/s].
+_HARD = 0.1 + 1e-3
 #: Way that a hook may lose against motor or brake [m]: its rope stretches, and rings.
 _LOST = 0.05
 
@@ -33,7 +36,9 @@ def unfinished(recording: Recording) -> list[Check]:
         return []
     at = f" in '{left.under_way[0]}'" if left.under_way else ""
     not_begun = f"; not begun: {named(left.not_begun)}" if left.not_begun else ""
-    remark = f"the run ends at {recording.time[-1]:.4g} s{at}{not_begun}"
+    stopped = [time for time, _, _ in recording.events("emergency_stop")]
+    after = f", after the emergency stop at {stopped[0]:.4g} s" if stopped else ""
+    remark = f"the run ends at {recording.time[-1]:.4g} s{at}{after}{not_begun}"
     return [Check(PLAN_FINISHED, Verdict.WARNING, "all steps of the plan within the run", remark=remark)]
 
 
@@ -75,9 +80,10 @@ def stood_still(recording: Recording) -> list[Check]:
 
 
 def came_down(recording: Recording) -> list[Check]:
-    """A warning for each load that comes down on what is below it while a step takes it along.
+    """A check for each load that meets something while a step takes it along.
 
-    A boom that goes down lowers its hooks, and nobody may have thought of that; what follows drags the load.
+    A boom that goes down lowers its hooks, and nobody may have thought of that; what follows drags the load:
+    a warning. What slews, traverses or travels comes no lower, and runs into what is in its way: a failure.
     """
     kinds = {step.step: step.kind for step in recording.rig.plan}
     loads = {load.name for load in recording.rig.loads}
@@ -88,13 +94,38 @@ def came_down(recording: Recording) -> list[Check]:
     ]
     first: dict[str, Check] = {}
     for time, _, name in recording.events("set_down"):
-        steps = [stretch.name for stretch in moved if stretch.begin < time <= stretch.end]
+        steps = [stretch for stretch in moved if stretch.begin < time <= stretch.end]
         if name in loads and steps:
-            remark = f"it comes down on what is below it in '{steps[0]}', which does not lower it"
+            luffs = any(kinds[one] == "luff" for one in steps[0].names)
+            verdict = Verdict.WARNING if luffs else Verdict.FAILED
+            met = "it comes down on what is below it" if luffs else "it runs into what is in its way"
+            remark = f"{met} in '{steps[0].name}', which does not lower it"
             meaning = "loads that are taken along stay clear"
-            check = Check("stays_clear", Verdict.WARNING, meaning, element=name, time=time, remark=remark)
+            check = Check("stays_clear", verdict, meaning, element=name, time=time, remark=remark)
             first.setdefault(name, check)
     return list(first.values())
+
+
+def hit(recording: Recording) -> list[Check]:
+    """A warning for each load that comes down hard on what is below it, the hardest time of it.
+
+    Speeds are those of the centre of gravity at the sample before.
+    """
+    checks = []
+    for load in recording.rig.loads:
+        down = [time for time, _, name in recording.events("set_down") if name == load.name]
+        if not down:
+            continue
+        before = np.maximum(np.searchsorted(recording.time, down, side="left") - 1, 0)
+        speeds = -recording.column("body_velocity", load.body)[before, 2]
+        worst = int(np.argmax(speeds))
+        if speeds[worst] > _HARD:
+            met = format_quantity(float(speeds[worst]), "m/min", 1)
+            remark = f"it meets what is below it at {met}; creep, or a brake before it, is usual"
+            meaning = f"loads are set down with at most {format_quantity(_HARD, 'm/min', 0)}"
+            check = Check("set_down_softly", Verdict.WARNING, meaning, element=load.name, remark=remark)
+            checks.append(replace(check, time=float(down[worst])))
+    return checks
 
 
 def fell_behind(recording: Recording) -> list[Check]:
@@ -111,6 +142,14 @@ def fell_behind(recording: Recording) -> list[Check]:
 
 
 def _slipped(recording: Recording, drum: Drum) -> Check | None:
+    check = Check("hoist_follows", Verdict.WARNING, "drums of hoists follow the plan", element=drum.name)
+    ran_away = _ran_away(recording, drum)
+    if ran_away > _LOST:
+        began = f"it begins {ran_away:.2f} m below where the lift file has it"
+        remark = (
+            f"motor or brake do not hold what hangs before the lift begins, and the hook runs away: {began}"
+        )
+        return replace(check, verdict=Verdict.FAILED, time=float(recording.time[0]), remark=remark)
     begins = [time for time, _, name in recording.events("drum_slips") if name == drum.name]
     ends = [time for time, _, name in recording.events("drum_holds") if name == drum.name]
     # One that slips at the end of the run has not come to hold again.
@@ -120,12 +159,18 @@ def _slipped(recording: Recording, drum: Drum) -> Check | None:
     lasted = sum(end - begin for begin, end in spans)
     if lost <= _LOST and lasted <= _LONG:
         return None
-    check = Check("hoist_follows", Verdict.WARNING, "drums of hoists follow the plan", element=drum.name)
     remark = f"from {begins[0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
     if lost <= _LOST:
         return replace(check, remark=remark)
     remark += f", and do not hold: the hook runs away, {lost:.2f} m lower than at the speed that it had"
     return replace(check, verdict=Verdict.FAILED, time=since, remark=remark)
+
+
+def _ran_away(recording: Recording, drum: Drum) -> float:
+    """How far a hook comes down on the way to the rest in which a run begins [m]."""
+    if series.is_equilibrium(recording) or not len(recording.time):
+        return 0.0
+    return float(recording.column("rope_paid_out", drum.name)[0]) / -drum.paid_out
 
 
 def _lost(recording: Recording, drum: Drum, span: tuple[float, float]) -> float:

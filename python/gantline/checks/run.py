@@ -9,11 +9,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
+from gantline.checks.crawlers import left_ground
 from gantline.checks.equalizers import held_upright
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
-from gantline.checks.plan import came_down, fell_behind, not_lifted, stood_still, unfinished
+from gantline.checks.overlaps import run_into
+from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, stood_still, unfinished
 from gantline.checks.slings import idle
 from gantline.results import progress, series
 from gantline.results.parting import Parting, partings
@@ -21,6 +23,9 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
+
+#: Of a bound that nobody set.
+_OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 
 
 def check_recording(recording: Recording) -> list[Check]:
@@ -33,10 +38,11 @@ def check_recording(recording: Recording) -> list[Check]:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
-        that let its load go; and a warning for each that fell behind, where slings never carried or run
-        through a load, where a hook holds a frame upright, where the recording has warnings of its own,
-        where steps moved nothing, where a load came down while it was taken along, and where a run lifts
-        nothing or ends before its plan.
+        that let its load go; a warning or a failure for each pair that is drawn in one place; and a warning
+        for each hoist that fell behind, where slings never carried or run through a load, where a hook holds
+        a frame upright, where the recording has warnings of its own, where steps moved nothing, where a load
+        came down while it was taken along or came down hard, and where a run lifts nothing or ends before
+        its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -54,12 +60,12 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording) + idle(recording) + run_through(recording) + held_upright(recording)
-    every += _told(recording)
+    every += fell_behind(recording) + idle(recording) + run_through(recording) + run_into(recording)
+    every += left_ground(recording) + held_upright(recording) + _told(recording)
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
-    every += stood_still(recording) + came_down(recording)
+    every += stood_still(recording) + came_down(recording) + hit(recording)
     return every + (unfinished(recording) or not_lifted(recording))
 
 
@@ -147,13 +153,21 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if found.worst is None:
         return replace(check, remark=found.missing or _nothing(measure))
     check = _with_value(check, found.worst)
+    remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
+    if given is None and measure.alarm is not None:
+        alarm = measure.alarm.value(recording)
+        within = limit is None or _verdict(measure, found.worst.value, limit) is Verdict.OK
+        if within and _verdict(measure, found.worst.value, alarm) is Verdict.FAILED:
+            check = replace(
+                check, limit=alarm, source=_with_factors(recording, measure.alarm.source, factors)
+            )
+            return replace(check, verdict=Verdict.WARNING, remark=_joined([_OWN_LIMIT, *remarks]))
     if limit is None:
         return replace(check, remark=_joined([found.missing, found.cautions]))
-    remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     verdict = _verdict(measure, found.worst.value, limit)
     if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
-        remarks.append("a limit of its own under 'limits' would make this a failure")
+        remarks.append(_OWN_LIMIT)
     remark = _joined(remarks)
     if remark and verdict is Verdict.OK:
         verdict = Verdict.WARNING

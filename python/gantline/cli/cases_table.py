@@ -105,7 +105,7 @@ def outcome(states: Sequence[State]) -> str:
 
 
 def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width: int) -> Iterator[str]:
-    """Why states are not sound, each reason once.
+    """Why states are not sound, or warn of a limit that they are past, each reason once.
 
     Args:
         states: All of them.
@@ -125,6 +125,8 @@ def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width:
             reasons.setdefault(f"{load} stands on its supports, and hangs as given", []).append(place)
         for check in state.failed:
             reasons.setdefault(f"{check} failed", []).append(place)
+        for check in state.past:
+            reasons.setdefault(f"{check} past a limit that only warns", []).append(place)
     for reason, found in reasons.items():
         every = len(found) == len(states) and len(states) > 1
         line = f"{reason}: {'everywhere' if every else where(found)}"

@@ -169,6 +169,7 @@ class Rig(FromJson):
         loads: What is lifted.
         supports: What the loads stand on, where that is more than the ground.
         watches: Pairs whose distance is watched.
+        touching: Pairs that touch each other in the simulation as the lift file says.
         hooks: Hooks of all cranes.
         vessels: Vessels.
         mooring_lines: Mooring lines.
@@ -202,6 +203,7 @@ class Rig(FromJson):
     loads: Sequence[Load] = ()
     supports: Sequence[Support] = ()
     watches: Sequence[Watch] = ()
+    touching: Sequence[tuple[str, str]] = ()
     hooks: Sequence[Hook] = ()
     vessels: Sequence[Vessel] = ()
     mooring_lines: Sequence[MooringLine] = ()

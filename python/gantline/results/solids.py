@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from gantline.results.variable import FloatArray
 
-__all__ = ["Indices", "box_faces", "solid_of"]
+__all__ = ["Indices", "box_faces", "crossings", "skin_of", "solid_of"]
 
 Indices = npt.NDArray[np.int64]
 
@@ -53,3 +53,41 @@ def solid_of(shape: Mapping[str, Any] | None) -> tuple[FloatArray, Indices] | No
 def box_faces(count: int) -> Indices:
     """Triangles of boxes whose corners follow each other, eight of each, x slowest, z fastest; outwards."""
     return np.concatenate([_BOX + 8 * place for place in range(count)])
+
+
+def skin_of(body: Mapping[str, Any] | None) -> FloatArray:
+    """Triangles (n, 3, 3) of a drawn body from its centre of gravity on; none of one that has no solid."""
+    solid = None if body is None else solid_of(body.get("shape"))
+    if body is None or solid is None:
+        return np.empty((0, 3, 3))
+    vertices, faces = solid
+    skin: FloatArray = (vertices - np.asarray(body.get("centre_of_gravity") or np.zeros(3)))[faces]
+    return skin
+
+
+def crossings(first: FloatArray, last: FloatArray, skin: FloatArray) -> FloatArray:
+    """Where lines go through triangles; Moeller and Trumbore 1997.
+
+    Args:
+        first: One end of each line, shape (lines, 3) [m].
+        last: The other.
+        skin: Triangles, shape (triangles, 3, 3) [m].
+
+    Returns:
+        Points, shape (n, 3) [m].
+    """
+    along = (last - first)[:, None]
+    corner, one, other = skin[:, 0], skin[:, 1] - skin[:, 0], skin[:, 2] - skin[:, 0]
+    across = np.cross(along, other)
+    volume = np.einsum("ijk,jk->ij", across, one)
+    off = first[:, None] - corner
+    turned = np.cross(off, one)
+    # Lines in the plane of a triangle touch it and do not go through.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        u = np.einsum("ijk,ijk->ij", across, off) / volume
+        v = np.einsum("ijk,ijk->ij", np.broadcast_to(along, turned.shape), turned) / volume
+        share = np.einsum("ijk,jk->ij", turned, other) / volume
+        inside = (u >= 0) & (v >= 0) & (u + v <= 1) & (share >= 0) & (share <= 1) & np.isfinite(share)
+    line, _ = np.nonzero(inside)
+    points: FloatArray = first[line] + share[inside][:, None] * (last - first)[line]
+    return points

@@ -13,7 +13,8 @@ from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.variable import FloatArray
 
-_SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
+#: Corners of a box of twice the size 1, x slowest, z fastest.
+SIGNS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
 
 
 @dataclass(frozen=True)
@@ -202,7 +203,7 @@ def _pair(given: Any) -> tuple[float, float]:
 
 def _corners(box: Mapping[str, Any]) -> FloatArray:
     """Corners of a box of the world, which may be turned."""
-    half = _SIGNS * np.asarray(box["size"], dtype=np.float64) / 2
+    half = SIGNS * np.asarray(box["size"], dtype=np.float64) / 2
     turn = axes(np.asarray(box.get("orientation") or (1.0, 0.0, 0.0, 0.0), dtype=np.float64))
     corners: FloatArray = np.asarray(box["centre"], dtype=np.float64) + half @ turn.T
     return corners

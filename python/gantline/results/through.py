@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
-from gantline.results.solids import solid_of
+from gantline.results.solids import crossings, skin_of
 from gantline.results.variable import FloatArray
 
 __all__ = ["Through", "slings_through_loads"]
@@ -52,7 +51,7 @@ def slings_through_loads(recording: Recording) -> list[Through]:
     bodies = {body["name"]: body for body in (recording.attributes.get("scene") or {}).get("bodies") or ()}
     found = []
     for load in recording.rig.loads:
-        skin = _skin(bodies.get(load.body))
+        skin = skin_of(bodies.get(load.body))
         for sling in recording.rig.slings if len(skin) else ():
             if _is_watched(recording, load.name, sling.rope):
                 continue
@@ -85,39 +84,10 @@ def _looks(
         own = axes(orientation[at])
         points = (places[at, columns] - position[at]) @ own
         top = points[[int(np.argmax(places[at, columns, 2]))]]
-        if len(_crossings(top, top + _UP @ own, skin)):
+        if len(crossings(top, top + _UP @ own, skin)):
             yield float(recording.time[at]), None
             continue
-        crossings = _crossings(points[:-1], points[1:], skin)
-        apart = np.linalg.norm(crossings[:, None] - points[[0, -1]], axis=-1).min(axis=1)
+        through = crossings(points[:-1], points[1:], skin)
+        apart = np.linalg.norm(through[:, None] - points[[0, -1]], axis=-1).min(axis=1)
         if apart.max(initial=0.0) > _NEAR_ENDS:
             yield float(recording.time[at]), float(apart.max())
-
-
-def _crossings(first: FloatArray, last: FloatArray, skin: FloatArray) -> FloatArray:
-    """Points (n, 3) at which lines from `first` to `last` go through triangles; Moeller and Trumbore 1997."""
-    along = (last - first)[:, None]
-    corner, one, other = skin[:, 0], skin[:, 1] - skin[:, 0], skin[:, 2] - skin[:, 0]
-    across = np.cross(along, other)
-    volume = np.einsum("ijk,jk->ij", across, one)
-    off = first[:, None] - corner
-    turned = np.cross(off, one)
-    # Lines in the plane of a triangle touch it and do not go through.
-    with np.errstate(divide="ignore", invalid="ignore"):
-        u = np.einsum("ijk,ijk->ij", across, off) / volume
-        v = np.einsum("ijk,ijk->ij", np.broadcast_to(along, turned.shape), turned) / volume
-        share = np.einsum("ijk,jk->ij", turned, other) / volume
-        inside = (u >= 0) & (v >= 0) & (u + v <= 1) & (share >= 0) & (share <= 1) & np.isfinite(share)
-    line, _ = np.nonzero(inside)
-    points: FloatArray = first[line] + share[inside][:, None] * (last - first)[line]
-    return points
-
-
-def _skin(body: Mapping[str, Any] | None) -> FloatArray:
-    """Triangles (n, 3, 3) of a drawn body from its centre of gravity on; none of one that has no solid."""
-    solid = None if body is None else solid_of(body.get("shape"))
-    if body is None or solid is None:
-        return np.empty((0, 3, 3))
-    vertices, faces = solid
-    skin: FloatArray = (vertices - np.asarray(body.get("centre_of_gravity") or np.zeros(3)))[faces]
-    return skin

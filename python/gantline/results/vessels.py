@@ -17,7 +17,7 @@ from gantline.results.rotation import axes
 from gantline.results.strength import FromJson
 from gantline.results.variable import FloatArray, Variable
 
-__all__ = ["Vessel", "under_water_warnings", "vessel_state", "vessel_warnings"]
+__all__ = ["Vessel", "vessel_state", "vessel_warnings"]
 
 Columns = Mapping[str, FloatArray]
 Names = Mapping[str, Sequence[str]]
@@ -107,23 +107,3 @@ def vessel_warnings(columns: Columns, names: Names) -> list[str]:
         f"{name} goes under water at {time:.2f} s; no water comes in here, as it would"
         for name, time in first.items()
     ]
-
-
-def under_water_warnings(
-    columns: Columns, names: Names, vessels: Sequence[Vessel], bodies: Mapping[str, str]
-) -> list[str]:
-    """A sentence for each load, of the given bodies by name, whose centre of gravity goes under water.
-
-    Only hulls feel water: a load that is lowered into it hangs in its slings with all of its weight.
-    """
-    if not vessels:
-        return []
-    level = min(vessel.level for vessel in vessels)
-    warnings = []
-    for load, body in bodies.items():
-        under = np.flatnonzero(columns["body_position"][:, list(names["body"]).index(body), 2] < level)
-        if under.size:
-            when = f"at {columns['time'][under[0]]:.2f} s"
-            without = "no buoyancy, slamming, drag or added mass acts on a load here, as it would"
-            warnings.append(f"the centre of gravity of {load} is under water {when}; {without}")
-    return warnings

@@ -117,7 +117,11 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
             findings.add(("start",), f"{sentence}; one on supports starts at 'rest', or 'as_given'")
     elif base != "ground":
         sentence = f"'{base}' is not a group of 'supports' and not 'ground'"
-        findings.add(("load", "stands_on"), f"{sentence}; {nearest(base, ['ground', *supports])}")
+        right = nearest(base, ["ground", *supports])
+        if base in (scenario.vessels or {}):
+            sentence = f"'{base}' is a vessel, which no load stands on by 'stands_on'"
+            right = "leave it out and let both touch by 'body_contacts' of 'mechanics'"
+        findings.add(("load", "stands_on"), f"{sentence}; {right}")
     elif ground is None:
         sentence = "the load stands on the ground but there is no 'ground' in this file"
         findings.add(("load", "stands_on"), f"{sentence}; add 'ground: {{level: 0 m}}'")

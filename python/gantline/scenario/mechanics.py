@@ -364,7 +364,7 @@ class Mechanics(Element):
 
     what: ClassVar[str] = "mechanics"
 
-    bodies: Named[Body] = Field(description="Bodies by name.")
+    bodies: Named[Body] = Field(default_factory=dict, description="Bodies by name.")
     drums: Named[Drum] | None = Field(None, description="Drums by name.")
     ropes: Named[MechanicsRope] | None = Field(None, description="Ropes by name.")
     contacts: Named[Contact] | None = Field(None, description="Contacts by name.")

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gantline.checks import Check, Verdict, check_recording, governing, has_failed, verdict_of
+from gantline.checks import Check, Verdict, check_recording, governing, has_failed, past_limits, verdict_of
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.saved import LOSSES, QUANTITIES
@@ -72,6 +72,11 @@ class State:
         return tuple(dict.fromkeys(one.name for one in self.checks if one.verdict is Verdict.FAILED))
 
     @property
+    def past(self) -> tuple[str, ...]:
+        """Names of the checks that are past a limit and no more than a warning."""
+        return tuple(dict.fromkeys(one.name for one in past_limits(self.checks)))
+
+    @property
     def governing(self) -> Check | None:
         """The check that uses most of its limit; None without equilibrium or such a check."""
         return governing(self.checks)
@@ -100,6 +105,7 @@ class State:
             **values_of(self),
             "first_order_sling_tension": dict(self.first_order) or None,
             "failed": list(self.failed),
+            "past_limits_that_warn": list(self.past),
             "governing": None
             if check is None
             else {"check": check.name, "element": check.element, "utilisation": check.utilisation},

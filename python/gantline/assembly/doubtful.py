@@ -1,0 +1,115 @@
+"""What can be built of cranes and cannot well be meant: charts, and masses of which a unit has slipped."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from gantline.scenario import Scenario
+from gantline.scenario.crawler import Crawler
+from gantline.scenario.goliath import Goliath
+from gantline.scenario.rating import Rating
+from gantline.units import format_quantity
+
+__all__ = ["doubtful_cranes"]
+
+#: Hook blocks weigh some hundredths of what they may carry; less than this share is a slip [1].
+_LIGHTEST = 0.002
+#: Charts of crawler cranes are for 75 % of what tips them (ASME B30.5, 5-1.1.1), of which lift files may
+#: have rough masses; more than this share is neither [1].
+_MOST_OF_TIPPING = 0.9
+
+
+def doubtful_cranes(scenario: Scenario) -> list[str]:
+    """A sentence for each thing that cannot well be meant of cranes."""
+    return [
+        *_rising_charts(scenario),
+        *_unsaid_ratings(scenario),
+        *_charts_past_tipping(scenario),
+        *_light_hook_blocks(scenario),
+    ]
+
+
+def _rising_charts(scenario: Scenario) -> list[str]:
+    """A sentence for each rating chart by which more may hang farther out."""
+    doubts = []
+    for name, crane in (scenario.cranes or {}).items():
+        chart: Rating | None = getattr(crane, "rating", None)
+        if chart is not None and chart.rises is not None:
+            unit = "deg" if chart.over == "angle" else "m"
+            near, far = (
+                f"{format_quantity(mass, 't', 1)} at {format_quantity(place, unit, 1)}"
+                for place, mass in chart.rises
+            )
+            sentence = f"the rating chart of {name} has {far} and only {near}, nearer by"
+            doubts.append(f"{sentence}; charts fall outwards")
+    return doubts
+
+
+def _unsaid_ratings(scenario: Scenario) -> list[str]:
+    """A sentence for each crane of which nothing says whether its ratings have hook block and falls in them.
+
+    They are then taken for hook loads, which leaves the weight of hook block and falls out.
+    """
+    doubts = []
+    for name, crane in (scenario.cranes or {}).items():
+        hooks = [hook for hook in scenario.hooks.values() if hook.crane == name]
+        is_heavy = any(hook.hook_block is not None or hook.hook_block_mass > 0.0 for hook in hooks)
+        of_trolleys = crane.trolleys.values() if isinstance(crane, Goliath) else ()
+        rated = [one.rated_capacity for one in (crane, *hooks, *of_trolleys)]
+        is_rated = any(one is not None for one in (*rated, getattr(crane, "rating", None)))
+        if is_heavy and is_rated and "rating_includes_hook_block" not in crane.model_fields_set:
+            doubts.append(
+                f"nothing says whether {name} is rated with its hook block and falls: they are left out of "
+                "what is compared; 'rating_includes_hook_block: true' counts them, as most charts do"
+            )
+    return doubts
+
+
+def _charts_past_tipping(scenario: Scenario) -> Iterator[str]:
+    """A sentence for each crawler crane whose chart and masses do not agree: it would nearly tip, or more."""
+    for name, crane in (scenario.cranes or {}).items():
+        if not isinstance(crane, Crawler) or crane.rating is None or crane.rating.over == "outreach":
+            continue
+        used, radius, rated = max(
+            (rated / max(_tipping_mass(crane, radius), 1.0), radius, rated)
+            for radius, rated in _by_radius(crane, crane.rating)
+        )
+        if used > _MOST_OF_TIPPING:
+            row = f"{format_quantity(rated, 't', 1)} at {format_quantity(radius, 'm', 1)}"
+            share = f"{100.0 * used:.3g} % of what tips the crane by its masses, where 75 % is usual"
+            right = "the chart is too large, or a mass of the crane too small"
+            yield f"the rating chart of {name} has {row}, {share}; {right}"
+
+
+def _by_radius(crane: Crawler, chart: Rating) -> list[tuple[float, float]]:
+    """Rows of a chart as radius [m] and rated load [kg]."""
+    if chart.over == "radius":
+        return chart.rows
+    ahead, length = crane.boom.heel_pins.ahead, crane.boom.length
+    return [(ahead + length * math.cos(angle), rated) for angle, rated in chart.rows]
+
+
+def _tipping_mass(crane: Crawler, radius: float) -> float:
+    """What tips a crane that stands alone at a radius, equation (CR4) [kg]; infinite where nothing can."""
+    half = min(crane.tracks.gauge, crane.tracks.length) / 2
+    if not half < radius <= crane.boom.heel_pins.ahead + crane.boom.length:
+        return math.inf
+    boom, weight = crane.boom, crane.counterweight
+    ahead = boom.heel_pins.ahead
+    lumps = (
+        (crane.base_mass + crane.central_ballast, 0.0),
+        (weight.mass, -weight.behind),
+        (boom.mass, ahead + boom.centre_of_gravity * (radius - ahead)),
+        (boom.head_gear, radius),
+    )
+    return max(0.0, math.fsum(mass * (half - at) for mass, at in lumps) / (radius - half))
+
+
+def _light_hook_blocks(scenario: Scenario) -> Iterator[str]:
+    """A sentence for each hook block that weighs next to nothing of what it may carry."""
+    for name, hook in scenario.hooks.items():
+        gear, rated = hook.hook_block, hook.rated_capacity
+        if gear is not None and rated is not None and gear.mass < _LIGHTEST * rated:
+            carries = f"weighs {gear.mass:.4g} kg and may carry {format_quantity(rated, 't', 1)}"
+            yield f"the hook block of {name} {carries}; a unit has slipped, kg for t"

@@ -1,0 +1,51 @@
+"""Bounds past which a lift is not GO without a word where nobody sets a limit, and where they come from."""
+
+from __future__ import annotations
+
+import math
+
+from gantline.checks.measure import Alarm
+from gantline.results.recording import Recording
+
+__all__ = [
+    "FALLS",
+    "HOOK_DYNAMICS",
+    "ROPE_FACTOR",
+    "SHEAVE_BENDING",
+    "SIDE_LEAD",
+    "SLING_ANGLE",
+    "SLING_BENDING",
+    "TILT",
+    "TIPPING",
+]
+
+#: Falls out of plumb whichever way [rad].
+_OUT_OF_PLUMB = math.radians(2.0)
+#: Share of what hangs that pulls a boom aside [1].
+_ASIDE = 0.02
+
+
+def _side_lead(recording: Recording) -> float:
+    """Angle at which falls pull a boom aside more than lattice booms are tested for [rad]."""
+    return max([math.atan(_ASIDE), *_of_charts(recording, "side_lead")])
+
+
+def _falls(recording: Recording) -> float:
+    """Angle of falls from plumb at which nobody lifts by intention [rad]."""
+    return max([_OUT_OF_PLUMB, *_of_charts(recording, "off_lead"), *_of_charts(recording, "side_lead")])
+
+
+def _of_charts(recording: Recording, key: str) -> list[float]:
+    """Leads up to which the makers of cranes say that their charts hold [rad]: no alarm comes before them."""
+    return [lead for chart in recording.rig.rating_charts if (lead := getattr(chart, key)) is not None]
+
+
+FALLS = Alarm(_falls, "more than 3 % of what hangs pulls sideways; plausible, no document")
+SIDE_LEAD = Alarm(_side_lead, "lattice booms are tested with 2 % of what hangs sideways: SAE J987")
+TIPPING = Alarm(lambda _: 0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1")
+SLING_ANGLE = Alarm(lambda _: math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
+SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5")
+ROPE_FACTOR = Alarm(lambda _: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1")
+HOOK_DYNAMICS = Alarm(lambda _: 1.3, "more comes of snatching a load; plausible, no document")
+SHEAVE_BENDING = Alarm(lambda _: 11.2, "drums of the lightest duty, group M1: ISO 4308-1")
+TILT = Alarm(lambda _: math.radians(5.0), "loose things on a load begin to move; plausible, no document")

@@ -1,0 +1,250 @@
+"""Load, equalizer frames, cranes, hulls and structures that are drawn in the same place.
+
+What bodies of cranes and hulls are in the way of is no part of a simulation: a load goes through a boom as if
+it were not there. Here boxes are held against boxes by the separating axes of Gottschalk, Lin and Manocha
+1996; what is drawn as triangles has its bounding box for that, and goes through the other only where edges
+of one go through triangles of the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.rotation import axes
+from gantline.results.solids import Indices, box_faces, crossings, skin_of
+from gantline.results.surroundings import SIGNS, structures_of
+from gantline.results.variable import BoolArray, FloatArray
+
+__all__ = ["Overlap", "overlaps"]
+
+#: Samples at which bodies are looked at, at most: at 20 m/min every half metre of a lift of 15 min.
+_LOOKS = 600
+#: Of these, at most, that what is drawn as triangles is looked at.
+_EXACT_LOOKS = 60
+#: What is drawn less deep in the other touches it [m].
+_TOUCH = 0.01
+#: Directions shorter than this are those of parallel edges [1].
+_PARALLEL = 1e-6
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """Two bodies that are drawn in the same place.
+
+    Attributes:
+        between: Their names.
+        time: When first, as far as it was looked at [s].
+        depth: How far one is in the other at most, the shortest way out [m].
+        is_past_middle: Whether one reaches past the middle of the other: no matter of how it is drawn.
+    """
+
+    between: tuple[str, str]
+    time: float
+    depth: float
+    is_past_middle: bool
+
+
+@dataclass(frozen=True, eq=False)
+class _Body:
+    """Something that is drawn: boxes by the axes of its own, at each look.
+
+    Attributes:
+        name: Of the body.
+        of: What it belongs to: a crane, itself.
+        kind: `load`, `frame`, `hook`, `hull`, `crane`, `tracks` or `structure`.
+        sizes: Of its boxes, half, shape (boxes, 3) [m].
+        centres: Of its boxes from its centre of gravity, its axes, shape (boxes, 3) [m].
+        place: Of that centre of gravity, shape (looks, 3) [m].
+        turn: World from body, shape (looks, 3, 3).
+        skin: Triangles from there, its axes, shape (triangles, 3, 3) [m].
+        is_mesh: Whether its one box is only about it.
+    """
+
+    name: str
+    of: str
+    kind: str
+    sizes: FloatArray
+    centres: FloatArray
+    place: FloatArray
+    turn: FloatArray
+    skin: FloatArray
+    is_mesh: bool
+
+
+#: Kinds that are held against each other. A load touches structures in the simulation, and what a crane that
+#: stands on a hull may reach is not known.
+_LOOKED_AT = {
+    frozenset(pair)
+    for pair in (
+        *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
+        *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
+        *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
+    )
+}
+
+
+def overlaps(recording: Recording) -> list[Overlap]:
+    """Pairs of bodies that are drawn in the same place, with how deep they are at most.
+
+    Pairs that the lift file watches are judged by that, and those that touch in the simulation stay apart.
+    """
+    count = len(recording.time)
+    if not count:
+        return []
+    # Of a lift at rest only the last sample is where it rests.
+    first = count - 1 if series.is_equilibrium(recording) else 0
+    looks = np.unique(np.linspace(first, count - 1, min(count, _LOOKS)).astype(int))
+    found = []
+    for one, other in combinations(_bodies(recording, looks), 2):
+        if (
+            one.of == other.of
+            or frozenset({one.kind, other.kind}) not in _LOOKED_AT
+            or _is_looked_after(recording, one.name, other.name)
+        ):
+            continue
+        depth, is_past = _depths(one, other)
+        if depth.max() > _TOUCH:
+            since = float(recording.time[looks[int(np.argmax(depth > _TOUCH))]])
+            found.append(Overlap((one.name, other.name), since, float(depth.max()), bool(is_past.any())))
+    return found
+
+
+def _is_looked_after(recording: Recording, one: str, other: str) -> bool:
+    """Whether the lift file watches a pair, or lets it touch."""
+
+    def stands_for(watched: str, name: str) -> bool:
+        return name == watched or name.startswith(f"{watched}.")
+
+    given = [*(watch.between for watch in recording.rig.watches), *recording.rig.touching]
+    pairs = [pair for first, second in given for pair in ((first, second), (second, first))]
+    return any(stands_for(first, one) and stands_for(second, other) for first, second in pairs)
+
+
+def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
+    rig = recording.rig
+    cranes = [boom.name for boom in rig.booms] + [crane.name for crane in rig.cranes]
+    tracks = {crawler.tracks for crawler in rig.crawlers}
+    scene = recording.attributes.get("scene") or {}
+    names = set(recording.coordinates.get("body", ()))
+    for body in scene.get("bodies") or ():
+        name, kind = str(body["name"]), str(body["kind"])
+        of = max(
+            (crane for crane in cranes if name == crane or name.startswith(f"{crane}.")),
+            default=name,
+            key=len,
+        )
+        if kind == "body" and of not in cranes:
+            continue
+        kind = ("tracks" if name in tracks else "crane") if kind == "body" else kind
+        if name in names and any(kind in pair for pair in _LOOKED_AT):
+            yield from _drawn(recording, looks, body, (of, kind))
+    for structure in structures_of(recording):
+        if structure.kind == "structure":
+            vertices = structure.boxes.reshape(-1, 3)
+            still = np.zeros((len(looks), 3)), np.broadcast_to(np.eye(3), (len(looks), 3, 3))
+            yield _Body(
+                structure.name,
+                structure.name,
+                "structure",
+                *_sizes(structure.boxes),
+                *still,
+                vertices[box_faces(len(structure.boxes))],
+                False,
+            )
+
+
+def _sizes(corners: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Half the sizes of boxes and their middles, shape (boxes, 3), of points in them, (boxes, n, 3) [m]."""
+    least, most = corners.min(axis=1), corners.max(axis=1)
+    return (most - least) / 2, (most + least) / 2
+
+
+def _drawn(
+    recording: Recording, looks: Indices, body: Mapping[str, Any], of: tuple[str, str]
+) -> Iterator[_Body]:
+    skin = skin_of(body)
+    if not len(skin):
+        return
+    name, (whose, kind) = str(body["name"]), of
+    is_mesh = body["shape"]["type"] == "mesh"
+    # Boxes have twelve triangles each, which hold their corners.
+    half, centres = _sizes(skin.reshape(1, -1, 3) if is_mesh else skin.reshape(-1, 36, 3))
+    if kind == "tracks":
+        # Mats lie in the ground as they are drawn, and cranes may stand on one and the same.
+        above = centres[:, 2] + np.asarray(body["centre_of_gravity"])[2] > 0.0
+        half, centres = half[above], centres[above]
+    place = recording.column("body_position", name)[looks]
+    turn = axes(recording.column("body_orientation", name)[looks])
+    yield _Body(name, whose, kind, half, centres, place, turn, skin, is_mesh)
+
+
+def _depths(one: _Body, other: _Body) -> tuple[FloatArray, BoolArray]:
+    """How deep one body is in the other at each look [m], and where past the middle of a box."""
+    looks = len(one.place)
+    deepest, is_past = np.zeros(looks), np.zeros(looks, dtype=np.bool_)
+    for half, centre in zip(one.sizes, one.centres, strict=True):
+        at = one.place + np.einsum("tij,j->ti", one.turn, centre)
+        for half_other, centre_other in zip(other.sizes, other.centres, strict=True):
+            at_other = other.place + np.einsum("tij,j->ti", other.turn, centre_other)
+            apart = at_other - at
+            # Balls about both: most pairs are never near each other.
+            near = np.linalg.norm(apart, axis=1) < np.linalg.norm(half) + np.linalg.norm(half_other)
+            if not near.any():
+                continue
+            depth = np.zeros(looks)
+            depth[near] = _boxes(apart[near], (one.turn[near], half), (other.turn[near], half_other))
+            deepest = np.maximum(deepest, depth)
+            is_past |= depth > min(half.min(), half_other.min())
+    if one.is_mesh or other.is_mesh:
+        near = np.flatnonzero(deepest > _TOUCH)
+        looked_at = near[np.linspace(0, len(near) - 1, min(len(near), _EXACT_LOOKS)).astype(int)]
+        through = [look for look in looked_at if _pierce(one, other, int(look))]
+        only = np.isin(np.arange(looks), through)
+        deepest, is_past = np.where(only, deepest, 0.0), is_past & only
+    return deepest, is_past
+
+
+def _boxes(
+    apart: FloatArray, one: tuple[FloatArray, FloatArray], other: tuple[FloatArray, FloatArray]
+) -> FloatArray:
+    """The shortest way by which boxes come apart, shape (looks,) [m]; 0 where they are.
+
+    Args:
+        apart: From the middle of one to that of the other, shape (looks, 3) [m].
+        one: Its axes as columns, shape (looks, 3, 3), and half its sizes [m].
+        other: The same of the other.
+    """
+    (turn, half), (turn_other, half_other) = one, other
+    sides = [turn[:, :, i] for i in range(3)] + [turn_other[:, :, i] for i in range(3)]
+    edges = [np.cross(turn[:, :, i], turn_other[:, :, j]) for i in range(3) for j in range(3)]
+    depth = np.full(len(apart), np.inf)
+    for direction in (*sides, *edges):
+        length = np.linalg.norm(direction, axis=1)
+        unit = direction / np.maximum(length, _PARALLEL)[:, None]
+        reach = np.abs(np.einsum("tij,ti->tj", turn, unit)) @ half
+        reach = reach + np.abs(np.einsum("tij,ti->tj", turn_other, unit)) @ half_other
+        way = reach - np.abs(np.einsum("ti,ti->t", apart, unit))
+        depth = np.where(length > _PARALLEL, np.minimum(depth, way), depth)
+    shortest: FloatArray = np.maximum(depth, 0.0)
+    return shortest
+
+
+def _pierce(one: _Body, other: _Body, look: int) -> bool:
+    """Whether edges of one go through triangles of the other, at one look; of two meshes one is its box."""
+    skins = []
+    for body in (one, other):
+        own = body.skin
+        if one.is_mesh and other.is_mesh and body is one:
+            own = (body.centres[0] + SIGNS * body.sizes[0])[box_faces(1)]
+        skins.append(body.place[look] + own @ body.turn[look].T)
+    return any(
+        len(crossings(edges.reshape(-1, 3), np.roll(edges, -1, axis=1).reshape(-1, 3), surface))
+        for edges, surface in (skins, skins[::-1])
+    )
