@@ -91,9 +91,11 @@ BY_RIG: dict[str, _Names] = {
         *(sheave.rope for sheave in rig.sheaves),
         *(sheave.rope for sheave in rig.wrapped_sheaves),
         *(rope for boom in rig.booms for rope in boom.ropes),
+        *(rope for load in rig.loads for rope in load.other_ropes),
     ],
     "body": lambda rig: [
         *(load.body for load in rig.loads),
+        *(one.body for one in rig.equalizers),
         *(sling.over for sling in rig.slings if sling.over is not None),
         *(vessel.body for vessel in rig.vessels),
         *(body for boom in rig.booms for body in (boom.boom, boom.base)),
