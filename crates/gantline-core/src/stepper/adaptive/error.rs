@@ -14,13 +14,13 @@ use crate::stepper::frame::Frame;
 use crate::system::System;
 
 /// An error of the largest force that is rounding: no step is short enough to do better.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// Lengths and inertias that turn errors into metres and newtons.
 #[derive(Debug, Clone)]
 pub struct Weights {
     /// Radius of gyration of rotations [m]; 1 for translations.
-    arm: Vec<f64>,
+    pub(super) arm: Vec<f64>,
     stiffness: Vec<f64>,
 }
 

@@ -15,6 +15,7 @@ pub mod light;
 mod looks;
 mod places;
 pub mod point;
+mod prescribed;
 pub mod rodas;
 mod seating;
 mod spins;
@@ -41,6 +42,7 @@ use evaluation::Evaluation;
 use light::{Laid, Laying};
 use looks::Looks;
 use point::Point;
+use prescribed::Prescribed;
 use rodas::{Increment, Rodas};
 use winding::Paid;
 
@@ -86,6 +88,7 @@ pub struct Adaptive {
     rodas: Rodas,
     /// Length of the rotations' arms [m], inertia of every degree of freedom.
     weights: error::Weights,
+    prescribed: Prescribed,
     probe: Evaluation,
     /// The end of the part of the step that is made.
     next: Evaluation,
@@ -135,6 +138,7 @@ impl Adaptive {
         Self {
             tolerance,
             weights: error::Weights::new(system, frame),
+            prescribed: Prescribed::new(system),
             rodas,
             next: probe.clone(),
             probe,
@@ -206,7 +210,12 @@ impl Adaptive {
         flows::advance_plan(system, state, frame, (soon, &self.support), log);
         state.restart |= parting::cut(system, state, frame, soon, log);
         state.restart |= removing::remove(system, state, frame, soon, log);
-        state.restart |= pinning::act(system, state, frame, log)?;
+        let pins = pinning::act(system, state, frame, log)?;
+        state.restart |= pins.any;
+        if pins.put_in {
+            self.stop_pinned(system, state, frame, log)
+                .map_err(|pivot| self.singular(system, state, pivot))?;
+        }
         self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;
         self.log_slipping(system, state, log);
         let due = parting::next_cut(system, soon).min(removing::next_removal(system, soon));
@@ -216,6 +225,7 @@ impl Adaptive {
             h = h.min(2.0 * state.engaged_step);
         }
         h = h.min(self.winding_limit(system, state));
+        h = prescribed::turning_limit(system, state, h.min(stop - state.time));
         if !system.finders.is_empty() {
             let here = &self.rodas.here;
             h = h.min(spots::limit(system, &here.frame.kinematics, &here.dynamics.twists, state));
@@ -238,6 +248,7 @@ impl Adaptive {
                 continue;
             }
             let error = self.weights.norm(system, state, &self.rodas, &self.tolerance);
+            let error = error.max(self.foretell(system, state, h));
             if error <= 1.0 && self.has_tangents(system, state) {
                 break (error, reach);
             }
