@@ -48,6 +48,12 @@ impl Weights {
         for dof in (0..error.v.len()).filter(free) {
             position = position.max((error.phi[dof] * self.arm[dof]).abs() / tolerance.position);
         }
+        // A rope that carries nothing yet is wound all the same, and how much of it is as good as a place.
+        let idle = |row: usize| state.modes[row] == Mode::Slack;
+        let supplies = system.coils.iter().zip(&error.phi[error.v.len()..]);
+        for (_, supply) in supplies.filter(|(place, _)| idle(place.row)) {
+            position = position.max(supply.abs() / tolerance.position);
+        }
         self.stiffness.fill(0.0);
         let (mut sum, mut count, mut largest) = (0.0, 0.0, 0.0_f64);
         for (row, law) in system.rows.laws.iter().enumerate() {

@@ -301,10 +301,11 @@ impl Adaptive {
             state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
             state.v[dof] = timeline.motion(state.time).velocity;
         }
-        for &(row, drive) in &system.motors {
-            let is_same = state.plan.timelines[drive].braked(state.time) == self.rodas.here.held[row];
-            self.current &= is_same;
-            state.restart |= !is_same;
+        for &(_, drive) in &system.motors {
+            // Kept in the state, so that a run that goes on from one starts no other way.
+            let changed = state.plan.timelines[drive].notice(state.time);
+            self.current &= !changed;
+            state.restart |= changed;
         }
         self.current &= !coils::turn(system, state);
         loop {
