@@ -121,6 +121,8 @@ pub struct Adaptive {
     taut: Vec<bool>,
     /// Which motors slipped when that was looked at last, by [`System::motors`].
     slipping: Vec<bool>,
+    /// Where the course of the last step starts; there from the first step on.
+    start: Option<Box<State>>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
     /// Share of the last computed step that was made.
@@ -160,6 +162,7 @@ impl Adaptive {
             paid: vec![Paid::default(); system.coils.len()],
             taut: Vec::with_capacity(system.rigid.len()),
             slipping: Vec::with_capacity(system.motors.len()),
+            start: None,
             current: false,
             made: 1.0,
         }
@@ -218,6 +221,10 @@ impl Adaptive {
         }
         self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;
         self.log_slipping(system, state, log);
+        match &mut self.start {
+            Some(start) => start.copy_from(state),
+            None => self.start = Some(Box::new(state.clone())),
+        }
         let due = parting::next_cut(system, soon).min(removing::next_removal(system, soon));
         let stop = state.plan.next_time(&system.plan, soon).min(due).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };
