@@ -45,6 +45,7 @@ pub(super) fn first_state(
     }
     for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
         coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
+        coil.is_stretched = frame.value[place.row] > 0.0;
     }
     let held = force::energy(&system.tree, &frame.kinematics);
     let stored = Stored {

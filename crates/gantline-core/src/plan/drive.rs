@@ -79,6 +79,9 @@ pub struct Timeline {
     /// From when on a brake of which capacity holds in place of a motor [s, N].
     #[serde(default)]
     braked: Option<(f64, f64)>,
+    /// What of that the last step knew [N].
+    #[serde(default)]
+    noticed: Option<f64>,
 }
 
 impl Timeline {
@@ -86,12 +89,12 @@ impl Timeline {
     pub fn copy_from(&mut self, other: &Self) {
         self.start = other.start;
         self.ramps.clone_from(&other.ramps);
-        self.braked = other.braked;
+        (self.braked, self.noticed) = (other.braked, other.noticed);
     }
 
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
-        Self { start, ramps: Vec::with_capacity(ramps), braked: None }
+        Self { start, ramps: Vec::with_capacity(ramps), braked: None, noticed: None }
     }
 
     /// Throws in a brake of the given capacity [N] at the time `at` [s]; it holds until the drive moves again.
@@ -102,6 +105,12 @@ impl Timeline {
     /// Capacity of the brake that is in at `time` [s] [N]; none where the motor drives.
     pub fn braked(&self, time: f64) -> Option<f64> {
         self.braked.filter(|(from, _)| *from <= time).map(|(_, capacity)| capacity)
+    }
+
+    /// True where another brake is in at `time` [s] than when this was last asked, or none any more.
+    pub fn notice(&mut self, time: f64) -> bool {
+        let now = self.braked(time);
+        std::mem::replace(&mut self.noticed, now) != now
     }
 
     /// Where the drive is at `time` [s].

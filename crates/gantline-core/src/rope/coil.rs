@@ -34,18 +34,29 @@ pub struct Coil {
     pub pieces: Vec<Piece>,
     /// True while the drum winds up: then what passes has the strain of the rope that comes.
     pub winds: bool,
+    /// True where the rope outside is longer than unstretched. A damped one may then carry nothing, and goes on to wind
+    /// up with its strain: what is wound may not jump as it goes slack.
+    #[serde(default)]
+    pub is_stretched: bool,
 }
 
 impl Coil {
     /// A drum at the start, with rope of the strain `laid` on it.
     pub fn new(laid: f64) -> Self {
-        Self { laid, wound: 0.0, let_go: 0.0, pieces: Vec::with_capacity(MOST_PIECES), winds: false }
+        Self {
+            laid,
+            wound: 0.0,
+            let_go: 0.0,
+            pieces: Vec::with_capacity(MOST_PIECES),
+            winds: false,
+            is_stretched: false,
+        }
     }
 
     /// Takes over another coil; does not allocate once there has been room.
     pub fn copy_from(&mut self, other: &Self) {
         (self.laid, self.wound, self.let_go) = (other.laid, other.wound, other.let_go);
-        self.winds = other.winds;
+        (self.winds, self.is_stretched) = (other.winds, other.is_stretched);
         self.pieces.clear();
         self.pieces.reserve_exact(MOST_PIECES);
         self.pieces.extend_from_slice(&other.pieces);

@@ -23,6 +23,7 @@ use super::frame::{Frame, Remembered};
 use crate::constraint::AnyConstraint;
 use crate::constraint::rope::span::Span;
 use crate::rope::coil::Coil;
+use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::{CoilPlace, System};
 
@@ -74,7 +75,9 @@ impl Frame {
             let Some(span) = span_of(system, place) else { continue };
             let (unstretched, scale) = (span.unstretched(q), span.scale(q));
             let strain = self.value[place.row] / (scale * unstretched);
-            let outside = if by.modes[place.row].carries() { strain.max(0.0) } else { 0.0 };
+            let mode = by.modes[place.row];
+            let strained = mode.carries() || (coil.is_stretched && mode == Mode::Slack);
+            let outside = if strained { strain.max(0.0) } else { 0.0 };
             let (passing, feeding) = feeding(place, coil, q, outside);
             self.passing[index] = Passing { outside, strain: passing, supply: -scale * (1.0 + 0.5 * strain) };
             self.feeding[index] = feeding;
@@ -280,6 +283,7 @@ pub fn remember(system: &System, state: &mut State, frame: &Frame) {
             frame.passing[index].strain
         };
         coil.let_go = state.q[place.supply];
+        coil.is_stretched = frame.value[place.row] > 0.0;
         gained += place.stiffness * coil.bring_to(wound, strain);
     }
     state.ledger.wound += gained;

@@ -134,7 +134,7 @@ impl Del {
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);
         removing::remove(system, state, frame, end, log);
-        pinning::act(system, state, frame, log)?;
+        let pins = pinning::act(system, state, frame, log)?;
 
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
         system.clock.time(Stage::Assembly, || {
@@ -221,6 +221,7 @@ impl Del {
         }
         let flow = StepFlows {
             h,
+            pinned: pins.put_in,
             v: &self.v,
             c: &self.c,
             resistance: self.resistance.each_ref().map(Vec::as_slice),

@@ -18,6 +18,8 @@ use crate::tree::kinematics::Kinematics;
 pub struct StepFlows<'a> {
     /// Step [s].
     pub h: f64,
+    /// True where a pin has just been put in: what it holds comes to rest in this step.
+    pub pinned: bool,
     /// v₊.
     pub v: &'a [f64],
     /// Velocity-dependent forces minus gravity.
@@ -45,7 +47,7 @@ impl StepFlows<'_> {
             *rate = new - old;
         }
         let jump = 0.5 * frame.mass.quadratic(&state.acceleration);
-        if self.goes_taut_at_once(system, state) {
+        if self.pinned || self.goes_taut_at_once(system, state) {
             state.ledger.flows.impact += jump;
         } else {
             state.ledger.flows.method += jump;

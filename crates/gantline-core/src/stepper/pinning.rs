@@ -1,7 +1,8 @@
 //! Pins that are pulled and put in as steps of the plan begin.
 //!
 //! A pin that is pulled leaves everything where it is and at rest: nothing jumps but accelerations. One is put in only
-//! where what it holds is at rest; what is left of its motion ends, and is booked as `impact`.
+//! where what it holds is at rest. What is left of its motion then ends at once: an impact, M Δv + Gᵀ p = 0 with
+//! q̇ = 0 of the pin's joint, which each method solves in its own way and books as `impact`.
 
 use super::StepError;
 use super::frame::Frame;
@@ -13,12 +14,26 @@ use crate::system::System;
 /// A joint that moves faster than this [m/s or rad/s] is not at rest: a pin does not go in.
 const REST: f64 = 1e-3;
 
-/// Does what the steps that have begun say; true where any pin changed. `frame` belongs to the state.
+/// What [`act`] did.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Acted {
+    /// True where any pin changed.
+    pub any: bool,
+    /// True where one was put in: what it holds may still move.
+    pub put_in: bool,
+}
+
+/// Does what the steps that have begun say. `frame` belongs to the state.
 ///
 /// # Errors
 /// [`StepError`] where a pin is to be put in and what it holds moves.
-pub fn act(system: &System, state: &mut State, frame: &Frame, log: &mut EventLog) -> Result<bool, StepError> {
-    let mut any = false;
+pub fn act(
+    system: &System,
+    state: &mut State,
+    frame: &Frame,
+    log: &mut EventLog,
+) -> Result<Acted, StepError> {
+    let mut acted = Acted::default();
     for pinning in &system.pins {
         let row = system.rows.first[pinning.pin];
         let (wanted, step) = pinning.wanted(state.plan.begun());
@@ -26,7 +41,9 @@ pub fn act(system: &System, state: &mut State, frame: &Frame, log: &mut EventLog
             continue;
         }
         if wanted {
-            put_in(system, state, frame, row)?;
+            refuse_motion(system, state, frame, row)?;
+            state.modes[row] = Mode::Acting;
+            acted.put_in = true;
         } else {
             state.modes[row] = Mode::Slack;
             (state.tension[row], state.trial[row]) = (0.0, 0.0);
@@ -34,26 +51,18 @@ pub fn act(system: &System, state: &mut State, frame: &Frame, log: &mut EventLog
         let time = step.and_then(|step| log.begin_of(step)).unwrap_or(state.time);
         let kind = if wanted { EventKind::PinPutIn } else { EventKind::PinPulled };
         log.push(time, kind, pinning.pin);
-        any = true;
+        acted.any = true;
     }
-    Ok(any)
+    Ok(acted)
 }
 
-fn put_in(system: &System, state: &mut State, frame: &Frame, row: usize) -> Result<(), StepError> {
-    let speed = system.rows.rate(&frame.gradient, row, &state.v);
-    if speed.abs() > REST {
-        let element = system.constraint_of_row(row).name().to_owned();
-        let cause = format!(
-            "its pin cannot be put in while it moves by {:.3} m/s; hold until it is at rest",
-            speed.abs()
-        );
-        return Err(StepError { time: state.time, element, cause });
+fn refuse_motion(system: &System, state: &State, frame: &Frame, row: usize) -> Result<(), StepError> {
+    let speed = system.rows.rate(&frame.gradient, row, &state.v).abs();
+    if speed <= REST {
+        return Ok(());
     }
-    let before = frame.mass.quadratic(&state.v);
-    for (dof, entry) in system.rows.entries(&frame.gradient, row) {
-        state.v[dof] -= speed / entry;
-    }
-    state.ledger.flows.impact += 0.5 * (before - frame.mass.quadratic(&state.v));
-    state.modes[row] = Mode::Acting;
-    Ok(())
+    let element = system.constraint_of_row(row).name().to_owned();
+    let cause =
+        format!("its pin cannot be put in while it moves by {speed:.3} m/s; hold until it is at rest");
+    Err(StepError { time: state.time, element, cause })
 }

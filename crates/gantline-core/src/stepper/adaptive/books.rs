@@ -41,33 +41,36 @@ impl Adaptive {
     /// this changes: where forces rise and fall within a step, as of a rope that snaps taut, four looks do not tell what
     /// flowed.
     pub fn close_books(&mut self, system: &System, before: &State, state: &mut State) {
+        let Some(start) = self.start.take() else { return };
         let mut gap = state.ledger.gap_since(&before.ledger);
         let (mut parts, mut change) = (1, gap);
         while gap > GAP && change > UNCHANGED * gap && parts < PARTS {
             parts *= 2;
             let known = self.looked;
-            self.look_closely(system, before, parts);
+            self.look_closely(system, &start, parts);
             state.ledger.correct(&before.ledger, (known, self.looked));
             let left = state.ledger.gap_since(&before.ledger);
             (gap, change) = (left, (left - gap).abs());
         }
+        self.start = Some(start);
     }
 
-    fn look_closely(&mut self, system: &System, before: &State, parts: u32) {
+    /// Looks at the course from `start`, where the plan has already acted: ropes are cut, drives on their way.
+    fn look_closely(&mut self, system: &System, start: &State, parts: u32) {
         // The evaluation of its start, see [`Adaptive::advance`].
         std::mem::swap(&mut self.next, &mut self.rodas.here);
-        self.begin_looks(system, before);
+        self.begin_looks(system, start);
         let length = self.made * self.rodas.course.h;
         let share = 1.0 / f64::from(parts);
         for part in 0..parts {
             for (theta, weight) in LOOKS.into_iter().zip(WEIGHTS) {
                 let at = share * (f64::from(part) + theta);
-                self.book_look(system, before, at * self.made, weight * share * length);
-                self.laid.follow(system, &self.probe, before.time + at * length);
+                self.book_look(system, start, at * self.made, weight * share * length);
+                self.laid.follow(system, &self.probe, start.time + at * length);
             }
         }
         std::mem::swap(&mut self.next, &mut self.rodas.here);
-        self.book_pieces(system, before);
+        self.book_pieces(system, start);
         self.looked = std::mem::take(&mut self.flows);
     }
 
@@ -170,13 +173,17 @@ impl Adaptive {
             // What the coils then come to hold is taken off again: see [`crate::stepper::coils::remember`].
             ledger.method += duration * flow.held;
         }
-        // Where a contact slides, its anchor takes T α̇ and what is left of the motion stretches spring and damper.
-        for (anchor_rate, &row) in probe.anchor_rate.iter().zip(&system.friction) {
+        // Where a contact slides, its anchor takes T α̇ and what is left of the motion stretches spring and damper, all of it
+        // with the anchor's course: its law, over a damping time of microseconds, makes metres per second of what the
+        // tolerance lets a force be wrong by. What the damper's force then lacks is the method's.
+        let anchors = probe.anchor_rate.iter().zip(&self.rate.anchor);
+        for ((asked, course), &row) in anchors.zip(&system.friction) {
             if state.modes[row] == Mode::Slipping {
-                let (law, stretch) = (&system.rows.laws[row], probe.rate[row] - anchor_rate);
-                ledger.friction += duration * probe.tension[row] * anchor_rate;
-                ledger.contact_damping +=
-                    duration * law.damping_time() / law.compliance() * stretch * stretch;
+                let (law, stretch) = (&system.rows.laws[row], probe.rate[row] - course);
+                let damping = duration * law.damping_time() / law.compliance();
+                ledger.friction += duration * probe.tension[row] * course;
+                ledger.contact_damping += damping * stretch * stretch;
+                ledger.method += damping * (course - asked) * stretch;
             }
         }
         // The position's own defect, against inertia, gravity and springs: as if the bodies moved with it.
@@ -195,10 +202,6 @@ impl Adaptive {
         coils::follow(system, &state.coils, &probe.frame.feeding, &mut self.rate.phi);
         probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
         probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
-        let anchors = self.rate.anchor.iter().zip(&probe.anchor_rate);
-        for ((course, anchor_rate), &row) in anchors.zip(&system.friction) {
-            self.rows[row] -= course - anchor_rate;
-        }
         let twists = (probe.dynamics.twists.as_slice(), self.defect.as_slice());
         let mut power = drift::power(&system.tree, &probe.frame.kinematics, twists, &mut self.changes);
         for (row, law) in system.rows.laws.iter().enumerate() {

@@ -14,13 +14,13 @@ use crate::stepper::frame::Frame;
 use crate::system::System;
 
 /// An error of the largest force that is rounding: no step is short enough to do better.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// Lengths and inertias that turn errors into metres and newtons.
 #[derive(Debug, Clone)]
 pub struct Weights {
     /// Radius of gyration of rotations [m]; 1 for translations.
-    arm: Vec<f64>,
+    pub(super) arm: Vec<f64>,
     stiffness: Vec<f64>,
 }
 
@@ -47,6 +47,12 @@ impl Weights {
         let mut position = 0.0_f64;
         for dof in (0..error.v.len()).filter(free) {
             position = position.max((error.phi[dof] * self.arm[dof]).abs() / tolerance.position);
+        }
+        // A rope that carries nothing yet is wound all the same, and how much of it is as good as a place.
+        let idle = |row: usize| state.modes[row] == Mode::Slack;
+        let supplies = system.coils.iter().zip(&error.phi[error.v.len()..]);
+        for (_, supply) in supplies.filter(|(place, _)| idle(place.row)) {
+            position = position.max(supply.abs() / tolerance.position);
         }
         self.stiffness.fill(0.0);
         let (mut sum, mut count, mut largest) = (0.0, 0.0, 0.0_f64);

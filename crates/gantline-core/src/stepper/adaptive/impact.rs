@@ -94,6 +94,42 @@ impl Adaptive {
         }
         system.tree.advance(&mut state.q, &self.rate.a);
         frame.update(system, state);
+        self.hit(system, state, frame, log, hit)
+    }
+
+    /// Stops at once what pins that have just been put in hold: as an impact, which changes the velocities of all
+    /// that is coupled to it by masses and inextensible ropes.
+    pub(super) fn stop_pinned(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &Frame,
+        log: &mut EventLog,
+    ) -> Result<(), ZeroPivot> {
+        self.note_taut(system, state);
+        let before = frame.mass.quadratic(&state.v);
+        let work = self.hit(system, state, frame, log, true)?;
+        for row in pins(system).filter(|&row| state.modes[row] == Mode::Acting) {
+            for (dof, _) in system.rows.entries(&frame.gradient, row) {
+                state.v[dof] = 0.0;
+            }
+        }
+        let flows = &mut state.ledger.flows;
+        flows.drive_work += work;
+        flows.impact += 0.5 * (before - frame.mass.quadratic(&state.v)) + work;
+        Ok(())
+    }
+
+    /// Brings the ends of inextensible ropes that act to equal speed, and what pins hold to rest. Where that is an
+    /// impact (`hit`), others at their length take part. Returns what drives put in at once [J].
+    fn hit(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &Frame,
+        log: &mut EventLog,
+        hit: bool,
+    ) -> Result<f64, ZeroPivot> {
         let held = if hit { release(system, state) } else { Vec::new() };
         self.equalise(system, state, frame, hit)?;
         if self.hold_again(system, state, &held) {
@@ -163,7 +199,8 @@ impl Adaptive {
     }
 
     /// The change of coordinates or velocities, in `self.rate.a`, of least kinetic energy that gives each inextensible
-    /// rope that acts the change `wanted` of length or speed; brakes that hold keep their velocity.
+    /// rope that acts, and each pin that is in, the change `wanted` of length or speed; brakes that hold keep their
+    /// velocity.
     fn correct(
         &mut self,
         system: &System,
@@ -176,7 +213,7 @@ impl Adaptive {
             matrix.factorise_inertia(system, &frame.mass, &frame.gradient, &state.modes)
         })?;
         self.rows.fill(0.0);
-        for &row in system.inextensible.iter().filter(|&&row| state.modes[row] == Mode::Acting) {
+        for row in told(system).filter(|&row| state.modes[row] == Mode::Acting) {
             self.rows[row] = wanted(row);
         }
         self.rate.phi.fill(0.0);
@@ -190,7 +227,7 @@ impl Adaptive {
     fn work_at_once(&mut self, system: &System, state: &State, frame: &Frame) -> f64 {
         let impulse = &mut self.rate.phi;
         frame.mass.multiply(&self.rate.a, impulse);
-        for &row in system.inextensible.iter().filter(|&&row| state.modes[row] == Mode::Acting) {
+        for row in told(system).filter(|&row| state.modes[row] == Mode::Acting) {
             for (dof, entry) in system.rows.entries(&frame.gradient, row) {
                 impulse[dof] += entry * self.rodas.matrix.row_solution(row);
             }
@@ -216,6 +253,16 @@ impl Adaptive {
             frame.value[row] > -self.tolerance.position && after > STANDSTILL
         })
     }
+}
+
+/// Rows of pins.
+fn pins(system: &System) -> impl Iterator<Item = usize> {
+    system.pins.iter().map(|pinning| system.rows.first[pinning.pin])
+}
+
+/// Rows whose speed an impact gives: of inextensible ropes and pins.
+fn told(system: &System) -> impl Iterator<Item = usize> {
+    system.inextensible.iter().copied().chain(pins(system))
 }
 
 /// Brakes and their rows, but for those of light sheaves.

@@ -7,10 +7,10 @@ use crate::constraint::Law;
 use crate::system::System;
 
 /// The start of a step and its looks.
-const POINTS: usize = LOOKS.len() + 1;
+pub(super) const POINTS: usize = LOOKS.len() + 1;
 
 /// Shares of the step at the start and the looks.
-const TIMES: [f64; POINTS] = [0.0, LOOKS[0], LOOKS[1], LOOKS[2], LOOKS[3], LOOKS[4]];
+pub(super) const TIMES: [f64; POINTS] = [0.0, LOOKS[0], LOOKS[1], LOOKS[2], LOOKS[3], LOOKS[4]];
 
 /// One over the time between point k and the one `order` before it, by order and k.
 const SPANS: [[f64; POINTS]; POINTS] = {

@@ -15,6 +15,7 @@ pub mod light;
 mod looks;
 mod places;
 pub mod point;
+mod prescribed;
 pub mod rodas;
 mod seating;
 mod spins;
@@ -41,6 +42,7 @@ use evaluation::Evaluation;
 use light::{Laid, Laying};
 use looks::Looks;
 use point::Point;
+use prescribed::Prescribed;
 use rodas::{Increment, Rodas};
 use winding::Paid;
 
@@ -86,6 +88,7 @@ pub struct Adaptive {
     rodas: Rodas,
     /// Length of the rotations' arms [m], inertia of every degree of freedom.
     weights: error::Weights,
+    prescribed: Prescribed,
     probe: Evaluation,
     /// The end of the part of the step that is made.
     next: Evaluation,
@@ -118,6 +121,8 @@ pub struct Adaptive {
     taut: Vec<bool>,
     /// Which motors slipped when that was looked at last, by [`System::motors`].
     slipping: Vec<bool>,
+    /// Where the course of the last step starts; there from the first step on.
+    start: Option<Box<State>>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
     /// Share of the last computed step that was made.
@@ -135,6 +140,7 @@ impl Adaptive {
         Self {
             tolerance,
             weights: error::Weights::new(system, frame),
+            prescribed: Prescribed::new(system),
             rodas,
             next: probe.clone(),
             probe,
@@ -156,6 +162,7 @@ impl Adaptive {
             paid: vec![Paid::default(); system.coils.len()],
             taut: Vec::with_capacity(system.rigid.len()),
             slipping: Vec::with_capacity(system.motors.len()),
+            start: None,
             current: false,
             made: 1.0,
         }
@@ -206,9 +213,18 @@ impl Adaptive {
         flows::advance_plan(system, state, frame, (soon, &self.support), log);
         state.restart |= parting::cut(system, state, frame, soon, log);
         state.restart |= removing::remove(system, state, frame, soon, log);
-        state.restart |= pinning::act(system, state, frame, log)?;
+        let pins = pinning::act(system, state, frame, log)?;
+        state.restart |= pins.any;
+        if pins.put_in {
+            self.stop_pinned(system, state, frame, log)
+                .map_err(|pivot| self.singular(system, state, pivot))?;
+        }
         self.begin(system, state, frame, log).map_err(|pivot| self.singular(system, state, pivot))?;
         self.log_slipping(system, state, log);
+        match &mut self.start {
+            Some(start) => start.copy_from(state),
+            None => self.start = Some(Box::new(state.clone())),
+        }
         let due = parting::next_cut(system, soon).min(removing::next_removal(system, soon));
         let stop = state.plan.next_time(&system.plan, soon).min(due).min(until);
         let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };
@@ -216,6 +232,7 @@ impl Adaptive {
             h = h.min(2.0 * state.engaged_step);
         }
         h = h.min(self.winding_limit(system, state));
+        h = prescribed::turning_limit(system, state, h.min(stop - state.time));
         if !system.finders.is_empty() {
             let here = &self.rodas.here;
             h = h.min(spots::limit(system, &here.frame.kinematics, &here.dynamics.twists, state));
@@ -238,6 +255,7 @@ impl Adaptive {
                 continue;
             }
             let error = self.weights.norm(system, state, &self.rodas, &self.tolerance);
+            let error = error.max(self.foretell(system, state, h));
             if error <= 1.0 && self.has_tangents(system, state) {
                 break (error, reach);
             }
@@ -290,10 +308,11 @@ impl Adaptive {
             state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
             state.v[dof] = timeline.motion(state.time).velocity;
         }
-        for &(row, drive) in &system.motors {
-            let is_same = state.plan.timelines[drive].braked(state.time) == self.rodas.here.held[row];
-            self.current &= is_same;
-            state.restart |= !is_same;
+        for &(_, drive) in &system.motors {
+            // Kept in the state, so that a run that goes on from one starts no other way.
+            let changed = state.plan.timelines[drive].notice(state.time);
+            self.current &= !changed;
+            state.restart |= changed;
         }
         self.current &= !coils::turn(system, state);
         loop {
