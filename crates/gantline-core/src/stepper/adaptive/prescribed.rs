@@ -23,7 +23,6 @@ use super::point::Point;
 use super::{Adaptive, LOOKS};
 use crate::constraint::Law;
 use crate::state::State;
-
 use crate::system::System;
 use crate::tree::joint::Motion;
 
