@@ -93,12 +93,12 @@ def run(folder: Path, text: str, *words: str) -> tuple[int, str]:
             PAST_THE_END,
             (),
             "sheave",
-            "forces change faster than any step can follow",
+            "it has come to the next place that fall passes",
             (math.sqrt(2 * 2.0 / G) - 2e-3, math.sqrt(2 * 2.0 / G) + 2e-3),
             0.6,
         ),
     ],
-    ids=["redundant ropes", "redundant ropes by del", "singular at the start", "step at its floor"],
+    ids=["redundant ropes", "redundant ropes by del", "singular at the start", "sheave at a dead end"],
 )
 def test_time_element_and_cause_are_said_and_what_there_is_is_saved(
     tmp_path: Path,

@@ -23,7 +23,7 @@ def test_a_freed_sheave_ends_the_run_with_its_name(tmp_path: Path, sling: str) -
     path = tmp_path / "scenario.yaml"
     path.write_text(text.replace(line, line.rstrip()[:-1] + ", cut_at: 28 s}"), encoding="utf-8")
     with pytest.raises(
-        gantline.SimulationError, match=rf"at e1\.{sling[1]}: it has been hauled up"
+        gantline.SimulationError, match=rf"at e1\.{sling[1]}: it has come to the next place"
     ) as failed:
         gantline.simulate(path)
     # The sheave of 300 kg is let go under 296 kN on either side: 2 m take some hundredths of a second.
@@ -40,7 +40,7 @@ def test_a_sling_that_is_too_long_ends_the_run_too(tmp_path: Path) -> None:
     assert "length: 23 m" in line
     path = tmp_path / "scenario.yaml"
     path.write_text(text.replace(line, line.replace("23 m", "28 m")), encoding="utf-8")
-    with pytest.raises(gantline.SimulationError, match=r"at e1\.1: it has been hauled up"):
+    with pytest.raises(gantline.SimulationError, match=r"at e1\.1: it has come to the next place"):
         gantline.simulate(path)
 
 
@@ -53,5 +53,5 @@ def test_so_does_one_that_no_step_is_short_enough_for(tmp_path: Path) -> None:
         text = text.replace(before, after)
     path = tmp_path / "scenario.yaml"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(gantline.SimulationError, match=r"at e1\.4: it has been hauled up"):
+    with pytest.raises(gantline.SimulationError, match=r"at e1\.4: it has come to the next place"):
         gantline.simulate(path)

@@ -26,7 +26,7 @@ pub fn look(system: &System, kinematics: &Kinematics, [since, time]: [f64; 2]) -
     if time - since > SLOW {
         return Ok(());
     }
-    if let Some((element, cause)) = hauled_up(system, kinematics) {
+    if let Some((element, cause)) = has_met(system, kinematics) {
         return Err(StepError { time, element, cause });
     }
     if time - since > NOWHERE * (1.0 + time.abs()) {
@@ -38,7 +38,7 @@ pub fn look(system: &System, kinematics: &Kinematics, [since, time]: [f64; 2]) -
 
 /// A body that has met the next place of its rope, where a straight part of that, one end of which moves against the other,
 /// has come to nothing; and the cause in words.
-pub fn hauled_up(system: &System, kinematics: &Kinematics) -> Option<(String, String)> {
+pub fn has_met(system: &System, kinematics: &Kinematics) -> Option<(String, String)> {
     for rope in system.ropes().filter(|rope| rope.route.parts.len() > 1) {
         for part in &rope.route.parts {
             let ends = [part.from.at.body, part.to.at.body];
@@ -48,7 +48,7 @@ pub fn hauled_up(system: &System, kinematics: &Kinematics) -> Option<(String, St
             let [start, end] = part.ends(kinematics);
             if let (Some(body), true) = (moving, start.distance(end) < NOTHING) {
                 let cause = format!(
-                    "it has been hauled up to the next place that {} passes, and nothing stops it there: hoist a hook less \
+                    "it has come to the next place that {} passes, and nothing stops it there: hoist a hook less \
                      far, or give an equalizer 'stops: true'",
                     rope.name
                 );

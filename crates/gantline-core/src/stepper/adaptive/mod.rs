@@ -6,6 +6,7 @@
 //! time. Where one goes further the step is cut where it reaches the tolerance. So a hundred slings that go taut
 //! within a millisecond cost one restart and not a hundred.
 
+mod begin;
 mod books;
 mod breaking;
 mod error;
@@ -39,9 +40,8 @@ use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Twist;
 use evaluation::Evaluation;
-use light::{Laid, Laying};
+use light::Laid;
 use looks::Looks;
-use point::Point;
 use prescribed::Prescribed;
 use rodas::{Increment, Rodas};
 use winding::Paid;
@@ -78,8 +78,6 @@ const FIRST_STEP: f64 = 1e-3;
 const STEP_FLOOR: f64 = 1e-10;
 /// How far from its law a row may get before it changes side, in tolerances of tension.
 const SWITCHING: f64 = 5.0;
-/// Rounds in which brakes settle between holding and slipping after a change.
-const SETTLING: usize = 20;
 
 /// The integrator with its work arrays.
 #[derive(Debug, Clone)]
@@ -288,85 +286,6 @@ impl Adaptive {
         Ok(report)
     }
 
-    /// Makes sure that the start of the step is evaluated and its accelerations are right.
-    fn begin(
-        &mut self,
-        system: &System,
-        state: &mut State,
-        frame: &mut Frame,
-        log: &mut EventLog,
-    ) -> Result<(), ZeroPivot> {
-        for (drive, timeline) in system.prescribed(&state.plan.timelines) {
-            let (a, _) = timeline.acceleration(state.time, state.time);
-            state.restart |= state.acceleration[drive.dof] != a;
-            state.acceleration[drive.dof] = a;
-            state.v[drive.dof] = timeline.motion(state.time).velocity;
-        }
-        for &(_, drive) in system.motors.iter().filter(|(row, _)| state.modes[*row] == Mode::Acting) {
-            let timeline = &state.plan.timelines[drive];
-            let (dof, wanted) = (system.drives[drive].dof, timeline.acceleration(state.time, state.time).0);
-            state.restart |= (state.acceleration[dof] - wanted).abs() > 1e-9 * (1.0 + wanted.abs());
-            state.v[dof] = timeline.motion(state.time).velocity;
-        }
-        for &(_, drive) in &system.motors {
-            // Kept in the state, so that a run that goes on from one starts no other way.
-            let changed = state.plan.timelines[drive].notice(state.time);
-            self.current &= !changed;
-            state.restart |= changed;
-        }
-        self.current &= !coils::turn(system, state);
-        loop {
-            self.settle_forces(system, state, frame)?;
-            if coils::turn(system, state) {
-                self.current = false;
-                self.settle_forces(system, state, frame)?;
-            }
-            // What the forces are now may break a rope, and that change the forces.
-            if !parting::break_ropes(system, state, frame, log) {
-                break;
-            }
-            state.restart = true;
-        }
-        self.rodas.linearise(system, state, &frame.mass);
-        Ok(())
-    }
-
-    /// Evaluates the start of the step; where forces have jumped, with the accelerations that belong to them.
-    fn settle_forces(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
-        if state.restart {
-            self.restart(system, state, frame)?;
-            for _ in 0..SETTLING {
-                self.rodas.evaluate(system, state);
-                self.current = true;
-                if !self.settle(system, state) {
-                    break;
-                }
-                self.restart(system, state, frame)?;
-            }
-        }
-        if !self.current {
-            self.rodas.evaluate(system, state);
-            self.current = true;
-        }
-        Ok(())
-    }
-
-    /// Evaluates the course at one share of the step, rows only.
-    fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
-        self.rodas.course.at(theta, &mut self.point);
-        let laying = Laying::Watched(&self.rodas.here.light, &self.laid_before);
-        let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
-        self.probe.rows(system, &point, &state.modes);
-    }
-
-    /// The same with light sheaves going on as they do, whatever was looked at.
-    fn probe_frozen(&mut self, system: &System, state: &State, theta: f64) {
-        self.rodas.course.at(theta, &mut self.point);
-        let laying = Laying::Frozen(&self.rodas.here.light);
-        let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
-        self.probe.rows(system, &point, &state.modes);
-    }
-
     /// Makes the step up to the share `made`: state, books, changes of modes.
     fn advance(
         &mut self,
@@ -482,12 +401,12 @@ impl Adaptive {
             let cause = "there is no rope left between two of the places that it passes".to_owned();
             return StepError { time: state.time, element: rope.name.clone(), cause };
         }
-        if let Some((element, cause)) = standstill::hauled_up(system, &self.rodas.here.frame.kinematics) {
-            return StepError { time: state.time, element, cause };
-        }
-        let element = self.weights.worst(system, state, &self.rodas);
-        let cause =
-            format!("the step fell below {STEP_FLOOR} s: forces change faster than any step can follow");
+        let met = standstill::has_met(system, &self.rodas.here.frame.kinematics);
+        let (element, cause) = met.unwrap_or_else(|| {
+            let cause = "forces change faster than any step can follow";
+            let worst = self.weights.worst(system, state, &self.rodas);
+            (worst, format!("the step fell below {STEP_FLOOR} s: {cause}"))
+        });
         seats::explain(system, state, StepError { time: state.time, element, cause })
     }
 }

@@ -1,5 +1,6 @@
 //! Where in a step the equations are evaluated.
 
+use super::Adaptive;
 use super::light::Laying;
 use super::rodas::Increment;
 use crate::contact::spot::Spot;
@@ -9,6 +10,7 @@ use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::frame::Remembered;
+use crate::system::System;
 
 /// What drives ask for, and when: at `time` in a step that started at `from` [s].
 #[derive(Clone, Copy)]
@@ -80,5 +82,23 @@ impl<'a> Point<'a> {
     pub(super) fn remembered(&self, modes: &'a [Mode]) -> Remembered<'a> {
         let Self { memory, seats, spots, coils, .. } = *self;
         Remembered { memory, seats, spots, coils, modes }
+    }
+}
+
+impl Adaptive {
+    /// Evaluates the course at one share of the step, rows only.
+    pub(super) fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
+        self.rodas.course.at(theta, &mut self.point);
+        let laying = Laying::Watched(&self.rodas.here.light, &self.laid_before);
+        let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
+        self.probe.rows(system, &point, &state.modes);
+    }
+
+    /// The same with light sheaves going on as they do, whatever was looked at.
+    pub(super) fn probe_frozen(&mut self, system: &System, state: &State, theta: f64) {
+        self.rodas.course.at(theta, &mut self.point);
+        let laying = Laying::Frozen(&self.rodas.here.light);
+        let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
+        self.probe.rows(system, &point, &state.modes);
     }
 }
