@@ -10,7 +10,9 @@ import pytest
 
 import gantline
 from four_slings import LIFT
-from gantline.checks import Verdict, check_recording, verdict_of
+from gantline.checks import NO_WARNINGS, Verdict, check_recording, verdict_of
+from gantline.report.first_page import FirstPage
+from gantline.report.subject import Subject
 from gantline.scenario import parse_scenario
 
 STRONG = LIFT.replace("13.2 t", "40 t").replace("46 t", "90 t")
@@ -34,9 +36,13 @@ def test_a_lift_with_warnings_is_no_plain_go(text: str, told: str) -> None:
     recording = gantline.simulate(parse_scenario(text))
     assert recording.attributes["warnings"] == [told]
     checks = check_recording(recording)
-    (found,) = (one for one in checks if one.name == "no_warnings")
+    (found,) = (one for one in checks if one.name == NO_WARNINGS)
     assert (found.verdict, found.remark) == (Verdict.WARNING, told)
     assert verdict_of(checks).startswith("GO WITH WARNINGS")
+    # On the first page it stands for itself: 'warning no warnings: ...' was no English.
+    page = FirstPage().content(Subject(recording))
+    assert page is not None
+    assert {"about": "", "text": told} in page["verdict"]["warned"]
 
 
 def test_a_lift_without_warnings_is_go() -> None:

@@ -3,10 +3,11 @@
 from gantline.checks.check import Check, Verdict, governing, has_failed, past_limits, verdict_of
 from gantline.checks.limits import LIMITS
 from gantline.checks.readings import HoldPoint, HookReading, hold_points, hook_readings
-from gantline.checks.run import check_recording, end_of_step, values_of
+from gantline.checks.run import NO_WARNINGS, check_recording, end_of_step, values_of
 
 __all__ = [
     "LIMITS",
+    "NO_WARNINGS",
     "Check",
     "HoldPoint",
     "HookReading",

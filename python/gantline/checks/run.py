@@ -27,6 +27,9 @@ from gantline.units import format_quantity
 #: Of a bound that nobody set.
 _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 
+#: Check that lift file and run give no warnings of their own.
+NO_WARNINGS = "no_warnings"
+
 
 def check_recording(recording: Recording) -> list[Check]:
     """Check a recording: of a run, or of an equilibrium.
@@ -250,7 +253,7 @@ def _told(recording: Recording) -> list[Check]:
         return []
     more = f" and {len(warnings) - 1} more" if len(warnings) > 1 else ""
     meaning = "lift file and run give no warning"
-    return [Check("no_warnings", Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
+    return [Check(NO_WARNINGS, Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
 
 
 def end_of_step(recording: Recording, step: Step) -> BoolArray | None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.checks import LIMITS, Check, Verdict, past_limits, verdict_of
+from gantline.checks import LIMITS, NO_WARNINGS, Check, Verdict, past_limits, verdict_of
 from gantline.checks.forces import hook_force
 from gantline.checks.measure import everywhere
 from gantline.report.afloat import afloat_facts, vessel_tables
@@ -127,7 +127,9 @@ def _warning(check: Check) -> dict[str, str]:
     text = "; ".join(
         part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
     )
-    return {"name": check.name.replace("_", " "), "element": check.element, "text": text}
+    # What lift file and run warn of says itself what it is about.
+    about = "" if check.name == NO_WARNINGS else check.name.replace("_", " ")
+    return {"about": ", ".join(part for part in (about, check.element) if part), "text": text}
 
 
 def _listed(names: list[str]) -> str:
