@@ -67,5 +67,5 @@ def test_where_it_travels_is_looked_at() -> None:
     assert (found.verdict, found.element) == (Verdict.FAILED, "c1.left.front")
     speed, rise = 1 / 3.6, 1 / 3.6 / 0.05
     exact = rise + (2.0 - speed * rise / 2) / speed
-    assert found.time == pytest.approx(exact, abs=0.2)
+    assert found.time is not None and exact <= found.time <= exact + 0.05  # the first sample past the edge
     assert "goes over an edge" in found.remark and "9.00 m lower" in found.remark

@@ -42,7 +42,7 @@ def test_three_quarters_of_the_tipping_load(share: float, verdict: Verdict) -> N
     found = check(near_tipping(share), "moment_of_tipping_moment")
     assert found.verdict is verdict
     # The crane leans a little into its ground, which takes the load farther out.
-    assert found.value == pytest.approx(share, rel=0.02)
+    assert found.value == pytest.approx(share, rel=5e-4)
     if verdict is Verdict.WARNING:
         assert found.limit == 0.75
         assert "ASME B30.5" in found.source
@@ -70,7 +70,8 @@ def aside(lead: float) -> str:
 def test_a_boom_that_is_pulled_aside(lead: float, is_told: bool) -> None:
     """2 % of what hangs are 1.15 deg."""
     found = check(aside(lead).replace(CHART, ""), "side_lead")
-    assert found.value == pytest.approx(math.radians(lead), rel=0.05)
+    # Measured from the pin of the upper sheave block, which stays plumb across the boom: 3.15 % too little.
+    assert found.value == pytest.approx(math.radians(lead), rel=0.035)
     assert (found.verdict is Verdict.WARNING) is is_told
 
 
@@ -160,4 +161,4 @@ def test_a_load_that_is_set_down_hard(speed: str, is_told: bool) -> None:
     assert bool(found) is is_told
     for one in found:
         met = float(one.remark.split(" at ")[1].split(" m/min")[0])
-        assert met == pytest.approx(30.0, rel=0.1)
+        assert met == pytest.approx(30.0, abs=0.06)  # as printed, to a decimal
