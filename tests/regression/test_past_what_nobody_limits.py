@@ -70,8 +70,7 @@ def aside(lead: float) -> str:
 def test_a_boom_that_is_pulled_aside(lead: float, is_told: bool) -> None:
     """2 % of what hangs are 1.15 deg."""
     found = check(aside(lead).replace(CHART, ""), "side_lead")
-    # Measured from the pin of the upper sheave block, which stays plumb across the boom: 3.15 % too little.
-    assert found.value == pytest.approx(math.radians(lead), rel=0.035)
+    assert found.value == pytest.approx(math.radians(lead), rel=1e-9)
     assert (found.verdict is Verdict.WARNING) is is_told
 
 

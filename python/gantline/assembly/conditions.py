@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gantline.assembly.parts import Json
-from gantline.assembly.reeving import upper_sheaves
+from gantline.assembly.reeving import below_pin, upper_sheaves
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.condition import Condition
 from gantline.scenario.hooks import Hook, full_name
@@ -81,5 +81,5 @@ def condition_of(
 def _falls(hook: Hook) -> list[list[str | list[float]]]:
     """From the upper sheaves to those of the hook block, each as a body and a point of it [m]."""
     assert hook.hook_block is not None  # it hangs in ropes
-    above: list[str | list[float]] = [upper_sheaves(hook.name), [0.0, 0.0, 0.0]]
+    above: list[str | list[float]] = [upper_sheaves(hook.name), [0.0, 0.0, -below_pin(hook)]]
     return [above, [hook.name, [0.0, 0.0, hook.hook_block.height]]]

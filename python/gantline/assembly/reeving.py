@@ -34,6 +34,7 @@ from gantline.scenario.rope_weight import rope_weight
 __all__ = [
     "ReevedHook",
     "add_reeved_hook",
+    "below_pin",
     "hang_in_ropes",
     "hook_rig",
     "mass_on",
@@ -218,7 +219,7 @@ def _on_drum(hook: ReevedHook, lead: Json, rope_diameter: float | None) -> Json:
 def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
     """Dead end, sheaves in turn, and the place of the drum: the world, or what bears the upper sheaves."""
     count, above = hook.reeving.parts_each, upper_sheaves(hook.name)
-    high = -(hook.reeving.below_head or 0.0)
+    high = -below_pin(hook.hook)
     spacing = _SPACING * radius
     # Each rope takes as many places along the axle as it has sheaves below; mirrored from one to the next.
     width = spacing * (count // 2 + 1)
@@ -295,6 +296,11 @@ def mass_on(parts: Parts, body: str) -> float:
     return math.fsum(parts.bodies[name]["mass"] for name in hanging)
 
 
+def below_pin(hook: Hook) -> float:
+    """How far the upper sheaves at a boom are below the pin of their sheave block, else none [m]."""
+    return (hook.reeving.below_head if hook.reeving else None) or 0.0
+
+
 def hook_rig(parts: Parts, hook: Hook) -> Json:
     """What results need to know of a hook that something takes along [SI]."""
     top = upper_sheaves(hook.name)
@@ -305,4 +311,5 @@ def hook_rig(parts: Parts, hook: Hook) -> Json:
         "sheaves_above": 0.0 if hook.hook_block is None else hook.hook_block.height,
         "top": top,
         "top_from": [-value for value in parts.bodies[top]["centre_of_gravity"]],
+        "sheaves_below": below_pin(hook),
     }

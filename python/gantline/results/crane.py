@@ -46,6 +46,7 @@ class CraneHook(FromJson):
         sheaves_above: How far above the bearing the sheaves of its hook block are [m].
         top: Body of its upper sheaves.
         top_from: Their middle, under a boom their pin, from the centre of gravity of that body, its axes [m].
+        sheaves_below: How far below that pin they are, down in the axes of their body [m].
         along: Where it is under its trolley, along the girder [m].
         across: Where it is across the girder [m].
     """
@@ -56,6 +57,7 @@ class CraneHook(FromJson):
     sheaves_above: float = 0.0
     top: str = ""
     top_from: Vector = (0.0, 0.0, 0.0)
+    sheaves_below: float = 0.0
     along: float = 0.0
     across: float = 0.0
 
@@ -132,18 +134,19 @@ _Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
 def bearing_and_falls(columns: Columns, names: Names, hook: CraneHook) -> tuple[FloatArray, FloatArray]:
     """Where the bearing of a hook is, and the way up its falls, shapes (time, 3) [m].
 
-    The falls go from the sheaves of the hook block, which stays upright, to the upper ones.
+    The falls go from the sheaves of the hook block, which stays upright, to the upper ones. At a boom these
+    hang in a sheave block that does not turn across it: not at its pin, where a side-lead would seem less.
     """
-    bodies = list(names["body"])
+    bearing = _place(columns, names, hook.name, hook.bearing)
+    sheaves = _place(columns, names, hook.top, np.asarray(hook.top_from) - (0.0, 0.0, hook.sheaves_below))
+    return bearing, sheaves - bearing - (0.0, 0.0, hook.sheaves_above)
 
-    def place(body: str, offset: Sequence[float]) -> FloatArray:
-        at = bodies.index(body)
-        turned = axes(columns["body_orientation"][:, at]) @ np.asarray(offset)
-        found: FloatArray = columns["body_position"][:, at] + turned
-        return found
 
-    bearing = place(hook.name, hook.bearing)
-    return bearing, place(hook.top, hook.top_from) - bearing - (0.0, 0.0, hook.sheaves_above)
+def _place(columns: Columns, names: Names, body: str, offset: Sequence[float] | FloatArray) -> FloatArray:
+    """Where a point of a body is, shape (time, 3) [m]."""
+    at = list(names["body"]).index(body)
+    found: FloatArray = columns["body_position"][:, at] + axes(columns["body_orientation"][:, at]) @ offset
+    return found
 
 
 def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads: Sequence[str]) -> _Derived:
@@ -160,7 +163,7 @@ def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads
     heights, angles, aside = [], [], []
     for hook in hooks:
         bearing, falls = bearing_and_falls(columns, names, hook)
-        aside.append(-falls[:, :2])
+        aside.append((bearing - _place(columns, names, hook.top, hook.top_from))[:, :2])
         heights.append(bearing[:, 2])
         angles.append(np.arctan2(np.linalg.norm(falls[:, :2], axis=1), falls[:, 2]))
     swing = np.linalg.norm(np.mean(aside, axis=0), axis=1)
@@ -176,7 +179,7 @@ def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads
             ("time", "load"),
             np.repeat(swing[:, None], len(loads), axis=1),
             "m",
-            "distance of a load from its place under the upper sheaves: mean of its hooks, as a vector",
+            "distance of a load from plumb under upper sheaves or boom heads: mean of its hooks, as a vector",
         )
     return found, {"crane_hook": [hook.name for hook in hooks]}
 
