@@ -1,4 +1,4 @@
-"""Draws the pictures of README and documentation anew, from runs of three lifts and a ship block."""
+"""Draws the pictures of README and documentation anew, from runs of lifts and a ship block."""
 
 from __future__ import annotations
 
@@ -25,10 +25,11 @@ PICTURES = {
     "compare_sling_tension": "compare_tension",
     "structure": "cad_structure",
 }
-PICTURES_OF_CRANES = {
+PICTURES_OF_LIFTS = {
     "goliath": {"stages": "goliath_stages"},
     "floating_crane": {"stages": "floating_crane_stages", "vessels": "floating_crane_vessels"},
     "floating_crane_and_crawlers": {"stages": "several_cranes_stages"},
+    "spreader_bar": {"system": "spreader_bar"},
 }
 DOTS_PER_INCH = 150
 
@@ -48,8 +49,8 @@ def main() -> None:
     folder.mkdir(exist_ok=True)
     drawn = chain(figures(recording), comparison_figures(comparison), [("structure", structure)])
     keep(drawn, PICTURES, folder)
-    for crane, pictures in PICTURES_OF_CRANES.items():
-        keep(figures(gantline.simulate(ROOT / "scenarios" / crane)), pictures, folder)
+    for name, pictures in PICTURES_OF_LIFTS.items():
+        keep(figures(gantline.simulate(ROOT / "scenarios" / name)), pictures, folder)
 
 
 def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:

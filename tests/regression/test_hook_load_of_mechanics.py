@@ -1,6 +1,6 @@
 """What hung in a hook by ropes and bodies of `mechanics` was no hook load.
 
-A module on a spreader bar, which only `mechanics` can say, gave a hook load of 0.0 kN and a GO: nothing was
+A module on a spreader bar that `mechanics` says gave a hook load of 0.0 kN and a GO: nothing was
 held against the rated capacity. With reeving its hoist load alone was right.
 """
 

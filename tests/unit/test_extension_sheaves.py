@@ -105,8 +105,8 @@ def test_results_know_both_legs_of_a_sling() -> None:
         along = (sheave - at) / np.linalg.norm(sheave - at)
         assert last[end] == pytest.approx(along, abs=1e-3)
     aside = series.out_of_plane_angles(recording, slings["S1x"])
-    assert set(aside) == {"L1", "L2"}
-    assert aside["L1"][-1] == pytest.approx(math.asin(abs(last[0][1])), abs=1e-6)
+    assert set(aside) == {("block", "L1"), ("block", "L2")}
+    assert aside["block", "L1"][-1] == pytest.approx(math.asin(abs(last[0][1])), abs=1e-6)
     assert series.out_of_plane_angles(recording, slings["S1"]) == {}
     text = "\n".join(summary(recording, [], str))
     assert "S1x" in text

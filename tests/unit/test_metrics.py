@@ -119,7 +119,7 @@ def test_sling_angles_from_the_geometry() -> None:
     assert series.sling_angle(recording, slings["S1"]) == pytest.approx(math.atan2(aside, high))
     assert series.sling_angle(recording, slings["S3"]) == pytest.approx(0.0)
     across = math.asin(2.5 / math.hypot(aside, high))  # the main plate stands in the x-z plane
-    assert series.out_of_plane_angles(recording, slings["S1"])["L1"] == pytest.approx(across)
+    assert series.out_of_plane_angles(recording, slings["S1"])["block", "L1"] == pytest.approx(across)
     # S2: from (-1.6, 0) to (2.5, 2.5)
     assert recording.metrics()["peak_sling_angle_from_vertical"] == pytest.approx(
         math.atan2(math.hypot(4.1, 2.5), high)

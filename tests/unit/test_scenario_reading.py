@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from gantline.assembly import assemble
 from gantline.scenario import Scenario, ScenarioError, load_scenario, parse_scenario, resolve, template
 from gantline.scenario.bounds import Bound
-from gantline.scenario.rigging import split_reference
+from gantline.scenario.sling_ends import split_reference
 from gantline.scenario.steps import HoistStep, HoldStep
 from lift_text import BASE, MECHANICS, spoiled
 

@@ -6,11 +6,11 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
+from gantline.assembly.between import add_between
 from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
-from gantline.assembly.extension import add_extension_sheaves
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.moorings import add_moorings
@@ -84,7 +84,7 @@ def assemble(scenario: Scenario) -> Assembly:
         lifted = lifted_load(scenario, scenario.load, rigging)
         add_load(parts, scenario, scenario.load, rigging, lifted)
         add_supports(parts, scenario, scenario.load, lifted)
-        add_extension_sheaves(parts, scenario, rigging, lifted.lugs)
+        add_between(parts, scenario, rigging, lifted.lugs)
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
     add_water(parts, scenario)

@@ -18,7 +18,7 @@ _PREFIXED = {
     "hoist": "cranes",
 }
 #: Keys whose elements, and what is made of them, bear their names.
-_NAMED = ("vessels", "equalizers", "cranes", "structures", "extension_sheaves", "slings")
+_NAMED = ("vessels", "equalizers", "cranes", "structures", "extension_sheaves", "spreaders", "slings")
 _OF_MECHANICS = ("bodies", "drums", "ropes", "contacts")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.bounds import Bound
 from gantline.scenario.gear import Shackle
-from gantline.scenario.load import PLATE_NORMALS
+from gantline.scenario.load import PLATE_NORMALS, Lug
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
@@ -51,6 +52,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"rating_charts": charts} if (charts := rating_charts(scenario)) else {}),
         "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
         "equalizers": [_equalizer(scenario, rigging, name, parts) for name in rigging.equalizers],
+        **({"spreaders": spreaders} if (spreaders := _spreaders(scenario, parts)) else {}),
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
         "ropes": rope_rig(scenario, rigging, parts),
         "sheaves": sheaves_with_flow(parts),
@@ -110,18 +112,37 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "other_ropes": [rope for rope, _ in ropes_ending_at(scenario, load.name)],
         "contact_group": load.name if contacts else None,
         "contacts": contacts,
-        "lugs": {
-            name: {
-                "at": lifted.lugs[name],
-                "main_plate_normal": list(PLATE_NORMALS[kind.main_plate or "xz"]),
-                "capacity": _force(scenario, kind.capacity),
-            }
-            for name, lug in load.lugs.items()
-            for kind in [lug.or_of((scenario.lug_types or {}).get(lug.type or ""))]
-        },
+        "lugs": {name: _lug(scenario, lug, lifted.lugs[name]) for name, lug in load.lugs.items()},
         "centre_of_gravity_from_datum": [float(part) for part in centre],
         "centre_envelope": [float(part) for part in load.centre_of_gravity.envelope],
     }
+
+
+def _lug(scenario: Scenario, lug: Lug, at: Sequence[float]) -> Json:
+    kind = lug.or_of((scenario.lug_types or {}).get(lug.type or ""))
+    return {
+        "at": list(at),
+        "main_plate_normal": list(PLATE_NORMALS[kind.main_plate or "xz"]),
+        "capacity": _force(scenario, kind.capacity),
+    }
+
+
+def _spreaders(scenario: Scenario, parts: Parts) -> list[Json]:
+    """Lifting gear between slings; nothing in a lift without."""
+    return [
+        {
+            "name": name,
+            "body": name,
+            "weight": _force(scenario, parts.bodies[name]["mass"]),
+            "size": list(spreader.size),
+            "rated_capacity": _force(scenario, spreader.rated_capacity),
+            "lugs": {
+                lug: _lug(scenario, given, np.array(given.at) - parts.bodies[name]["centre_of_gravity"])
+                for lug, given in spreader.lugs.items()
+            },
+        }
+        for name, spreader in (scenario.spreaders or {}).items()
+    ]
 
 
 def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json:
@@ -201,9 +222,15 @@ def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
     assert scenario.load is not None
     equalizer = None if sling.equalizer is None else rigging.equalizers[sling.equalizer]
     hangs_from_frame = equalizer is not None and not equalizer.has_sheaves
-    # A sling to one lug is the rule; others say to which lugs they go, if to any.
+    # A sling to one lug of the load is the rule; others say to which lugs they go, if to any, and of what.
     is_plain = sling.over is None and len(sling.lugs) == 1
-    others = {} if is_plain else {"over": sling.over, "lugs": [end.lug for end in sling.ends]}
+    others: Json = {} if is_plain else {"over": sling.over, "lugs": [end.lug for end in sling.ends]}
+    if any(end.spreader is not None for end in sling.ends):
+        others["lugs_of"] = [
+            None if end.lug is None else end.spreader or scenario.load.name for end in sling.ends
+        ]
+    if sling.upper_lug is not None:
+        others["from_lug"] = sling.upper_lug
     return {
         "name": sling.name,
         "rope": f"sling.{sling.name}",

@@ -14,13 +14,14 @@ from gantline.assembly.hulls import hull_mesh, hull_shape
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
-from gantline.assembly.shapes import members
+from gantline.assembly.shapes import members, spreader_shape
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.vessels import vessel_shape
+from gantline.assembly.yard import lower_end
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.crane_parts import crane_bodies
-from gantline.scenario.extension import lugs_below
+from gantline.scenario.extension import ends_below
 from gantline.scenario.structures import Dock, dock_of
 from gantline.scenario.tanks import bodies_afloat
 from gantline.scenario.water import Water
@@ -99,6 +100,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         frame = rigging.equalizers[name].frame
         size = [frame.length, frame.width, frame.height]
         shape = {"type": "box", "size": size, "centre": [0.0, 0.0, -frame.centre_of_gravity_below_hook]}
+    elif name in (scenario.spreaders or {}):
+        kind, shape = "frame", spreader_shape(scenario, name)
     elif name in scenario.hooks:
         kind = "hook"
         shape = next((_cheek(scenario, hook) for hook in reeved_hooks(scenario) if hook.name == name), None)
@@ -161,12 +164,19 @@ def _extension_sheaves(
     """Extension sheaves, each in the upright plane of the lugs that it serves."""
     found = []
     for name, extension in rigging.extensions.items():
-        assert scenario.load is not None and lifted is not None  # slings have been checked to lead to lugs
+        assert lifted is not None  # slings have been checked to lead to lugs
         one, other = (
-            np.mean([lifted.lugs[lug] for lug in lugs_below(end, rigging.extensions, rigging.slings)], axis=0)
+            np.mean(
+                [
+                    parts.place(guide["body"], guide["at"])
+                    for at_lug in ends_below(end, rigging.extensions, rigging.slings)
+                    for guide in [lower_end(scenario, lifted.lugs, at_lug)]
+                ],
+                axis=0,
+            )
             for end in rigging.slings[extension.carries].ends
         )
-        way = parts.pose(scenario.load.name)[1] @ (other - one)
+        way = other - one
         across = np.array([-way[1], way[0], 0.0])
         size = float(np.linalg.norm(across))
         axis = across / size if size > 0 else np.array([0.0, 1.0, 0.0])

@@ -26,7 +26,15 @@ from gantline.scenario.ground import Ground
 from gantline.scenario.structures import Dock, dock_of
 from gantline.scenario.watch import Watch
 
-__all__ = ["add_shapes", "add_touching", "add_watches", "members", "pair_name", "watch_name"]
+__all__ = [
+    "add_shapes",
+    "add_touching",
+    "add_watches",
+    "members",
+    "pair_name",
+    "spreader_shape",
+    "watch_name",
+]
 
 #: Thickness of the walls and the floor of a dock as things by themselves [m].
 _THICK = 1.0
@@ -37,7 +45,7 @@ _PLACES = 8
 
 
 def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> None:
-    """Give a shape to load, ground, structures, supports, frames, parts of cranes, vessels, plain bodies."""
+    """Give a shape to load, ground, structures, supports, lifting gear, cranes, vessels, plain bodies."""
     load = scenario.load
     if load is not None and lifted is not None:
         parts.add_shape(load.name, load.name, load_parts(lifted))
@@ -61,6 +69,8 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
         size = [frame.length, frame.width, frame.height]
         centre = [0.0, 0.0, -frame.centre_of_gravity_below_hook]
         parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+    for name in scenario.spreaders or {}:
+        parts.add_shape(name, name, [spreader_shape(scenario, name)])
     for name in goliaths(scenario):
         for side, leg in enumerate((crane_shape(scenario, name) or {})["boxes"], start=1):
             parts.add_shape(f"{name}.legs.{side}", name, [leg])
@@ -80,6 +90,11 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
         if body.shape is not None:
             size, centre = list(body.shape.box), list(body.shape.centre)
             parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+
+
+def spreader_shape(scenario: Scenario, name: str) -> Json:
+    """The box of a spreader, in the frame of its body, whose origin is its middle."""
+    return {"type": "box", "size": list((scenario.spreaders or {})[name].size), "centre": [0.0, 0.0, 0.0]}
 
 
 def load_parts(lifted: LiftedLoad) -> list[Json]:

@@ -17,6 +17,7 @@ __all__ = [
     "point_inertia",
     "quaternion_product",
     "rotation_matrix",
+    "rotation_quaternion",
     "rotation_vector",
     "solid_box",
     "unit",
@@ -68,6 +69,23 @@ def rotation_matrix(quaternion: Sequence[float]) -> Array:
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
     )
+
+
+def rotation_quaternion(matrix: Array) -> list[float]:
+    """Unit quaternion of a rotation matrix (3, 3)."""
+    # The largest of four squares, so that nothing small is divided by (Shepperd 1978).
+    trace = float(np.trace(matrix))
+    squares = [trace, *(2.0 * float(matrix[i, i]) - trace for i in range(3))]
+    largest = int(np.argmax(squares))
+    skew = [float(matrix[k, j] - matrix[j, k]) for j, k in ((1, 2), (2, 0), (0, 1))]
+    if largest == 0:
+        parts = [1.0 + trace, *skew]
+    else:
+        i = largest - 1
+        both = [float(matrix[i, j] + matrix[j, i]) for j in range(3)]
+        both[i] = 1.0 + squares[largest]
+        parts = [skew[i], *both]
+    return unit(parts)
 
 
 def solid_box(mass: float, sizes: Sequence[float]) -> Array:

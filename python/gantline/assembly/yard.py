@@ -24,8 +24,8 @@ __all__ = [
     "hoist_drive",
     "lower_end",
     "lower_lump",
+    "sling_route",
     "turning_body",
-    "upper_end",
     "upper_lump",
 ]
 
@@ -124,10 +124,24 @@ def sheave_place(equalizer: EqualizerRigging, sheave: int) -> tuple[float, float
     return sheaves.along[sheave - 1], 0.0, -sheaves.below_hook
 
 
-def upper_end(rigging: Rigging, sling: SlingRigging) -> Json:
-    """Top of a sling: its moving sheave, or the frame where that would be, the hook, or what it runs over."""
+def sling_route(
+    scenario: Scenario, rigging: Rigging, sling: SlingRigging, lugs: Mapping[str, Sequence[float]]
+) -> list[Json]:
+    """From the top of a sling to its lower end, or from end to end over an extension sheave.
+
+    `lugs` are positions in the load's body frame.
+    """
+    ends = [lower_end(scenario, lugs, one) for one in sling.ends]
+    top = _upper_end(scenario, rigging, sling)
+    return [top, *ends] if sling.over is None else [ends[0], top, ends[1]]
+
+
+def _upper_end(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
+    """Moving sheave, or the frame where that would be, hook, lug of a spreader, or what a sling runs over."""
     if sling.over is not None:
         return eye(sling.over, ORIGIN)
+    if sling.spreader is not None and sling.upper_lug is not None:
+        return _at_spreader(scenario, sling.spreader, sling.upper_lug)
     if sling.equalizer is not None and sling.sheave is not None:
         equalizer = rigging.equalizers[sling.equalizer]
         if not equalizer.has_sheaves:
@@ -231,12 +245,10 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     if scenario.load is None:
         return
     for sling in rigging.slings.values():
-        ends = [lower_end(scenario.load.name, lugs, one) for one in sling.ends]
-        top = upper_end(rigging, sling)
-        route = [top, *ends] if sling.over is None else [ends[0], top, ends[1]]
+        route = sling_route(scenario, rigging, sling, lugs)
         distance = route_length(parts, route)
         short = distance - sling.length
-        # One that an extension sheave hangs on stretches under its weight.
+        # One that an extension sheave or a spreader hangs on stretches under its weight.
         at_rest = scenario.load_has_settled and sling.lugs
         may_stretch = not (at_rest or sling.rope.inextensible)
         allowed = MOST_STRAIN * sling.length if may_stretch else _TAUT
@@ -259,19 +271,27 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         add_free_rope(parts, scenario, path, rope, sling.rope, sling.weight, sling.length, route)
 
 
-def lower_end(load: str, lugs: Mapping[str, Sequence[float]], end_of_sling: SlingEnd) -> Json:
-    """A lower end of a sling: a lug of the load, or an extension sheave."""
+def lower_end(scenario: Scenario, lugs: Mapping[str, Sequence[float]], end_of_sling: SlingEnd) -> Json:
+    """A lower end of a sling: a lug of the load or of a spreader, or an extension sheave."""
     if end_of_sling.extension is not None:
         return end(end_of_sling.extension)
+    assert scenario.load is not None  # slings have been checked to lead to its lugs
     assert end_of_sling.lug is not None  # each end is at one of the two
-    return end(load, lugs[end_of_sling.lug])
+    if end_of_sling.spreader is not None:
+        return _at_spreader(scenario, end_of_sling.spreader, end_of_sling.lug)
+    return end(scenario.load.name, lugs[end_of_sling.lug])
+
+
+def _at_spreader(scenario: Scenario, spreader: str, lug: str) -> Json:
+    return end(spreader, (scenario.spreaders or {})[spreader].lugs[lug].at)
 
 
 def _way(load: str, sling: SlingRigging) -> str:
     """From where to where a sling goes, in words."""
-    names = [f"'{one.extension or f'{load}.{one.lug}'}'" for one in sling.ends]
+    names = [f"'{one.extension or f'{one.spreader or load}.{one.lug}'}'" for one in sling.ends]
     if sling.over is None:
-        return f"from '{sling.upper_body}' to {names[0]}"
+        lug = "" if sling.upper_lug is None else f".{sling.upper_lug}"
+        return f"from '{sling.upper_body}{lug}' to {names[0]}"
     return f"from {names[0]} over '{sling.over}' to {names[1]}"
 
 

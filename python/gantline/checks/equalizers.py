@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.forces import NO_STATIC, kilonewton, sum_force
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, everywhere, extreme
 from gantline.results import series
-from gantline.results.gear import Equalizer
+from gantline.results.gear import Equalizer, Sling, Spreader
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
@@ -38,20 +38,24 @@ def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[
     """
     for equalizer in recording.rig.equalizers:
         slings = [sling for sling in recording.rig.slings if sling.rope in equalizer.slings]
-        if not equalizer.rated_capacity:
-            yield Missing(equalizer.name, "rated capacity not known")
-        elif slings:
-            vertical = [
-                series.sling_tension(recording, sling) * series.sling_direction(recording, sling)[:, 2]
-                for sling in slings
-            ]
-            force = sum_force(recording, np.sum(vertical, axis=0), slings[0].to_load, during)
-            if force.static is None:
-                yield Missing(equalizer.name, NO_STATIC)
-                continue
-            text = f"{force.static_text} / {kilonewton(equalizer.rated_capacity)}"
-            text += f" (peak {kilonewton(force.peak)})" if force.peak is not None else ""
-            yield Found(force.static / equalizer.rated_capacity, equalizer.name, formula=text)
+        yield from hanging_of_capacity(recording, during, equalizer, slings)
+
+
+def hanging_of_capacity(
+    recording: Recording, during: BoolArray, gear: Equalizer | Spreader, slings: Sequence[Sling]
+) -> Iterator[Finding]:
+    """Static vertical force of slings over the rated capacity of the lifting gear from which they hang."""
+    if not gear.rated_capacity:
+        yield Missing(gear.name, "rated capacity not known")
+    elif slings:
+        vertical = [series.sling_upright(recording, sling) for sling in slings]
+        force = sum_force(recording, np.sum(vertical, axis=0), slings[0].to_load, during)
+        if force.static is None:
+            yield Missing(gear.name, NO_STATIC)
+            return
+        text = f"{force.static_text} / {kilonewton(gear.rated_capacity)}"
+        text += f" (peak {kilonewton(force.peak)})" if force.peak is not None else ""
+        yield Found(force.static / gear.rated_capacity, gear.name, formula=text)
 
 
 def travel_used(recording: Recording, during: BoolArray) -> Iterator[Finding]:

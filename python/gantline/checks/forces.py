@@ -213,7 +213,8 @@ def hook_force(
 ) -> Force:
     """Static and dynamic hook load or hoist load of one or more hooks together.
 
-    Only what hangs in the hook is raised by the rule's factor, not hook block and falls.
+    Only what hangs in the hook is raised by the rule's factor, not hook block and falls. Spreaders weigh what
+    they weigh: the design weight is one of loads.
 
     Args:
         recording: The recording.
@@ -229,9 +230,9 @@ def hook_force(
     window = series.greatest_static(recording, total)[1] if window is None else window
     more = by_slings = 0.0
     for sling in (one for one in rig.slings if rig.hook_of(one) in names):
-        up = series.sling_tension(recording, sling) * series.sling_direction(recording, sling)[:, 2]
-        share = series.static_value(recording, up, window) or 0.0
-        more += (design_ratio(recording, sling.to_load) - 1.0) * share
+        share = series.static_value(recording, series.sling_upright(recording, sling), window) or 0.0
+        gear = _spreaders_below(recording, sling, window)
+        more += (design_ratio(recording, sling.to_load) - 1.0) * max(share - gear, 0.0)
         by_slings += share
     static = series.static_value(recording, hook_load, window)
     if static is not None and any(hook.bears_mechanics for hook in rig.hooks if hook.name in names):
@@ -240,6 +241,22 @@ def hook_force(
     falls = series.static_value(recording, total - hook_load, window) or 0.0
     force = replace(_hook_force(recording, static, more, falls), window=window)
     return _with_peak_of(recording, force, total, during)
+
+
+def _spreaders_below(recording: Recording, sling: Sling, window: BoolArray | None) -> float:
+    """What a sling bears of the weight of spreaders, by vertical forces while the load hangs still [N]."""
+    below = 0.0
+    for spreader in recording.rig.spreaders:
+        if spreader.name in sling.lugs_of:
+            upright = {
+                one.name: series.static_value(recording, series.sling_upright(recording, one), window) or 0.0
+                for one in recording.rig.slings
+                if spreader.name in one.lugs_of
+            }
+            hanging = [one for one in recording.rig.slings if one.from_body == spreader.name]
+            weight = spreader.weight + sum(_spreaders_below(recording, one, window) for one in hanging)
+            below += weight * upright[sling.name] / (sum(upright.values()) or 1.0)
+    return below
 
 
 def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:

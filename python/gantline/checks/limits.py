@@ -20,6 +20,7 @@ from gantline.checks import (
     ropes,
     shackles,
     slings,
+    spreaders,
     vessels,
 )
 from gantline.checks.alarms import (
@@ -210,6 +211,23 @@ LIMITS: dict[str, Measure] = {
         equalizers.load_of_rated_capacity,
         by_definition=1.0,
         definition=_ALL,
+        is_listed=True,
+    ),
+    "spreader_load_of_rated_capacity": Measure(
+        "static vertical force of all slings under a spreader / its rated capacity",
+        "%",
+        1,
+        spreaders.load_of_rated_capacity,
+        by_definition=1.0,
+        definition=_ALL,
+        is_listed=True,
+    ),
+    "spreader_thrust": Measure(
+        "largest force that pushes a spreader together along its longest side: static with the design weight "
+        "x the rule's factor, or peak",
+        "kN",
+        1,
+        spreaders.largest_thrust,
         is_listed=True,
     ),
     "equalizer_travel_used": Measure(

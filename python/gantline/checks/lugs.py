@@ -20,34 +20,34 @@ def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Find
     """Angle between a carrying sling and the main plate of its lug."""
     for sling in recording.rig.slings:
         angles = series.out_of_plane_angles(recording, sling)
-        for lug in (one for one in sling.lugs if one is not None):
-            element = f"{sling.to_load}.{lug}"
-            if lug not in angles:
+        for _, of, lug in sling.at_lugs():
+            element = f"{of}.{lug}"
+            if (of, lug) not in angles:
                 yield Missing(element, "main plate not known")
             else:
                 inside = carrying(recording, sling.rope, during)
-                yield from extreme(recording, angles[lug], inside, element)
+                yield from extreme(recording, angles[of, lug], inside, element)
 
 
 def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Load of a lug over its capacity; forces of several slings at one lug add up."""
+    """Load of a lug of load or spreader over its capacity; forces of several slings at one lug add up."""
     forces = sling_forces(recording, during)
     slings: dict[tuple[str, str], list[Sling]] = {}
     for sling in recording.rig.slings:
-        for lug_name in (one for one in sling.lugs if one is not None):
-            slings.setdefault((sling.to_load or "", lug_name), []).append(sling)
+        for _, of, lug_name in sling.at_lugs():
+            slings.setdefault((of, lug_name), []).append(sling)
     consequence = factor(recording, _CONSEQUENCE)
     raised = (
         Raised() if consequence is None else Raised(consequence, f" x {consequence:.4g}", (_CONSEQUENCE,))
     )
-    for (load_name, lug_name), own in slings.items():
+    for (of, lug_name), own in slings.items():
         force = forces[own[0].name] if len(own) == 1 else force_together(recording, own, during)
-        load = recording.rig.load(load_name)
-        lug = load.lugs.get(lug_name) if load is not None else None
+        holder = recording.rig.with_lugs(of)
+        lug = holder.lugs.get(lug_name) if holder is not None else None
         if lug is None or not lug.capacity:
-            yield Missing(f"{load_name}.{lug_name}", "lug capacity not known")
+            yield Missing(f"{of}.{lug_name}", "lug capacity not known")
         else:
-            yield from over(force, lug.capacity, f"{load_name}.{lug_name}", raised)
+            yield from over(force, lug.capacity, f"{of}.{lug_name}", raised)
     for one in recording.rig.loads:
         for rope in one.other_ropes:
             if series.rope_peak(recording, rope)[0] > _BEARS * one.weight:

@@ -159,7 +159,11 @@ def _worst(chart: SideLoad, tension: FloatArray, angles: FloatArray, during: Boo
 
 def _angles(recording: Recording, sling: Sling, end: str) -> FloatArray:
     """Side load angle while the sling carries [rad], else 0, shape (time,)."""
-    aside = list(series.out_of_plane_angles(recording, sling).values()) if end == "bottom" else []
+    by_lug = series.out_of_plane_angles(recording, sling)
+    own = {(of, lug) for of, lug in zip(sling.lugs_of, sling.lugs, strict=True)}
+    if end == "top":
+        own = {(sling.from_body, sling.from_lug)}
+    aside = [angles for lug, angles in by_lug.items() if lug in own]
     still = np.zeros(len(recording.time))
     if not aside:
         return still

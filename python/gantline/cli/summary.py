@@ -163,7 +163,7 @@ def _used(recording: Recording) -> list[str]:
     aside = values_of(recording, "lug_out_of_plane_angle")
     rows = []
     for sling in recording.rig.slings:
-        leads = [f"{sling.to_load}.{lug}" for lug in sling.lugs if lug is not None]
+        leads = [f"{of}.{lug}" for _, of, lug in sling.at_lugs()]
         own = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
         force = series.rope_peak(recording, sling.rope)[0]
         rows.append(

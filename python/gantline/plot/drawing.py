@@ -324,7 +324,7 @@ def _label_lugs(panel: Axes, recording: Recording, snap: Snapshot) -> None:
     if len(named) > _MOST_LUGS or _nearest(named) < _LUGS_APART * width:
         named = _by_what_bears_them(recording, snap)
     for name, lug in named.items():
-        right, up = _beside(TOP.project(lug), taken, 0.05 * width)
+        right, up = _beside(TOP.project(lug), taken, 0.05 * width, (panel.get_xlim(), panel.get_ylim()))
         label = panel.text(right, up, name, fontsize=6.5, ha="center", va="center", zorder=5)
         label.set_path_effects([Stroke(linewidth=2.0, foreground="white"), Normal()])
         along = np.linspace(-0.02, 0.02, 5)[:, None] * width * len(name) / 2
@@ -356,12 +356,19 @@ def _densely(path: FloatArray) -> FloatArray:
     return points
 
 
-def _beside(place: FloatArray, taken: FloatArray, reach: float) -> tuple[float, float]:
-    """Where a label stands near a place on paper: as far off as it must for room, then where most room is."""
+def _beside(
+    place: FloatArray, taken: FloatArray, reach: float, paper: Sequence[tuple[float, float]]
+) -> tuple[float, float]:
+    """Where a label stands near a place on paper: as far off as it must for room, then where most room is.
+
+    What is not `taken` between the limits of the paper, along and up, is room; beyond them there is none.
+    """
     places, rooms = np.empty((0, 2)), np.empty(0)
+    least, most = (np.array(ends) for ends in zip(*paper, strict=True))
     for distance in (reach, 1.5 * reach, 2.0 * reach):
         places = place + distance * _AROUND
         rooms = np.linalg.norm(places[:, None] - taken[None], axis=-1).min(axis=1)
+        rooms = np.minimum(rooms, np.minimum(places - least, most - places).min(axis=1))
         if rooms.max() >= 0.8 * reach:
             break
     right, up = places[int(np.argmax(np.round(rooms, 6)))]

@@ -119,11 +119,11 @@ def _sling(
     force, time = series.rope_peak(recording, sling.rope)
     angle = series.sling_angle(recording, sling)
     carrying = series.is_carrying(tension)
-    own = [f"{sling.to_load}.{lug}" for lug in sling.lugs if lug is not None]
+    own = [f"{of}.{lug}" for _, of, lug in sling.at_lugs()]
     held = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
     return {
         "name": sling.name,
-        "lug": ", ".join(lug for lug in sling.lugs if lug is not None) or ABSENT,
+        "lug": ", ".join(lug for _, _, lug in sling.at_lugs()) or ABSENT,
         "length": number(sling.length, "m", 2),
         "static": number(subject.static(tension), "kN", 0),
         "peak": number(force, "kN", 0),

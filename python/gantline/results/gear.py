@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Self
 
 from pydantic import Field
 
-from gantline.results.strength import FromJson, Shackle
+from gantline.results.form import Vector
+from gantline.results.strength import FromJson, Lug, Shackle, lugs_from_json
 
 
 @dataclass(frozen=True)
@@ -95,16 +96,18 @@ class Equalizer(FromJson):
 
 @dataclass(frozen=True)
 class Sling(FromJson):
-    """A rope from a hook or a moving sheave to a lug, or by extension sheaves to more of them.
+    """A rope from a hook, moving sheave or spreader to a lug, or by extension sheaves to more of them.
 
     Attributes:
         name: Its name in the lift file.
         rope: Its name among the ropes, `sling.<name>`.
         from_body: Where its upper end is made fast, or the extension sheave that it runs over.
-        to_load: The load at its lower end; None if extension sheaves hang there.
-        to_lug: The lug at its lower end, if that is the only one.
+        from_lug: The lug at its upper end, of a spreader; None if there is none.
+        to_load: The load at its lower end; None if extension sheaves or spreaders hang there.
+        to_lug: The lug of the load at its lower end, if that is the only one.
         over: The extension sheave that it runs over, from end to end; None if it runs over none.
         lugs: The lug at each lower end, one or two; None where an extension sheave hangs.
+        lugs_of: The load or spreader that has it, of each lower end.
         length: Effective sling length [m].
         minimum_breaking_force: Of its rope [N]; None if not said.
         shackles: Shackles at `top` and `bottom`.
@@ -113,10 +116,12 @@ class Sling(FromJson):
     name: str
     rope: str
     from_body: Annotated[str, Field(alias="from")] = ""
+    from_lug: str | None = None
     to_load: str | None = None
     to_lug: str | None = None
     over: str | None = None
     lugs: Sequence[str | None] = ()
+    lugs_of: Sequence[str | None] = ()
     length: float | None = None
     minimum_breaking_force: float | None = None
     shackles: Mapping[str, Shackle] = field(default_factory=dict)
@@ -125,15 +130,51 @@ class Sling(FromJson):
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""
         lug = document.get("to_lug")
+        lugs = document.get("lugs", () if lug is None else (lug,))
         parts = {
             "from_body": document.get("from", ""),
-            "lugs": () if lug is None else (lug,),
+            "lugs": lugs,
+            "lugs_of": [None if one is None else document.get("to_load") for one in lugs],
             **document,
             "shackles": {
                 end: Shackle.from_json(one) for end, one in (document.get("shackles") or {}).items()
             },
         }
         return super().from_json(parts)
+
+    def at_lugs(self) -> Iterator[tuple[int, str, str]]:
+        """Its lugs: number of the lower end (0 at the upper one), what has the lug, its name there."""
+        if self.from_lug is not None:
+            yield 0, self.from_body, self.from_lug
+        for end, (of, lug) in enumerate(zip(self.lugs_of, self.lugs, strict=True)):
+            if of is not None and lug is not None:
+                yield end, of, lug
+
+
+@dataclass(frozen=True)
+class Spreader(FromJson):
+    """A bar, beam or frame between slings.
+
+    Attributes:
+        name: Its name.
+        body: Name of its body.
+        weight: As simulated [N], with what slings and shackles lump onto it.
+        size: Of its box along its axes [m].
+        rated_capacity: Of all that hangs below it [N]; None if not said.
+        lugs: Lugs by name, where from its centre of gravity, its axes [m].
+    """
+
+    name: str
+    body: str
+    weight: float = 0.0
+    size: Vector = (0.0, 0.0, 0.0)
+    rated_capacity: float | None = None
+    lugs: Mapping[str, Lug] = field(default_factory=dict)
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        return super().from_json({**document, "lugs": lugs_from_json(document)})
 
 
 @dataclass(frozen=True)

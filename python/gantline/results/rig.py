@@ -14,29 +14,14 @@ from gantline.results.boom import Boom
 from gantline.results.crane import Crane, CraneHook
 from gantline.results.crawler import Crawler
 from gantline.results.form import Vector
-from gantline.results.gear import Drum, Equalizer, Hook, Rope, Sheave, Sling, WrappedSheave
+from gantline.results.gear import Drum, Equalizer, Hook, Rope, Sheave, Sling, Spreader, WrappedSheave
 from gantline.results.moorings import Fender, MooringLine
 from gantline.results.rating_chart import RatingChart
-from gantline.results.strength import Bend, Factor, FromJson, Rating, SideLoad
+from gantline.results.strength import Bend, Factor, FromJson, Lug, Rating, SideLoad, lugs_from_json
 from gantline.results.vessels import Vessel
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
 EQUALISED_BELOW = 0.05
-
-
-@dataclass(frozen=True)
-class Lug(FromJson):
-    """Where a sling is made fast on a load.
-
-    Attributes:
-        at: Position in the body frame of the load [m].
-        main_plate_normal: Unit vector across the main plate, body frame; None if not said.
-        capacity: What it may carry [N]; None if not said.
-    """
-
-    at: Vector
-    main_plate_normal: Vector | None = None
-    capacity: float | None = None
 
 
 @dataclass(frozen=True)
@@ -74,8 +59,7 @@ class Load(FromJson):
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""
-        lugs = {name: Lug.from_json(lug) for name, lug in document.get("lugs", {}).items()}
-        return super().from_json({**document, "lugs": lugs})
+        return super().from_json({**document, "lugs": lugs_from_json(document)})
 
 
 @dataclass(frozen=True)
@@ -178,6 +162,7 @@ class Rig(FromJson):
         booms: Booms, with what is particular to their hooks.
         crawlers: Crawler cranes, with what they stand on.
         equalizers: Equalizers of all hooks.
+        spreaders: Bars, beams and frames between slings.
         slings: Slings of all hooks.
         ropes: All ropes: equalizing ropes, slings, mooring lines, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
@@ -212,6 +197,7 @@ class Rig(FromJson):
     booms: Sequence[Boom] = ()
     crawlers: Sequence[Crawler] = ()
     equalizers: Sequence[Equalizer] = ()
+    spreaders: Sequence[Spreader] = ()
     slings: Sequence[Sling] = ()
     ropes: Sequence[Rope] = ()
     sheaves: Sequence[Sheave] = ()
@@ -244,6 +230,7 @@ class Rig(FromJson):
             "booms": tuple(Boom.from_json(d) for d in document.get("booms") or ()),
             "crawlers": tuple(Crawler.from_json(d) for d in document.get("crawlers") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
+            "spreaders": tuple(Spreader.from_json(d) for d in document.get("spreaders") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
             "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
             "sheaves": tuple(Sheave.from_json(d) for d in document.get("sheaves") or ()),
@@ -273,13 +260,17 @@ class Rig(FromJson):
         return next((one for one in self.ropes if one.name == name), None)
 
     def hook_of(self, sling: Sling) -> str:
-        """Name of the hook from which a sling hangs, by an equalizer or by itself."""
+        """Name of the hook from which a sling hangs, by an equalizer or by itself; of a spreader its own."""
         equalizer = self.equalizer_of(sling)
         return equalizer.hook if equalizer is not None else sling.from_body
 
     def load(self, name: str | None) -> Load | None:
         """The load of that name, if there is one."""
         return next((load for load in self.loads if load.name == name), None)
+
+    def with_lugs(self, name: str | None) -> Load | Spreader | None:
+        """The load or spreader of that name, if there is one."""
+        return self.load(name) or next((one for one in self.spreaders if one.name == name), None)
 
     def minimum_breaking_force(self, rope: str) -> float | None:
         """Minimum breaking force of the rope of that name [N]; None if it is not known."""

@@ -243,6 +243,12 @@ def sling_direction(recording: Recording, sling: Sling, end: int = 0) -> FloatAr
     return unit
 
 
+def sling_upright(recording: Recording, sling: Sling) -> FloatArray:
+    """Vertical part of the tension of a sling [N], shape (time,)."""
+    upright: FloatArray = sling_tension(recording, sling) * sling_direction(recording, sling)[:, 2]
+    return upright
+
+
 def sling_angle(recording: Recording, sling: Sling) -> FloatArray:
     """Angle of a sling from the vertical [rad], shape (time,); the larger one of two legs."""
     angles = []
@@ -253,18 +259,21 @@ def sling_angle(recording: Recording, sling: Sling) -> FloatArray:
     return largest
 
 
-def out_of_plane_angles(recording: Recording, sling: Sling) -> dict[str, FloatArray]:
-    """Angles between a sling and the main plates of its lugs [rad], shape (time,), by lugs that have one."""
-    load = recording.rig.load(sling.to_load)
-    found: dict[str, FloatArray] = {}
-    for end, lug in enumerate(sling.lugs):
-        plate = load.lugs.get(lug) if load is not None and lug is not None else None
-        if load is None or lug is None or plate is None or plate.main_plate_normal is None:
+def out_of_plane_angles(recording: Recording, sling: Sling) -> dict[tuple[str, str], FloatArray]:
+    """Angles between a sling and the main plates of its lugs [rad], shape (time,).
+
+    By load or spreader and lug; of those of which the main plate is known.
+    """
+    found: dict[tuple[str, str], FloatArray] = {}
+    for end, of, lug in sling.at_lugs():
+        holder = recording.rig.with_lugs(of)
+        plate = None if holder is None else holder.lugs.get(lug)
+        if holder is None or plate is None or plate.main_plate_normal is None:
             continue
-        body = axes(recording.column("body_orientation", load.body))
+        body = axes(recording.column("body_orientation", holder.body))
         normal = body @ np.asarray(plate.main_plate_normal, dtype=np.float64)
         across = np.sum(normal * sling_direction(recording, sling, end), axis=1)
-        found[lug] = np.abs(np.arcsin(np.clip(across, -1.0, 1.0)))
+        found[of, lug] = np.abs(np.arcsin(np.clip(across, -1.0, 1.0)))
     return found
 
 

@@ -9,7 +9,10 @@ Both are taken where the load hangs; slings that share are taken together:
 - under a hook the forces keep their sum on the hook, in three directions. Three slings have no choice. More
   share as their stiffnesses EA/L say, which is the least elastic energy;
 - under an equalizer of which pins hold a sheave, slings count as parallel: what they keep is the sum of
-  vertical forces and its moments about the horizontal axes.
+  vertical forces and its moments about the horizontal axes;
+- above and below spreaders all slings that these join count together, and keep forces and moments on each
+  spreader and on the load. Spreaders are rigid. Below one that an equalizer holds, slings have a factor only
+  where lengths decide nothing.
 
 A sling over an extension sheave shares with none: it follows the sling that its sheave hangs on, and has no
 factor of its own. How slings share that carry such sheaves, where lengths decide it, depends on all that
@@ -110,13 +113,25 @@ def largest_skew(recording: Recording) -> float | None:
     return max((factor for factor in factors if factor is not None), default=None)
 
 
-def _groups(recording: Recording, slings: Sequence[Sling]) -> Iterator[list[Sling]]:
-    """Slings of one equalizer, or of one hook without any."""
-    groups: dict[str, list[Sling]] = {}
+def _groups(recording: Recording, slings: Sequence[Sling]) -> list[list[Sling]]:
+    """Slings of one equalizer, or of one hook without any, or of all that spreaders join."""
+    groups: list[tuple[set[str], list[Sling]]] = []
     for sling in slings:
         equalizer = recording.rig.equalizer_of(sling)
-        groups.setdefault(sling.from_body if equalizer is None else equalizer.name, []).append(sling)
-    yield from groups.values()
+        names = {equalizer.name} if equalizer else {sling.from_body, *_spreaders_at(recording, sling)}
+        found = [place for place, (own, _) in enumerate(groups) if own & names]
+        joined = [groups[place] for place in found]
+        for place in reversed(found):
+            del groups[place]
+        merged = names.union(*(own for own, _ in joined)), [*(one for _, of in joined for one in of), sling]
+        groups.insert(found[0] if found else len(groups), merged)
+    return [own for _, own in groups]
+
+
+def _spreaders_at(recording: Recording, sling: Sling) -> set[str]:
+    """Spreaders at either end of a sling."""
+    spreaders = {one.name for one in recording.rig.spreaders}
+    return {of for _, of, _ in sling.at_lugs() if of in spreaders}
 
 
 def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) -> Iterator[Skew]:
@@ -134,7 +149,14 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
         perfect = np.mean(tension * along) / along
         yield from _all(slings, tension, perfect, lengths_decide=False)
         return
-    if equalizer is None:
+    joined = (
+        set[str]()
+        if equalizer is not None
+        else set().union(*(_spreaders_at(recording, one) for one in slings))
+    )
+    if joined:
+        gradient = _wrenches(recording, window, slings, unit)
+    elif equalizer is None:
         gradient = unit.T
     else:
         ends = [series.rope_ends(recording, one.rope)[1] for one in slings]
@@ -148,11 +170,55 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
     if any(lug is None for one in slings for lug in one.lugs):
         yield from _none(slings, tension, "how they share depends on extension sheaves below them")
         return
+    if _hang_by_equalizers(recording, joined):
+        yield from _none(slings, tension, "how they share depends on the equalizer that holds their spreader")
+        return
     stiffness = _stiffness(recording, slings)
     if stiffness is None:
         yield from _none(slings, tension, "axial stiffness of its slings not known")
         return
     yield from _all(slings, tension, perfect_forces(gradient, stiffness, tension), lengths_decide=True)
+
+
+def _wrenches(
+    recording: Recording, window: BoolArray, slings: Sequence[Sling], unit: FloatArray
+) -> FloatArray:
+    """Forces and moments of unit tensions on each spreader and load, shape (6 bodies, slings).
+
+    Args:
+        recording: Of any lift.
+        window: The time that counts, shape (time,).
+        slings: Those that spreaders join.
+        unit: Their directions upwards, shape (slings, 3).
+    """
+    pulls: dict[str, list[tuple[int, FloatArray, FloatArray]]] = {}
+    for place, sling in enumerate(slings):
+        upper, lower = (_place(recording, window, end) for end in series.rope_ends(recording, sling.rope))
+        if sling.from_lug is not None:
+            pulls.setdefault(sling.from_body, []).append((place, upper, -unit[place]))
+        for of in sling.lugs_of:
+            if of is not None:
+                pulls.setdefault(of, []).append((place, lower, unit[place]))
+    rows = []
+    for own in pulls.values():
+        middle = np.mean([at for _, at, _ in own], axis=0)
+        size = max(float(np.linalg.norm(at - middle)) for _, at, _ in own) or 1.0
+        wrench = np.zeros((6, len(slings)))
+        for place, at, pull in own:
+            wrench[:3, place] += pull
+            wrench[3:, place] += np.cross(at - middle, pull) / size
+        rows.append(wrench)
+    return np.vstack(rows)
+
+
+def _place(recording: Recording, window: BoolArray, points: FloatArray) -> FloatArray:
+    return np.array([_static(recording, window, part) for part in points.T])
+
+
+def _hang_by_equalizers(recording: Recording, spreaders: set[str]) -> bool:
+    """Whether a sling of an equalizer leads to one of these."""
+    slings = (one for one in recording.rig.slings if recording.rig.equalizer_of(one) is not None)
+    return any(_spreaders_at(recording, one) & spreaders for one in slings)
 
 
 def perfect_forces(gradient: FloatArray, stiffness: FloatArray, tension: FloatArray) -> FloatArray:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Self
 
-from gantline.results.form import Range
+from gantline.results.form import Range, Vector
 from gantline.rule_data import SIDE_LOAD, SIDE_LOAD_SOURCE
 
 
@@ -37,6 +37,26 @@ class Rating(FromJson):
     hooks: Sequence[str] = ()
     rated_capacity: float | None = None
     includes_hook_block: bool = False
+
+
+@dataclass(frozen=True)
+class Lug(FromJson):
+    """Where a sling is made fast on a load or a spreader.
+
+    Attributes:
+        at: Position from the centre of gravity, axes of the body [m].
+        main_plate_normal: Unit vector across the main plate, body frame; None if not said.
+        capacity: What it may carry [N]; None if not said.
+    """
+
+    at: Vector
+    main_plate_normal: Vector | None = None
+    capacity: float | None = None
+
+
+def lugs_from_json(document: Mapping[str, Any]) -> dict[str, Lug]:
+    """Lugs of a load or a spreader by name."""
+    return {name: Lug.from_json(lug) for name, lug in document.get("lugs", {}).items()}
 
 
 @dataclass(frozen=True)

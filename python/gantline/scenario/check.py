@@ -10,6 +10,7 @@ from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
 from gantline.scenario.check_reeving import check_reeving
+from gantline.scenario.check_spreaders import check_spreaders
 from gantline.scenario.check_supports import check_supports
 from gantline.scenario.check_vessels import check_vessels
 from gantline.scenario.crane_parts import crane_parts
@@ -47,6 +48,7 @@ def check(scenario: Scenario) -> None:
         for name, equalizer in rigging.equalizers.items():
             slings = [sling for sling in rigging.slings.values() if sling.equalizer == name]
             check_equalizer(findings, equalizer, slings)
+        check_spreaders(findings, rigging)
         check_pins(findings, rigging)
         if scenario.simulation.integrator == "explicit" and pins_of(scenario, rigging).at_start:
             sentence = "'explicit' knows no pins; 'adaptive' or 'del' is right"
@@ -96,6 +98,7 @@ def _check_names(findings: Findings) -> None:
         (name, "an extension sheave", ("extension_sheaves", name))
         for name in scenario.extension_sheaves or {}
     ]
+    named += [(name, "a spreader", ("spreaders", name)) for name in scenario.spreaders or {}]
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
     named += [(name, "a group of supports", ("supports", name)) for name in scenario.supports or {}]

@@ -5,10 +5,18 @@ from __future__ import annotations
 from gantline.scenario.check_supports import check_places, top_of
 from gantline.scenario.check_vessels import check_areas
 from gantline.scenario.errors import nearest
-from gantline.scenario.findings import Findings
-from gantline.scenario.load import Load, LoadInertia
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.load import Load, LoadInertia, Lug
 
-__all__ = ["Extent", "check_centre", "check_load", "check_lug", "check_underside"]
+__all__ = [
+    "Extent",
+    "check_centre",
+    "check_inertia",
+    "check_load",
+    "check_lug",
+    "check_lug_type",
+    "check_underside",
+]
 
 #: A load at rest may be given this far from the ground it stands on [m].
 _STANDING = 1e-3
@@ -25,17 +33,14 @@ def check_load(findings: Findings, load: Load) -> None:
     box = load.shape.box
     if box is not None and load.centre_of_gravity.at != "from_cad":
         check_centre(findings, load.centre_of_gravity.at, _box_of(box))
-    types = findings.scenario.lug_types or {}
     for name, lug in load.lugs.items():
-        if lug.type is not None and lug.type not in types:
-            sentence = f"'{lug.type}' is not a name of 'lug_types'; {nearest(lug.type, types)}"
-            findings.add(("load", "lugs", name, "type"), sentence)
+        check_lug_type(findings, ("load", "lugs", name), lug)
         if box is not None:
             check_lug(findings, name, lug.at, _box_of(box))
     if box is not None:
         check_places(findings, *_box_of(box))
     if isinstance(load.inertia, LoadInertia):
-        _check_inertia(findings, load.inertia)
+        check_inertia(findings, ("load", "inertia"), load.inertia)
     check_areas(findings, ("load",), load.wind_areas)
     if load.stands_on is not None:
         _check_standing(findings, load, load.stands_on)
@@ -97,7 +102,16 @@ def _check_sources(findings: Findings, load: Load) -> None:
         findings.add(("load", "outfitting"), f"{sentence}; the calculated weight includes it")
 
 
-def _check_inertia(findings: Findings, inertia: LoadInertia) -> None:
+def check_lug_type(findings: Findings, path: Path, lug: Lug) -> None:
+    """Note a lug at a path whose type nothing describes."""
+    types = findings.scenario.lug_types or {}
+    if lug.type is not None and lug.type not in types:
+        sentence = f"'{lug.type}' is not a name of 'lug_types'; {nearest(lug.type, types)}"
+        findings.add((*path, "type"), sentence)
+
+
+def check_inertia(findings: Findings, path: Path, inertia: LoadInertia) -> None:
+    """Note an inertia at a path that no body has."""
     a, b, c = inertia.xx, inertia.yy, inertia.zz
     d, e, f = inertia.xy, inertia.xz, inertia.yz
     minor = a * b - d * d
@@ -105,7 +119,7 @@ def _check_inertia(findings: Findings, inertia: LoadInertia) -> None:
     largest = max(a, b, c)
     if largest > (a + b + c - largest) * _ROUNDING or minor <= 0 or determinant <= 0:
         sentence = "no body has such an inertia; each of xx, yy, zz is at most the sum of the other two"
-        findings.add(("load", "inertia"), f"{sentence}, and products are small")
+        findings.add(path, f"{sentence}, and products are small")
 
 
 def _check_standing(findings: Findings, load: Load, base: str) -> None:

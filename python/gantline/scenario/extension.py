@@ -11,6 +11,7 @@ from pydantic import Field
 from gantline.scenario.base import Element
 from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import PositiveLength, PositiveMass
+from gantline.scenario.spreader import spreader_lugs
 
 if TYPE_CHECKING:
     from gantline.scenario.findings import Findings, Path
@@ -23,8 +24,8 @@ __all__ = [
     "ExtensionSheave",
     "SlingEnd",
     "check_sling_over",
+    "ends_below",
     "extensions_of",
-    "lugs_below",
     "sling_ends",
 ]
 
@@ -41,10 +42,11 @@ class ExtensionSheave(Element):
 
 
 class SlingEnd(NamedTuple):
-    """The lower end of a sling: a lug of the load, or an extension sheave that hangs on it."""
+    """The lower end of a sling: a lug of load or spreader, or an extension sheave that hangs on it."""
 
     lug: str | None
     extension: str | None
+    spreader: str | None = None
 
 
 @dataclass(frozen=True)
@@ -127,7 +129,7 @@ def sling_ends(findings: Findings, given: Sling, path: Path) -> tuple[str, ...] 
 def check_sling_over(
     findings: Findings, given: Sling, rope: RopeMaterial, weight: RopeWeight, path: Path
 ) -> None:
-    """Note what a sling over an extension sheave, or one that carries one, cannot have."""
+    """Note what a sling at an extension sheave or a spreader cannot have."""
     sheaves = findings.scenario.extension_sheaves or {}
     if given.over is not None and given.over not in sheaves:
         sentence = f"'{given.over}' is not an extension sheave; {nearest(given.over, sheaves)}"
@@ -135,20 +137,24 @@ def check_sling_over(
     if given.over is not None and given.shackles is not None and given.shackles.top is not None:
         sentence = "a sling that runs over a sheave has no shackle at its top"
         findings.add((*path, "shackles", "top"), f"{sentence}; leave it out")
-    is_near = given.over is not None or any(end in sheaves for end in given.to)
-    if is_near and rope.inextensible:
-        sentence = "is inextensible, and an extension sheave hangs on it or carries it"
+    near = None
+    if given.over is not None or any(end in sheaves for end in given.to):
+        near = "an extension sheave"
+    elif {given.from_, *given.to} & set(spreader_lugs(findings.scenario)):
+        near = "a spreader"
+    if near is not None and rope.inextensible:
+        sentence = f"is inextensible, and {near} hangs on it or carries it"
         findings.add(path, f"{sentence}; give its rope an axial stiffness")
-    if is_near and weight.nodes:
-        sentence = "has nodes, and an extension sheave hangs on it or carries it"
+    if near is not None and weight.nodes:
+        sentence = f"has nodes, and {near} hangs on it or carries it"
         findings.add(path, f"{sentence}; 'rope_weight: lumped' or 'none' is right")
 
 
-def lugs_below(
+def ends_below(
     end: SlingEnd, found: Mapping[str, ExtensionRigging], slings: Mapping[str, SlingRigging]
-) -> list[str]:
-    """Lugs that the lower end of a sling serves, through however many extension sheaves."""
+) -> list[SlingEnd]:
+    """Lower ends at lugs that the lower end of a sling serves, through however many extension sheaves."""
     if end.extension is None:
-        return [] if end.lug is None else [end.lug]
+        return [end]
     below = slings[found[end.extension].carries].ends
-    return [lug for one in below for lug in lugs_below(one, found, slings)]
+    return [at_lug for one in below for at_lug in ends_below(one, found, slings)]

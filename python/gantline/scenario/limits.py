@@ -99,6 +99,13 @@ class Limits(Element):
         None,
         description="Static load of all slings of an equalizer, of its rated capacity; 100 % if not given.",
     )
+    spreader_load_of_rated_capacity: Ratio | None = Field(
+        None,
+        description="Static load of all slings under a spreader, of its rated capacity; 100 % if not given.",
+    )
+    spreader_thrust: PositiveForce | None = Field(
+        None, description="Force that pushes a spreader together along its longest side."
+    )
     hook_dynamic_factor: _Factor | None = Field(None, description="Dynamic over static hook load.")
     sling_dynamic_factor: _Factor | None = Field(
         None, description="Peak over static tension of the same sling."

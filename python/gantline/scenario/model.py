@@ -25,6 +25,7 @@ from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.mooring import Fender, MooringLine
 from gantline.scenario.plan import EmergencyStop, Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
+from gantline.scenario.spreader import Spreader
 from gantline.scenario.stream import Current, Wind, WindOfLift
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
@@ -97,6 +98,9 @@ class Scenario(Element):
     slings: Named[Sling] | None = Field(None, description="Slings by name.")
     extension_sheaves: Named[ExtensionSheave] | None = Field(
         None, description="Sheaves that hang on slings and serve two lugs each, by name."
+    )
+    spreaders: Named[Spreader] | None = Field(
+        None, description="Bars, beams and frames between slings, by name."
     )
     mooring_lines: Named[MooringLine] | None = Field(None, description="Lines that hold vessels, by name.")
     fenders: Named[Fender] | None = Field(None, description="Fenders between vessels and quays, by name.")
@@ -178,6 +182,7 @@ class Scenario(Element):
             "hooks": self.hooks,
             "equalizers": self.equalizers,
             "slings": self.slings,
+            "spreaders": self.spreaders,
             "cases": self.cases,
         }
         rows += [(what, f"{len(names)}: {', '.join(names)}") for what, names in groups.items() if names]

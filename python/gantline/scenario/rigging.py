@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,6 +27,7 @@ from gantline.scenario.gear import RopeMaterial, Shackle, SlingDefaults
 from gantline.scenario.model import Scenario
 from gantline.scenario.rope_weight import RopeWeight, RopeWeightWord, check_rope_weight, rope_weight
 from gantline.scenario.sheave import SheaveLosses, SheaveWords, sheave_losses, taken_together
+from gantline.scenario.sling_ends import Upper, lower_end, upper_end
 
 __all__ = [
     "SHEAVES",
@@ -36,14 +36,10 @@ __all__ = [
     "SlingRigging",
     "resolve",
     "sheave_levels",
-    "split_reference",
 ]
 
-#: Hook, equalizer and moving sheave from which a sling hangs.
-_Upper = tuple[str, str | None, int | None]
 #: Keys of an equalizer's sheaves.
 SHEAVES = ("fixed_sheaves", "moving_sheaves")
-
 _EQUALIZER_MAY_HAVE = ("hinge", "rated_capacity", "rope_weight", "mechanism", "adjusting_factor")
 _EQUALIZER_NEEDS = ("frame", "rope", "rope_ends", "fixed_sheaves", "moving_sheaves", "travel")
 
@@ -80,12 +76,14 @@ class EqualizerRigging:
 
 @dataclass(frozen=True)
 class SlingRigging:
-    """A sling from a moving sheave or a hook to a lug or an extension sheave, or over one of these.
+    """A sling from a moving sheave, hook or spreader to a lug or an extension sheave, or over one of these.
 
     Attributes:
-        hook: hook under which it hangs; empty for a sling over an extension sheave.
+        hook: hook under which it hangs; empty for a sling over an extension sheave or under a spreader.
         equalizer: equalizer from which it hangs; None for none.
         sheave: the moving sheave there, counted from 1.
+        spreader: spreader from which it hangs; None for none.
+        upper_lug: the lug there.
         over: extension sheave that it runs over, from end to end.
         ends: its lower ends: one, or two if it runs over a sheave.
     """
@@ -94,6 +92,8 @@ class SlingRigging:
     hook: str
     equalizer: str | None
     sheave: int | None
+    spreader: str | None
+    upper_lug: str | None
     over: str | None
     ends: tuple[SlingEnd, ...]
     length: float
@@ -106,14 +106,15 @@ class SlingRigging:
     @property
     def upper_body(self) -> str:
         """Name of the body that holds the upper end, or of the extension sheave that it runs over."""
-        if self.over is not None:
-            return self.over
+        beside = self.over or self.spreader
+        if beside is not None:
+            return beside
         return self.hook if self.equalizer is None else f"{self.equalizer}.{self.sheave}"
 
     @property
     def lugs(self) -> tuple[str, ...]:
-        """Lugs at its lower ends."""
-        return tuple(end.lug for end in self.ends if end.lug is not None)
+        """Lugs of the load at its lower ends."""
+        return tuple(end.lug for end in self.ends if end.lug is not None and end.spreader is None)
 
 
 @dataclass(frozen=True)
@@ -153,15 +154,6 @@ def resolve(scenario: Scenario) -> Rigging:
     extensions = extensions_of(findings, scenario.slings or {}, slings)
     findings.raise_any()
     return Rigging(equalizers, slings, extensions)
-
-
-def split_reference(text: str, owners: Iterable[str]) -> tuple[str, str] | None:
-    """Owner and member of a dotted name, the longest owner first; None if no owner fits."""
-    fitting = [owner for owner in owners if text.startswith(owner + ".") and len(text) > len(owner) + 1]
-    if not fitting:
-        return None
-    owner = max(fitting, key=len)
-    return owner, text[len(owner) + 1 :]
 
 
 def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
@@ -273,11 +265,11 @@ def _sling(findings: Findings, name: str) -> SlingRigging | None:
     defaults = findings.scenario.sling_defaults or SlingDefaults()
     path = ("slings", name)
     before = len(findings.problems)
-    upper: _Upper | None = "", None, None
+    upper: Upper | None = Upper()
     if given.from_ is not None:
-        upper = _upper_end(findings, given.from_, (*path, "from"))
+        upper = upper_end(findings, given.from_, (*path, "from"))
     words = sling_ends(findings, given, path)
-    ends = [_lower_end(findings, word, (*path, "to")) for word in words or ()]
+    ends = [lower_end(findings, word, (*path, "to")) for word in words or ()]
     length = given.length if given.length is not None else defaults.length
     if length is None:
         findings.add(path, "'length' is missing; a sling needs it (effective length, unloaded)")
@@ -300,11 +292,8 @@ def _sling(findings: Findings, name: str) -> SlingRigging | None:
         check_sling_over(findings, given, rope, weight, path)
     if len(findings.problems) > before or upper is None or length is None or rope is None or weight is None:
         return None
-    hook, equalizer, sheave = upper
     lower = tuple(end for end in ends if end is not None)
-    return SlingRigging(
-        name, hook, equalizer, sheave, given.over, lower, length, tolerance or 0.0, rope, weight, top, bottom
-    )
+    return SlingRigging(name, *upper, given.over, lower, length, tolerance or 0.0, rope, weight, top, bottom)
 
 
 def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial | None) -> RopeWeight | None:
@@ -324,60 +313,6 @@ def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial |
     gravity = findings.scenario.simulation.gravity
     check_rope_weight(add, rope, kind, way, nodes_said=nodes_said, gravity=gravity)
     return rope_weight(kind, way, nodes)
-
-
-def _upper_end(findings: Findings, text: str, path: Path) -> _Upper | None:
-    hooks, equalizers = findings.scenario.hooks, findings.scenario.equalizers or {}
-    if text in hooks:
-        return text, None, None
-    split = split_reference(text, equalizers)
-    if split is None:
-        holders = [*(f"{name}.1" for name in equalizers), *hooks]
-        sentence = f"'{text}' is neither a moving sheave nor a hook; {nearest(text, holders)}"
-        findings.add(path, sentence)
-        return None
-    name, sheave = split
-    count = _count_of_moving_sheaves(findings.scenario, name)
-    if count is None:
-        return None  # the equalizer itself has been reported
-    if (
-        not sheave.isascii()
-        or not sheave.isdecimal()
-        or str(int(sheave)) != sheave
-        or not 1 <= int(sheave) <= count
-    ):
-        sentence = f"'{name}' has no moving sheave '{sheave}'; it has '{name}.1' to '{name}.{count}'"
-        findings.add(path, sentence)
-        return None
-    return equalizers[name].hangs_from, name, int(sheave)
-
-
-def _count_of_moving_sheaves(scenario: Scenario, name: str) -> int | None:
-    given = (scenario.equalizers or {})[name]
-    sheaves = given.moving_sheaves
-    if sheaves is None and given.type is not None and given.type in (scenario.equalizer_types or {}):
-        sheaves = (scenario.equalizer_types or {})[given.type].moving_sheaves
-    return None if sheaves is None else len(sheaves.along)
-
-
-def _lower_end(findings: Findings, text: str, path: Path) -> SlingEnd | None:
-    if text in (findings.scenario.extension_sheaves or {}):
-        return SlingEnd(None, text)
-    lug = _lug(findings, text, path)
-    return None if lug is None else SlingEnd(lug, None)
-
-
-def _lug(findings: Findings, text: str, path: Path) -> str | None:
-    load = findings.scenario.load
-    if load is None:
-        findings.add(path, f"'{text}' is not a lug; there is no 'load' in this file")
-        return None
-    split = split_reference(text, [load.name])
-    if split is not None and split[1] in load.lugs:
-        return split[1]
-    known = [*(f"{load.name}.{lug}" for lug in load.lugs), *(findings.scenario.extension_sheaves or {})]
-    findings.add(path, f"'{text}' is not a lug; {nearest(text, known)}")
-    return None
 
 
 def _shackle(findings: Findings, name: str | None, path: Path) -> tuple[str, Shackle] | None:

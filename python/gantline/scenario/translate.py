@@ -17,8 +17,6 @@ __all__ = ["translate"]
 _TO_COME = {
     "waves": "water is still but for a steady 'current'",
     "gusts": "wind is steady; give the speed of gusts as that of 'wind'",
-    "spreaders": "slings run from hooks, equalizers or sheaves to lugs; bars with ropes go under 'mechanics' "
-    "(guide 'Mechanics in a lift file')",
     "tag_lines": "a rope under 'mechanics' from the load to a winch or to the ground holds its heading",
 }
 

@@ -45,7 +45,7 @@ class Statics:
             self._core = _core.Statics(self.assembly.document_text())
         except ValueError as problem:
             raise refused(self.scenario, str(problem)) from problem
-        self._losses: Losses = "none"
+        self._losses: Losses | None = None
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
 
     @property
@@ -148,16 +148,23 @@ class Statics:
 
         It steps off along the motion that leads away fastest, by 0.02 rad (where nothing turns, 0.02 m), in
         the direction in which the first of the coordinates that move most grows. None where the equilibrium
-        found last is not unstable.
+        found last is not unstable; where none was asked for, that at the end of the lift counts.
 
         Raises:
             NoEquilibriumError: If nothing holds it there.
         """
+        losses = self._of_last()
         try:
-            found = self._core.step_off(self._losses)
+            found = self._core.step_off(losses)
         except RuntimeError as problem:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
-        return None if found is None else self._found(found, self._losses)
+        return None if found is None else self._found(found, losses)
+
+    def _of_last(self) -> Losses:
+        """What losses the equilibrium found last has; finds that at the end of the lift if there is none."""
+        if self._losses is None:
+            self._losses = self.equilibrium().losses
+        return self._losses
 
     def _found(self, found: dict[str, Any], losses: Losses) -> Equilibrium:
         self._losses = losses
@@ -183,9 +190,15 @@ class Statics:
     def modes(self, count: int | None = None) -> list[Mode]:
         """Natural motions about the equilibrium found last, slowest first, after those that lead away.
 
+        Where none was asked for, that at the end of the lift counts.
+
         Args:
             count: How many; None for all. A few of a large lift take much less time than all of them.
+
+        Raises:
+            NoEquilibriumError: If there is none.
         """
+        self._of_last()
         found = self._core.modes(count)
         ratios = found["damping_ratio"]
         names, turned = self._core.names()["body"], self._core.columns()["body_orientation"][-1]

@@ -240,8 +240,8 @@ def _depth(rest: Equilibrium, load: Load) -> float:
     centre = float(rest.recording.column("body_position", load.body)[-1, 2])
     total, moment = 0.0, 0.0
     for sling in rest.recording.rig.slings:
-        for end, lug in enumerate(sling.lugs):
-            if sling.to_load != load.name and lug not in load.lugs:
+        for end, of, _ in sling.at_lugs():
+            if of != load.name:
                 continue
             along = series.sling_direction(rest.recording, sling, end)[-1]
             upright = rest.tension(sling.rope) * float(along[2])

@@ -171,19 +171,19 @@ def _ropes(recording: Recording, scene: Mapping[str, Any], at: Places) -> list[d
 
 
 def _lugs(recording: Recording, bodies: Sequence[str]) -> list[dict[str, Any]]:
-    """Lugs of loads that a sling is made fast to."""
+    """Lugs of loads and spreaders that a sling is made fast to."""
     found = []
     for sling in recording.rig.slings:
-        load = recording.rig.load(sling.to_load)
-        for name in sling.lugs:
-            lug = load.lugs.get(name) if load is not None and name is not None else None
-            if load is None or lug is None or load.body not in bodies:
+        for _, of, name in sling.at_lugs():
+            holder = recording.rig.with_lugs(of)
+            lug = None if holder is None else holder.lugs.get(name)
+            if holder is None or lug is None or holder.body not in bodies:
                 continue
             found.append(
                 {
                     "name": name,
                     "rope": sling.rope,
-                    "body": bodies.index(load.body),
+                    "body": bodies.index(holder.body),
                     "at": vector(lug.at),
                     "normal": vector(lug.main_plate_normal, (0.0, 1.0, 0.0)),
                 }

@@ -1,0 +1,31 @@
+"""Spreaders: what hangs below them, and what pushes them together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gantline.checks.equalizers import hanging_of_capacity
+from gantline.checks.forces import NO_DYNAMIC, UNRAISED, sum_force
+from gantline.checks.measure import Caution, Finding, Found, Missing
+from gantline.results.recording import Recording
+from gantline.results.spreaders import thrust
+from gantline.results.variable import BoolArray
+
+
+def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Static vertical force of all slings that hang from a spreader over its rated capacity."""
+    for spreader in recording.rig.spreaders:
+        slings = [sling for sling in recording.rig.slings if sling.from_body == spreader.name]
+        yield from hanging_of_capacity(recording, during, spreader, slings)
+
+
+def largest_thrust(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Dynamic thrust along a spreader: static by the rule's factor, or the simulated peak."""
+    for spreader in recording.rig.spreaders:
+        force = sum_force(recording, thrust(recording, spreader), None, during)
+        if force.dynamic is None:
+            yield Missing(spreader.name, NO_DYNAMIC)
+        else:
+            yield Found(force.dynamic, spreader.name, force.moment, force.text, force.factors)
+            if force.lacks_static:
+                yield Caution(UNRAISED)

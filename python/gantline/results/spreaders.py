@@ -1,0 +1,45 @@
+"""Spreaders: what their slings push them together with."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.gear import Spreader
+from gantline.results.recording import Recording
+from gantline.results.rotation import axes
+from gantline.results.variable import FloatArray
+
+__all__ = ["thrust"]
+
+#: Lugs this near to each other along a spreader are at one place [m].
+_ONE_PLACE = 1e-6
+
+
+def thrust(recording: Recording, spreader: Spreader) -> FloatArray:
+    """Largest force that pushes a spreader together along its longest side [N], shape (time,); at least 0.
+
+    That of a section between lugs is what all slings on one side of it pull along the spreader. Its own
+    weight and inertia, which along it are those of a few degrees of tilt, are left out.
+    """
+    along = int(np.argmax(spreader.size))
+    attitude = axes(recording.column("body_orientation", spreader.body))[:, :, along]
+    pulls = []
+    for sling in recording.rig.slings:
+        tension = series.sling_tension(recording, sling)
+        for end, of, lug in sling.at_lugs():
+            if of == spreader.name:
+                up = series.sling_direction(recording, sling, end)
+                # Below a lug a sling pulls down.
+                sign = -1.0 if (of, lug) == (sling.from_body, sling.from_lug) else 1.0
+                pull = sign * tension * np.sum(up * attitude, axis=1)
+                pulls.append((float(spreader.lugs[lug].at[along]), pull))
+    pulls.sort(key=lambda one: one[0])
+    largest, total = np.zeros(len(recording.time)), np.zeros(len(recording.time))
+    for (place, pull), (following, _) in pairwise(pulls):
+        total = total + pull
+        if following > place + _ONE_PLACE:
+            largest = np.maximum(largest, total)
+    return largest

@@ -1,0 +1,108 @@
+"""To what the ends of slings lead: words of the lift file looked up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from gantline.scenario.errors import nearest
+from gantline.scenario.extension import SlingEnd
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.model import Scenario
+from gantline.scenario.spreader import spreader_lugs
+
+__all__ = ["Upper", "lower_end", "split_reference", "upper_end"]
+
+
+class Upper(NamedTuple):
+    """From what a sling hangs."""
+
+    hook: str = ""
+    equalizer: str | None = None
+    sheave: int | None = None
+    spreader: str | None = None
+    upper_lug: str | None = None
+
+
+def split_reference(text: str, owners: Iterable[str]) -> tuple[str, str] | None:
+    """Owner and member of a dotted name, the longest owner first; None if no owner fits."""
+    fitting = [owner for owner in owners if text.startswith(owner + ".") and len(text) > len(owner) + 1]
+    if not fitting:
+        return None
+    owner = max(fitting, key=len)
+    return owner, text[len(owner) + 1 :]
+
+
+def upper_end(findings: Findings, text: str, path: Path) -> Upper | None:
+    """From what a sling hangs; None, and a note, if that is not there."""
+    hooks, equalizers = findings.scenario.hooks, findings.scenario.equalizers or {}
+    if text in hooks:
+        return Upper(text)
+    spreader, lug = _lug_of_spreader(findings.scenario, text)
+    if lug is not None:
+        return Upper(spreader=spreader, upper_lug=lug)
+    split = split_reference(text, equalizers)
+    if split is None:
+        lugs = spreader_lugs(findings.scenario)
+        holders = [*(f"{name}.1" for name in equalizers), *hooks, *lugs]
+        kinds = "neither a moving sheave nor a hook"
+        if lugs:
+            kinds = "no moving sheave, no hook and no lug of a spreader"
+        sentence = f"'{text}' is {kinds}; {nearest(text, holders)}"
+        findings.add(path, sentence)
+        return None
+    name, sheave = split
+    count = _count_of_moving_sheaves(findings.scenario, name)
+    if count is None:
+        return None  # the equalizer itself has been reported
+    if (
+        not sheave.isascii()
+        or not sheave.isdecimal()
+        or str(int(sheave)) != sheave
+        or not 1 <= int(sheave) <= count
+    ):
+        sentence = f"'{name}' has no moving sheave '{sheave}'; it has '{name}.1' to '{name}.{count}'"
+        findings.add(path, sentence)
+        return None
+    return Upper(equalizers[name].hangs_from, name, int(sheave))
+
+
+def _count_of_moving_sheaves(scenario: Scenario, name: str) -> int | None:
+    given = (scenario.equalizers or {})[name]
+    sheaves = given.moving_sheaves
+    if sheaves is None and given.type is not None and given.type in (scenario.equalizer_types or {}):
+        sheaves = (scenario.equalizer_types or {})[given.type].moving_sheaves
+    return None if sheaves is None else len(sheaves.along)
+
+
+def lower_end(findings: Findings, text: str, path: Path) -> SlingEnd | None:
+    """To what the lower end of a sling leads; None, and a note, if that is not there."""
+    if text in (findings.scenario.extension_sheaves or {}):
+        return SlingEnd(None, text)
+    spreader, lug = _lug_of_spreader(findings.scenario, text)
+    if lug is not None:
+        return SlingEnd(lug, None, spreader)
+    lug = _lug(findings, text, path)
+    return None if lug is None else SlingEnd(lug, None)
+
+
+def _lug(findings: Findings, text: str, path: Path) -> str | None:
+    load = findings.scenario.load
+    if load is None:
+        findings.add(path, f"'{text}' is not a lug; there is no 'load' in this file")
+        return None
+    split = split_reference(text, [load.name])
+    if split is not None and split[1] in load.lugs:
+        return split[1]
+    known = [f"{load.name}.{lug}" for lug in load.lugs]
+    known += [*(findings.scenario.extension_sheaves or {}), *spreader_lugs(findings.scenario)]
+    findings.add(path, f"'{text}' is not a lug; {nearest(text, known)}")
+    return None
+
+
+def _lug_of_spreader(scenario: Scenario, text: str) -> tuple[str | None, str | None]:
+    """Spreader and lug of a dotted name; both None if it is no lug of a spreader."""
+    split = split_reference(text, scenario.spreaders or {})
+    if split is None or split[1] not in (scenario.spreaders or {})[split[0]].lugs:
+        return None, None
+    return split
