@@ -11,52 +11,29 @@ import pytest
 
 import gantline
 from gantline.scenario import parse_scenario
+from module_lift import BARGE, module_lift
 
-LIFT = """\
-format: 1
-lift: {title: a module is lowered beside a barge}
-duration: 60 s
-ground: {level: -30 m}
-ropes:
-  sling: {axial_stiffness: 100 MN, damping_time: 10 ms}
-load:
-  name: module
-  shape: {box: [4 m, 4 m, 3 m]}
-  position: [60 m, 0 m, 2 m]
-  weight: {calculated: 20 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1.5 m]}
-  lugs:
-    A: {at: [0 m, 0 m, 3 m]}
-vessels:
-  barge:
-    draft: 2 m
-    hull: {box: [40 m, 12 m, 4 m]}
-    masses:
-      hull: {mass: 984 t, at: [20 m, 0 m, 2 m]}
-    radii_of_gyration: [4 m, 11 m, 11 m]
-cranes:
-  hook: {type: fixed_hook, at: [60 m, 0 m, 10 m], hoist: {speed: 12 m/min, acceleration: 0.1 m/s^2}}
-slings:
-  A: {from: hook, to: module.A, length: 5 m, rope: sling}
-plan:
-  - {step: lower, lower: hook, speed: 12 m/min, by: LOWERED}
-  - {step: hold, hold: until_end}
-"""
+ASHORE = "water: {density: 1000 kg/m^3}\n"
 
 
-#: The same off a quay, with no vessel anywhere.
-ASHORE = LIFT[: LIFT.index("vessels:")] + "water: {density: 1000 kg/m^3}\n" + LIFT[LIFT.index("cranes:") :]
-
-
-def told(text: str, lowered: str) -> list[str]:
-    recording = gantline.simulate(parse_scenario(text.replace("LOWERED", lowered)))
+def told(around: str, lowered: float) -> list[str]:
+    """Off a quay, with a vessel about or nothing but water."""
+    text = module_lift(
+        lowered,
+        place=(60.0, 2.0),
+        speed=12.0,
+        duration=60.0,
+        ground="ground: {level: -30 m}\n",
+        around=around,
+    )
+    recording = gantline.simulate(parse_scenario(text))
     return [one for one in recording.attributes["warnings"] if "module goes into the water" in one]
 
 
-@pytest.mark.parametrize(("text", "density"), [(LIFT, 1025.0), (ASHORE, 1000.0)], ids=["afloat", "ashore"])
-@pytest.mark.parametrize(("lowered", "depth"), [("1.9 m", 0.0), ("3 m", 1.0), ("6 m", 4.0)])
-def test_it_is_told_once_it_goes_under(text: str, density: float, lowered: str, depth: float) -> None:
-    found = told(text, lowered)
+@pytest.mark.parametrize(("around", "density"), [(BARGE, 1025.0), (ASHORE, 1000.0)], ids=["afloat", "ashore"])
+@pytest.mark.parametrize(("lowered", "depth"), [(1.9, 0.0), (3.0, 1.0), (6.0, 4.0)])
+def test_it_is_told_once_it_goes_under(around: str, density: float, lowered: float, depth: float) -> None:
+    found = told(around, lowered)
     assert bool(found) is (depth > 0.0)
     if found:
         # From 2 m above the water, less what the sling stretches: 0.2 m/s, reached in 2 s, so 1 s later than
@@ -73,4 +50,4 @@ def test_it_is_told_once_it_goes_under(text: str, density: float, lowered: str, 
 
 
 def test_on_dry_land_there_is_nothing_to_go_into() -> None:
-    assert told(ASHORE.replace("water: {density: 1000 kg/m^3}\n", ""), "6 m") == []
+    assert told("", 6.0) == []

@@ -18,36 +18,12 @@ from gantline.results.overlaps import overlaps
 from gantline.results.recording import Recording
 from gantline.results.solids import box_faces
 from gantline.scenario import parse_scenario
+from module_lift import module_lift
 
 DECK, UNDERSIDE = 2.0, 12.0
-BARGE = """\
-format: 1
-lift: {title: a module over the deck of a barge}
-duration: 45 s
-ropes:
-  sling: {axial_stiffness: 100 MN, damping_time: 10 ms}
-load:
-  name: module
-  shape: {box: [4 m, 4 m, 3 m]}
-  position: [20 m, 0 m, 12 m]
-  weight: {calculated: 20 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1.5 m]}
-  lugs:
-    A: {at: [0 m, 0 m, 3 m]}
-vessels:
-  barge:
-    draft: 2 m
-    hull: {box: [40 m, 12 m, 4 m]}
-    masses:
-      hull: {mass: 984 t, at: [20 m, 0 m, 2 m]}
-    radii_of_gyration: [4 m, 11 m, 11 m]
-cranes:
-  hook: {type: fixed_hook, at: [20 m, 0 m, 20 m], hoist: {speed: 30 m/min, acceleration: 0.1 m/s^2}}
-slings:
-  A: {from: hook, to: module.A, length: 5 m, rope: sling}
-plan:
-  - {step: lower, lower: hook, speed: 30 m/min, by: LOWERED}
-"""
+OVER_THE_DECK = (20.0, UNDERSIDE)
+#: How far the hook goes down where each case says it anew [m].
+LOWERED = 1.0
 
 
 def told(recording: Recording) -> list[Check]:
@@ -55,7 +31,8 @@ def told(recording: Recording) -> list[Check]:
 
 
 def lowered(by: float, more: str = "") -> Recording:
-    return gantline.simulate(parse_scenario(BARGE.replace("LOWERED", f"{by} m") + more))
+    lift = module_lift(by, place=OVER_THE_DECK, speed=30.0, duration=45.0)
+    return gantline.simulate(parse_scenario(lift + more))
 
 
 @pytest.mark.parametrize(
@@ -73,20 +50,21 @@ def test_a_load_through_a_deck(by: float, verdict: Verdict | None) -> None:
 
 def test_a_hook_that_is_lowered_into_the_load() -> None:
     """A module on the ground, slings of 5 m from a hook that is drawn as 3 m, and 6 m of way down."""
-    standing = BARGE[: BARGE.index("vessels:")] + BARGE[BARGE.index("cranes:") :]
-    ground = standing.replace("ropes:", "ground: {level: 12 m}\nropes:", 1)
-    lift = ground.replace("  lugs:", "  stands_on: ground\n  lugs:")
-    lower = lift.replace("[20 m, 0 m, 20 m]", "[20 m, 0 m, 19.9 m]")
-    hook = lower.replace("type: fixed_hook,", "type: fixed_hook, block: {mass: 2 t, height: 3 m},")
+    standing = module_lift(
+        LOWERED, place=OVER_THE_DECK, speed=30.0, duration=45.0, ground="ground: {level: 12 m}\n", around=""
+    )
+    lift = standing.replace("  lugs:", "  stands_on: ground\n  lugs:")
+    lower = lift.replace("[20.0 m, 0 m, 20.0 m]", "[20.0 m, 0 m, 19.9 m]")
+    hook = lower.replace("type: fixed_hook", "type: fixed_hook\n    block: {mass: 2 t, height: 3 m}")
     reeving = hook.replace(
-        "hoist: {speed",
-        "reeving: {parts_each: 4, rope: sling, sheave_diameter: 0.6 m, upper_sheaves_at: 40 m},\n"
-        "    drum: {diameter: 0.8 m}, hoist: {speed",
+        "    hoist:",
+        "    reeving: {parts_each: 4, rope: sling, sheave_diameter: 0.6 m, upper_sheaves_at: 40 m}\n"
+        "    drum: {diameter: 0.8 m}\n    hoist:",
     )
     slings = reeving.replace("damping_time: 10 ms}", "damping_time: 10 ms, diameter: 30 mm}")
 
     def found(by: float) -> list[str]:
-        text = slings.replace("LOWERED", f"{by} m")
+        text = slings.replace(f"by: {LOWERED} m", f"by: {by} m")
         return [one.element for one in told(gantline.simulate(parse_scenario(text)))]
 
     assert found(4.5) == []
@@ -161,6 +139,7 @@ def test_triangles_are_looked_at_as_they_are() -> None:
 
 
 def test_a_vessel_that_a_load_is_to_stand_on_is_told_how() -> None:
-    text = BARGE.replace("  lugs:", "  stands_on: barge\n  lugs:").replace("LOWERED", "1 m")
+    lift = module_lift(LOWERED, place=OVER_THE_DECK, speed=30.0, duration=45.0)
+    text = lift.replace("  lugs:", "  stands_on: barge\n  lugs:")
     with pytest.raises(gantline.ScenarioError, match="let both touch by 'body_contacts' of 'mechanics'"):
         parse_scenario(text)
