@@ -241,8 +241,8 @@ def _depth(rest: Equilibrium, load: Load) -> float:
     total, moment = 0.0, 0.0
     for sling in rest.recording.rig.slings:
         for end, lug in enumerate(sling.lugs):
-            if sling.to_load != load.name and lug not in load.lugs:
-                continue
+            if sling.to_load != load.name or lug is None:
+                continue  # an extension sheave hangs there, whose own sling bears the load
             along = series.sling_direction(rest.recording, sling, end)[-1]
             upright = rest.tension(sling.rope) * float(along[2])
             first, last = (one[-1] for one in series.rope_ends(rest.recording, sling.rope))
