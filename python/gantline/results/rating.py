@@ -51,7 +51,7 @@ def chart_load(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -
     """
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     bears = any(
-        hook.bearing_joints or hook.direct_slings or hook.direct_ropes
+        hook.bearing_joints or hook.direct_slings or hook.direct_ropes or hook.ropes_over
         for hook in recording.rig.hooks
         if hook.name in chart.hooks
     )
