@@ -6,7 +6,6 @@ held against the rated capacity. With reeving its hoist load alone was right.
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 import gantline
@@ -108,20 +107,3 @@ def test_bodies_that_hang_in_a_hook_by_a_joint_are_hook_load(text: str) -> None:
     joined = "".join(line for line in joined.splitlines(keepends=True) if not line.startswith("    up_"))
     rest = Statics(parse_scenario(joined)).equilibrium().recording
     assert rest.column("hook_load", "hook")[-1] == pytest.approx((MODULE + BAR) * G, rel=1e-9)
-
-
-def test_a_rope_that_runs_over_a_hook_block_is_told() -> None:
-    """What passes a hook in falls has no end there from which its pull could be told."""
-    over = spoiled(
-        "    up_1: {rope: sling, length: 8 m, route: [{type: end, body: hook}, {",
-        "    up_1: {rope: sling, length: 16 m, route: [{type: end, body: bar, at: [4 m, 0 m, 0.2 m]}, "
-        "{type: eye, body: hook}, {",
-        REEVED,
-    )
-    over = "".join(line for line in over.splitlines(keepends=True) if not line.startswith("    up_2"))
-    recording = Statics(parse_scenario(over)).equilibrium().recording
-    warnings = recording.attributes["warnings"]
-    assert any(
-        "rope up_1 runs over hook: its pull there is no part of the hook load" in one for one in warnings
-    )
-    assert np.isfinite(recording.column("hook_load", "hook")).all()

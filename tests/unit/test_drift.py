@@ -16,11 +16,16 @@ TIME = np.arange(7.0)
 TROLLEY = np.array([0.0, 0.0, 0.0, 10.0, 20.0, 20.0, 21.0])
 
 
-def lift(way: FloatArray, kind: str = "traverse", supported: FloatArray | None = None) -> Recording:
+def lift(
+    way: FloatArray,
+    kind: str = "traverse",
+    supported: FloatArray | None = None,
+    more: tuple[tuple[float, str, str], ...] = (),
+) -> Recording:
     """A load that goes this way along x under one trolley, whose step goes from 2 s to 4 s."""
     zero = np.zeros_like(TIME)
     place = np.stack([np.stack([x, zero, zero], axis=1) for x in (way, TROLLEY)], axis=1)
-    events = [(2.0, "step_begin", "go"), (4.0, "step_end", "go")]
+    events = sorted([(2.0, "step_begin", "go"), (4.0, "step_end", "go"), *more])
     variables = {
         "time": Variable(("time",), TIME, "s", ""),
         "body_position": Variable(("time", "body", "xyz"), place, "m", ""),
@@ -40,7 +45,7 @@ def lift(way: FloatArray, kind: str = "traverse", supported: FloatArray | None =
         "loads": [{"name": "load", "body": "load", "weight": 1e6, "contacts": ["corner"]}],
         "hooks": [{"name": "c.h"}],
         "cranes": [{"name": "c", "trolleys": [{"name": "c.t", "hooks": [hook]}]}],
-        "plan": [{"step": "go", "kind": kind}],
+        "plan": [{"step": "go", "kind": kind}, {"step": "up", "kind": "hoist"}],
     }
     names = {"body": ["load", "c.h/top"], "hook": ["c.h"], "contact": ["corner"], "xyz": ["x", "y", "z"]}
     return Recording(variables, names, {"rig": rig})
@@ -70,3 +75,10 @@ def test_what_a_crane_does_outside_of_such_steps_is_drift() -> None:
 def test_a_load_that_stands_is_not_taken_along() -> None:
     """Slack hooks that go over it leave it where it stands."""
     assert drift(lift(np.zeros(7), supported=np.full(7, 1e6))) == pytest.approx(0.0)
+
+
+def test_a_step_takes_along_until_its_own_end() -> None:
+    """A hoist that begins beside it, a second after, and ends before or after it changes nothing."""
+    for end in (3.5, 6.0):
+        recording = lift(TROLLEY, more=((3.0, "step_begin", "up"), (end, "step_end", "up")))
+        assert drift(recording) == pytest.approx([0, 0, 0, 0, 0, 0, 1])

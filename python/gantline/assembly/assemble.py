@@ -101,7 +101,7 @@ def assemble(scenario: Scenario) -> Assembly:
     kinds = rope_kinds(scenario, rigging)
     add_watches(parts, scenario, {name: kind.diameter for name, (kind, _) in kinds.items()})
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
-    parts.plan.extend(operations(scenario, rigging, mass * scenario.simulation.gravity))
+    parts.plan.extend(operations(scenario, rigging, parts, mass * scenario.simulation.gravity))
     changes = zip(parts.plan, pins.pulled, pins.put_in, removals(scenario), strict=True)
     for step, pulled, put_in, removed in changes:
         said = (("pulls", pulled), ("pins", put_in), ("removes", removed))

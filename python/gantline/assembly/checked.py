@@ -137,6 +137,7 @@ def rating_charts(scenario: Scenario) -> list[Json]:
                 "includes_hook_block": crane.rating_includes_hook_block,
                 "hooks": [hook.name for hook in hooks],
                 "hook_shares": shares,
+                "hooks_share": chart.hooks_share,
                 **{key: getattr(chart, key) for key in ("heel", "trim", "off_lead", "side_lead")},
             }
         )

@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from gantline.assembly.parts import Json
-from gantline.assembly.reeving import below_pin, upper_sheaves
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.reeving import below_pin, falls_on_upper_sheaves, reeved_hooks, upper_sheaves
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.condition import Condition
 from gantline.scenario.hooks import Hook, full_name
 from gantline.scenario.mooring import line_rope
-from gantline.scenario.reeving import hoist_ropes
 
 __all__ = ["condition_of"]
 
+#: Tension of falls that any hook block has, for a bound below the weight of the falls [N].
+_LEAST = 1.0
+
 
 def condition_of(
-    scenario: Scenario, rigging: Rigging, condition: Condition, weight: float, *, down: bool
+    scenario: Scenario, rigging: Rigging, parts: Parts, condition: Condition, weight: float, *, down: bool
 ) -> Json:
     """What a step waits for, as the core reads it.
 
     Args:
         scenario: the lift.
         rigging: who carries whom.
+        parts: the system, all but its plan.
         condition: as the lift file says it.
         weight: what the load weighs as it is simulated [N].
         down: whether the step lowers; shares of the weight then count what is left.
@@ -28,12 +31,15 @@ def condition_of(
     if condition.hoist_load is not None:
         reached = condition.hoist_load
         name = full_name(reached.hook, scenario.hooks) or ""
-        reeving = scenario.hooks[name].reeving
-        assert reeving is not None  # checked when the file was read
-        segments = [[rope, part] for rope in hoist_ropes(name, reeving) for part in range(reeving.parts_each)]
+        hook = next(one for one in reeved_hooks(scenario) if one.name == name)  # checked with the file
+        segments = [[rope, part] for rope in hook.ropes for part in range(hook.reeving.parts_each)]
+        # Of the hoist load the upper halves of the falls are no tension at the sheaves.
+        above = falls_on_upper_sheaves(parts, scenario, hook) * scenario.simulation.gravity
         if reached.above is not None:
-            return {"type": "tension_above", "segments": segments, "bound": reached.above}
-        return {"type": "tension_below", "segments": segments, "bound": reached.below}
+            bound = max(reached.above - above, _LEAST)
+            return {"type": "tension_above", "segments": segments, "bound": bound}
+        assert reached.below is not None  # one of both is given
+        return {"type": "tension_below", "segments": segments, "bound": max(reached.below - above, 0.0)}
     if condition.tension_spread is not None:
         names = condition.of or tuple(rigging.equalizers)
         groups = [

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from gantline.assembly.conditions import condition_of
 from gantline.assembly.moorings import winch_drive
-from gantline.assembly.parts import Json
+from gantline.assembly.parts import Json, Parts
 from gantline.assembly.plain import drum_drive
 from gantline.assembly.water import pump_drive
 from gantline.assembly.yard import hoist_drive
@@ -52,7 +52,7 @@ def turned_drive(upper: str) -> str:
     return f"{upper}/turned.slew"
 
 
-def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json]:
+def operations(scenario: Scenario, rigging: Rigging, parts: Parts, weight: float) -> list[Json]:
     """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
     found = []
     for place, (step, before) in enumerate(zip(scenario.plan, boom_angles(scenario), strict=True)):
@@ -64,7 +64,7 @@ def operations(scenario: Scenario, rigging: Rigging, weight: float) -> list[Json
             made = _moving(scenario, step, before)
         if step.until is not None:
             down = isinstance(step, (LowerStep, PayOutStep))
-            made["until"] = condition_of(scenario, rigging, step.until, weight, down=down)
+            made["until"] = condition_of(scenario, rigging, parts, step.until, weight, down=down)
         if place == 0 and made["start_at"] is None:
             made["start_at"] = 0.0
         found.append(made)

@@ -41,6 +41,7 @@ class Parts:
         rope_names: ropes as the lift file knows them, in the same order.
         nodes: names of the bodies that are nodes of a rope.
         rope_mass: by rope with weight its mass, and what of it the world bears [kg].
+        rope_lumps: by rope along a route with weight what of its mass is on which body [kg].
         adjusters: groups of ropes whose lengths are adjusted.
         contacts: contact points in order.
         supports: tops of supports in order.
@@ -62,6 +63,7 @@ class Parts:
     rope_names: list[str] = field(default_factory=list)
     nodes: set[str] = field(default_factory=set)
     rope_mass: dict[str, tuple[float, float]] = field(default_factory=dict)
+    rope_lumps: dict[str, dict[str, float]] = field(default_factory=dict)
     adjusters: list[Json] = field(default_factory=list)
     contacts: list[Json] = field(default_factory=list)
     supports: list[Json] = field(default_factory=list)

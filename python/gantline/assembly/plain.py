@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gantline.assembly.parts import Json, Parts, drum_layers, end, eye, half_turn, material, sheave
-from gantline.assembly.reeving import reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
 from gantline.assembly.route import MOST_STRAIN, route_length, route_lengths, too_far
 from gantline.assembly.sheave import add_sheave_flow
@@ -36,7 +35,7 @@ from gantline.scenario.mechanics import (
 from gantline.scenario.rope_weight import rope_weight
 from gantline.scenario.sheave import sheave_losses
 
-__all__ = ["add_mechanics", "bodies_in_hook", "drum_drive", "ropes_ending_at"]
+__all__ = ["add_mechanics", "bodies_in_hook", "drum_drive", "ropes_ending_at", "ropes_over"]
 
 _WORLD = "world"
 _ROUNDING = 1e-9
@@ -57,10 +56,6 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
         _add_drum(parts, name, drum)
     for name, rope in (mechanics.ropes or {}).items():
         _add_rope(parts, scenario, name, rope)
-        for hook in (one.name for one in reeved_hooks(scenario)):
-            if any(guide.body == hook for guide in rope.route[1:-1]):
-                sentence = f"rope {name} runs over {hook}: its pull there is no part of the hook load"
-                parts.warnings.append(f"{sentence}, which knows what ends at a hook")
     for name, contact in (mechanics.contacts or {}).items():
         parts.contacts.append(
             {
@@ -90,6 +85,21 @@ def ropes_ending_at(scenario: Scenario, body: str) -> list[list[str]]:
         [name, end]
         for name, rope in ropes.items()
         for end, guide in (("first", rope.route[0]), ("last", rope.route[-1]))
+        if guide.body == body
+    ]
+
+
+def ropes_over(scenario: Scenario, body: str) -> list[Json]:
+    """Ropes of `mechanics` that run over a body: name, place along the route, and which guides are arcs."""
+    ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
+    return [
+        {
+            "rope": name,
+            "place": place,
+            "arcs": [isinstance(one, HalfTurn | Sheave) for one in rope.route],
+        }
+        for name, rope in ropes.items()
+        for place, guide in enumerate(rope.route[1:-1], start=1)
         if guide.body == body
     ]
 

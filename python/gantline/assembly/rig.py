@@ -15,7 +15,7 @@ from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.moorings import mooring_rig
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.plain import bodies_in_hook, ropes_ending_at
+from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over
 from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks
 from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wrapped_sheaves
 from gantline.assembly.shapes import watch_name
@@ -109,7 +109,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "calculated_mass": load.weight.calculated,
         "contingency": load.weight.contingency,
         "design_mass": load.weight.design,
-        "other_ropes": [rope for rope, _ in ropes_ending_at(scenario, load.name)],
+        "other_ropes": _other_ropes(scenario, load.name),
         "contact_group": load.name if contacts else None,
         "contacts": contacts,
         "lugs": {name: _lug(scenario, lug, lifted.lugs[name]) for name, lug in load.lugs.items()},
@@ -150,6 +150,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
     bearing = [equalizer.name for equalizer in rigging.equalizers.values() if equalizer.hook == name]
     direct = [s for s in rigging.slings.values() if s.equalizer is None and s.hook == name]
     joined, ropes = bodies_in_hook(scenario, name), ropes_ending_at(scenario, name)
+    over = ropes_over(scenario, name)
     bearing += joined
     reeved = next((one for one in reeved_hooks(scenario) if one.name == name), None)
     falls: Json = {}
@@ -161,13 +162,14 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
             "falls": [f"{rope}/{part}" for rope in reeved.ropes for part in range(hung)],
             "falls_weight_above": above,
             "direct_slings": [sling.name for sling in direct],
-            "direct_weight": sum(upper_lump(sling) for sling in direct) * gravity,
+            "direct_weight": (sum(map(upper_lump, direct)) + _lumped(scenario, parts, name)) * gravity,
             "direct_ropes": ropes,
+            **({"ropes_over": over} if over else {}),
             "sheave_diameter": reeved.reeving.diameter((scenario.ropes or {})[reeved.reeving.rope].diameter),
             "drum": hoist_drum(name),
             "holds": reeved.holds,
         }
-    elif direct or joined or ropes:
+    elif direct or joined or ropes or over:
         bearing = [name]  # the hook's own joint carries all of them, shackles and equalizers too
     return {
         "name": name,
@@ -178,9 +180,21 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
         "rating_includes_hook_block": hook.rating_includes_hook_block,
         "hoist_weight_extra": hook.hook_block_mass * scenario.simulation.gravity,
         "drive_body": name,
-        "bears_mechanics": bool(joined or ropes),
+        "bears_mechanics": bool(joined or ropes or over),
         **falls,
     }
+
+
+def _other_ropes(scenario: Scenario, load: str) -> list[str]:
+    """Ropes of `mechanics` that end at a load or run over it, each once."""
+    ending = [rope for rope, _ in ropes_ending_at(scenario, load)]
+    return list(dict.fromkeys([*ending, *(one["rope"] for one in ropes_over(scenario, load))]))
+
+
+def _lumped(scenario: Scenario, parts: Parts, hook: str) -> float:
+    """Mass that ropes of `mechanics` have lumped on a hook [kg]."""
+    ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
+    return sum(parts.rope_lumps.get(rope, {}).get(hook, 0.0) for rope in ropes)
 
 
 def _equalizer(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json:

@@ -56,6 +56,9 @@ def lump_rope(
     for guide, share in zip(route, shares, strict=True):
         at = guide["at"] if "at" in guide else (np.array(guide["enter"]) + np.array(guide["leave"])) / 2
         parts.lump(guide["body"], at, float(share))
+        if guide["body"] is not None:
+            lumps = parts.rope_lumps.setdefault(name, {})
+            lumps[guide["body"]] = lumps.get(guide["body"], 0.0) + float(share)
     on_world = [share for guide, share in zip(route, shares, strict=True) if guide["body"] is None]
     parts.rope_mass[name] = weight.mass_per_length * length, float(np.sum(on_world))
 

@@ -326,8 +326,7 @@ def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float,
 
 def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray) -> Force:
     """With the peak of a rope: over all steps if all samples count, else over these."""
-    values = recording.column("rope_tension", rope)
-    force = _with_peak_of(recording, force, values, during)
+    force = _with_peak_of(recording, force, series.tightest_tension(recording, rope), during)
     if force.peak is None or not during.all():
         return force
     highest = max(series.rope_peak(recording, rope), (force.peak, force.time or 0.0))

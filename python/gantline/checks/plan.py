@@ -87,19 +87,15 @@ def came_down(recording: Recording) -> list[Check]:
     """
     kinds = {step.step: step.kind for step in recording.rig.plan}
     loads = {load.name for load in recording.rig.loads}
-    moved = [
-        stretch
-        for stretch in progress.stretches(recording)
-        if all(kinds.get(name) in _TAKES_ALONG for name in stretch.names)
-    ]
+    spans = progress.spans(recording)
     first: dict[str, Check] = {}
     for time, _, name in recording.events("set_down"):
-        steps = [stretch for stretch in moved if stretch.begin < time <= stretch.end]
-        if name in loads and steps:
-            luffs = any(kinds[one] == "luff" for one in steps[0].names)
+        steps = [step for step, (begin, end) in spans.items() if begin < time <= end]
+        if name in loads and steps and all(kinds.get(step) in _TAKES_ALONG for step in steps):
+            luffs = any(kinds[step] == "luff" for step in steps)
             verdict = Verdict.WARNING if luffs else Verdict.FAILED
             met = "it comes down on what is below it" if luffs else "it runs into what is in its way"
-            remark = f"{met} in '{steps[0].name}', which does not lower it"
+            remark = f"{met} in '{progress.BESIDE.join(steps)}', which does not lower it"
             meaning = "loads that are taken along stay clear"
             check = Check("stays_clear", verdict, meaning, element=name, time=time, remark=remark)
             first.setdefault(name, check)

@@ -55,7 +55,7 @@ def _factor(
     if strength is None:
         yield Missing(element, _NO_STRENGTH)
         return
-    highest = series.peak(recording, recording.column("rope_tension", rope), during)
+    highest = series.peak(recording, series.tightest_tension(recording, rope), during)
     if during.all():
         highest = max(series.rope_peak(recording, rope), highest or (0.0, 0.0))
     if highest is not None and highest[0] > 0.0:

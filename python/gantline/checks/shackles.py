@@ -86,11 +86,15 @@ _Moment = tuple[float, float | None, float]
 
 
 def _moments(recording: Recording, during: BoolArray, sling: Sling, end: str, force: Force) -> list[_Moment]:
-    """By the rule with the angle at rest; the peak; and the sample at which side load leaves least."""
+    """By the rule with the angle at rest; the peak; and the sample at which side load leaves least.
+
+    Without a rule the static force takes its place: that of the design weight may be more than the peak.
+    """
     chart = recording.rig.shackle_side_load
     moments: list[_Moment] = []
-    if force.rule is not None:
-        moments.append((force.rule, None, _static_angle(recording, force.window, sling, end)))
+    still = force.rule if force.rule is not None else force.static if force.counts_static else None
+    if still is not None:
+        moments.append((still, None, _static_angle(recording, force.window, sling, end)))
     if force.peak is not None and force.time is not None:
         angles = _angles(recording, sling, end)
         tension = series.sling_tension(recording, sling)
@@ -113,7 +117,7 @@ def _dynamic(
         strength, text = _strength(recording, shackle, left, angle)
         said, other = f"peak {kilonewton(load)}", force.rule_text
         if time is None:
-            said = force.rule_text
+            said = force.rule_text or force.static_text
             other = "" if force.peak is None else f"peak {kilonewton(force.peak)}"
         formula = f"{said} / {text}{f'; {other}' if other else ''}"
         factors = (*force.factors, *([_BREAKING] if "MBF" in text else []))

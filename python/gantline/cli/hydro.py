@@ -190,9 +190,9 @@ def _righting(
     chosen = [rows[round(k * (len(rows) - 1) / max(count - 1, 1))] for k in range(count)]
     found = []
     for row in chosen:
-        lcb, tcb = row.centre_of_buoyancy[:2]
+        centre = row.centre_of_gravity_at(kg)
         try:
-            arms = righting_arms(hull, row.mass, [lcb, tcb, kg], angles, density=row.density)
+            arms = righting_arms(hull, row.mass, centre, angles, density=row.density)
         except CannotFloatError as problem:
             stop(f"--heel: {problem}")
         found.append((row, arms))
@@ -207,7 +207,7 @@ def _as_json(
     for row in rows:
         figures = row.as_dict()
         if kg is not None:
-            figures["gm_transverse"], figures["gm_longitudinal"] = row.gm([row.lcb, 0.0, kg])
+            figures["gm_transverse"], figures["gm_longitudinal"] = row.gm(row.centre_of_gravity_at(kg))
         listed.append(figures)
     return {
         "hull": hull.name,

@@ -50,7 +50,7 @@ def _hydrostatics(rows: list[Hydrostatics], kg: float | None) -> list[str]:
     extra = [("GM", "GM_L"), ("[m]", "[m]")] if kg is not None else [(), ()]
     cells: list[tuple[str, ...]] = [(*_UNITS, *extra[1])]
     for row in rows:
-        gm = [f"{value:.3f}" for value in row.gm([row.lcb, 0.0, kg])] if kg is not None else []
+        gm = [f"{value:.3f}" for value in row.gm(row.centre_of_gravity_at(kg))] if kg is not None else []
         cells.append(
             (
                 f"{row.attitude.draft:.3f}",

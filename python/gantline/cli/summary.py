@@ -68,10 +68,15 @@ def heading(rig: Rig) -> list[str]:
 
 
 def weights(rig: Rig) -> list[str]:
-    """Weights of the loads, calculated and design."""
+    """Weights of the loads as simulated, with what of the rigging is on them; calculated and design."""
     lines = []
     for load in rig.loads:
-        text = f"Load {load.name}: simulated weight {show(load.weight / rig.gravity, 't', 1)}"
+        own = load.simulated_mass or load.weight / rig.gravity
+        text = f"Load {load.name}: simulated weight {show(own, 't', 1)}"
+        # What slings and shackles lump on its lugs, as far as one reads it.
+        rigging = show(load.weight / rig.gravity - own, "t", 1)
+        if rigging != show(0.0, "t", 1):
+            text += f", with {rigging} of rigging on it"
         if load.calculated_mass is not None and load.contingency is not None and load.design_mass is not None:
             calculated, design = show(load.calculated_mass, "t", 1), show(load.design_mass, "t", 1)
             text += f"; calculated {calculated} x contingency {load.contingency:.2f} = design {design}"

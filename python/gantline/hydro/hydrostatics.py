@@ -57,8 +57,8 @@ class Hydrostatics:
 
     @property
     def kb(self) -> float:
-        """Centre of buoyancy above the keel's z = 0, square to the water [m]."""
-        return float(self.attitude.normal @ self.centre_of_buoyancy)
+        """Centre of buoyancy above the keel's z = 0, along the vessel's z [m]."""
+        return float(self.centre_of_buoyancy[2])
 
     @property
     def lcb(self) -> float:
@@ -82,13 +82,13 @@ class Hydrostatics:
 
     @property
     def km_transverse(self) -> float:
-        """Metacentre for heel above the keel [m]."""
-        return self.kb + self.bm_transverse
+        """Metacentre for heel above the keel's z = 0, along the vessel's z [m]."""
+        return self.kb + self.bm_transverse * float(self.attitude.normal[2])
 
     @property
     def km_longitudinal(self) -> float:
-        """Metacentre for trim above the keel [m]."""
-        return self.kb + self.bm_longitudinal
+        """Metacentre for trim above the keel's z = 0, along the vessel's z [m]."""
+        return self.kb + self.bm_longitudinal * float(self.attitude.normal[2])
 
     @property
     def per_metre(self) -> float:
@@ -99,8 +99,19 @@ class Hydrostatics:
         self, centre_of_gravity: npt.ArrayLike, correction: tuple[float, float] = (0.0, 0.0)
     ) -> tuple[float, float]:
         """Metacentric heights for heel and trim [m], less free-surface corrections [m]."""
-        height = float(self.attitude.normal @ np.asarray(centre_of_gravity, dtype=float))
-        return self.km_transverse - height - correction[0], self.km_longitudinal - height - correction[1]
+        below = self.centre_of_buoyancy - np.asarray(centre_of_gravity, dtype=float)
+        lever = float(self.attitude.normal @ below)
+        return self.bm_transverse + lever - correction[0], self.bm_longitudinal + lever - correction[1]
+
+    def centre_of_gravity_at(self, height: float) -> Array:
+        """Where the centre of gravity is plumb over that of buoyancy, so that it floats as it lies (3,) [m].
+
+        Args:
+            height: of the centre of gravity above z = 0, along the vessel's z [m].
+        """
+        normal = self.attitude.normal
+        place: Array = self.centre_of_buoyancy + normal * (height - self.kb) / normal[2]
+        return place
 
     def as_dict(self) -> dict[str, Any]:
         """All figures by name, in SI units, for JSON."""

@@ -10,6 +10,7 @@ import numpy as np
 
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
+from gantline.results.progress import spans
 from gantline.results.variable import BoolArray
 from gantline.results.vessels import Vessel
 
@@ -66,15 +67,15 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
 
 
 def _moments(subject: Subject) -> list[tuple[str, int]]:
-    """The start, and the end of each step that has begun, with their samples."""
+    """The start, and the end of each step that has begun, with their samples; of several together one."""
     time = subject.recording.time
-    begun = [(moment, name) for moment, _, name in subject.recording.events("step_begin")]
-    found = [("at the start", 0)]
-    ends = [*(moment for moment, _ in begun[1:]), float(time[-1])] if begun else []
-    for (begin, name), end in zip(begun, ends, strict=True):
+    ends: dict[float, tuple[float, str]] = {}
+    for name, (begin, end) in spans(subject.recording).items():
         if end > begin or end == time[-1]:
-            found.append((name, max(0, int(np.searchsorted(time, end, side="right")) - 1)))
-    return found
+            ends[begin] = (max(end, ends[begin][0]) if begin in ends else end, name)
+    moments = sorted(ends.values(), key=lambda one: one[0])
+    samples = [(name, max(0, int(np.searchsorted(time, end, side="right")) - 1)) for end, name in moments]
+    return [("at the start", 0), *samples]
 
 
 def _changes(subject: Subject, vessel: Vessel) -> list[tuple[str, int]]:

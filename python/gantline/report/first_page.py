@@ -168,9 +168,9 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         rows.append((text, show(force.rule / rig.gravity, "t", 1)))
     hoisted = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
     largest = float(hoisted.max())
-    # Of what one crane is rated for with its hook blocks, or one hook alone.
+    # Of what one crane, with all hooks of the lift, is rated for with its hook blocks, or one hook alone.
     level = "crane" if any(rating.level == "crane" for rating in rig.ratings) else "hook"
-    rated = [one for one in rig.ratings if one.level == level]
+    rated = [one for one in rig.ratings if one.level == level and set(one.hooks) == set(hooks)]
     of = rated[0].rated_capacity if len(rated) == 1 and rated[0].includes_hook_block else None
     text = show(largest / rig.gravity, "t", 1)
     if of:

@@ -263,23 +263,38 @@ def _hoist_load(columns: Columns, names: Names, hook: Hook, hook_load: FloatArra
 
 
 def _hook_load(columns: Columns, names: Names, hook: Hook) -> FloatArray:
-    bodies, ropes, points = list(names["body"]), list(names["rope"]), list(names["rope_point"])
-    segments = list(names["segment"])
+    bodies, ropes = list(names["body"]), list(names["rope"])
     total = np.full(len(columns["time"]), hook.direct_weight)
     for body in hook.bearing_joints:
         total += columns["joint_force"][:, bodies.index(body), 2]
     slings = [sling if sling in ropes else f"sling.{sling}" for sling in hook.direct_slings]
     # The upper end of a sling comes first.
     for rope, end in [*((sling, "first") for sling in slings), *hook.direct_ropes]:
-        at = [place for place, of in enumerate(points) if of == rope]
-        own, following = (at[0], at[1]) if end == "first" else (at[-1], at[-2])
-        own_segments = [place for place, of in enumerate(segments) if of.rpartition("/")[0] == rope]
-        tension = columns["segment_tension"][:, own_segments[0 if end == "first" else -1]]
-        pull = columns["rope_point"][:, following] - columns["rope_point"][:, own]
-        # A rope that has parted is drawn as one point at its upper end, and pulls no way.
-        down = -pull[:, 2] / np.maximum(np.linalg.norm(pull, axis=1), np.finfo(np.float64).tiny)
-        total += tension * down
+        total += _pulled_down(columns, names, rope, *((0, 0, 1) if end == "first" else (-1, -1, -2)))
+    for over in hook.ropes_over:
+        points = sum(of == over.rope for of in names["rope_point"])
+        arcs = sum(over.arcs)
+        # All arcs are drawn with as many points, everything else with one.
+        each = (points - len(over.arcs) + arcs) // arcs if arcs else 1
+        first, last = (
+            sum(each if arc else 1 for arc in over.arcs[:end]) for end in (over.place, over.place + 1)
+        )
+        total += _pulled_down(columns, names, over.rope, over.place - 1, first, first - 1)
+        total += _pulled_down(columns, names, over.rope, over.place, last - 1, last)
     return total
+
+
+def _pulled_down(
+    columns: Columns, names: Names, rope: str, segment: int, own: int, following: int
+) -> FloatArray:
+    """What a segment of a rope pulls down with at a drawn point, towards another [N], shape (time,)."""
+    at = [place for place, of in enumerate(names["rope_point"]) if of == rope]
+    own_segments = [place for place, of in enumerate(names["segment"]) if of.rpartition("/")[0] == rope]
+    pull = columns["rope_point"][:, at[following]] - columns["rope_point"][:, at[own]]
+    # A rope that has parted is drawn as one point at its upper end, and pulls no way.
+    down = -pull[:, 2] / np.maximum(np.linalg.norm(pull, axis=1), np.finfo(np.float64).tiny)
+    force: FloatArray = columns["segment_tension"][:, own_segments[segment]] * down
+    return force
 
 
 def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]) -> _Derived:

@@ -13,7 +13,7 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.crane import CraneHook
-from gantline.results.progress import stretches
+from gantline.results.progress import spans
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import axes
@@ -57,9 +57,9 @@ def _under_way(recording: Recording) -> BoolArray:
     """Intervals between samples in which a step that takes loads along is under way, shape (time - 1,)."""
     goes = {step.step for step in recording.rig.plan if step.kind in _TAKE_ALONG}
     during = np.zeros(len(recording.time) - 1, dtype=np.bool_)
-    for stretch in stretches(recording):
-        if goes.intersection(stretch.names):
-            during |= (recording.time[1:] > stretch.begin) & (recording.time[:-1] < stretch.end)
+    for name, (begin, end) in spans(recording).items():
+        if name in goes:
+            during |= (recording.time[1:] > begin) & (recording.time[:-1] < end)
     return during
 
 

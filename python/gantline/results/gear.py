@@ -13,6 +13,21 @@ from gantline.results.strength import FromJson, Lug, Shackle, lugs_from_json
 
 
 @dataclass(frozen=True)
+class RopeOver(FromJson):
+    """A rope that runs over a hook.
+
+    Attributes:
+        rope: Its name.
+        place: Which of its guides is on the hook, from 0 for its first end on.
+        arcs: Whether each of its guides is a sheave, on which points of its drawn path lie, or a point.
+    """
+
+    rope: str
+    place: int = 1
+    arcs: Sequence[bool] = ()
+
+
+@dataclass(frozen=True)
 class Hook(FromJson):
     """A crane's hook.
 
@@ -28,8 +43,9 @@ class Hook(FromJson):
         falls_weight_above: What the upper sheaves bear of the weight of the falls [N].
         direct_ropes: Other ropes that end at the hook, each with its end there, `first` or `last`; of a hook
             with reeving.
+        ropes_over: Ropes that run over the hook; of a hook with reeving.
         bears_mechanics: Whether ropes or bodies of `mechanics` hang in it, whatever hangs on them.
-        direct_weight: Weight of what `direct_slings` have lumped on the hook [N]; of a hook with reeving.
+        direct_weight: Weight of what slings and ropes have lumped on the hook [N]; of a hook with reeving.
         sheave_diameter: Pitch diameter of the sheaves of its hook block [m]; 0 for a hook without reeving.
         drum: Name of its drum; empty for a hook without reeving.
         holds: Hoist load that motor and brake of its drum both hold on the first layer [N]; None without end.
@@ -45,11 +61,18 @@ class Hook(FromJson):
     falls: Sequence[str] = ()
     falls_weight_above: float = 0.0
     direct_ropes: Sequence[Sequence[str]] = ()
+    ropes_over: Sequence[RopeOver] = ()
     bears_mechanics: bool = False
     direct_weight: float = 0.0
     sheave_diameter: float = 0.0
     drum: str = ""
     holds: float | None = None
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        over = tuple(RopeOver.from_json(one) for one in document.get("ropes_over", ()))
+        return super().from_json({**document, "ropes_over": over})
 
 
 @dataclass(frozen=True)

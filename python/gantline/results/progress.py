@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
 
-__all__ = ["Stretch", "Unfinished", "end_of_step", "stretches", "unfinished"]
+__all__ = ["BESIDE", "Stretch", "Unfinished", "end_of_step", "spans", "stretches", "unfinished"]
 
 #: Rounding of the end of a hold [s].
 _ROUNDING = 1e-9
 #: Between the names of steps that go side by side.
-_BESIDE = " + "
+BESIDE = " + "
 
 
 @dataclass(frozen=True)
@@ -20,9 +22,9 @@ class Stretch:
     """A time in which a step went, or several side by side.
 
     Attributes:
-        names: Of the steps, those that began together.
-        begin: When they began [s].
-        end: When the last of them ended, others began, or the run ended [s].
+        names: Of the steps, those under way as it begins, in the order in which they began.
+        begin: When the last of them began [s].
+        end: When all of them had ended, others began, or the run ended [s].
     """
 
     names: tuple[str, ...]
@@ -32,7 +34,7 @@ class Stretch:
     @property
     def name(self) -> str:
         """All names in one."""
-        return _BESIDE.join(self.names)
+        return BESIDE.join(self.names)
 
 
 @dataclass(frozen=True)
@@ -55,19 +57,23 @@ class Unfinished:
         return f"the run ends before '{self.not_begun[0]}'"
 
 
-def stretches(recording: Recording) -> list[Stretch]:
-    """When the steps of the plan went, in order; between them, and after the last, nothing was under way."""
+def spans(recording: Recording) -> dict[str, tuple[float, float]]:
+    """When each step that began did so, and when it ended or the run did [s], in the order of begins."""
     if not len(recording.time):
-        return []
+        return {}
     last = float(recording.time[-1])
     ended = {name: time for time, _, name in recording.events("step_end")}
-    begun: dict[float, list[str]] = {}
-    for time, _, name in recording.events("step_begin"):
-        begun.setdefault(time, []).append(name)
+    return {name: (time, ended.get(name, last)) for time, _, name in recording.events("step_begin")}
+
+
+def stretches(recording: Recording) -> list[Stretch]:
+    """When the steps of the plan went, in order; between them, and after the last, nothing was under way."""
+    known = spans(recording)
+    begins = list(dict.fromkeys(begin for begin, _ in known.values()))
     found: list[Stretch] = []
-    nexts = [*begun, last][1:]
-    for (begin, names), until in zip(begun.items(), nexts, strict=True):
-        end = min(until, max(ended.get(name, last) for name in names))
+    for begin, until in zip(begins, [*begins[1:], np.inf], strict=False):
+        names = [name for name, (start, end) in known.items() if start <= begin < end]
+        end = min(until, max((known[name][1] for name in names), default=begin))
         if end > begin:
             found.append(Stretch(tuple(names), begin, end))
     return found

@@ -30,9 +30,9 @@ class RatedGroup:
 
 
 def rated_groups(chart: RatingChart) -> list[RatedGroup]:
-    """The crane with all its hooks; of several hooks each alone too."""
+    """The crane with all its hooks; each alone too, of several hooks or where its share is said."""
     groups = [RatedGroup(f"crane {chart.crane}", tuple(chart.hooks))]
-    if len(chart.hooks) > 1:
+    if len(chart.hooks) > 1 or chart.hooks_share is not None:
         groups += [RatedGroup(hook, (hook,), chart.share_of(hook)) for hook in chart.hooks]
     return groups
 
@@ -51,7 +51,7 @@ def chart_load(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -
     """
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     bears = any(
-        hook.bearing_joints or hook.direct_slings or hook.direct_ropes
+        hook.bearing_joints or hook.direct_slings or hook.direct_ropes or hook.ropes_over
         for hook in recording.rig.hooks
         if hook.name in chart.hooks
     )

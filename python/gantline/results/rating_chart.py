@@ -32,6 +32,7 @@ class RatingChart(FromJson):
         includes_hook_block: Whether that is the hoist load, else the hook load.
         hooks: The hooks of the crane.
         hook_shares: By hook the largest share of the row that it may carry alone [1].
+        hooks_share: The same where the lift file says it; it holds of a hook that is alone there, too.
         heel: Largest heel for which the chart holds [rad]; None if not said, as the next three.
         trim: Largest trim.
         off_lead: Largest angle of falls from plumb in the plane of the boom.
@@ -45,6 +46,7 @@ class RatingChart(FromJson):
     includes_hook_block: bool = False
     hooks: Sequence[str] = ()
     hook_shares: Mapping[str, float] | None = None
+    hooks_share: float | None = None
     heel: float | None = None
     trim: float | None = None
     off_lead: float | None = None

@@ -39,7 +39,7 @@ class Load(FromJson):
         contingency: Factor on the calculated mass.
         design_mass: With contingency [kg].
         lugs: Lugs by name.
-        other_ropes: Ropes that are no slings and end at it.
+        other_ropes: Ropes that are no slings and end at it or run over it.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
     """
 

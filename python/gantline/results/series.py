@@ -215,6 +215,16 @@ def sling_tension(recording: Recording, sling: Sling) -> FloatArray:
     return recording.column("rope_tension", sling.rope)
 
 
+def tightest_tension(recording: Recording, rope: str) -> FloatArray:
+    """Tension of a rope [N], shape (time,); over sheaves with losses that of its tightest segment."""
+    sheaves = [sheave for sheave in recording.rig.sheaves if sheave.rope == rope]
+    segments = sorted({segment for sheave in sheaves for segment in sheave.segments})
+    if not segments:
+        return recording.column("rope_tension", rope)
+    tightest: FloatArray = np.max([recording.column("segment_tension", one) for one in segments], axis=0)
+    return tightest
+
+
 def is_carrying(tension: FloatArray) -> BoolArray:
     """Samples at which a rope carries enough for its direction to mean something, shape (time,)."""
     carrying: BoolArray = tension > _CARRYING_FROM * np.max(tension, initial=0.0)

@@ -73,7 +73,7 @@ class Condition(Element):
         None, description="'clear': the load has left all its supports; 'touched': one bears again."
     )
     hoist_load: HoistLoadReached | None = Field(
-        None, description="Load in the falls of a hook that hangs in ropes."
+        None, description="Hoist load of a hook that hangs in ropes: hook load, hook block and falls."
     )
     tension_spread: Annotated[float, Quantity("ratio", "positive")] | None = Field(
         None, description="(max - min)/mean of the slings of every equalizer is below this, and all carry."

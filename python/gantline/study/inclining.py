@@ -1,9 +1,10 @@
 """Metacentric heights by inclining: how far a vessel turns where a little of its weight is shifted.
 
-Shifting the mass m of a vessel's body by dy across it heels it with the moment m g dy, and it comes to rest
-where Δ g GM dφ rights it as much: GM = m dy/(Δ dφ), with Δ all that it displaces. That is what a yard does
-to find GM, done with derivatives of the equilibrium. So everything counts that follows the turn: liquids in
-slack tanks, loads that hang from its hooks, ropes that hold it.
+Shifting the mass m of a vessel's body by dy across it, level, heels it with the moment m g dy, and it comes
+to rest where Δ g GM dφ rights it as much: GM = m dy/(Δ dφ), with Δ all that it displaces. That is what a yard
+does to find GM, done with derivatives of the equilibrium. So everything counts that follows the turn: liquids
+in slack tanks, loads that hang from its hooks, ropes that hold it. Derivatives are over shifts along the axes
+of the vessel, of which only the level part turns it where it lies with heel and trim.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.results.rotation import heading
+from gantline.results.rotation import axes, heading
 from gantline.statics import Equilibrium, Statics
 
 __all__ = ["MetacentricHeights", "heights_of", "metacentric_heights"]
@@ -56,11 +57,14 @@ def heights_of(question: Statics, rest: Equilibrium, body: str, displaced: float
         displaced: Mass of the water that it displaces [kg].
     """
     masses = {one["name"]: float(one["mass"]) for one in question.assembly.document["bodies"]}
-    across, along = question.sensitivities([("centre_y", body), ("centre_x", body)])
-    ahead = float(heading(rest.recording.column("body_orientation", body)[-1]))
-    forward = np.array([math.cos(ahead), math.sin(ahead)])
-    port = np.array([-math.sin(ahead), math.cos(ahead)])
+    answers = question.sensitivities([("centre_x", body), ("centre_y", body)])
+    orientation = rest.recording.column("body_orientation", body)[-1]
+    ahead = float(heading(orientation))
+    # Forward and to port, level, as rows.
+    level = np.array([[math.cos(ahead), math.sin(ahead)], [-math.sin(ahead), math.cos(ahead)]])
+    shifts = level @ axes(orientation)[:2, :2]
+    turns = level @ np.array([one.of_body(body)[3:5] for one in answers]).T
+    # About the ways forward and to port, for level shifts along them: one to port heels it to port.
+    per_shift = turns @ np.linalg.inv(shifts)
     share = masses[body] / displaced if displaced > 0.0 else math.inf
-    heel = -float(across.of_body(body)[3:5] @ forward)
-    dip = float(along.of_body(body)[3:5] @ port)
-    return MetacentricHeights(share / heel, share / dip)
+    return MetacentricHeights(share / -float(per_shift[0, 1]), share / float(per_shift[1, 0]))

@@ -242,7 +242,7 @@ def _depth(rest: Equilibrium, load: Load) -> float:
     for sling in rest.recording.rig.slings:
         for end, of, _ in sling.at_lugs():
             if of != load.name:
-                continue
+                continue  # what hangs there bears the load by slings of its own
             along = series.sling_direction(rest.recording, sling, end)[-1]
             upright = rest.tension(sling.rope) * float(along[2])
             first, last = (one[-1] for one in series.rope_ends(rest.recording, sling.rope))

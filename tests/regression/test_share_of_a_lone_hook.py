@@ -1,0 +1,45 @@
+"""The share of a chart's row that one hook may carry, of a crane of which the lift file has one hook alone.
+
+`hooks_share` was read and passed over there: a floating crane with four hooks, of which a lift uses one,
+stood at 12.8 % of the 3000 t that its chart rates for all four, and not at 51 % of the quarter that one may
+carry.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from gantline.checks import values_of
+from gantline.checks.readings import hook_readings
+from gantline.results import series
+from several_cranes import HANGS, at_rest, last
+
+RATED, SHARE, SEVERAL = 3000e3, 0.25, 1.33  # kg at 60 deg; share of one hook; factor of three cranes
+_SAID = "hooks_share: 25 %, "
+
+
+def test_one_of_four_hooks_has_a_quarter() -> None:
+    """Hoist load x factor of three cranes over the row, and over the quarter of it."""
+    recording = at_rest(HANGS)
+    gravity = recording.rig.gravity
+    # What slings hold is raised from 560 t to the design weight, 3 % more.
+    up = [
+        recording.column("rope_tension", sling.rope) * series.sling_direction(recording, sling)[:, 2]
+        for sling in recording.rig.slings
+        if recording.rig.hook_of(sling) == "fc.H2"
+    ]
+    hangs = last(recording, "hoist_load", "fc.H2") + 0.03 * float(sum(one[-1] for one in up))
+    used = values_of(recording, "hoist_load_of_rating")
+    # The boom stands at 60 deg in its own tackles, to what they stretch.
+    assert used["crane fc"] == pytest.approx(SEVERAL * hangs / (RATED * gravity), rel=5e-3)
+    assert used["fc.H2"] == pytest.approx(used["crane fc"] / SHARE, rel=1e-12)
+    [reading] = [
+        one for one in hook_readings(recording, series.last_sample(recording)) if one.name == "fc.H2"
+    ]
+    assert reading.rated == pytest.approx(SHARE * RATED * gravity, rel=5e-3)
+    assert reading.used == used["fc.H2"]
+
+
+def test_without_it_a_lone_hook_has_the_row() -> None:
+    used = values_of(at_rest(HANGS, (_SAID, "")), "hoist_load_of_rating")
+    assert set(used) == {"crane fc", "crane c1", "crane c2"}
