@@ -118,7 +118,7 @@ def assemble(scenario: Scenario) -> Assembly:
             *(() if lifted is None else lifted.body.warnings),
             *parts.warnings,
             *doubtful_cranes(scenario),
-            *doubtful_gear(scenario),
+            *doubtful_gear(scenario, rigging),
         ),
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gantline.scenario import Scenario
+from gantline.scenario import Rigging, Scenario
 
 __all__ = ["doubtful_gear"]
 
@@ -23,13 +23,18 @@ _MOST_OF_LENGTH = 0.2
 _MOST_STRENGTH = 15.0
 #: Shackles weigh some thousandths of their limit; more than this share is a slip [1].
 _HEAVIEST = 0.03
+#: Frames weigh some hundredths of what they may carry; less than this share is a slip [1].
+_LIGHTEST = 0.002
+#: Radii of gyration of a frame about its middle are about 0.3 of its length [1].
+_RADII = (0.03, 1.0)
 #: Coefficients of friction of what loads stand on are 0.1 to 1; more than this is none [1].
 _ROUGHEST = 2.0
 
 
-def doubtful_gear(scenario: Scenario) -> list[str]:
-    """A sentence for each thing that cannot well be meant of ropes, shackles and friction."""
-    return [*_ropes(scenario), *_soft_slings(scenario), *_shackles(scenario), *_rough(scenario)]
+def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[str]:
+    """A sentence for each thing that cannot well be meant of ropes, shackles, frames and friction."""
+    gear = [*_ropes(scenario), *_soft_slings(scenario), *_shackles(scenario)]
+    return [*gear, *_frames(rigging), *_rough(scenario)]
 
 
 def _ropes(scenario: Scenario) -> Iterator[str]:
@@ -80,6 +85,20 @@ def _shackles(scenario: Scenario) -> Iterator[str]:
         if shackle.mass > _HEAVIEST * limit:
             figures = f"weighs {_mass(shackle.mass)} and may carry {_mass(limit)}"
             yield f"shackle {name} {figures}; some thousandths are usual, and one of both has a wrong unit"
+
+
+def _frames(rigging: Rigging) -> Iterator[str]:
+    for name, equalizer in rigging.equalizers.items():
+        frame, rated = equalizer.frame, equalizer.rated_capacity
+        if rated is not None and frame.mass < _LIGHTEST * rated:
+            figures = f"weighs {_mass(frame.mass)} and may carry {_mass(rated)}"
+            yield f"the frame of {name} {figures}; a unit has slipped, kg for t"
+        if frame.inertia_about_vertical is None:
+            continue
+        radius = math.sqrt(frame.inertia_about_vertical / frame.mass)
+        if not _RADII[0] < radius / frame.length < _RADII[1]:
+            figures = f"has a radius of gyration of {_short(radius)} m and a length of {frame.length:g} m"
+            yield f"the frame of {name} {figures}; a unit of its inertia or mass has slipped"
 
 
 def _rough(scenario: Scenario) -> Iterator[str]:
