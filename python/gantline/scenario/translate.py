@@ -34,7 +34,7 @@ _MEANT = {
     "position": ("at",),
     "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
     "size": ("shape",),
-    "stiffness": ("axial_stiffness",),
+    "stiffness": ("axial_stiffness", "stops"),
     "swl": ("working_load_limit", "rated_capacity", "capacity"),
     "weight": ("mass",),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
