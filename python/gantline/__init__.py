@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from gantline.report import Report, write_report
     from gantline.results.comparison import Comparison, compare
     from gantline.results.recording import Recording, open_recording
-    from gantline.scenario import Scenario, ScenarioError, load_scenario
+    from gantline.scenario import Scenario, ScenarioError, load_scenario, parse_scenario
     from gantline.simulation import Simulation, SimulationError, simulate
     from gantline.statics import Equilibrium, NoEquilibriumError, Statics
 
@@ -33,6 +33,7 @@ __all__ = [
     "compare",
     "load_scenario",
     "open_recording",
+    "parse_scenario",
     "simulate",
     "write_report",
 ]
@@ -45,6 +46,7 @@ _HOMES = {
     "Scenario": "gantline.scenario",
     "ScenarioError": "gantline.scenario",
     "load_scenario": "gantline.scenario",
+    "parse_scenario": "gantline.scenario",
     "Simulation": "gantline.simulation",
     "SimulationError": "gantline.simulation",
     "simulate": "gantline.simulation",

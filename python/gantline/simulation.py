@@ -17,6 +17,7 @@ from gantline.assembly.vessels import adrift, vessel_hulls
 from gantline.interrupt import noted_interrupt
 from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.crawler import tipping_warnings
+from gantline.results.crossing import crossed_ropes
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
@@ -36,6 +37,8 @@ from gantline.version import version
 
 Progress = Callable[[float], bool | None]
 
+#: Steps of a method with fixed steps that follow how a lift rings are shorter by far [s].
+_LONG_STEP = 0.05
 #: Settings of the run; the other settings are those of an integrator.
 _OF_RUN = ("duration", "sample_interval")
 _ABOVE_ZERO = {
@@ -195,9 +198,12 @@ class Simulation:
         if remainder > bound:
             missed = f"remainder {remainder:.2g} of the largest energy, bound {bound:g}"
             warnings.append(f"the energy balance does not close: {missed}")
+        warnings += _long_steps(self.settings["integrator"])
         names, columns = self._core.names(), self._core.columns()
         warnings += _off_sheaves(self.assembly.rig, columns, names)
         rig = Rig.from_json(self.assembly.rig)
+        diameters = {rope.name: rope.diameter for rope in rig.ropes}
+        warnings += crossed_ropes(self.assembly.document.get("ropes", ()), diameters, columns, names)
         columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
         warnings += drum_warnings(rig, columns, names)
@@ -262,6 +268,15 @@ class Simulation:
         self._core.restore(state)
         self.status = "ready"
         self._failure = None
+
+
+def _long_steps(integrator: Mapping[str, Any]) -> list[str]:
+    """A warning of fixed steps that are too long to see what a lift is simulated for."""
+    step = integrator.get("step", 0.0)
+    if step <= _LONG_STEP:
+        return []
+    sentence = f"steps of {step:g} s: what rings within a few of them is damped away, and peaks with it"
+    return [f"{sentence}; 1 ms is usual"]
 
 
 def _off_sheaves(rig: Mapping[str, Any], columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:

@@ -52,8 +52,10 @@ def test_columns_are_found_by_name() -> None:
     assert recording.column("body_position", "block").shape == (2001, 3)
     with pytest.raises(KeyError, match=r"no variable 'rope_tensions'"):
         recording["rope_tensions"]
-    with pytest.raises(KeyError, match=r"rope_tension has no 'sling.S9'"):
+    with pytest.raises(KeyError, match=r"rope_tension has no 'sling.S9'; it has e1\.equalizing, sling\.S1, "):
         recording.column("rope_tension", "sling.S9")
+    with pytest.raises(KeyError, match=r"rope_tension has no 'S2'; it has sling\.S2\""):
+        recording.column("rope_tension", "S2")
 
 
 def test_variables_of_the_results_table_with_their_dimensions_and_units() -> None:
@@ -241,11 +243,17 @@ def test_a_failed_save_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> N
         broken.save(path)
     assert path.read_bytes() == before
     assert list(tmp_path.iterdir()) == [path]
+    with pytest.raises(FileNotFoundError, match=r"No such file or directory: '.*/nowhere'$"):
+        recording.save(tmp_path / "nowhere" / "lift.nc")
+    with pytest.raises(FileNotFoundError, match=r"is a folder; the recording in it is .*lift\.nc$"):
+        gantline.open_recording(tmp_path)
 
 
 def test_what_is_no_recording_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match="no such file"):
         gantline.open_recording(tmp_path / "none.nc")
+    with pytest.raises(FileNotFoundError, match="no such file"):
+        gantline.open_recording(tmp_path)
     text = tmp_path / "text.nc"
     text.write_text("not a recording")
     with pytest.raises(ValueError, match="not a recording of gantline"):

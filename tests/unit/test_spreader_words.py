@@ -76,6 +76,13 @@ def test_slings_that_are_too_short() -> None:
         assemble(parse_scenario(text))
 
 
+def test_a_unit_that_has_slipped() -> None:
+    warnings = assemble(parse_scenario(one_bar().replace("mass: 3 t", "mass: 3 kg"))).warnings
+    told = "spreader bar weighs 3 kg and may carry 80 t; a unit has slipped, kg for t"
+    assert told in warnings
+    assert told not in assemble(parse_scenario(one_bar())).warnings
+
+
 def test_its_heading_is_that_of_the_load() -> None:
     text = one_bar().replace("position: [0 m, 0 m, 0 m]", "position: [0 m, 0 m, 0 m]\n  heading: 90 deg")
     bar = next(body for body in assemble(parse_scenario(text)).document["bodies"] if body["name"] == "bar")

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from gantline.scenario import Scenario
+from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.crawler import Crawler
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.rating import Rating
@@ -15,6 +16,12 @@ __all__ = ["doubtful_cranes"]
 
 #: Hook blocks weigh some hundredths of what they may carry; less than this share is a slip [1].
 _LIGHTEST = 0.002
+#: So do girders, legs, trolleys and booms, by a hundredth at the very least [1].
+_LIGHTEST_PART = 0.01
+#: Girders bend by about a thousandth of their span under what they may carry; more than this is none [1].
+_SOFTEST = 0.02
+#: Radii of gyration of a boom about its middle are about 0.3 of its length [1].
+_RADII = (0.03, 1.0)
 #: Charts of crawler cranes are for 75 % of what tips them (ASME B30.5, 5-1.1.1), of which lift files may
 #: have rough masses; more than this share is neither [1].
 _MOST_OF_TIPPING = 0.9
@@ -27,6 +34,9 @@ def doubtful_cranes(scenario: Scenario) -> list[str]:
         *_unsaid_ratings(scenario),
         *_charts_past_tipping(scenario),
         *_light_hook_blocks(scenario),
+        *_light_parts(scenario),
+        *_soft_girders(scenario),
+        *_thin_booms(scenario),
     ]
 
 
@@ -113,3 +123,45 @@ def _light_hook_blocks(scenario: Scenario) -> Iterator[str]:
         if gear is not None and rated is not None and gear.mass < _LIGHTEST * rated:
             carries = f"weighs {gear.mass:.4g} kg and may carry {format_quantity(rated, 't', 1)}"
             yield f"the hook block of {name} {carries}; a unit has slipped, kg for t"
+
+
+def _light_parts(scenario: Scenario) -> Iterator[str]:
+    """A sentence for each part of a crane that weighs next to nothing of what the crane may carry."""
+    for name, crane in (scenario.cranes or {}).items():
+        parts: dict[str, tuple[float, float | None]] = {}
+        if isinstance(crane, Goliath):
+            rated = crane.rated_capacity
+            parts["the girder"] = crane.girder.mass, rated
+            parts["the fixed leg"] = crane.legs.fixed, rated
+            parts["the hinged leg"] = crane.legs.hinged, rated
+            parts |= {
+                f"trolley {one}": (trolley.mass, trolley.rated_capacity)
+                for one, trolley in crane.trolleys.items()
+            }
+        elif isinstance(crane, Crawler | FloatingCrane):
+            parts["the boom"] = crane.boom.mass, crane.rated_capacity
+        for part, (mass, rated) in parts.items():
+            if rated is not None and mass < _LIGHTEST_PART * rated:
+                carries = f"weighs {mass:,.6g} kg, and the rated capacity is {format_quantity(rated, 't', 1)}"
+                yield f"{part} of {name} {carries}; a unit has slipped, kg for t"
+
+
+def _soft_girders(scenario: Scenario) -> Iterator[str]:
+    for name, crane in (scenario.cranes or {}).items():
+        if not isinstance(crane, Goliath) or crane.girder.vertical_stiffness is None:
+            continue
+        if crane.rated_capacity is not None:
+            sag = crane.rated_capacity * scenario.simulation.gravity / crane.girder.vertical_stiffness
+            if sag > _SOFTEST * crane.span:
+                bends = f"would bend by {format_quantity(sag, 'm', 2)} under the rated capacity"
+                yield f"the girder of {name} {bends}; a unit of its stiffness has slipped, kN/m for MN/m"
+
+
+def _thin_booms(scenario: Scenario) -> Iterator[str]:
+    for name, crane in (scenario.cranes or {}).items():
+        if not isinstance(crane, Crawler | FloatingCrane) or crane.boom.inertia is None:
+            continue
+        radius = math.sqrt(crane.boom.inertia / crane.boom.mass)
+        if not _RADII[0] < radius / crane.boom.length < _RADII[1]:
+            figures = f"has a radius of gyration of {radius:.3g} m and a length of {crane.boom.length:g} m"
+            yield f"the boom of {name} {figures}; a unit of its inertia or mass has slipped"

@@ -33,6 +33,10 @@ _MASSES_AGREE, _CENTRES_AGREE = 0.02, 0.002
 _ONE_PLACE = 1e-3
 #: Density of air [kg/m^3]: what weighs less than the air in its box has been given a unit too small.
 _AIR = 1.2
+#: Share of a load's height below which its centre of gravity cannot lie [1].
+_LOWEST = 0.01
+#: Radii of gyration below this share of those of a solid box are a slip [1]: kg m^2 for t m^2 gives 0.03.
+_THINNEST = 0.1
 #: Lugs stand on what is lifted, or on masts and houses that its box leaves out, so far [m].
 _OFF = 1.0
 
@@ -83,7 +87,13 @@ def _of_box(load: Load) -> LoadBody:
 
 def _doubts(load: Load, box: Array) -> list[str]:
     """What cannot well be meant of weight and lugs in a box."""
-    return [*_of_no_matter(load, box), *_lugs_off(load, box), *_lugs_at_one_place(load)]
+    return [
+        *_of_no_matter(load, box),
+        *_centre_at_the_underside(load, box),
+        *_inertia_of_another(load, box),
+        *_lugs_off(load, box),
+        *_lugs_at_one_place(load),
+    ]
 
 
 def _of_no_matter(load: Load, box: Array) -> list[str]:
@@ -97,6 +107,36 @@ def _of_no_matter(load: Load, box: Array) -> list[str]:
         said = f"the load weighs {weight / 1e3:.4g} t, more than its box full of steel, {steel / 1e3:.4g} t"
         return [f"{said}; a unit has slipped, t for kg or mm for m"]
     return []
+
+
+def _centre_at_the_underside(load: Load, box: Array) -> list[str]:
+    """Of a centre of gravity so low that a load would have to have all of its weight in its underside."""
+    if load.centre_of_gravity.at == "from_cad":
+        return []
+    above, height = load.centre_of_gravity.at[2] - float(box[0, 2]), float(box[1, 2] - box[0, 2])
+    if above > _LOWEST * height:
+        return []
+    said = f"the centre of gravity is {1e3 * above:.3g} mm above the underside of a load {height:.4g} m high"
+    return [f"{said}; a height has slipped, which makes the load hang more stably than it will"]
+
+
+def _inertia_of_another(load: Load, box: Array) -> list[str]:
+    """Of stated inertias that nothing of this weight in this box has, or nothing that fills some of it."""
+    if not isinstance(load.inertia, LoadInertia) or load.centre_of_gravity.at == "from_cad":
+        return []
+    mass, centre, sizes = load.weight.calculated, np.array(load.centre_of_gravity.at), box[1] - box[0]
+    reach = np.maximum(np.abs(box[0] - centre), np.abs(box[1] - centre))
+    found = []
+    for axis, key in enumerate(("xx", "yy", "zz")):
+        across = [i for i in range(3) if i != axis]
+        radius = float(np.sqrt(getattr(load.inertia, key) / mass))
+        farthest, solid = float(np.hypot(*reach[across])), float(np.hypot(*sizes[across]) / np.sqrt(12.0))
+        if radius > farthest + _OFF or radius < _THINNEST * solid:
+            found.append(f"{key} {radius:.3g} m (a solid box {solid:.3g} m)")
+    if not found:
+        return []
+    said = "the inertia and the weight of the load make radii of gyration that its box does not allow"
+    return [f"{said}: {', '.join(found)}; a unit has slipped, or the weight"]
 
 
 def _lugs_at_one_place(load: Load) -> list[str]:

@@ -19,6 +19,7 @@ from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.vessels import vessel_shape
 from gantline.assembly.yard import lower_end
+from gantline.cad.assumptions import STEEL
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.crane_parts import crane_bodies
 from gantline.scenario.extension import ends_below
@@ -87,6 +88,7 @@ def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
 
 
 def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body: Json) -> Json:
+    """A body with what stands for it; one without a shape in the lift file is a cube of steel of its mass."""
     name = body["name"]
     shape: Json | None = None
     kind = "body"
@@ -118,6 +120,9 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif plain.hull is not None:
         hull = hull_mesh(scenario, name, plain)
         kind, shape = "hull", None if hull is None else hull_shape(hull)
+    elif plain.mass > 0.0:
+        side = (plain.mass / STEEL) ** (1 / 3)
+        shape = {"type": "box", "size": [side] * 3, "centre": list(plain.centre_of_gravity)}
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
 
 

@@ -137,6 +137,35 @@ def fell_behind(recording: Recording) -> list[Check]:
     ]
 
 
+def ran_out(recording: Recording) -> list[Check]:
+    """A warning for each winch of `mechanics` whose drum slips for longer than a second: the longest time.
+
+    One of constant tension is meant to; of any other nothing else says that what hangs on it has come down.
+    """
+    checks = []
+    for drum in recording.rig.drums:
+        spans = _slips(recording, drum) if drum.paid_out > 0.0 else []
+        begin, end = max(spans, key=lambda span: span[1] - span[0], default=(0.0, 0.0))
+        if end - begin <= _LONG:
+            continue
+        out = np.interp((begin, end), recording.time, recording.column("rope_paid_out", drum.name))
+        remark = f"from {begin:.4g} s on, for {end - begin:.3g} s, motor or brake pull all they can"
+        if out[1] - out[0] > _LOST:
+            remark += f", and do not hold: {out[1] - out[0]:.2f} m of rope run out meanwhile"
+        meaning = "drums of winches follow the plan"
+        checks.append(Check("winch_follows", Verdict.WARNING, meaning, element=drum.name, remark=remark))
+    return checks
+
+
+def _slips(recording: Recording, drum: Drum) -> list[tuple[float, float]]:
+    """From when to when a drum slips against its motor or brake [s]."""
+    begins = [time for time, _, name in recording.events("drum_slips") if name == drum.name]
+    ends = [time for time, _, name in recording.events("drum_holds") if name == drum.name]
+    # One that slips at the end of the run has not come to hold again.
+    ends += [float(recording.time[-1])] * (len(begins) - len(ends))
+    return list(zip(begins, ends, strict=True))
+
+
 def _slipped(recording: Recording, drum: Drum) -> Check | None:
     check = Check("hoist_follows", Verdict.WARNING, "drums of hoists follow the plan", element=drum.name)
     ran_away = _ran_away(recording, drum)
@@ -146,16 +175,12 @@ def _slipped(recording: Recording, drum: Drum) -> Check | None:
             f"motor or brake do not hold what hangs before the lift begins, and the hook runs away: {began}"
         )
         return replace(check, verdict=Verdict.FAILED, time=float(recording.time[0]), remark=remark)
-    begins = [time for time, _, name in recording.events("drum_slips") if name == drum.name]
-    ends = [time for time, _, name in recording.events("drum_holds") if name == drum.name]
-    # One that slips at the end of the run has not come to hold again.
-    ends += [float(recording.time[-1])] * (len(begins) - len(ends))
-    spans = list(zip(begins, ends, strict=True))
+    spans = _slips(recording, drum)
     lost, since = max(((_lost(recording, drum, span), span[0]) for span in spans), default=(0.0, 0.0))
     lasted = sum(end - begin for begin, end in spans)
     if lost <= _LOST and lasted <= _LONG:
         return None
-    remark = f"from {begins[0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
+    remark = f"from {spans[0][0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
     if lost <= _LOST:
         return replace(check, remark=remark)
     remark += f", and do not hold: the hook runs away, {lost:.2f} m lower than at the speed that it had"

@@ -15,7 +15,7 @@ from gantline.checks.limits import LIMITS
 from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
-from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, stood_still, unfinished
+from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
 from gantline.checks.slings import idle
 from gantline.results import progress, series
 from gantline.results.parting import Parting, partings
@@ -42,10 +42,10 @@ def check_recording(recording: Recording) -> list[Check]:
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
         that let its load go; a warning or a failure for each pair that is drawn in one place; and a warning
-        for each hoist that fell behind, where slings never carried or run through a load, where a hook holds
-        a frame upright, where the recording has warnings of its own, where steps moved nothing, where a load
-        came down while it was taken along or came down hard, and where a run lifts nothing or ends before
-        its plan.
+        for each hoist that fell behind and each winch that slipped, where slings never carried or run
+        through a load, where a hook holds a frame upright, where the recording has warnings of its own,
+        where steps moved nothing, where a load came down while it was taken along or came down hard, and
+        where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -63,8 +63,14 @@ def check_recording(recording: Recording) -> list[Check]:
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
     every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording) + idle(recording) + run_through(recording) + run_into(recording)
-    every += left_ground(recording) + held_upright(recording) + _told(recording)
+    every += fell_behind(recording) + ran_out(recording) + idle(recording)
+    every += (
+        run_through(recording)
+        + run_into(recording)
+        + left_ground(recording)
+        + held_upright(recording)
+        + _told(recording)
+    )
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]

@@ -128,7 +128,8 @@ def _settings(option: str, changes: _Changes) -> dict[str, tuple[str, Setting]]:
         if not equals or not text:
             stop(f"{option}: '{change}' is no setting; one is written like 'step=1 ms'")
         if key not in _SETTINGS:
-            stop(f"{option}: there is no setting '{key}'; there are {', '.join(_SETTINGS)}")
+            elsewhere = "; another value of a lift file stands in a second one" if "." in key else ""
+            stop(f"{option}: there is no setting '{key}'; there are {', '.join(_SETTINGS)}{elsewhere}")
         if key in settings:
             stop(f"{option}: {key} is given twice")
         settings[key] = text, _value(f"{option} {key}", text, _SETTINGS[key])

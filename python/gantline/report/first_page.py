@@ -52,6 +52,7 @@ class FirstPage(Section):
         most_slings = _MOST_SLINGS_AFLOAT if is_afloat else _MOST_SLINGS
         return {
             "rig": subject.rig,
+            "is_lift": subject.is_lift,
             "cranes": ", ".join(dict.fromkeys(hook.crane or hook.name for hook in subject.rig.hooks)),
             "version": str(subject.recording.attributes.get("gantline_version", "")),
             "fingerprint": fingerprint(subject),

@@ -34,6 +34,12 @@ class Subject:
         return self.recording.rig
 
     @property
+    def is_lift(self) -> bool:
+        """Whether something is lifted or floats: plain mechanics have no weights and no reasons to stop."""
+        rig = self.rig
+        return bool(rig.loads or rig.hooks or rig.slings or rig.vessels)
+
+    @property
     def has_motion(self) -> bool:
         """Whether there is more than one sample to plot."""
         return len(self.recording.time) > 1

@@ -66,7 +66,9 @@ def load_recording(path: Path) -> Recording:
     """
     try:
         if not path.is_file():
-            raise FileNotFoundError(f"{path}: no such file")
+            inside = sorted(path.glob("*.nc")) if path.is_dir() else []
+            holds = f"is a folder; the recording in it is {inside[0]}" if inside else "no such file"
+            raise FileNotFoundError(f"{path}: {holds}")
         with h5netcdf.File(path, "r") as file:
             return _read(file)
     except FileNotFoundError:

@@ -18,6 +18,9 @@ from gantline.results.variable import FloatArray, Variable
 if TYPE_CHECKING:
     import xarray
 
+#: Most names that a message lists.
+_MOST_NAMED = 12
+
 
 class Recording:
     """What happened in one lift, as named variables over time.
@@ -137,7 +140,10 @@ class Recording:
             if dim != "xyz" and dim != "wxyz" and label in labels:
                 values: FloatArray = variable.values[(slice(None),) * axis + (labels.index(label),)]
                 return values
-        raise KeyError(f"{name} has no {label!r}")
+        dims = [dim for dim in variable.dims if dim not in ("time", "xyz", "wxyz")]
+        known = [str(one) for dim in dims for one in self._coordinates.get(dim, ())]
+        likely = [one for one in known if one.endswith(f".{label}")] or known
+        raise KeyError(f"{name} has no {label!r}; it has {', '.join(likely[:_MOST_NAMED])}")
 
     def events(self, kind: str | None = None) -> list[tuple[float, str, str]]:
         """Events in order of time.

@@ -35,6 +35,15 @@ class Element(BaseModel):
             )
         return handler(data)
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Say how a lift with other values is made; what pydantic itself keeps here begins with `_`."""
+        if name.startswith("_"):
+            super().__setattr__(name, value)
+            return
+        sentence = f"'{name}' cannot be set: a scenario stays as it was read"
+        right = "Scenario.changed({'load.weight.calculated': '320 t'}) gives another one with other values"
+        raise AttributeError(f"{sentence}; {right}")
+
     @classmethod
     def keys(cls) -> tuple[str, ...]:
         """Keys that this mapping may have, as written in a file."""

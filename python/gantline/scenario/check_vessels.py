@@ -14,6 +14,8 @@ from gantline.scenario.water import Afloat, Extent
 __all__ = ["check_afloat", "check_areas", "check_inertia", "check_inside", "check_vessels"]
 
 _ROUNDING = 1 + 1e-9
+#: A fairlead may stand so far off the hull, on a platform or a boom [m].
+_OFF_HULL = 10.0
 #: A tank may reach so far out of the hull by rounding [m].
 _CLOSE = 1e-6
 
@@ -68,6 +70,7 @@ def check_inside(findings: Findings, path: Path, vessel: Vessel, extent: Extent)
     _check_draft(findings, path, vessel, extent)
     _check_tanks(findings, path, vessel, extent)
     _check_openings(findings, path, vessel, extent)
+    _check_fairleads(findings, str(path[-1]), extent)
 
 
 def _check_radii(findings: Findings, path: Path, vessel: Vessel) -> None:
@@ -111,3 +114,16 @@ def _check_openings(findings: Findings, path: Path, vessel: Vessel, extent: Exte
         elif at[2] <= extent[0][2]:
             sentence = f"z = {at[2]:g} m is not above the keel at {extent[0][2]:g} m"
             findings.add((*path, "openings", name), f"{sentence}; z counts from the vessel's origin")
+
+
+def _check_fairleads(findings: Findings, vessel: str, extent: Extent) -> None:
+    """Note lines that leave their vessel where it is not."""
+    low, high = extent
+    for name, line in (findings.scenario.mooring_lines or {}).items():
+        if line.vessel != vessel:
+            continue
+        off = max(max(a - at, at - b) for a, at, b in zip(low, line.fairlead, high, strict=True))
+        if off > _OFF_HULL:
+            sentence = f"this is {off:.4g} m outside the hull of '{vessel}'"
+            right = "it counts along the vessel's axes, from stern, keel and centre plane"
+            findings.add(("mooring_lines", name, "fairlead"), f"{sentence}; {right}")

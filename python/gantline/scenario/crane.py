@@ -86,6 +86,13 @@ class Hoist(Element):
     )
 
     @model_validator(mode="after")
+    def _creeps_slower(self) -> Hoist:
+        if self.creep is not None and self.creep > self.speed:
+            sentence = f"creep of {self.creep * 60:g} m/min is faster than the highest speed"
+            raise refuse(f"{sentence} of {self.speed * 60:g} m/min; they may be the wrong way round", "creep")
+        return self
+
+    @model_validator(mode="after")
     def _power_needs_a_capacity(self) -> Hoist:
         for key in ("power", "brake"):
             if getattr(self, key) is not None and self.capacity is None:

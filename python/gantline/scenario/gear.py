@@ -46,6 +46,8 @@ _STRONGEST_STEEL = 2160e6
 #: Diameters of bows and pins of shackles [m]; those of shackles of 1550 t are 0.34 m.
 _SMALLEST_SHACKLE = 4e-3
 _LARGEST_SHACKLE = 0.5
+#: By which a limit in tonnes is held against forces [m/s^2].
+_GRAVITY = 9.81
 #: Tolerance of a sling's length beyond which a '%' has been left out.
 _LARGEST_TOLERANCE = 0.1
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its metallic area.
@@ -221,6 +223,15 @@ class Shackle(Element):
     pin_diameter: PositiveLength | None = Field(None, description="Diameter of the pin.")
     minimum_breaking_force: PositiveForce | None = Field(None, description="Minimum breaking force.")
     proof_load: NotNegativeForce | None = Field(None, description="Proof load.")
+
+    @model_validator(mode="after")
+    def _holds_its_limit(self) -> Shackle:
+        force, limit = self.minimum_breaking_force, self.working_load_limit * _GRAVITY
+        if force is not None and force < limit:
+            sentence = f"this shackle would break at {force / 1e3:.4g} kN, below its working load limit of"
+            right = "4 to 6 times the limit is usual, and one of both is wrong"
+            raise refuse(f"{sentence} {limit / 1e3:.4g} kN; {right}", "minimum_breaking_force")
+        return self
 
     @model_validator(mode="after")
     def _diameters_are_those_of_shackles(self) -> Shackle:

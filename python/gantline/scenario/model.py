@@ -141,11 +141,13 @@ class Scenario(Element):
         self._source, self._text, self._tree = source, text, tree
         return self
 
-    def changed(self, values: Mapping[str, str]) -> Scenario:
+    def changed(self, values: Mapping[str, Any]) -> Scenario:
         """The same lift with other values, without its cases.
 
         Args:
             values: Each at its dotted path, written as in a lift file: `{"load.weight.calculated": "320 t"}`.
+                A number stands where a lift file has one without a unit; lists and mappings are of such.
+                Places in lists count from 1, as in messages: `plan[2].speed`, or `load.lugs.L1.at.z`.
 
         Raises:
             ScenarioError: If a path leads nowhere, or a value cannot be there.

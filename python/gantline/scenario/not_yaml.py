@@ -38,7 +38,24 @@ def problem_of(error: MarkedYAMLError, text: str) -> Problem:
     if context.endswith("simple key"):
         key = _shown(text, begin)
         return Problem(begin.line + 1, "", f"'{key}' has no ':'; a line is 'key: value', and {_ENTRY}")
+    is_behind = found.startswith("mapping values") or found.endswith("mapping start>'")
+    if is_behind and (above := _without_colon(at, text)) is not None:
+        line, words = above
+        return Problem(line, "", f"'{words}' has no ':'; a line is 'key: value', and {_ENTRY}")
     return Problem(at.line + 1, "", _in_line(found, context, at, text))
+
+
+def _without_colon(at: Any, text: str) -> tuple[int, str] | None:
+    """The line above a place and its words, where these begin in the same column and lack a ':'."""
+    lines = _NEW_LINE.split(text[: at.index])
+    indent = len(lines[-1]) - len(lines[-1].lstrip())
+    for number in range(len(lines) - 1, 0, -1):
+        words = re.sub(r"(^|\s)#.*", "", lines[number - 1]).rstrip()
+        if words:
+            is_beside = len(words) - len(words.lstrip()) == indent
+            is_text = ":" not in words and not words.lstrip().startswith("-")
+            return (number, shorten(words.strip())) if is_beside and is_text else None
+    return None
 
 
 def _in_line(found: str, context: str, at: Any, text: str) -> str:

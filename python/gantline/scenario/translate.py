@@ -19,6 +19,26 @@ _TO_COME = {
     "gusts": "wind is steady; give the speed of gusts as that of 'wind'",
     "tag_lines": "a rope under 'mechanics' from the load to a winch or to the ground holds its heading",
 }
+#: Keys by other words, which are not written like them; the first that may stand there is meant.
+_MEANT = {
+    "capacity": ("rated_capacity", "working_load_limit"),
+    "cog": ("centre_of_gravity",),
+    "dimensions": ("shape",),
+    "ea": ("axial_stiffness",),
+    "location": ("position", "at"),
+    "mass": ("weight",),
+    "mbf": ("minimum_breaking_force",),
+    "mbl": ("minimum_breaking_force",),
+    "position": ("at",),
+    "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
+    "size": ("shape",),
+    "stiffness": ("axial_stiffness", "stops"),
+    "swl": ("working_load_limit", "rated_capacity", "capacity"),
+    "weight": ("mass",),
+    "wll": ("working_load_limit", "rated_capacity", "capacity"),
+}
+#: What else is to be known of them.
+_BESIDE = {"radius": ", twice as much"}
 
 
 def translate(errors: Sequence[ErrorDetails], tree: MapNode) -> list[Problem]:
@@ -90,6 +110,11 @@ def _unknown_key(key: str, parent: Any) -> str:
     if not isinstance(parent, MapNode) or not parent.allowed:
         return f"'{shown}' is not a key that is known here"
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
+    meant = next((name for name in _MEANT.get(key.lower(), ()) if name in unused), None)
+    if meant is not None:
+        return (
+            f"'{shown}' is not a key of {parent.what}; did you mean '{meant}'{_BESIDE.get(key.lower(), '')}?"
+        )
     used = closest(key, [name for name in parent.allowed if name in parent])
     is_used = used is not None and closest(key, unused) is None
     likely = f"did you mean '{used}', which is there already?" if is_used else nearest(key, unused)

@@ -1,20 +1,24 @@
 """Things in a lift file by dotted path, and lift files with one thing changed.
 
 A path such as ``slings.U1.1.length`` names keys from the top; a key with dots is found longest match first. A
-part of a list is its place from 1, of a list of three also ``x``, ``y`` or ``z``. The last key of a mapping
-need not be there yet.
+part of a list is its place from 1, ``plan.2.speed`` or as messages have it ``plan[2].speed``, of a list of
+three also ``x``, ``y`` or ``z``. The last key of a mapping need not be there yet.
 """
 
 from __future__ import annotations
 
-from typing import Final
+import re
+from collections.abc import Iterable, Mapping
+from numbers import Real
+from typing import Any, Final
 
-from gantline.scenario.errors import closest, nearest, shorten
-from gantline.scenario.tree import ListNode, MapNode, Node, TextNode
+from gantline.scenario.errors import ScenarioError, closest, nearest, shorten
+from gantline.scenario.tree import ListNode, MapNode, Node, TextNode, parse_text
 
-__all__ = ["PathError", "node_at", "put", "text_node"]
+__all__ = ["PathError", "node_at", "node_of", "put", "text_node"]
 
 _AXES: Final = ("x", "y", "z")
+_PLACE: Final = re.compile(r"\[(\d+)\]")
 
 
 class PathError(ValueError):
@@ -58,10 +62,48 @@ def text_node(text: str, line: int) -> TextNode:
     return node
 
 
+def node_of(value: Any, line: int) -> Node:
+    """A value of Python as if it had been written in a line.
+
+    Args:
+        value: A text as in a lift file, also of a list or mapping: ``"[0 m, 0 m, 1 m]"``; a number or a truth
+            value, where a lift file has one; or a list or mapping of such.
+        line: Where it stands.
+
+    Raises:
+        PathError: if it is nothing that a lift file can say.
+    """
+    if isinstance(value, str):
+        return _flow(value, line) if value.lstrip()[:1] in ("[", "{") else text_node(value, line)
+    if isinstance(value, bool):
+        return text_node(str(value).lower(), line)
+    if isinstance(value, Real):
+        return text_node(str(value), line)
+    if isinstance(value, Mapping):
+        mapping = MapNode({str(key): node_of(one, line) for key, one in value.items()})
+        mapping.line, mapping.key_lines = line, dict.fromkeys(mapping, line)
+        return mapping
+    if isinstance(value, Iterable):
+        items = ListNode(node_of(one, line) for one in value)
+        items.line = line
+        return items
+    sentence = f"{shorten(repr(value))} is no value of a lift file"
+    raise PathError(f"{sentence}; a text such as '320 t', a number, a list or a mapping is right")
+
+
+def _flow(text: str, line: int) -> Node:
+    """A list or mapping in brackets."""
+    try:
+        tree = parse_text(f"value: {text}", "")
+    except ScenarioError as error:
+        raise PathError(f"'{shorten(text)}': {error.problems[0].sentence}") from None
+    return node_of(tree["value"], line)
+
+
 def _holder(tree: MapNode, path: str) -> tuple[MapNode | ListNode, str | int]:
     """The mapping or list that holds what a path names, and its key or index there."""
     node: Node = tree
-    rest, walked = path.split("."), ""
+    rest, walked = _PLACE.sub(r".\1", path).split("."), ""
     while True:
         if isinstance(node, TextNode):
             raise PathError(f"'{shorten(walked)}' is a single value; it has no '{shorten('.'.join(rest))}'")

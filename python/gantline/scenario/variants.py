@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 from gantline.scenario.case import ENVELOPE, TOLERANCE, Case
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path, nearest
@@ -15,7 +15,7 @@ from gantline.scenario.from_tree import from_tree
 from gantline.scenario.model import Scenario
 from gantline.scenario.rigging import resolve
 from gantline.scenario.tree import MapNode, Node, TextNode, line_of
-from gantline.scenario.tree_path import PathError, node_at, put, text_node
+from gantline.scenario.tree_path import PathError, node_at, node_of, put, text_node
 from gantline.units import UnitError, common_dimension, quantity, si_text
 
 __all__ = [
@@ -114,7 +114,7 @@ def with_values(scenario: Scenario, texts: Mapping[str, str]) -> Scenario:
     return _with_texts(scenario, _let_go(scenario), texts)
 
 
-def changed(scenario: Scenario, values: Mapping[str, str]) -> Scenario:
+def changed(scenario: Scenario, values: Mapping[str, Any]) -> Scenario:
     """The same for users, from where the lift starts; below its text stand the changes.
 
     A wrong path is a problem of the lift file.
@@ -245,10 +245,10 @@ def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPa
         raise ScenarioError(scenario.source, problems) from None
 
 
-def _with_texts(scenario: Scenario, tree: MapNode, texts: Mapping[str, str]) -> Scenario:
+def _with_texts(scenario: Scenario, tree: MapNode, texts: Mapping[str, Any]) -> Scenario:
     """The scenario of a tree with values at dotted paths, for which that of `scenario` knows the lines."""
     for path, text in texts.items():
-        tree = put(tree, path, text_node(text, _line(scenario.tree, path)))
+        tree = put(tree, path, node_of(text, _line(scenario.tree, path)))
     return from_tree(tree, scenario.source, scenario.text)
 
 

@@ -82,6 +82,10 @@ class Periods(Element):
     yaw: PositiveTime | None = Field(None, description="About z.")
 
 
+#: Motions that the water restores.
+_MOTIONS = ("heave", "roll", "pitch")
+
+
 class CriticalDamping(Element):
     """Damping by what is critical for each motion by itself."""
 
@@ -94,6 +98,15 @@ class CriticalDamping(Element):
     pitch: Ratio | None = Field(None, description="About y.")
     yaw: Ratio | None = Field(None, description="About z; needs its period.")
     periods: Periods = Field(Periods(), description="Periods on the moorings of surge, sway and yaw.")
+
+    @model_validator(mode="after")
+    def _are_shares(self) -> CriticalDamping:
+        for key in (*_MOTIONS, *Periods.model_fields):
+            share = getattr(self, key)
+            if share is not None and share > 1.0:
+                sentence = f"{100.0 * share:g} % of critical damping; up to 100 % is right"
+                raise refuse(f"{sentence}, and 2 % to 30 % usual, such as '{key}: 20 %'", key)
+        return self
 
     @model_validator(mode="after")
     def _periods_where_needed(self) -> CriticalDamping:

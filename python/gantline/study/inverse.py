@@ -113,6 +113,10 @@ def adjust_lengths(
     for name in (*chosen, *(shares or {})):
         if name not in known:
             raise ValueError(f"'{name}' is not a sling; {nearest(name, known)}")
+    for name, share in (shares or {}).items():
+        if not 0.0 <= share <= 1.0:
+            sentence = f"{name}: {100.0 * share:g} % is no share of what all slings carry"
+            raise ValueError(f"{sentence}; one is written like '30 %' or '0.3'")
     if slopes is None and heading is None and not shares:
         raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")
     limit = {name: _MOST * known[name] if most is None else most for name in chosen}

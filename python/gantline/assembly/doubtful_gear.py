@@ -1,0 +1,131 @@
+"""What can be built of ropes, shackles and ground and cannot well be meant: a unit has slipped."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from gantline.scenario import Rigging, Scenario
+
+__all__ = ["doubtful_gear"]
+
+#: By its law a rope pulls up to its damping time before it is taut [s].
+_LONGEST_DAMPING = 0.5
+_STEEL_DAMPING = "2 ms to 20 ms is usual for steel"
+#: Elastic ropes break at 1.5 % (steel) to some ten per cent (fibre) of stretch; beyond these shares force and
+#: stiffness are not of one rope [1].
+_LEAST_STRETCH, _MOST_STRETCH = 0.002, 1.0
+#: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its circle.
+_STEEL_MODULUS = 210e9
+#: Slings that stretch by this share under their part of the load are none [1]; those of nylon by a tenth.
+_MOST_OF_LENGTH = 0.2
+#: Shackles break at 4 to 6 times their limit; beyond this force and limit are not of one shackle [1].
+_MOST_STRENGTH = 15.0
+#: Shackles weigh some thousandths of their limit; more than this share is a slip [1].
+_HEAVIEST = 0.03
+#: Frames and spreaders weigh some hundredths of what they may carry; less than this share is a slip [1].
+_LIGHTEST = 0.002
+#: Radii of gyration of a frame about its middle are about 0.3 of its length [1].
+_RADII = (0.03, 1.0)
+#: Coefficients of friction of what loads stand on are 0.1 to 1; more than this is none [1].
+_ROUGHEST = 2.0
+
+
+def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[str]:
+    """A sentence for each thing that cannot well be meant of ropes, shackles, frames and friction."""
+    gear = [*_ropes(scenario), *_soft_slings(scenario), *_shackles(scenario)]
+    spreaders = (scenario.spreaders or {}).items()
+    light = [
+        said for name, one in spreaders for said in _light(f"spreader {name}", one.mass, one.rated_capacity)
+    ]
+    return [*gear, *_frames(rigging), *light, *_rough(scenario)]
+
+
+def _ropes(scenario: Scenario) -> Iterator[str]:
+    for name, rope in (scenario.ropes or {}).items():
+        if rope.damping_time > _LONGEST_DAMPING:
+            pulls = "it pulls up to that long before it is taut, and hides how the lift rings"
+            yield f"rope {name} has a damping time of {rope.damping_time:g} s: {pulls}; {_STEEL_DAMPING}"
+        stiffness, force = rope.stiffness, rope.breaking_force
+        solid = _STEEL_MODULUS * math.pi / 4 * (rope.diameter or math.inf) ** 2
+        if stiffness is not None and stiffness > solid:
+            bar = f"a bar of solid steel of {_short(1e3 * (rope.diameter or 0.0))} mm has {_force(solid)}"
+            yield f"rope {name} has an EA of {_force(stiffness)}, and {bar}; one of both has a wrong unit"
+            continue
+        if stiffness is None or force is None:
+            continue
+        stretch = force / stiffness
+        if not _LEAST_STRETCH <= stretch <= _MOST_STRETCH:
+            figures = f"breaks at {_force(force)} and has an EA of {_force(stiffness)}"
+            at = f"it would break at {_short(100.0 * stretch)} % of stretch"
+            yield f"rope {name} {figures}: {at}; about 1.5 % is usual for steel; one of both has a wrong unit"
+
+
+def _soft_slings(scenario: Scenario) -> Iterator[str]:
+    """Of slings that would stretch by much of their length under their part of the load."""
+    slings, load = scenario.slings or {}, scenario.load
+    if load is None or not slings:
+        return
+    part = load.weight.simulated * scenario.simulation.gravity / len(slings)
+    defaults = scenario.sling_defaults
+    used = {sling.rope or (None if defaults is None else defaults.rope) for sling in slings.values()}
+    for name, rope in (scenario.ropes or {}).items():
+        stretch = 0.0 if rope.stiffness is None else part / rope.stiffness
+        if name in used and stretch > _MOST_OF_LENGTH:
+            yield (
+                f"rope {name} has an EA of {_force(rope.stiffness or 0.0)}: its slings would stretch by "
+                f"{_short(100.0 * stretch)} % under their part of the load; a unit has slipped, kN for MN"
+            )
+
+
+def _shackles(scenario: Scenario) -> Iterator[str]:
+    for name, shackle in (scenario.shackles or {}).items():
+        limit, force = shackle.working_load_limit, shackle.minimum_breaking_force
+        if force is not None:
+            strength = force / (limit * scenario.simulation.gravity)
+            if strength > _MOST_STRENGTH:
+                figures = f"breaks at {_force(force)}, {_short(strength)} times its limit of {_mass(limit)}"
+                yield f"shackle {name} {figures}; 4 to 6 times is usual, and one of both has a wrong unit"
+        if shackle.mass > _HEAVIEST * limit:
+            figures = f"weighs {_mass(shackle.mass)} and may carry {_mass(limit)}"
+            yield f"shackle {name} {figures}; some thousandths are usual, and one of both has a wrong unit"
+
+
+def _frames(rigging: Rigging) -> Iterator[str]:
+    for name, equalizer in rigging.equalizers.items():
+        frame, rated = equalizer.frame, equalizer.rated_capacity
+        yield from _light(f"the frame of {name}", frame.mass, rated)
+        if frame.inertia_about_vertical is None:
+            continue
+        radius = math.sqrt(frame.inertia_about_vertical / frame.mass)
+        if not _RADII[0] < radius / frame.length < _RADII[1]:
+            figures = f"has a radius of gyration of {_short(radius)} m and a length of {frame.length:g} m"
+            yield f"the frame of {name} {figures}; a unit of its inertia or mass has slipped"
+
+
+def _light(what: str, mass: float, rated: float | None) -> Iterator[str]:
+    if rated is not None and mass < _LIGHTEST * rated:
+        yield f"{what} weighs {_mass(mass)} and may carry {_mass(rated)}; a unit has slipped, kg for t"
+
+
+def _rough(scenario: Scenario) -> Iterator[str]:
+    ground = scenario.ground
+    places = {"the ground": None if ground is None else ground.friction}
+    places |= {f"supports {name}": group.friction for name, group in (scenario.supports or {}).items()}
+    for place, friction in places.items():
+        if friction is not None and friction > _ROUGHEST:
+            usual = f"0.1 to 1 is usual; '{friction:g} %' is {friction / 100.0:g}"
+            yield f"the coefficient of friction of {place} is {friction:g}; {usual}"
+
+
+def _force(force: float) -> str:
+    return f"{_short(force / 1e6)} MN" if force >= 1e6 else f"{_short(force / 1e3)} kN"
+
+
+def _mass(mass: float) -> str:
+    return f"{_short(mass / 1e3)} t" if mass >= 1e3 else f"{_short(mass)} kg"
+
+
+def _short(number: float) -> str:
+    """A number in three digits, however large."""
+    return f"{float(f'{number:.3g}'):,.15g}"
