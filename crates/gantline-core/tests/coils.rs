@@ -90,6 +90,19 @@ fn what_went_on_last_comes_off_first() {
 }
 
 #[test]
+fn what_is_too_short_to_be_told_from_what_lies_below_is_forgotten() {
+    let mut coil = Coil::new(1e-3);
+    coil.bring_to(2.0, 2e-3);
+    for (more, strain) in [(4e-10, 3e-3), (8e-10, 4e-3)] {
+        coil.bring_to(2.0 + more, strain);
+    }
+    let before = (coil.wound, coil.let_go);
+    coil.forget_last(1e-9);
+    assert_eq!([2.1, 1.9, -0.1].map(|wound| coil.passing(wound, 9.0)), [2e-3, 2e-3, 1e-3]);
+    assert_eq!((coil.wound, coil.let_go), before);
+}
+
+#[test]
 fn a_coil_keeps_its_length_where_it_takes_pieces_together() {
     let (mut coil, mut wound, mut taken, mut gained) = (Coil::new(0.0), 0.0, 0.0, 0.0);
     coil.winds = true;

@@ -91,6 +91,13 @@ impl Coil {
         if wound > before { self.wind(before, wound, strain) } else { -self.unwind(before, wound) }
     }
 
+    /// Forgets what came on last where that is no more than `length` [m]: what lies below passes there.
+    pub fn forget_last(&mut self, length: f64) {
+        while self.pieces.last().is_some_and(|last| self.wound - last.from <= length) {
+            self.pieces.pop();
+        }
+    }
+
     fn wind(&mut self, from: f64, to: f64, strain: f64) -> f64 {
         let gained = held(to - from, strain);
         if let Some(last) = self.pieces.last_mut()

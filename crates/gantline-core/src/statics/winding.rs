@@ -28,6 +28,9 @@ const ROUNDS: usize = 30;
 const LEFT: f64 = 1e-9;
 /// Less wound rope than this is none [m].
 const LEAST: f64 = 1e-12;
+/// Rope that came on last is not told from what lies below where it is no longer than this [m]: a brake that holds lets
+/// through some rounding, and where a drum is held at the joint of two pieces its torque has no one value there.
+const THIN: f64 = 1e-9;
 
 /// Where every drive is at the time of `state`.
 pub fn asked(system: &System, state: &State) -> Vec<f64> {
@@ -124,7 +127,10 @@ impl Statics {
         let frame = &mut self.search.here.frame;
         frame.kinematics.update(&system.tree, &state.q);
         frame.rows(system, &state.q, &Remembered::of(state));
-        state.coils.iter_mut().for_each(|coil| coil.winds = false);
+        for coil in &mut state.coils {
+            coil.winds = false;
+            coil.forget_last(THIN);
+        }
         let strains = system.coils.iter().map(|place| strain(system, place, frame, state)).collect();
         Before { coils: state.coils.clone(), strains }
     }
@@ -144,6 +150,7 @@ impl Statics {
             let coil = &mut state.coils[index];
             coil.copy_from(old);
             coil.bring_to(wound, 1.0 / share - 1.0);
+            coil.forget_last(THIN);
             coil.let_go = let_go;
             if more > LEAST {
                 self.doubt = self.doubt.max(more * (strains[1].max(0.0) - strains[0].max(0.0)).abs());
