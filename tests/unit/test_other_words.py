@@ -21,8 +21,8 @@ from lift_text import spoiled
         ("shape: {box: [6 m, 4 m, 3 m]}", "size: [6 m, 4 m, 3 m]", "load.size: .* did you mean 'shape'?"),
         (
             "[-2.5 m,  1.5 m, 3 m], capacity",
-            "[-2.5 m,  1.5 m, 3 m], swl",
-            "lugs.A.swl: .* did you mean 'capacity'?",
+            "[-2.5 m,  1.5 m, 3 m], wll",
+            "lugs.A.wll: .* did you mean 'capacity'?",
         ),
         ("at: [0 m, 0 m, 11 m]", "position: [0 m, 0 m, 11 m]", "crane.position: .* did you mean 'at'?"),
         ("construction: 6x36 IWRC, grade: 1960", "EA: 90 MN", "sling.EA: .* did you mean 'axial_stiffness'?"),

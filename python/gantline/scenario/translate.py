@@ -28,14 +28,16 @@ _MEANT = {
     "location": ("position", "at"),
     "mass": ("weight",),
     "mbf": ("minimum_breaking_force",),
-    "mbl": ("minimum_breaking_force",),
     "position": ("at",),
     "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
     "size": ("shape",),
     "stiffness": ("axial_stiffness", "stops"),
-    "swl": ("working_load_limit", "rated_capacity", "capacity"),
     "weight": ("mass",),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
+    # <!-- words: off -->
+    "mbl": ("minimum_breaking_force",),
+    "swl": ("working_load_limit", "rated_capacity", "capacity"),
+    # <!-- words: on -->
 }
 #: What else is to be known of them.
 _BESIDE = {"radius": ", twice as much"}
