@@ -10,6 +10,7 @@ from gantline.checks import Check, Verdict, check_recording, values_of
 from gantline.results.recording import Recording
 from gantline.results.spreaders import thrust
 from gantline.scenario import parse_scenario
+from gantline.simulation import simulate
 from gantline.statics import Statics
 from mechanics import G
 from spreader_lifts import BAR, LOAD, one_bar, two_hooks
@@ -103,3 +104,15 @@ def test_side_load_of_a_shackle_at_a_spreader() -> None:
     assert used["up_1 top"] == pytest.approx(straight, rel=1e-6)
     assert used["up_1 bottom"] == pytest.approx(straight / 0.75, rel=1e-6)
     assert used["up_2 bottom"] == pytest.approx(straight, rel=1e-3)
+
+
+def test_a_bar_that_is_lowered_into_the_load() -> None:
+    """The bar hangs 6 m over the load's upper side and goes down by 6.5 m: as deep as it is high, 0.4 m."""
+    text = (
+        one_bar(0.0)
+        .replace("hoist: hook, by: 2 m", "lower: hook, by: 6.5 m")
+        .replace("{step: hoist,", "{step: down,")
+    )
+    recording = simulate(parse_scenario(text.replace("duration: 60 s", "duration: 140 s")))
+    found = next(one for one in check_recording(recording) if one.name == "no_overlap")
+    assert (found.verdict, found.element) == (Verdict.FAILED, "module to bar")
