@@ -7,20 +7,20 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from gantline.assembly.balance import Hung, Line, Pose, balance
+from gantline.assembly.load_body import stated_inertia
 from gantline.assembly.parts import ORIGIN, Json, Parts
 from gantline.assembly.rope_weight import mass_at_end
 from gantline.assembly.spatial import (
     Array,
     about_axis,
     inertia_list,
-    inertia_matrix,
     rotation_quaternion,
     solid_box,
 )
 from gantline.assembly.yard import lower_end, lower_lump, sling_route, upper_lump
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.errors import StartError
 from gantline.scenario.extension import SlingEnd, ends_below
-from gantline.scenario.load import LoadInertia
 from gantline.scenario.spreader import Spreader
 
 __all__ = ["add_between"]
@@ -71,13 +71,13 @@ def add_between(
     _check_sheaves(parts, scenario, rigging, lugs)
 
 
-def _no_balance(scenario: Scenario, rigging: Rigging) -> Exception:
-    what = ("extension sheaves", "extension_sheaves") if rigging.extensions else ("spreaders", "spreaders")
-    sentence = f"no place was found where the {what[0]} hang at rest: they are not held in balance"
-    right = "two on one sling have equal masses, or slings that hold them"
-    if not rigging.extensions:
-        right = "raise the hook, or make slings longer or shorter"
-    return scenario.start_error((what[1],), f"{sentence}; {right}")
+def _no_balance(scenario: Scenario, rigging: Rigging) -> StartError:
+    key, right = "spreaders", "raise the hook, or make slings longer or shorter"
+    if rigging.extensions:
+        key, right = "extension_sheaves", "two on one sling have equal masses, or slings that hold them"
+    what = key.replace("_", " ")
+    sentence = f"no place was found where the {what} hang at rest: they are not held in balance"
+    return scenario.start_error((key,), f"{sentence}; {right}")
 
 
 def _mass_of_sheave(rigging: Rigging, name: str) -> float:
@@ -94,7 +94,7 @@ def _mass_of_sheave(rigging: Rigging, name: str) -> float:
 def _add_spreader(parts: Parts, rigging: Rigging, name: str, spreader: Spreader, heading: float) -> None:
     """Its origin is the middle of its box; shackles and halves of slings are lumped on its lugs."""
     own = spreader.inertia
-    inertia = solid_box(spreader.mass, spreader.size) if own is None else _stated(own)
+    inertia = solid_box(spreader.mass, spreader.size) if own is None else stated_inertia(own)
     turned = about_axis((0.0, 0.0, 1.0), heading if spreader.heading is None else spreader.heading)
     still = {"velocity": [0.0, 0.0, 0.0], "angular_velocity": [0.0, 0.0, 0.0]}
     parts.add_body(
@@ -110,10 +110,6 @@ def _add_spreader(parts: Parts, rigging: Rigging, name: str, spreader: Spreader,
         for end in sling.ends:
             if end.spreader == name and end.lug is not None:
                 parts.lump(name, spreader.lugs[end.lug].at, lower_lump(sling))
-
-
-def _stated(given: LoadInertia) -> Array:
-    return inertia_matrix((given.xx, given.yy, given.zz, given.xy, given.xz, given.yz))
 
 
 def _lines(

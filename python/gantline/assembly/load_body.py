@@ -21,7 +21,7 @@ from gantline.scenario.check_supports import check_places
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
 
-__all__ = ["LoadBody", "load_body"]
+__all__ = ["LoadBody", "load_body", "stated_inertia"]
 
 #: Triangles that stand for the load in pictures.
 _MOST_TRIANGLES = 4000
@@ -79,7 +79,9 @@ def _of_box(load: Load) -> LoadBody:
     box = np.array([[-x / 2, -y / 2, 0.0], [x / 2, y / 2, z]])
     mass = load.weight.simulated
     inertia = (
-        _stated(load.inertia) if isinstance(load.inertia, LoadInertia) else solid_box(mass, load.shape.box)
+        stated_inertia(load.inertia)
+        if isinstance(load.inertia, LoadInertia)
+        else solid_box(mass, load.shape.box)
     )
     centre, doubts = np.array(load.centre_of_gravity.at), tuple(_doubts(load, box))
     return LoadBody(mass, centre, inertia, box, None, _corners(box), doubts)
@@ -161,7 +163,8 @@ def _corners(box: Array) -> Array:
     return np.array([(box[i, 0], box[j, 1], box[k, 2]) for k in (0, 1) for j in (0, 1) for i in (0, 1)])
 
 
-def _stated(given: LoadInertia) -> Array:
+def stated_inertia(given: LoadInertia) -> Array:
+    """The matrix (3, 3) of an inertia of the lift file [kg m^2]."""
     return inertia_matrix((given.xx, given.yy, given.zz, given.xy, given.xz, given.yz))
 
 
@@ -192,7 +195,7 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
     warnings += _doubts(load, box)
     _check(scenario, load, box)
     if isinstance(load.inertia, LoadInertia):
-        inertia = _stated(load.inertia)
+        inertia = stated_inertia(load.inertia)
     else:
         inertia = whole.scaled_to(mass).inertia
     drawn = light.moved(np.eye(3), shift)
