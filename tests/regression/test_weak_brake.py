@@ -12,33 +12,12 @@ import numpy as np
 import pytest
 
 import gantline
-
-LIFT = """\
-format: 1
-lift: {title: a brake that is too weak}
-duration: 12 s
-ropes:
-  hoist: {axial_stiffness: 36 MN, damping_time: 20 ms}
-mechanics:
-  bodies:
-    load: {at: [0 m, 0 m, 2 m], joint: {type: slider, axis: [0, 0, 1]}, mass: 10 t}
-  drums:
-    winch:
-      diameter: 0.8 m
-      rotating_mass: 2 t
-      drive: {speed: 30 m/min, acceleration: 0.2 m/s^2, capacity: 150 kN, brake: 50 kN}
-  ropes:
-    fall:
-      {rope: hoist, length: as_routed, route: [{type: end, body: load},
-       {type: end, body: world, at: [0 m, 0 m, 12 m], drum: winch}]}
-plan:
-  - {step: lower, pay_out: winch, speed: 6 m/min, emergency_stop_at: 10 s}
-"""
+from winch_lift import winch_lift
 
 
 def test_it_slips_with_the_weight_less_the_brake(tmp_path: Path) -> None:
     path = tmp_path / "lift.yaml"
-    path.write_text(LIFT, encoding="utf-8")
+    path.write_text(winch_lift("50 kN"), encoding="utf-8")
     recording = gantline.simulate(path)
     assert recording.attributes["status"] == "done"
     # (10 t + 2 t) a = 10 t x g - 50 kN; the rope's ringing, 100 rad/s, has gone by then. What comes off the

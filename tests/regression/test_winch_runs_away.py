@@ -11,32 +11,11 @@ import pytest
 import gantline
 from gantline.checks import Check, Verdict, check_recording
 from gantline.scenario import parse_scenario
-
-LIFT = """\
-format: 1
-lift: {title: a winch with one part of rope}
-duration: 12 s
-ropes:
-  hoist: {axial_stiffness: 36 MN, damping_time: 20 ms}
-mechanics:
-  bodies:
-    load: {at: [0 m, 0 m, 2 m], joint: {type: slider, axis: [0, 0, 1]}, mass: 10 t}
-  drums:
-    winch:
-      diameter: 0.8 m
-      rotating_mass: 2 t
-      drive: {speed: 30 m/min, acceleration: 0.2 m/s^2, capacity: 150 kN, brake: 110 kN}
-  ropes:
-    fall:
-      {rope: hoist, length: as_routed, route: [{type: end, body: load},
-       {type: end, body: world, at: [0 m, 0 m, 12 m], drum: winch}]}
-plan:
-  - {step: lower, pay_out: winch, speed: 6 m/min, emergency_stop_at: 10 s}
-"""
+from winch_lift import winch_lift
 
 
 def told(brake: str) -> list[Check]:
-    recording = gantline.simulate(parse_scenario(LIFT.replace("brake: 110 kN", f"brake: {brake}")))
+    recording = gantline.simulate(parse_scenario(winch_lift(brake)))
     return [check for check in check_recording(recording) if check.name == "winch_follows"]
 
 
