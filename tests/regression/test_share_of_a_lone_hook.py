@@ -43,3 +43,10 @@ def test_one_of_four_hooks_has_a_quarter() -> None:
 def test_without_it_a_lone_hook_has_the_row() -> None:
     used = values_of(at_rest(HANGS, (_SAID, "")), "hoist_load_of_rating")
     assert set(used) == {"crane fc", "crane c1", "crane c2"}
+
+
+def test_more_than_its_share_is_an_event() -> None:
+    """Events looked at the whole row alone: a hook past its share was no `overload`, but a failed check."""
+    recording = at_rest(HANGS, (_SAID, "hooks_share: 10 %, "))
+    assert [name for _, _, name in recording.events("overload")] == ["fc.H2"]
+    assert [name for _, _, name in at_rest(HANGS).events("overload")] == []

@@ -61,11 +61,12 @@ def _deviation_panel(
     """How far each sling is from the mean of its equalizer while the loads are clear."""
     deviations: dict[str, FloatArray] = {}
     for equalizer in equalizers:
-        mean = np.mean([recording.column("rope_tension", rope) for rope in equalizer.slings], axis=0)
-        for rope in equalizer.slings:
-            tension = recording.column("rope_tension", rope)
+        tensions = np.array([recording.column("rope_tension", rope) for rope in equalizer.slings])
+        whole = series.are_whole(recording, equalizer.slings)
+        mean = np.sum(tensions, axis=0, where=whole) / np.maximum(whole.sum(axis=0), 1)
+        for rope, tension, counts in zip(equalizer.slings, tensions, whole, strict=True):
             ratio = np.divide(tension, mean, out=np.ones_like(mean), where=mean > 0.0)
-            deviations[rope] = np.where(clear, 100.0 * (ratio - 1.0), np.nan)
+            deviations[rope] = np.where(clear & counts, 100.0 * (ratio - 1.0), np.nan)
     thinnest, widest = (0.5, 0.5) if len(deviations) > MOST else (1.0, 2.6)
     widths = np.linspace(widest, thinnest, len(deviations))
     for (rope, values), width in zip(deviations.items(), widths, strict=True):

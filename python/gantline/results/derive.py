@@ -15,6 +15,7 @@ from gantline.results.flows import rope_flows
 from gantline.results.gear import Hook
 from gantline.results.moorings import mooring_state
 from gantline.results.nodes import joined
+from gantline.results.rating import rated_groups
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import tilt
@@ -344,18 +345,20 @@ def _overloads(
     found: Mapping[str, Variable],
     labels: Mapping[str, Sequence[str]],
 ) -> list[tuple[float, str, str]]:
-    """Moments at which more hangs from a crane than its rating chart allows where it is."""
+    """Moments at which more hangs from a crane, or one of its hooks, than its chart allows where it is."""
     events = []
     for chart in rig.rating_charts:
         of = loads["hoist_load" if chart.includes_hook_block else "hook_load"]
         borne = np.sum([loads["hook_load"][hook] for hook in chart.hooks], axis=0)
-        load = np.where(borne > 0, np.sum([of[hook] for hook in chart.hooks], axis=0), 0.0)
-        if chart.over == "angle":
-            places = found["boom_angle"].values[:, [labels["boom"].index(chart.crane)]]
-        else:
-            at = [labels["boom_hook"].index(hook) for hook in chart.hooks]
-            places = found["crane_radius"].values[:, at]
-        events += [(at, "overload", chart.crane) for at in chart.overloads(time, load, places)]
+        for group in rated_groups(chart):
+            load = np.where(borne > 0, np.sum([of[hook] for hook in group.hooks], axis=0), 0.0)
+            if chart.over == "angle":
+                places = found["boom_angle"].values[:, [labels["boom"].index(chart.crane)]]
+            else:
+                columns = [labels["boom_hook"].index(hook) for hook in group.hooks]
+                places = found["crane_radius"].values[:, columns]
+            name = group.element if group.element in group.hooks else chart.crane
+            events += [(at, "overload", name) for at in chart.overloads(time, load, places, group.share)]
     return events
 
 

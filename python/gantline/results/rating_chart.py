@@ -63,15 +63,18 @@ class RatingChart(FromJson):
         rated: FloatArray = np.where(self.holds(place), np.interp(place, self.at, self.rated), 0.0)
         return rated
 
-    def overloads(self, time: FloatArray, load: FloatArray, places: FloatArray) -> list[float]:
-        """Moments at which more hangs from the crane than its chart allows there [s].
+    def overloads(
+        self, time: FloatArray, load: FloatArray, places: FloatArray, share: float = 1.0
+    ) -> list[float]:
+        """Moments at which more hangs from hooks of the crane than its chart allows there [s].
 
         Args:
             time: Shape (time,) [s].
-            load: What hangs from it, shape (time,) [N].
-            places: Of its hooks, shape (time, hooks) [m], or of its boom, shape (time, 1) [rad].
+            load: What hangs from them, shape (time,) [N].
+            places: Of the hooks, shape (time, hooks) [m], or of the boom, shape (time, 1) [rad].
+            share: What they may carry of a row of the chart [1].
         """
-        rated = self.rated_at(places).min(axis=1)
+        rated = share * self.rated_at(places).min(axis=1)
         return passed(time, np.where(load > 0, load - rated, -1.0))
 
     def share_of(self, hook: str) -> float:

@@ -15,6 +15,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -293,15 +294,21 @@ def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
     What has parted is not counted from then on.
     """
     tensions = np.array([recording.column("rope_tension", rope) for rope in equalizer.slings])
-    counts = np.ones(tensions.shape, dtype=np.bool_)
-    for parting in partings(recording):
-        if parting.rope in equalizer.slings:
-            counts[equalizer.slings.index(parting.rope), recording.time > parting.time] = False
+    counts = are_whole(recording, equalizer.slings)
     mean = np.divide(np.sum(tensions, axis=0, where=counts), np.maximum(counts.sum(axis=0), 1))
     highest = np.max(tensions, axis=0, where=counts, initial=0.0)
     spread = highest - np.minimum(np.min(tensions, axis=0, where=counts, initial=np.inf), highest)
     ratio: FloatArray = np.divide(spread, mean, out=np.zeros_like(mean), where=mean > 0.0)
     return ratio
+
+
+def are_whole(recording: Recording, ropes: Sequence[str]) -> BoolArray:
+    """Where ropes have not parted, shape (ropes, time); at the moment of its parting a rope is whole."""
+    whole = np.ones((len(ropes), len(recording.time)), dtype=np.bool_)
+    for parting in partings(recording):
+        if parting.rope in ropes:
+            whole[ropes.index(parting.rope), recording.time > parting.time] = False
+    return whole
 
 
 def frame_tilt(recording: Recording, equalizer: Equalizer) -> FloatArray:
