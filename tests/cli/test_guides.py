@@ -189,3 +189,11 @@ def test_old_numbers_are_written_anew_and_what_is_left_out_stays_out() -> None:
     old = excerpt("Title", "...", "  S2   11.00 kN  20.52 s", "  ...", "Residual 1.0e-12, 99 steps")
     fresh = ["Title", "...", "  S2   12.00 kN  20.52 s", "  ...", "Residual 3.1e-12, 120 steps"]
     assert renewed(old, SAID) == fresh
+
+
+def test_numbers_in_quoted_names_are_names() -> None:
+    """Hold point 2 was taken for hold point 1 where more numbers of that had stayed."""
+    first = "At the end of 'hold point 1', 10.00 s\n  trim 0.14 deg\n"
+    said = first + "At the end of 'hold point 2', 21.00 s\n  trim 0.15 deg\n"
+    old = excerpt("...", "At the end of 'hold point 2', 20.00 s", "  trim 0.14 deg", "...")
+    assert renewed(old, said)[1:3] == ["At the end of 'hold point 2', 21.00 s", "  trim 0.15 deg"]

@@ -211,8 +211,10 @@ def _same_lines(some: list[str], others: list[str]) -> int:
 
 
 def _texts(lines: list[str]) -> list[str]:
-    """Lines without their numbers, and without the widths that columns have from these."""
-    return [" ".join(NUMBER.sub("#", line).split()) for line in lines]
+    """Lines without their numbers but those in quoted names, and without the widths that columns have."""
+    pattern = re.compile(rf"(?<!\w)'[^']*'(?!\w)|{NUMBER.pattern}")
+    kept = (pattern.sub(lambda found: found[0] if found[0][0] == "'" else "#", line) for line in lines)
+    return [" ".join(line.split()) for line in kept]
 
 
 def _alike(shown: str, said: str) -> bool:
