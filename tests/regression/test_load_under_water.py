@@ -46,7 +46,7 @@ def test_it_is_told_once_it_goes_under(around: str, density: float, lowered: flo
         assert deep == pytest.approx(depth + stretched, abs=6e-3)  # as printed
         # A box of 4 x 4 m, 3 m high.
         carried = density * 16.0 * min(depth + stretched, 3.0) / 1e3
-        assert heavy == pytest.approx(carried, abs=0.06)  # as printed
+        assert heavy == pytest.approx(carried, abs=0.05)  # as printed
 
 
 def test_on_dry_land_there_is_nothing_to_go_into() -> None:

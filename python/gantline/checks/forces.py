@@ -341,6 +341,16 @@ def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during
     return replace(force, peak=highest[0], time=highest[1], counts_static=counts)
 
 
+def as_it_is(force: Force, element: str) -> Iterator[Finding]:
+    """A dynamic force that limits hold as a force, over no strength."""
+    if force.dynamic is None:
+        yield Missing(element, NO_DYNAMIC)
+        return
+    yield Found(force.dynamic, element, force.moment, force.text, force.factors)
+    if force.lacks_static:
+        yield Caution(UNRAISED)
+
+
 @dataclass(frozen=True)
 class Raised:
     """Factors of the rule on a force.

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from gantline.checks.forces import NO_DYNAMIC, NO_STATIC, UNRAISED, Raised, hook_force, kilonewton, over
-from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
+from gantline.checks.forces import NO_STATIC, Raised, as_it_is, hook_force, kilonewton, over
+from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, kept_back
 from gantline.results import series
 from gantline.results.recording import Recording
@@ -34,13 +34,7 @@ def static_hook_load(recording: Recording, during: BoolArray) -> Iterator[Findin
 def dynamic_hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Dynamic hook load: static by the rule's factor, or the simulated peak."""
     for hook in recording.rig.hooks:
-        force = hook_force(recording, [hook.name], "hook_load", during)
-        if force.dynamic is None:
-            yield Missing(hook.name, NO_DYNAMIC)
-        else:
-            yield Found(force.dynamic, hook.name, force.moment, force.text, force.factors)
-            if force.lacks_static:
-                yield Caution(UNRAISED)
+        yield from as_it_is(hook_force(recording, [hook.name], "hook_load", during), hook.name)
 
 
 def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:

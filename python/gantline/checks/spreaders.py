@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gantline.checks.equalizers import hanging_of_capacity
-from gantline.checks.forces import NO_DYNAMIC, UNRAISED, sum_force
-from gantline.checks.measure import Caution, Finding, Found, Missing
+from gantline.checks.forces import as_it_is, sum_force
+from gantline.checks.measure import Finding
 from gantline.results.recording import Recording
 from gantline.results.spreaders import thrust
 from gantline.results.variable import BoolArray
@@ -23,9 +23,4 @@ def largest_thrust(recording: Recording, during: BoolArray) -> Iterator[Finding]
     """Dynamic thrust along a spreader: static by the rule's factor, or the simulated peak."""
     for spreader in recording.rig.spreaders:
         force = sum_force(recording, thrust(recording, spreader), None, during)
-        if force.dynamic is None:
-            yield Missing(spreader.name, NO_DYNAMIC)
-        else:
-            yield Found(force.dynamic, spreader.name, force.moment, force.text, force.factors)
-            if force.lacks_static:
-                yield Caution(UNRAISED)
+        yield from as_it_is(force, spreader.name)

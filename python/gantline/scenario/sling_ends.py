@@ -38,9 +38,9 @@ def upper_end(findings: Findings, text: str, path: Path) -> Upper | None:
     hooks, equalizers = findings.scenario.hooks, findings.scenario.equalizers or {}
     if text in hooks:
         return Upper(text)
-    spreader, lug = _lug_of_spreader(findings.scenario, text)
-    if lug is not None:
-        return Upper(spreader=spreader, upper_lug=lug)
+    of_spreader = _lug_of_spreader(findings.scenario, text)
+    if of_spreader is not None:
+        return Upper(spreader=of_spreader[0], upper_lug=of_spreader[1])
     split = split_reference(text, equalizers)
     if split is None:
         lugs = spreader_lugs(findings.scenario)
@@ -79,9 +79,9 @@ def lower_end(findings: Findings, text: str, path: Path) -> SlingEnd | None:
     """To what the lower end of a sling leads; None, and a note, if that is not there."""
     if text in (findings.scenario.extension_sheaves or {}):
         return SlingEnd(None, text)
-    spreader, lug = _lug_of_spreader(findings.scenario, text)
-    if lug is not None:
-        return SlingEnd(lug, None, spreader)
+    of_spreader = _lug_of_spreader(findings.scenario, text)
+    if of_spreader is not None:
+        return SlingEnd(of_spreader[1], None, of_spreader[0])
     lug = _lug(findings, text, path)
     return None if lug is None else SlingEnd(lug, None)
 
@@ -100,9 +100,8 @@ def _lug(findings: Findings, text: str, path: Path) -> str | None:
     return None
 
 
-def _lug_of_spreader(scenario: Scenario, text: str) -> tuple[str | None, str | None]:
-    """Spreader and lug of a dotted name; both None if it is no lug of a spreader."""
-    split = split_reference(text, scenario.spreaders or {})
-    if split is None or split[1] not in (scenario.spreaders or {})[split[0]].lugs:
-        return None, None
-    return split
+def _lug_of_spreader(scenario: Scenario, text: str) -> tuple[str, str] | None:
+    """Spreader and lug of a dotted name; None if it is no lug of a spreader."""
+    spreaders = scenario.spreaders or {}
+    split = split_reference(text, spreaders)
+    return split if split is not None and split[1] in spreaders[split[0]].lugs else None
