@@ -74,6 +74,10 @@ class SimulationError(RuntimeError):
         self.cause = cause
         self.state = state
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: an error of a process that works for another one arrives there whole."""
+        return type(self), (self.recording, self.time, self.element, self.cause, self.state)
+
 
 def simulate(
     lift: str | Path | Scenario, *, on_progress: Progress | None = None, **overrides: Any
@@ -135,6 +139,10 @@ class Simulation:
         except ValueError as problem:
             raise refused(self.scenario, str(problem)) from problem
 
+    def __repr__(self) -> str:
+        title = self.assembly.rig.get("title", "")
+        return f"<Simulation {title!r}: at {self._core.time():g} s of {self.duration:g} s, {self.status}>"
+
     @property
     def duration(self) -> float:
         """Simulated time at which the run ends [s]."""
@@ -169,8 +177,11 @@ class Simulation:
             Everything recorded so far.
 
         Raises:
+            ValueError: If `until` is no time.
             SimulationError: If the simulation could not go on.
         """
+        if until is not None and not (_is_number(until) and until >= 0.0):
+            raise ValueError(f"until: {until!r} is no time in seconds from 0 on; None goes on to the end")
         started = time.perf_counter()
         with noted_interrupt() as is_interrupted:
 

@@ -82,8 +82,7 @@ impl Hull {
         out.set_item("depth_moment", below.depth_moment)?;
         out.set_item("area", below.area)?;
         out.set_item("area_moment", vector(py, below.area_moment)?)?;
-        let second = below.area_second.to_cols_array().to_vec();
-        out.set_item("area_second", array(py, second, &[3, 3])?)?;
+        out.set_item("area_second", array(py, below.area_second.to_cols_array().to_vec(), &[3, 3])?)?;
         Ok(out)
     }
 

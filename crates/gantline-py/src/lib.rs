@@ -3,18 +3,18 @@
 mod hull;
 mod statics;
 
+use std::sync::{Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
-use gantline_core::record::Samples;
-use gantline_core::record::columns::Columns;
-use gantline_core::record::names::Names;
+use gantline_core::record::{Samples, columns::Columns, names::Names};
 use gantline_core::simulation::SetupError;
 use gantline_core::stepper::StepError;
 use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::sync::MutexExt;
+use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 
 /// How often a caller hears of the progress.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
@@ -25,11 +25,10 @@ fn value_error(error: SetupError) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
-/// A run of one system.
-#[pyclass(module = "gantline._core")]
-struct Simulation {
-    inner: gantline_core::Simulation,
-}
+/// A run of one system, behind a lock: while one thread runs it, others may ask how far it has got. They wait for
+/// the end of a stretch of stepping, a tenth of a second, without holding the interpreter.
+#[pyclass(module = "gantline._core", frozen)]
+struct Simulation(Mutex<gantline_core::Simulation>);
 
 /// How a stretch of stepping ended.
 enum Pause {
@@ -44,26 +43,25 @@ impl Simulation {
     #[new]
     fn new(py: Python<'_>, document: &str, settings: &str) -> PyResult<Self> {
         let inner = py.detach(|| gantline_core::Simulation::new(document, settings)).map_err(value_error)?;
-        Ok(Self { inner })
+        Ok(Self(Mutex::new(inner)))
     }
 
     /// Runs until `until` [s], or to the end; tells `on_progress` the time, which stops the run by False.
     #[pyo3(signature = (on_progress=None, until=None))]
     fn run<'py>(
-        slf: &Bound<'py, Self>,
+        &self,
+        py: Python<'py>,
         on_progress: Option<Bound<'py, PyAny>>,
         until: Option<f64>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let py = slf.py();
         let until = until.unwrap_or(f64::INFINITY);
         let status = PyDict::new(py);
         loop {
             let (pause, time) = {
-                let mut borrowed = slf.borrow_mut();
-                let inner = &mut borrowed.inner;
+                let inner = &mut *self.inner(py)?;
                 (py.detach(|| run_for_a_while(inner, until)), inner.time())
             };
-            // Not borrowed here: the callback may ask for the step under way, or for the columns so far.
+            // Not locked here: the callback may ask for the step under way, or for the columns so far.
             let goes_on = match &on_progress {
                 Some(callback) => {
                     let answer = callback.call1((time,))?;
@@ -94,22 +92,25 @@ impl Simulation {
 
     /// Columns of the recording so far, by name.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let columns = py.detach(|| self.inner.columns());
-        let events: Vec<f64> = self.inner.events().iter().map(|event| event.0).collect();
-        column_arrays(py, self.inner.samples(), columns, &self.inner.names(), events)
+        let inner = self.inner(py)?;
+        let columns = py.detach(|| inner.columns());
+        let events: Vec<f64> = inner.events().iter().map(|event| event.0).collect();
+        column_arrays(py, inner.samples(), columns, &inner.names(), events)
     }
 
     /// Tensions of all ropes (samples, ropes) [N], without working out the other columns.
     fn rope_tension<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let (samples, system) = (self.inner.samples(), self.inner.system());
+        let inner = self.inner(py)?;
+        let (samples, system) = (inner.samples(), inner.system());
         let tensions = gantline_core::record::columns::rope_tensions(system, samples);
         array(py, tensions, &[samples.time.len(), system.rope_count])
     }
 
     /// Names that go with the columns.
     fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let out = name_lists(py, self.inner.names())?;
-        let events = self.inner.events();
+        let inner = self.inner(py)?;
+        let out = name_lists(py, inner.names())?;
+        let events = inner.events();
         out.set_item("event_kind", events.iter().map(|event| event.1).collect::<Vec<_>>())?;
         out.set_item("event_name", events.iter().map(|event| event.2.as_str()).collect::<Vec<_>>())?;
         Ok(out)
@@ -117,60 +118,70 @@ impl Simulation {
 
     /// What the run counted.
     fn counters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let counters = self.inner.counters();
-        let out = PyDict::new(py);
-        out.set_item("steps", counters.steps)?;
-        out.set_item("factorisations", counters.factorisations)?;
-        out.set_item("unconverged", counters.unconverged)?;
-        out.set_item("rejected", counters.rejected)?;
-        out.set_item("cut", counters.cut)?;
-        out.set_item("fill", self.inner.fill())?;
-        Ok(out)
+        let inner = self.inner(py)?;
+        let counters = inner.counters();
+        let counted = [
+            ("steps", counters.steps),
+            ("factorisations", counters.factorisations),
+            ("unconverged", counters.unconverged),
+            ("rejected", counters.rejected),
+            ("cut", counters.cut),
+            ("fill", inner.fill() as u64),
+        ];
+        counted.into_py_dict(py)
     }
 
     /// Measures from now on where the time goes.
-    fn measure(&mut self) {
-        self.inner.measure();
+    fn measure(&self, py: Python<'_>) -> PyResult<()> {
+        self.inner(py)?.measure();
+        Ok(())
     }
 
     /// Time [s] of every stage of what has been measured, by name.
     fn stages<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let out = PyDict::new(py);
-        for (name, seconds) in self.inner.stages() {
-            out.set_item(name, seconds)?;
-        }
-        Ok(out)
+        self.inner(py)?.stages().into_py_dict(py)
     }
 
     /// Simulated time [s].
-    fn time(&self) -> f64 {
-        self.inner.time()
+    fn time(&self, py: Python<'_>) -> PyResult<f64> {
+        Ok(self.inner(py)?.time())
     }
 
     /// Name of the step of the plan that is under way.
-    fn current_step(&self) -> Option<&str> {
-        self.inner.current_step()
+    fn current_step(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        Ok(self.inner(py)?.current_step().map(str::to_owned))
     }
 
     /// Tensions of all ropes now [N].
-    fn current_tension(&self) -> Vec<f64> {
-        self.inner.rope_tension()
+    fn current_tension(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
+        Ok(self.inner(py)?.rope_tension())
     }
 
     /// Largest energy remainder so far, relative to the largest of kinetic + elastic + |drive work|.
-    fn energy_remainder(&self) -> f64 {
-        self.inner.state().ledger.relative_remainder()
+    fn energy_remainder(&self, py: Python<'_>) -> PyResult<f64> {
+        Ok(self.inner(py)?.state().ledger.relative_remainder())
     }
 
     /// All that is needed to go on with the same bytes.
     fn save<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let bytes = py.detach(|| self.inner.save()).map_err(value_error)?;
+        let inner = self.inner(py)?;
+        let bytes = py.detach(|| inner.save()).map_err(value_error)?;
         Ok(PyBytes::new(py, &bytes))
     }
 
     /// Takes up a saved run of the same document and settings.
-    fn restore(&mut self, py: Python<'_>, state: &[u8]) -> PyResult<()> {
-        py.detach(|| self.inner.restore(state)).map_err(value_error)
+    fn restore(&self, py: Python<'_>, state: &[u8]) -> PyResult<()> {
+        let inner = &mut *self.inner(py)?;
+        py.detach(|| inner.restore(state)).map_err(value_error)
+    }
+}
+
+impl Simulation {
+    /// The run, as soon as no other thread is stepping it.
+    fn inner(&self, py: Python<'_>) -> PyResult<MutexGuard<'_, gantline_core::Simulation>> {
+        let broken =
+            |_| PyRuntimeError::new_err("this simulation broke off in a step and cannot be used again");
+        self.0.lock_py_attached(py).map_err(broken)
     }
 }
 
@@ -240,19 +251,20 @@ fn column_arrays<'py>(
 
 /// Names along the dimensions of the columns, but for events.
 fn name_lists(py: Python<'_>, names: Names) -> PyResult<Bound<'_, PyDict>> {
-    let out = PyDict::new(py);
-    out.set_item("rope", names.rope)?;
-    out.set_item("segment", names.segment)?;
-    out.set_item("rope_point", names.rope_point)?;
-    out.set_item("wrapped_sheave", names.wrapped_sheave)?;
-    out.set_item("body", names.body)?;
-    out.set_item("joint", names.joint)?;
-    out.set_item("contact", names.contact)?;
-    out.set_item("pin", names.pin)?;
-    out.set_item("pair", names.pair)?;
-    out.set_item("hull", names.hull)?;
-    out.set_item("energy_kind", names.energy_kind)?;
-    Ok(out)
+    let lists = [
+        ("rope", names.rope),
+        ("segment", names.segment),
+        ("rope_point", names.rope_point),
+        ("wrapped_sheave", names.wrapped_sheave),
+        ("body", names.body),
+        ("joint", names.joint),
+        ("contact", names.contact),
+        ("pin", names.pin),
+        ("pair", names.pair),
+        ("hull", names.hull),
+        ("energy_kind", names.energy_kind.into_iter().map(str::to_owned).collect()),
+    ];
+    lists.into_py_dict(py)
 }
 
 fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
@@ -264,9 +276,5 @@ fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bo
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::Simulation;
-    #[pymodule_export]
-    use super::hull::Hull;
-    #[pymodule_export]
-    use super::statics::Statics;
+    use super::{Simulation, hull::Hull, statics::Statics};
 }

@@ -69,10 +69,8 @@ impl Statics {
     ) -> PyResult<Bound<'py, PyDict>> {
         let size = self.degrees_of_freedom();
         if let Some(given) = increment.as_ref().filter(|given| given.len() != size) {
-            return Err(PyValueError::new_err(format!(
-                "{} increments for {size} degrees of freedom",
-                given.len()
-            )));
+            let sentence = format!("{} increments for {size} degrees of freedom", given.len());
+            return Err(PyValueError::new_err(sentence));
         }
         if !(time >= 0.0 && time.is_finite()) {
             return Err(PyValueError::new_err(format!("the time is {time} s; it must be zero or more")));
@@ -124,17 +122,15 @@ impl Statics {
     #[pyo3(signature = (count=None))]
     fn modes<'py>(&mut self, py: Python<'py>, count: Option<usize>) -> PyResult<Bound<'py, PyDict>> {
         self.modes = py.detach(|| self.inner.modes(count));
-        let (modes, ropes) = (&self.modes, self.inner.system().rope_rows());
+        let modes = &self.modes;
         let (count, bodies) = (modes.len(), self.inner.names().body.len());
         let motion = modes.iter().flat_map(|mode| self.inner.body_motion(&mode.shape)).collect();
         let shapes = modes.iter().flat_map(|mode| mode.shape.iter().copied()).collect();
-        let tensions = modes.iter().flat_map(|mode| mode.tension[..ropes].iter().copied()).collect();
         let ratio = |mode: &Mode| mode.damping_ratio.unwrap_or(f64::NAN);
         let out = PyDict::new(py);
         out.set_item("square", array(py, modes.iter().map(|mode| mode.square).collect(), &[count])?)?;
         out.set_item("damping_ratio", array(py, modes.iter().map(ratio).collect(), &[count])?)?;
         out.set_item("shape", array(py, shapes, &[count, self.degrees_of_freedom()])?)?;
-        out.set_item("rope_row_force", array(py, tensions, &[count, ropes])?)?;
         out.set_item("body_motion", array(py, motion, &[count, bodies, 6])?)?;
         Ok(out)
     }
@@ -162,10 +158,9 @@ impl Statics {
         let bodies = self.inner.names().body.len();
         let motion = found.iter().zip(&wanted);
         let motion = motion.flat_map(|(one, parameter)| self.inner.body_change(*parameter, &one.motion));
-        let motion = motion.collect();
         let out = PyDict::new(py);
         out.set_item("rope_tension", array(py, values, &[wanted.len(), ropes.len()])?)?;
-        out.set_item("body_motion", array(py, motion, &[wanted.len(), bodies, 6])?)?;
+        out.set_item("body_motion", array(py, motion.collect(), &[wanted.len(), bodies, 6])?)?;
         Ok(out)
     }
 
@@ -197,7 +192,6 @@ impl Statics {
         out.set_item("neutral", rest.neutral)?;
         out.set_item("unstable", rest.unstable)?;
         out.set_item("steps", rest.effort.steps)?;
-        out.set_item("rejected", rest.effort.rejected)?;
         out.set_item("factorisations", rest.factorisations)?;
         out.set_item("lossy", self.inner.lossy_sheaves())?;
         out.set_item("contacts", self.inner.contact_forces())?;

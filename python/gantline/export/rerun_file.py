@@ -33,7 +33,7 @@ class RerunMissing(ValueError):
     """The package is not installed; the message is a plain sentence."""
 
 
-def write_rerun(recording: Recording, path: Path) -> None:
+def write_rerun(recording: Recording, path: str | Path) -> None:
     """Write a recording for the Rerun viewer.
 
     Args:
@@ -54,6 +54,7 @@ def write_rerun(recording: Recording, path: Path) -> None:
         ) from None
     if not len(recording.time):
         raise ValueError("this recording has nothing to show")
+    path = Path(path)
     path.touch()  # the package only warns where a file cannot be written
     stream = rerun.RecordingStream(
         "gantline", recording_id=recording.rig.title or "lift", send_properties=False

@@ -43,24 +43,29 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
             yield f"{'.'.join([name, *map(str, label)])}{unit}", flat[:, place]
 
 
-def write_csv(recording: Recording, path: Path, variables: Sequence[str] = ()) -> None:
+def write_csv(recording: Recording, path: str | Path, variables: Sequence[str] = ()) -> None:
     """Write a table as CSV; numbers read back to the last digit.
 
     Names that a spreadsheet could take for a formula get an apostrophe before them.
+
+    Args:
+        recording: Any recording.
+        path: File to write.
+        variables: Which, such as `["hook_load"]`; all over time, but for `rope_point`, where none is named.
 
     Raises:
         TableError: If a variable is not there, or not over time.
         OSError: If it cannot be written there.
     """
     found = list(columns(recording, variables))
-    with path.open("w", encoding="utf-8", newline="") as file:
+    with Path(path).open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([f"'{name}" if name.startswith(("=", "+", "-", "@")) else name for name, _ in found])
         writer.writerows(zip(*(map(repr, map(float, values)) for _, values in found), strict=True))
 
 
-def write_parquet(recording: Recording, path: Path, variables: Sequence[str] = ()) -> None:
-    """Write a table as Parquet, by pyarrow.
+def write_parquet(recording: Recording, path: str | Path, variables: Sequence[str] = ()) -> None:
+    """Write a table as Parquet, by pyarrow; for its arguments see `write_csv`.
 
     Raises:
         TableError: If a variable is not there, or pyarrow is not installed.

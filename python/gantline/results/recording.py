@@ -82,6 +82,10 @@ class Recording:
         """What was lifted with what: loads, hooks, equalizers, slings, limits."""
         return Rig.from_json(self._attributes.get("rig", {}))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle and copy: a mapping that cannot be changed cannot be pickled as it is."""
+        return Recording, (dict(self._variables), dict(self._coordinates), dict(self._attributes))
+
     def __getitem__(self, name: str) -> Variable:
         try:
             return self._variables[name]
@@ -142,6 +146,10 @@ class Recording:
                 return values
         dims = [dim for dim in variable.dims if dim not in ("time", "xyz", "wxyz")]
         known = [str(one) for dim in dims for one in self._coordinates.get(dim, ())]
+        if not known:
+            raise KeyError(
+                f"{name} has no names along it, so no {label!r}; recording[{name!r}].values has all"
+            )
         likely = [one for one in known if one.endswith(f".{label}")] or known
         raise KeyError(f"{name} has no {label!r}; it has {', '.join(likely[:_MOST_NAMED])}")
 

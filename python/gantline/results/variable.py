@@ -40,6 +40,15 @@ class Variable:
         object.__setattr__(self, "values", values)
         object.__setattr__(self, "dims", tuple(self.dims))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle and copy, which would lose that the values are read-only."""
+        return Variable, (self.dims, self.values, self.unit, self.description)
+
+    def __repr__(self) -> str:
+        sizes = ", ".join(f"{dim}: {size}" for dim, size in zip(self.dims, self.values.shape, strict=True))
+        unit = "" if self.unit == "1" else f" [{self.unit}]"
+        return f"<Variable{unit} ({sizes}): {self.description}>"
+
     @property
     def is_text(self) -> bool:
         """Whether the values are text and not numbers."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 __all__ = [
     "MOST_SHOWN",
@@ -50,6 +50,10 @@ class ScenarioError(ValueError):
         self.source = source
         self.problems = tuple(sorted(unique, key=lambda problem: problem.line or 0))
         super().__init__(self._message())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: an error of a process that works for another one arrives there whole."""
+        return type(self), (self.source, self.problems)
 
     def _message(self) -> str:
         lines = []

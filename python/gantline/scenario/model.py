@@ -148,6 +148,7 @@ class Scenario(Element):
             values: Each at its dotted path, written as in a lift file: `{"load.weight.calculated": "320 t"}`.
                 A number stands where a lift file has one without a unit; lists and mappings are of such.
                 Places in lists count from 1, as in messages: `plan[2].speed`, or `load.lugs.L1.at.z`.
+                What holds a value and is not in the file is given whole: `{"wind": {"speed": "8 m/s", ...}}`.
 
         Raises:
             ScenarioError: If a path leads nowhere, or a value cannot be there.

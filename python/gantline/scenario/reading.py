@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Mapping
+from os import PathLike
 from pathlib import Path
+from typing import Any
 
 from gantline.scenario.errors import Problem, ScenarioError, closest
 from gantline.scenario.from_tree import from_tree
 from gantline.scenario.model import Scenario
 from gantline.scenario.shipped import shipped
 from gantline.scenario.tree import parse_text, read_text
+from gantline.scenario.tree_path import PathError, node_of
 from gantline.scenario.variants import check_cases
 
 __all__ = ["FILE_NAME", "load_scenario", "parse_scenario"]
@@ -28,7 +33,11 @@ def load_scenario(path: str | Path) -> Scenario:
 
     Raises:
         ScenarioError: with every problem that was found, each with line, path and what would be right.
+        TypeError: if it is no path.
     """
+    if not isinstance(path, (str, PathLike)):
+        right = "gantline.parse_scenario takes the text of a lift file, or a mapping"
+        raise TypeError(f"a lift file or its folder is needed, not {type(path).__name__}; {right}")
     if isinstance(path, str) and "\n" in path:
         sentence = "this is the text of a lift file and not its name; gantline.parse_scenario(text) reads it"
         raise ScenarioError("load_scenario", [Problem(None, "", sentence)])
@@ -49,15 +58,33 @@ def load_scenario(path: str | Path) -> Scenario:
     return parse_scenario(read_text(file, source), source)
 
 
-def parse_scenario(text: str, source: str = "scenario.yaml") -> Scenario:
-    """Scenario of a lift file's text; `source` is the file that messages name.
+def parse_scenario(text: str | Mapping[str, Any], source: str = "scenario.yaml") -> Scenario:
+    """Scenario of a lift file's text, or of the same as dictionaries and lists, as Python builds it.
+
+    Args:
+        text: the text; or a mapping whose values are written as in a lift file: `{"mass": "300 t"}`. A number
+            stands where a lift file has one without a unit.
+        source: the file that messages name. Paths of files in the lift begin in its folder.
 
     Raises:
-        ScenarioError: as `load_scenario`.
+        ScenarioError: as `load_scenario`; lines are those of the text, which `Scenario.text` has.
+        TypeError: if it is neither.
     """
+    if isinstance(text, Mapping):
+        text = _written(text, source)
+    elif not isinstance(text, str):
+        raise TypeError(f"a lift file's text or a mapping is needed, not {type(text).__name__}")
     scenario = from_tree(parse_text(text, source), source, text)
     check_cases(scenario)
     return scenario
+
+
+def _written(values: Mapping[str, Any], source: str) -> str:
+    """A mapping as the text of a lift file: JSON, which is YAML, a line for each value."""
+    try:
+        return f"{json.dumps(node_of(values, 1), ensure_ascii=False, indent=1)}\n"
+    except PathError as error:
+        raise ScenarioError(source, [Problem(None, "", str(error))]) from None
 
 
 def _is_name(path: Path) -> bool:

@@ -17,6 +17,10 @@ Losses = Literal["none", "forward", "backward", "held"]
 
 #: ω² within this of zero is no stiffness at all [1/s²], as in the core.
 _NEUTRAL = 1e-6
+#: Kinds of a `Sensitivity`: of a rope the first two, of a body the others.
+KINDS = ("length", "stiffness", "mass", "centre_x", "centre_y", "centre_z", "place_x", "place_y", "place_z")
+#: Most names that a message lists.
+_MOST_NAMED = 12
 
 
 class NoEquilibriumError(RuntimeError):
@@ -34,8 +38,12 @@ class NoEquilibriumError(RuntimeError):
         self.element = element
         self.cause = cause
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: an error of a process that works for another one arrives there whole."""
+        return type(self), (self.time, self.element, self.cause)
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class ContactForce:
     """What a contact carries at rest.
 
@@ -57,7 +65,7 @@ class ContactForce:
         return float(np.linalg.norm(self.friction)) / self.bound if self.bound > 0.0 else None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Equilibrium:
     """A lift at rest.
 
@@ -118,7 +126,7 @@ class Equilibrium:
         return float(self.recording.column("rope_tension", rope)[-1])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mode:
     """A natural motion about an equilibrium.
 
@@ -136,6 +144,13 @@ class Mode:
     damping_ratio: float | None
     body_motion: Floats
     motion: str
+
+    def __repr__(self) -> str:
+        if self.period is not None:
+            swings = f"period {self.period:.4g} s"
+        else:
+            swings = "neutral" if self.growth_time is None else f"grows e-fold in {self.growth_time:.3g} s"
+        return f"<Mode {self.number + 1}: {self.motion}; {swings}>"
 
     @property
     def period(self) -> float | None:
@@ -158,7 +173,7 @@ class Mode:
         return 1 / math.sqrt(-self.square) if self.square < -_NEUTRAL else None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sensitivity:
     """How the tensions of all ropes and the motion of all bodies answer to one quantity of the plan.
 
@@ -181,11 +196,31 @@ class Sensitivity:
     motion: Floats
     bodies: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        most = int(np.argmax(np.abs(self.tension))) if self.ropes else None
+        answer = "" if most is None else f"; most in {self.ropes[most]}: {self.tension[most]:.4g}"
+        return f"<Sensitivity to {self.kind} of {self.name}: {len(self.ropes)} ropes{answer}>"
+
     def of(self, rope: str) -> float:
-        """Derivative of the tension of one rope."""
-        return float(self.tension[self.ropes.index(rope)])
+        """Derivative of the tension of one rope.
+
+        Raises:
+            KeyError: If there is no such rope.
+        """
+        return float(self.tension[_place(rope, self.ropes)])
 
     def of_body(self, body: str) -> Floats:
-        """Derivatives of a body's centre of gravity and rotation vector, shape (6,)."""
-        row: Floats = self.motion[self.bodies.index(body)]
+        """Derivatives of a body's centre of gravity and rotation vector, shape (6,).
+
+        Raises:
+            KeyError: If there is no such body.
+        """
+        row: Floats = self.motion[_place(body, self.bodies)]
         return row
+
+
+def _place(name: str, names: Sequence[str]) -> int:
+    if name not in names:
+        likely = [one for one in names if one.endswith(f".{name}")] or list(names)
+        raise KeyError(f"no {name!r}; there are {', '.join(likely[:_MOST_NAMED])}")
+    return names.index(name)

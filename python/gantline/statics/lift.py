@@ -16,7 +16,15 @@ from gantline.results.derive import recording_of
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.scenario import Scenario, load_scenario
-from gantline.statics.answers import ContactForce, Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity
+from gantline.statics.answers import (
+    KINDS,
+    ContactForce,
+    Equilibrium,
+    Losses,
+    Mode,
+    NoEquilibriumError,
+    Sensitivity,
+)
 from gantline.statics.motion import in_words
 from gantline.version import version
 
@@ -45,8 +53,11 @@ class Statics:
             self._core = _core.Statics(self.assembly.document_text())
         except ValueError as problem:
             raise refused(self.scenario, str(problem)) from problem
-        self._losses: Losses | None = None
+        self._last: Losses | NoEquilibriumError | None = None
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
+
+    def __repr__(self) -> str:
+        return f"<Statics {self.assembly.rig.get('title', '')!r}>"
 
     @property
     def rig(self) -> Rig:
@@ -86,12 +97,15 @@ class Statics:
         if not 0.0 <= moment <= duration + _PAST:
             lasts = f"which lasts from 0 s to {duration:g} s"
             raise ValueError(f"time: {moment:g} s is no time of the lift, {lasts}")
-        start = None if increment is None else list(increment)
+        start = None if increment is None else [float(part) for part in increment]
+        if start is not None and not np.isfinite(start).all():
+            raise ValueError(f"increment: {increment!r} has a part that is not finite")
         way = None if slide is None else [float(part) for part in slide]
+        self._last = None
         try:
             found = self._core.settle(moment, start, losses, way)
         except RuntimeError as problem:
-            raise NoEquilibriumError(moment, *problem.args) from None
+            raise self._nowhere(moment, *problem.args) from None
         return self._found(found, losses)
 
     def equilibrium_of(self, state: bytes, *, losses: Losses = "held") -> Equilibrium:
@@ -107,10 +121,11 @@ class Statics:
             NoEquilibriumError: If there is none.
             ValueError: If it is no state of this lift.
         """
+        self._last = None
         try:
             found = self._core.settle_saved(state, losses)
         except RuntimeError as problem:
-            raise NoEquilibriumError(self._core.time(), *problem.args) from None
+            raise self._nowhere(self._core.time(), *problem.args) from None
         return self._found(found, losses)
 
     def slid(self, direction: Sequence[float], time: float | None = None) -> Equilibrium | None:
@@ -157,21 +172,31 @@ class Statics:
         try:
             found = self._core.step_off(losses)
         except RuntimeError as problem:
-            raise NoEquilibriumError(self._core.time(), *problem.args) from None
+            raise self._nowhere(self._core.time(), *problem.args) from None
         return None if found is None else self._found(found, losses)
 
     def _of_last(self) -> Losses:
-        """What losses the equilibrium found last has; finds that at the end of the lift if there is none."""
-        if self._losses is None:
-            self._losses = self.equilibrium().losses
-        return self._losses
+        """What losses the equilibrium found last has; finds that at the lift's end if none was asked for.
+
+        Raises:
+            NoEquilibriumError: If there is none there, or was none where one was asked for last.
+        """
+        last = self._last
+        if isinstance(last, NoEquilibriumError):
+            raise NoEquilibriumError(last.time, last.element, last.cause)
+        return self.equilibrium().losses if last is None else last
+
+    def _nowhere(self, moment: float, element: str, cause: str) -> NoEquilibriumError:
+        """That there is none; noted, so that nothing is asked about it."""
+        self._last = NoEquilibriumError(moment, element, cause)
+        return self._last
 
     def _found(self, found: dict[str, Any], losses: Losses) -> Equilibrium:
-        self._losses = losses
+        self._last = losses
         moment = float(found["time"])
         recording = self._recording(f"at rest at {moment:g} s")
         for _, _, crane in recording.events("tipping"):  # downhill of the start lies the crane on its back
-            raise NoEquilibriumError(moment, crane, "the crane tips over")
+            raise self._nowhere(moment, crane, "the crane tips over")
         return Equilibrium(
             time=moment,
             recording=recording,
@@ -197,7 +222,10 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none.
+            ValueError: If the count is below zero.
         """
+        if count is not None and count < 0:
+            raise ValueError(f"count: there are no {count} modes")
         self._of_last()
         found = self._core.modes(count)
         ratios = found["damping_ratio"]
@@ -219,8 +247,13 @@ class Statics:
         Args:
             mode: Of the modes found last.
             amplitude: Largest displacement of any body [m] or turn [rad].
-            frames: Samples.
+            frames: Samples, from 1 on.
+
+        Raises:
+            ValueError: If it is no mode found last, or amplitude or frames are not right.
         """
+        if not (math.isfinite(amplitude) and frames >= 1):
+            raise ValueError(f"no motion of {frames} frames with the amplitude {amplitude:g} can be shown")
         moved = mode.body_motion.reshape(-1, 2, 3)
         largest = float(np.linalg.norm(moved, axis=2).max())
         self._core.swing(mode.number, amplitude / largest if largest > 0.0 else 0.0, frames)
@@ -229,12 +262,26 @@ class Statics:
     def sensitivities(self, parameters: Sequence[tuple[str, str]] | None = None) -> list[Sensitivity]:
         """Derivatives of tensions and motions about the equilibrium found last, from its factorised tangent.
 
+        Where none was asked for, that at the end of the lift counts.
+
         Args:
-            parameters: Pairs of a kind and a name, see `Sensitivity`; None for the lengths and stiffnesses
-                of all slings and the centres of gravity and masses of all loads.
+            parameters: Pairs of a kind and a name such as `("length", "sling.S1")`, see `Sensitivity`; None
+                for the lengths and stiffnesses of all slings and the centres of gravity and masses of all
+                loads.
+
+        Raises:
+            NoEquilibriumError: If there is none, or none that answers smoothly.
+            ValueError: If there is no such kind, rope or body.
         """
+        self._of_last()
         wanted = list(parameters) if parameters is not None else self._uncertain()
-        found = self._core.sensitivities(wanted)
+        for kind, _ in wanted:
+            if kind not in KINDS:
+                raise ValueError(f"there is no sensitivity to {kind!r}; there are {', '.join(KINDS)}")
+        try:
+            found = self._core.sensitivities(wanted)
+        except RuntimeError as problem:
+            raise NoEquilibriumError(self._core.time(), *problem.args) from None
         names = self._core.names()
         ropes, bodies = tuple(names["rope"]), tuple(names["body"])
         return [

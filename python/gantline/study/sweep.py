@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
-from gantline.scenario import Scenario, StartError
+from gantline.scenario import Scenario, StartError, load_scenario
 from gantline.scenario.tree import TextNode
 from gantline.scenario.tree_path import PathError, node_at
 from gantline.scenario.variants import with_value
@@ -34,23 +35,27 @@ class SweepPoint:
 
 
 def run_sweep(
-    scenario: Scenario, path: str, first: str, last: str, count: int, time: float | None = None
+    lift: str | Path | Scenario, path: str, first: str, last: str, count: int, time: float | None = None
 ) -> Iterator[SweepPoint]:
     """Statics of a lift over evenly spaced values of one quantity.
 
     Args:
-        scenario: The lift.
+        lift: A lift file, its folder, or a loaded scenario.
         path: Dotted path of the quantity in the lift file, as in `cases:`.
         first: The first value as written, such as `36 m`.
         last: The last value.
-        count: How many values, from 2 on.
+        count: How many values, from 1 on; 1 is the first alone.
         time: Time of the plan [s]; None for the end of the lift.
 
     Raises:
+        ValueError: If there are to be none.
         PathError: If the path leads nowhere or to no quantity.
         UnitError: If the values are no quantities of one dimension.
         ScenarioError: If a value cannot be there.
     """
+    if count < 1:
+        raise ValueError(f"count: {count} values are none")
+    scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     dimension = common_dimension(first, last)
     given = node_at(scenario.tree, path)
     if given is not None and not isinstance(given, TextNode):

@@ -1,0 +1,100 @@
+"""What is asked of a lift that is not at rest was answered by a panic, by garbage, or by NaN.
+
+`Statics(lift).sensitivities()` as the first question ended in a panic of the core, `index out of bounds`,
+where `modes()` finds the end of the lift by itself. After an equilibrium that does not exist the same
+question gave derivatives about nowhere: a body in free fall answered to its mass by -9.81e6 m/kg. And an
+increment of NaN gave an equilibrium of NaN, about which the next question failed with a bare pair of texts.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+import gantline
+from gantline.scenario import parse_scenario
+from gantline.statics import Statics
+
+MASS, STIFFNESS, LENGTH, G = 100.0, 1e6, 5.0, 9.81
+LIFT = """\
+format: 1
+lift: {title: A weight on a rope}
+duration: 1 s
+ropes: {thin: {axial_stiffness: 1 MN, damping_time: 10 ms}}
+mechanics:
+  bodies:
+    weight: {joint: {type: slider, axis: [0, 0, 1]}, mass: 100 kg}
+  ropes:
+    rope:
+      rope: thin
+      length: 5 m
+      route: [{type: end, body: world, at: [0 m, 0 m, 5 m]}, {type: end, body: weight}]
+"""
+FALLS = LIFT[: LIFT.index("  ropes:\n")]
+
+
+def test_sensitivities_come_first() -> None:
+    """T = m g, and z falls by g L/EA per kilogram: the end of the lift counts where none was asked for."""
+    [mass] = Statics(parse_scenario(LIFT)).sensitivities([("mass", "weight")])
+    assert mass.of("rope") == pytest.approx(G, rel=1e-9)
+    assert mass.of_body("weight")[2] == pytest.approx(-G * LENGTH / STIFFNESS, rel=1e-6)
+
+
+def test_nothing_is_answered_about_a_fall() -> None:
+    """Sensitivities and modes say again that nothing holds it."""
+    question = Statics(parse_scenario(FALLS))
+    for ask in (question.equilibrium, lambda: question.sensitivities([("mass", "weight")]), question.modes):
+        with pytest.raises(gantline.NoEquilibriumError, match="it falls without end"):
+            ask()
+
+
+def test_what_is_asked_is_about_the_last_one() -> None:
+    """The rope is cut at 0.5 s: before that the weight swings, after it nothing does, and before it again."""
+    question = Statics(parse_scenario(LIFT.replace("length: 5 m", "length: 5 m\n      cut_at: 0.5 s")))
+    for _ in range(2):
+        question.equilibrium(0.2)
+        assert len(question.modes()) == 1
+        with pytest.raises(gantline.NoEquilibriumError, match="at t = 1 s: nothing holds it"):
+            question.equilibrium()
+        with pytest.raises(gantline.NoEquilibriumError, match="at t = 1 s: nothing holds it"):
+            question.modes()
+
+
+@pytest.mark.parametrize("part", [float("nan"), float("inf")])
+def test_an_increment_is_finite(part: float) -> None:
+    with pytest.raises(ValueError, match=r"increment: .* has a part that is not finite"):
+        Statics(parse_scenario(LIFT)).equilibrium(increment=[part])
+
+
+def test_wrong_names_are_answered_with_right_ones() -> None:
+    """`of` said `tuple.index(x): x not in tuple`."""
+    question = Statics(parse_scenario(LIFT))
+    with pytest.raises(ValueError, match="no sensitivity to 'lenth'; there are length, stiffness, mass"):
+        question.sensitivities([("lenth", "rope")])
+    [mass] = question.sensitivities([("mass", "weight")])
+    with pytest.raises(KeyError, match="no 'ropes'; there are rope"):
+        mass.of("ropes")
+    with pytest.raises(KeyError, match="no 'wait'; there are weight"):
+        mass.of_body("wait")
+
+
+@pytest.mark.parametrize("wrong", [{"frames": 0}, {"frames": -1}, {"amplitude": float("nan")}])
+def test_a_swing_has_frames_and_an_amplitude(wrong: dict[str, float]) -> None:
+    question = Statics(parse_scenario(LIFT))
+    [mode] = question.modes()
+    with pytest.raises(ValueError, match="can be shown"):
+        question.swing(mode, **wrong)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="there are no -1 modes"):
+        question.modes(-1)
+
+
+def test_answers_can_be_compared_and_shown() -> None:
+    """`==` of two modes raised an error of arrays, and a list of them filled a page."""
+    question = Statics(parse_scenario(LIFT))
+    [mode] = question.modes()
+    [again] = question.modes()
+    assert mode == mode and mode != again
+    # Natural period 2 pi sqrt(m/k), k = (EA/L) of the stretched rope's own length.
+    assert repr(mode).startswith("<Mode 1: weight moves along z; period 0.1405 s")
+    [length] = question.sensitivities([("length", "rope")])
+    assert repr(length).startswith("<Sensitivity to length of rope: 1 ropes; most in rope:")
+    assert repr(question) == "<Statics 'A weight on a rope'>"
