@@ -170,7 +170,7 @@ class Simulation:
         """Go on to the end, or to a time.
 
         Args:
-            until: Simulated time at which to pause [s]; None for the end of the lift.
+            until: Simulated time after whose first step to pause [s]; None for the end of the lift.
             on_progress: Called about ten times a second with the simulated time [s]; returning False stops.
 
         Returns:

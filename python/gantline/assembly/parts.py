@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from gantline.assembly.joints import start_of
 from gantline.assembly.spatial import (
     IDENTITY,
     Array,
-    about_axis,
     inertia_list,
     inertia_matrix,
     point_inertia,
@@ -189,16 +189,8 @@ class Parts:
         position, rotation = self.pose(body["parent"])
         position = position + rotation @ np.array(body["placement"]["position"])
         rotation = rotation @ rotation_matrix(body["placement"]["orientation"])
-        joint = body["joint"]
-        if joint["type"] == "hinge":
-            rotation = rotation @ rotation_matrix(about_axis(joint["axis"], joint["position"]))
-        elif joint["type"] == "slider":
-            position = position + rotation @ (np.array(unit(joint["axis"])) * joint["position"])
-        elif joint["type"] in ("point", "free"):
-            position = position + rotation @ np.array(joint["position"])
-        if joint["type"] in ("ball", "free"):
-            rotation = rotation @ rotation_matrix(joint["orientation"])
-        return position, rotation
+        moved, turned = start_of(body["joint"])
+        return position + rotation @ moved, rotation @ turned
 
     def place(self, body: str | None, at: Sequence[float]) -> Array:
         """World position (3,) of a point of a body at the start [m]."""

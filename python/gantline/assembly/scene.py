@@ -11,6 +11,7 @@ from gantline.assembly.boom import boom_shape
 from gantline.assembly.crawler import crawler_shape
 from gantline.assembly.goliath import crane_shape
 from gantline.assembly.hulls import hull_mesh, hull_shape
+from gantline.assembly.joints import translates
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
@@ -28,9 +29,6 @@ from gantline.scenario.tanks import bodies_afloat
 from gantline.scenario.water import Water
 
 __all__ = ["scene"]
-
-#: Joints with translations of their own: a sheave on such a body is a moving sheave.
-_MOVING = ("slider", "point", "free")
 
 
 def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: Parts) -> Json:
@@ -192,7 +190,7 @@ def _extension_sheaves(
 def _sheave(
     parts: Parts, body: str, centre: Sequence[float] | Array, axis: Sequence[float] | Array, radius: float
 ) -> Json:
-    moves = parts.bodies[body]["joint"]["type"] in _MOVING
+    moves = translates(parts.bodies[body]["joint"])
     return {
         "body": body,
         "centre": [float(part) for part in centre],
