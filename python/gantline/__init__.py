@@ -1,6 +1,7 @@
 """Simulate heavy lifts: what every rope, sheave, lug and hook carries, and when.
 
-The names below load what they need when first used, so `import gantline` costs nothing.
+The names below load what they need when first used, so `import gantline` costs nothing; so do the parts that
+the reference of Python tells of, such as `gantline.study`.
 """
 
 from __future__ import annotations
@@ -38,6 +39,23 @@ __all__ = [
     "write_report",
 ]
 
+#: Packages and modules of which the reference tells; `gantline.study` needs no import of its own.
+_PARTS = (
+    "cad",
+    "checks",
+    "export",
+    "hydro",
+    "plot",
+    "report",
+    "results",
+    "rope_data",
+    "rule_data",
+    "scenario",
+    "statics",
+    "study",
+    "units",
+)
+
 _HOMES = {
     "Comparison": "gantline.results.comparison",
     "compare": "gantline.results.comparison",
@@ -65,8 +83,10 @@ def __getattr__(name: str) -> Any:
         return version()
     if name in _HOMES:
         return getattr(import_module(_HOMES[name]), name)
+    if name in _PARTS:
+        return import_module(f"gantline.{name}")
     raise AttributeError(f"module 'gantline' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return sorted([*__all__, *_PARTS])

@@ -135,6 +135,11 @@ class Comparison:
     only_b: Mapping[str, Sequence[str]]
     stability: tuple[Stability, Stability]
 
+    def __repr__(self) -> str:
+        a, b = self.names
+        both = f"{len(self.metrics)} metrics, {len(self.ropes)} ropes, {len(self.hooks)} hooks"
+        return f"<Comparison of {a!r} with {b!r}: {both}, {len(self.bodies)} bodies>"
+
     def to_json(self) -> dict[str, Any]:
         """All numbers as a JSON object, SI units, under the names of the attributes; null for none."""
         times = self.common.times if self.common else None

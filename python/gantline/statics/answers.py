@@ -92,6 +92,10 @@ class Equilibrium:
     losses: Losses = "none"
     contacts: tuple[ContactForce, ...] = ()
 
+    def __repr__(self) -> str:
+        kind = "stable" if self.is_stable else f"{self.unstable} motions lead away"
+        return f"<Equilibrium {self.recording.title!r}: at {self.time:g} s, {kind}>"
+
     @property
     def is_stable(self) -> bool:
         """Whether no motion leads away from it."""

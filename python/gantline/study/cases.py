@@ -55,6 +55,10 @@ class CasesResult:
     given: State
     states: Sequence[State]
 
+    def __repr__(self) -> str:
+        cases = len(self.names) - 1
+        return f"<CasesResult {self.title!r}: {cases} cases, {len(self.states)} states in all>"
+
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the cases; the lift as it is given is the first and has an empty one."""
