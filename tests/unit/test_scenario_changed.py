@@ -88,3 +88,13 @@ def test_a_text_in_place_of_a_file_is_told() -> None:
 def test_what_cannot_be_is_refused(lift: Scenario, values: dict[str, Any], says: str) -> None:
     with pytest.raises(ScenarioError, match=says):
         lift.changed(values)
+
+
+def test_what_the_file_does_not_have_is_given_whole() -> None:
+    """A setting of a lift without `simulation` was answered `did you mean 'duration'?`."""
+    lift = load_scenario("equalizer")
+    assert "simulation" not in lift.tree
+    with pytest.raises(ScenarioError, match="no 'simulation' in this file yet; it is given whole"):
+        lift.changed({"simulation.sample_interval": "0.1 s"})
+    changed = lift.changed({"simulation": {"sample_interval": "0.1 s"}})
+    assert changed.simulation.sample_interval == 0.1

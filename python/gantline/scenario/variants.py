@@ -122,6 +122,12 @@ def changed(scenario: Scenario, values: Mapping[str, Any]) -> Scenario:
     Raises:
         ScenarioError: if a path leads nowhere, or a value cannot be there.
     """
+    known = Scenario.keys()
+    for path in values:
+        first, *rest = path.split(".")
+        if rest and first in known and first not in scenario.tree:
+            sentence = f"there is no '{first}' in this file yet; it is given whole: {{'{first}': {{...}}}}"
+            raise ScenarioError(scenario.source, [Problem(None, path, sentence)])
     try:
         other = _with_texts(scenario, _base(scenario), values)
     except PathError as problem:
