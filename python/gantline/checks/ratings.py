@@ -116,9 +116,11 @@ def _by_rule(
         yield Caution(UNRAISED)
     for whole in windows:
         window = whole & during
+        if not window.any():
+            continue
         force: Force = hook_force(recording, hooks, variable, during, whole)
         still = force.rule if force.rule is not None else force.static
-        if still is None or not window.any() or still <= 0:
+        if still is None or still <= 0:
             continue
         least = float(rated[window].min())
         if least <= 0:

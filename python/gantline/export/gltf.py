@@ -17,8 +17,8 @@ import numpy as np
 from gantline.export.glb import Document
 from gantline.export.surroundings import surroundings
 from gantline.results.recording import Recording
-from gantline.results.solids import Indices, solid_of
-from gantline.results.variable import FloatArray
+from gantline.results.solids import solid_of
+from gantline.results.variable import FloatArray, Indices
 from gantline.viewer.decimate import Places, frames
 from gantline.viewer.shapes import vector
 from gantline.viewer.turning import sheave_angles
@@ -176,13 +176,12 @@ def _ropes(
 ) -> None:
     if "rope_point" not in recording:
         return
-    owner = recording["rope_of_point"].values
     rod = document.mesh("rope", *_rod(), material)
     for name in recording.coordinates["rope"]:
         known = recording.rig.rope(name)
         radius = max(_THINNEST, ((known.diameter if known is not None else None) or 0.0) / 2)
         rope = document.node(name, root)
-        path = recording["rope_point"].values[at][:, owner == name]
+        path = recording["rope_point"].values[np.ix_(at, recording.points_of_ropes.get(name, []))]
         for piece in range(path.shape[1] - 1):
             _piece(document, rope, rod, f"{name} {piece + 1}", path[:, piece : piece + 2], radius, times)
 

@@ -127,14 +127,14 @@ def _surroundings(rerun: Any, stream: Any, recording: Recording, at: Places) -> 
 def _ropes(rerun: Any, stream: Any, recording: Recording, at: Places) -> None:
     if "rope_point" not in recording:
         return
-    owner = recording["rope_of_point"].values
+    places = recording.points_of_ropes
     tension = recording["rope_tension"].values
     largest = max(float(tension.max()), 1.0)
     times = recording.time[at]
     for place, name in enumerate(recording.coordinates["rope"]):
-        points = recording["rope_point"].values[at][:, owner == name]
-        if points.shape[1] < 2:
+        if len(places.get(name, ())) < 2:
             continue
+        points = recording["rope_point"].values[np.ix_(at, places[name])]
         rerun.send_columns(
             _path(rerun, "world", "ropes", name),
             [rerun.TimeColumn(_TIMELINE, duration=times)],

@@ -9,9 +9,9 @@ from itertools import pairwise
 import numpy as np
 
 from gantline.results.recording import Recording
-from gantline.results.solids import Indices, box_faces
+from gantline.results.solids import box_faces
 from gantline.results.surroundings import Ground, Hole, ground_of, is_cut, structures_of, water_level
-from gantline.results.variable import FloatArray
+from gantline.results.variable import FloatArray, Indices
 from gantline.viewer.decimate import Places
 
 _AROUND = 0.4  # of the lift's largest side, by which ground and water reach beyond it

@@ -37,6 +37,7 @@ from gantline.results.variable import FloatArray
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
 _MOST_LUGS = 10  # that are labelled one by one
 _LUGS_APART = 0.1  # of the width of a panel: nearer to each other their names would touch
+_LINES_REACH = 0.05  # of a panel's larger side: more than half the width of any line
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _FILL = {
     "load": "#C9D6E2",
@@ -177,13 +178,17 @@ def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: boo
     """
     limits = panel.get_xlim(), panel.get_ylim()
     for box in (*snap.surroundings, *snap.boxes):
-        _draw_box(panel, box, view)
+        if _is_seen(view.project(box.faces).reshape(-1, 2), limits):
+            _draw_box(panel, box, view)
         if box.name in snap.frame_origin:
             _draw_hanger(panel, box, snap.frame_origin[box.name], snap.frame_axes[box.name][:, 2], view)
     for rope in snap.ropes:
-        _draw_rope(panel, rope, view, norm, 2.0 if large else 1.1)
+        if _is_seen(view.project(rope.path), limits):
+            _draw_rope(panel, rope, view, norm, 2.0 if large else 1.1)
     for sheave in snap.sheaves:
         outline = view.project(sheave.circle)
+        if not _is_seen(outline, limits):
+            continue
         face, edge = ("white", INK) if sheave.moves else ("#B9C4CE", "#4A5F73")
         panel.add_artist(
             Polygon(outline, facecolor=face, edgecolor=edge, linewidth=1.1 if large else 0.6, zorder=3.5)
@@ -201,6 +206,16 @@ def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: boo
         panel.plot(*view.project(centre), marker="+", color=INK, markersize=5, markeredgewidth=0.8, zorder=4)
     panel.set_xlim(*limits[0])
     panel.set_ylim(*limits[1])
+
+
+def _is_seen(points: FloatArray, limits: Sequence[tuple[float, float]]) -> bool:
+    """Whether what lies around points on paper may reach into a panel with its lines, which have widths.
+
+    In the picture of one equalizer the rest of a large lift lies outside, and would take most of its time.
+    """
+    least, most = np.array(limits).T
+    margin = _LINES_REACH * float(np.max(most - least))
+    return bool(np.all(points.max(axis=0) >= least - margin) and np.all(points.min(axis=0) <= most + margin))
 
 
 def _draw_box(panel: Axes, box: Box, view: View) -> None:
@@ -365,9 +380,11 @@ def _beside(
     """
     places, rooms = np.empty((0, 2)), np.empty(0)
     least, most = (np.array(ends) for ends in zip(*paper, strict=True))
+    along, upwards = np.ascontiguousarray(taken.T)
     for distance in (reach, 1.5 * reach, 2.0 * reach):
         places = place + distance * _AROUND
-        rooms = np.linalg.norm(places[:, None] - taken[None], axis=-1).min(axis=1)
+        # One place at a time: there are a hundred thousand points, and all at once would not fit the caches.
+        rooms = np.sqrt([np.min((along - x) ** 2 + (upwards - y) ** 2) for x, y in places])
         rooms = np.minimum(rooms, np.minimum(places - least, most - places).min(axis=1))
         if rooms.max() >= 0.8 * reach:
             break

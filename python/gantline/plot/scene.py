@@ -169,13 +169,13 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
         return []
     kinds = {entry["name"]: entry.get("kind", "rope") for entry in scene.get("ropes", ())}
     kinds |= {line.rope: "mooring" for line in recording.rig.mooring_lines}
-    owner = recording["rope_of_point"].values
+    places = recording.points_of_ropes
     points = recording["rope_point"].values[sample]
     tension = recording["rope_tension"].values[sample]
     return [
-        RopePath(rope, kinds.get(rope, "rope"), points[owner == rope], float(tension[index]))
+        RopePath(rope, kinds.get(rope, "rope"), points[places[rope]], float(tension[index]))
         for index, rope in enumerate(recording.coordinates["rope"])
-        if (owner == rope).any()
+        if rope in places
     ]
 
 

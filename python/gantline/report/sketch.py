@@ -159,9 +159,8 @@ def _ropes(subject: Subject, sample: int) -> dict[str, FloatArray]:
     recording = subject.recording
     if "rope_point" not in recording:
         return {}
-    owner = recording["rope_of_point"].values
-    points = recording["rope_point"].values[sample]
-    return {name: points[owner == name] for name in recording.coordinates["rope"] if (owner == name).any()}
+    points, places = recording["rope_point"].values[sample], recording.points_of_ropes
+    return {name: points[places[name]] for name in recording.coordinates["rope"] if name in places}
 
 
 def _draw(

@@ -18,9 +18,9 @@ import numpy as np
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
-from gantline.results.solids import Indices, box_faces, crossings, skin_of
+from gantline.results.solids import box_faces, crossings, skin_of
 from gantline.results.surroundings import SIGNS, structures_of
-from gantline.results.variable import BoolArray, FloatArray
+from gantline.results.variable import BoolArray, FloatArray, Indices
 
 __all__ = ["Overlap", "overlaps"]
 

@@ -12,8 +12,10 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from gantline.results.rig import Rig
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import FloatArray, Indices, Variable
 
 if TYPE_CHECKING:
     import xarray
@@ -162,15 +164,27 @@ class Recording:
         Returns:
             Time [s], kind and name of each.
         """
+        return [event for event in self._events if kind is None or event[1] == kind]
+
+    @cached_property
+    def _events(self) -> Sequence[tuple[float, str, str]]:
         if "event_time" not in self:
-            return []
-        rows = zip(
-            (float(t) for t in self["event_time"].values),
-            (str(k) for k in self["event_kind"].values),
-            (str(n) for n in self["event_name"].values),
-            strict=True,
-        )
-        return [row for row in rows if kind is None or row[1] == kind]
+            return ()
+        columns = (self[f"event_{what}"].values.tolist() for what in ("time", "kind", "name"))
+        return tuple(zip(*columns, strict=True))
+
+    @cached_property
+    def points_of_ropes(self) -> Mapping[str, Indices]:
+        """Places along `rope_point` of what is drawn of each rope, from its first end to its last.
+
+        Empty for a recording without drawn paths; a rope of which nothing is drawn is not in it.
+        """
+        if "rope_of_point" not in self:
+            return MappingProxyType({})
+        places: dict[str, list[int]] = {}
+        for place, rope in enumerate(self["rope_of_point"].values.tolist()):
+            places.setdefault(rope, []).append(place)
+        return MappingProxyType({rope: np.array(of_rope) for rope, of_rope in places.items()})
 
     def metrics(self) -> dict[str, float]:
         """The lift in key numbers, SI units; `gantline.results.metrics` defines each."""

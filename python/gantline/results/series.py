@@ -234,7 +234,7 @@ def is_carrying(tension: FloatArray) -> BoolArray:
 
 def rope_ends(recording: Recording, rope: str) -> tuple[FloatArray, FloatArray]:
     """First and last drawn point of a rope [m], world axes, each of shape (time, 3)."""
-    at = np.flatnonzero(recording["rope_of_point"].values == rope)
+    at = recording.points_of_ropes[rope]
     points = recording["rope_point"].values
     return points[:, at[0]], points[:, at[-1]]
 

@@ -6,13 +6,10 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from gantline.results.variable import FloatArray
+from gantline.results.variable import FloatArray, Indices
 
-__all__ = ["Indices", "box_faces", "crossings", "skin_of", "solid_of"]
-
-Indices = npt.NDArray[np.int64]
+__all__ = ["box_faces", "crossings", "skin_of", "solid_of"]
 
 _CORNERS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64) / 2
 _BOX: Indices = np.array(

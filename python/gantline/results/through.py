@@ -74,7 +74,7 @@ def _looks(
     carries = np.flatnonzero(series.is_carrying(recording.column("rope_tension", rope)))
     if not len(carries):
         return
-    columns = np.flatnonzero(recording["rope_of_point"].values == rope)
+    columns = recording.points_of_ropes[rope]
     places = recording["rope_point"].values
     position = recording.column("body_position", load.body)
     orientation = recording.column("body_orientation", load.body)

@@ -146,11 +146,10 @@ def _ropes(recording: Recording, scene: Mapping[str, Any], at: Places) -> list[d
         return []
     kinds = {entry["name"]: str(entry.get("kind", "rope")) for entry in scene.get("ropes") or ()}
     kinds |= {line.rope: "mooring" for line in recording.rig.mooring_lines}
-    owner = recording["rope_of_point"].values
     labels = {sling.rope: sling.name for sling in recording.rig.slings}
     found = []
     for name, length in zip(names, natural_lengths(recording, list(at)), strict=True):
-        points = np.flatnonzero(owner == name)
+        points = recording.points_of_ropes.get(name, np.empty(0, dtype=np.int64))
         known = recording.rig.rope(name)
         peak, when = series.rope_peak(recording, name)
         found.append(

@@ -39,9 +39,8 @@ def sheave_angles(
     angles = np.zeros((len(frames), len(sheaves)))
     if "rope_point" not in recording or not len(frames):
         return angles
-    owner = recording["rope_of_point"].values
     points = recording["rope_point"].values[list(frames)]
-    ropes = {str(name): points[:, owner == name] for name in dict.fromkeys(owner)}
+    ropes = {name: points[:, places] for name, places in recording.points_of_ropes.items()}
     lengths = {name: _along(path) for name, path in ropes.items()}
     for column, sheave in enumerate(sheaves):
         body = sheave["body"]
@@ -68,7 +67,7 @@ def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float |
         recording: Any recording with drawn paths.
         frames: Samples that are looked at.
     """
-    at = list(frames)
+    at = np.array(frames)
     slings = {sling.rope: sling.length for sling in recording.rig.slings}
     found: list[float | None] = []
     for name in recording.coordinates.get("rope", ()):
@@ -81,11 +80,11 @@ def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float |
             continue
         tension = recording.column("rope_tension", name)[at]
         # The path's length: segments alone leave the arcs out.
-        owner = recording["rope_of_point"].values == name
-        if not owner.any():
+        places = recording.points_of_ropes.get(name)
+        if places is None:
             found.append(None)
             continue
-        length = _along(recording["rope_point"].values[at][:, owner])[:, -1]
+        length = _along(recording["rope_point"].values[np.ix_(at, places)])[:, -1]
         taut = tension > 0.0
         own = length[taut] / (1.0 + tension[taut] / known.axial_stiffness)
         constant = own.size and np.ptp(own) <= _CONSTANT * float(own.max())

@@ -61,13 +61,13 @@ pub struct Hanging {
     pub strain: Jet,
 }
 
-/// X, Z, ∫ T du [N m] and the tension at the lower end, over (H, V, L).
-struct Spans {
-    reach: Jet,
-    rise: Jet,
-    tension: Jet,
-    lower: Jet,
-    grounded: Jet,
+/// X, Z, ∫ T du [N m] and the tension at the lower end, over (H, V, L); without second derivatives where N is 0.
+struct Spans<const N: usize> {
+    reach: Jet<N>,
+    rise: Jet<N>,
+    tension: Jet<N>,
+    lower: Jet<N>,
+    grounded: Jet<N>,
 }
 
 /// Rounds to the forces: quadratic from a good guess, a decade each from the worst.
@@ -88,7 +88,7 @@ impl Catenary {
             }
         }
         let [h, v] = self.forces(reach, rise, length);
-        let spans = self.spans([h, v], length);
+        let spans = self.spans::<3>([h, v], length);
         let inverse = 1.0 / self.stiffness;
         // (H, V) over (X, Z, L): J y′ = (X, Z, 0)′ − ∂(X, Z)/∂L.
         let rows = [&spans.reach, &spans.rise];
@@ -151,8 +151,8 @@ impl Catenary {
     }
 
     /// Distances and what else is integrated along the line, with derivatives over (H, V, L).
-    fn spans(&self, [h, v]: [f64; 2], length: f64) -> Spans {
-        let (horizontal, vertical) = (Jet::variable(h, 0), Jet::variable(v, 1));
+    fn spans<const N: usize>(&self, [h, v]: [f64; 2], length: f64) -> Spans<N> {
+        let (horizontal, vertical) = (Jet::<N>::variable(h, 0), Jet::variable(v, 1));
         let whole = Jet::variable(length, 2);
         let rests = self.on_bed && v < self.weight * length;
         let (off, below) = if rests {
@@ -193,8 +193,8 @@ impl Catenary {
     /// H and V, by Newton's method on the slopes of a convex function, with steps that do not climb.
     fn forces(&self, reach: f64, rise: f64, length: f64) -> [f64; 2] {
         let mut at = self.guess(reach, rise, length);
-        let mut spans = self.spans(at, length);
-        let miss = |spans: &Spans| [spans.reach.value - reach, spans.rise.value - rise];
+        let mut spans = self.spans::<0>(at, length);
+        let miss = |spans: &Spans<0>| [spans.reach.value - reach, spans.rise.value - rise];
         for _ in 0..ROUNDS {
             let missed = miss(&spans);
             if missed.iter().all(|miss| miss.abs() <= ROUNDING * (reach + rise.abs() + length)) {
@@ -259,13 +259,13 @@ impl Catenary {
         if h == 0.0 {
             return [reach, off * (1.0 + 0.5 * above / self.stiffness)];
         }
-        let spans = Self { on_bed: false, ..*self }.spans([h, above], off);
+        let spans = Self { on_bed: false, ..*self }.spans::<0>([h, above], off);
         [grounded * lying + spans.reach.value, spans.rise.value]
     }
 }
 
 /// x of J x = `right`, J the derivatives of two jets over their first two variables: symmetric and positive definite.
-fn solve(rows: [&Jet; 2], right: [f64; 2]) -> [f64; 2] {
+fn solve<const N: usize>(rows: [&Jet<N>; 2], right: [f64; 2]) -> [f64; 2] {
     let [[a, b], [c, d]] = rows.map(|row| [row.first[0], row.first[1]]);
     let determinant = a * d - b * c;
     [(right[0] * d - b * right[1]) / determinant, (a * right[1] - c * right[0]) / determinant]

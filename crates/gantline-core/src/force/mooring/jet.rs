@@ -3,21 +3,21 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-/// A value, its gradient and its symmetric second derivatives.
+/// A value, its gradient and its symmetric second derivatives; these are left out where N is 0, else 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Jet {
+pub struct Jet<const N: usize = 3> {
     /// Value.
     pub value: f64,
     /// First derivatives.
     pub first: [f64; 3],
     /// Second derivatives.
-    pub second: [[f64; 3]; 3],
+    pub second: [[f64; 3]; N],
 }
 
-impl Jet {
+impl<const N: usize> Jet<N> {
     /// A constant.
     pub const fn constant(value: f64) -> Self {
-        Self { value, first: [0.0; 3], second: [[0.0; 3]; 3] }
+        Self { value, first: [0.0; 3], second: [[0.0; 3]; N] }
     }
 
     /// One of the three that derivatives are over.
@@ -68,7 +68,7 @@ impl Jet {
     }
 }
 
-impl Add for Jet {
+impl<const N: usize> Add for Jet<N> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -76,7 +76,7 @@ impl Add for Jet {
     }
 }
 
-impl Sub for Jet {
+impl<const N: usize> Sub for Jet<N> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -84,7 +84,7 @@ impl Sub for Jet {
     }
 }
 
-impl Mul for Jet {
+impl<const N: usize> Mul for Jet<N> {
     type Output = Self;
 
     // A product's derivatives are sums.
@@ -105,7 +105,7 @@ impl Mul for Jet {
     }
 }
 
-impl Mul<f64> for Jet {
+impl<const N: usize> Mul<f64> for Jet<N> {
     type Output = Self;
 
     fn mul(self, factor: f64) -> Self {
@@ -113,7 +113,7 @@ impl Mul<f64> for Jet {
     }
 }
 
-impl Div for Jet {
+impl<const N: usize> Div for Jet<N> {
     type Output = Self;
 
     // What is divided by is inverted first.
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn derivatives_are_those_of_differences() {
         let formula = |x: [f64; 3]| {
-            let [a, b, c] = [0, 1, 2].map(|k| Jet::variable(x[k], k));
+            let [a, b, c] = [0, 1, 2].map(|k| Jet::<3>::variable(x[k], k));
             ((a * b + c * 2.0).sqrt() / (b - a * 0.1) + (a * c).log_ratio()) * c
         };
         for x in [[0.7, 1.3, 2.1], [0.01, 1.3, 2.1], [0.02, 4.0, 2.4999]] {
