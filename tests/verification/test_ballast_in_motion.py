@@ -3,7 +3,7 @@
 Those of `tests/support/crane_barge.py`, with contents that are told over time. Liquid that joins has the
 velocity of the barge there, and what leaves takes its own along, so that at each moment the equations are
 those of a barge with these contents (Meshchersky with no relative velocity): its mass, centre and inertia
-with the liquids frozen upright, boxes of m/12 (b² + h²), and their surfaces level. scipy's DOP853 solves that.
+with the liquids frozen upright, boxes of m/12 (b² + h²), and their surfaces level. scipy's DOP853 solves it.
 """
 
 from __future__ import annotations

@@ -86,14 +86,14 @@ def test_a_pontoon_against_two_fenders(friction: tuple[float, float]) -> None:
         rotation, spin, q = turned(state[3:7]), state[10:13], state[3:7]
         force, moment = np.array([0, 0, -MASS * G]), np.zeros(3)
         touched = met(state)
-        for wall, (normal, rubs, _, arm) in zip(walls, touched, strict=True):
+        for wall, (normal, rubs, _slips, arm) in zip(walls, touched, strict=True):
             force = force + normal * wall.normal + rubs
             moment = moment + np.cross(arm, normal * wall.normal + rubs)
         for (top, at), length, stiffness in zip(ropes, spans, stiffnesses, strict=True):
             arm = rotation @ at
             way = state[:3] + arm - top
             span = float(np.linalg.norm(way))
-            rate = way @ (state[7:10] + np.cross(rotation @ spin, arm)) / span
+            rate = float(way @ (state[7:10] + np.cross(rotation @ spin, arm))) / span
             pull = -max(0.0, stiffness / length * (span - length + TAU * rate)) * way / span
             force, moment = force + pull, moment + np.cross(arm, pull)
         spun = np.concatenate([[-q[1:] @ spin], q[0] * spin + np.cross(q[1:], spin)]) / 2

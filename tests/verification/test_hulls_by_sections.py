@@ -51,7 +51,7 @@ def mesh(count: int) -> Hull:
         y = half_breadth(x, z)
         points += [(x, *place) for place in zip(y, z, strict=True)]
         points += [(x, *place) for place in zip(-y[::-1], z[::-1], strict=True)]
-    faces = []
+    faces: list[tuple[int, ...]] = []
     for start in range(0, around * (len(stations) - 1), around):
         for k in range(around):
             a, b = start + k, start + (k + 1) % around

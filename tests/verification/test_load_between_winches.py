@@ -70,7 +70,7 @@ def pulls(winch: Winch, state: Floats, drummed: Floats) -> tuple[Floats, float, 
     fed = pays / (1 + wound)
     rate = -float(way @ state[3:6]) / span - (1 + strain / 2) * fed
     tension = share**2 * winch.stiffness / winch.length * max(0.0, span - length + TAU * rate)
-    elastic = winch.stiffness * strain
+    elastic = winch.stiffness * max(0.0, strain)
     rim = elastic + (tension - elastic) * (1 + strain / 2) / (1 + wound)
     return tension * way / span, rim, fed
 
