@@ -12,7 +12,7 @@ from gantline.scenario.parting import Parting, partings
 
 __all__ = ["add_moorings", "mooring_rig", "winch_drive", "winch_flow"]
 
-#: Inertia of a winch that is driven whatever it takes [kg]: next to nothing beside a vessel.
+#: Inertia of a winch [kg]: next to nothing beside a vessel.
 _INERTIA = 1.0
 
 
@@ -135,7 +135,12 @@ def mooring_rig(scenario: Scenario) -> Json:
     """What results need to know of mooring lines and fenders; nothing in a lift without."""
     kinds = scenario.ropes or {}
     lines = [
-        {"name": name, "rope": line_rope(name), "minimum_breaking_force": kinds[line.rope].breaking_force}
+        {
+            "name": name,
+            "rope": line_rope(name),
+            "minimum_breaking_force": kinds[line.rope].breaking_force,
+            "slipping_winch": winch_flow(name) if line.winch is not None and line.winch.capacity else None,
+        }
         for name, line in (scenario.mooring_lines or {}).items()
     ]
     fenders = [

@@ -138,29 +138,34 @@ def fell_behind(recording: Recording) -> list[Check]:
 
 
 def ran_out(recording: Recording) -> list[Check]:
-    """A warning for each winch of `mechanics` whose drum slips for longer than a second: the longest time.
+    """A warning for each winch of `mechanics` or of a mooring line that slips for longer than a second.
 
-    One of constant tension is meant to; of any other nothing else says that what hangs on it has come down.
+    It says the longest time. One of constant tension is meant to; of any other nothing else says that what
+    hangs on it has come down, or that its vessel was not hauled as far as the plan has it.
     """
+    drums = [drum.name for drum in recording.rig.drums if drum.paid_out > 0.0]
+    out_of = {name: recording.column("rope_paid_out", name) for name in drums}
+    winches = [line.slipping_winch for line in recording.rig.mooring_lines if line.slipping_winch is not None]
+    out_of |= {name: recording.column("joint_position", name) for name in winches}
     checks = []
-    for drum in recording.rig.drums:
-        spans = _slips(recording, drum) if drum.paid_out > 0.0 else []
+    for name, paid_out in out_of.items():
+        spans = _slips(recording, name)
         begin, end = max(spans, key=lambda span: span[1] - span[0], default=(0.0, 0.0))
         if end - begin <= _LONG:
             continue
-        out = np.interp((begin, end), recording.time, recording.column("rope_paid_out", drum.name))
+        out = np.interp((begin, end), recording.time, paid_out)
         remark = f"from {begin:.4g} s on, for {end - begin:.3g} s, motor or brake pull all they can"
         if out[1] - out[0] > _LOST:
             remark += f", and do not hold: {out[1] - out[0]:.2f} m of rope run out meanwhile"
         meaning = "drums of winches follow the plan"
-        checks.append(Check("winch_follows", Verdict.WARNING, meaning, element=drum.name, remark=remark))
+        checks.append(Check("winch_follows", Verdict.WARNING, meaning, element=name, remark=remark))
     return checks
 
 
-def _slips(recording: Recording, drum: Drum) -> list[tuple[float, float]]:
+def _slips(recording: Recording, drum: str) -> list[tuple[float, float]]:
     """From when to when a drum slips against its motor or brake [s]."""
-    begins = [time for time, _, name in recording.events("drum_slips") if name == drum.name]
-    ends = [time for time, _, name in recording.events("drum_holds") if name == drum.name]
+    begins = [time for time, _, name in recording.events("drum_slips") if name == drum]
+    ends = [time for time, _, name in recording.events("drum_holds") if name == drum]
     # One that slips at the end of the run has not come to hold again.
     ends += [float(recording.time[-1])] * (len(begins) - len(ends))
     return list(zip(begins, ends, strict=True))
@@ -175,7 +180,7 @@ def _slipped(recording: Recording, drum: Drum) -> Check | None:
             f"motor or brake do not hold what hangs before the lift begins, and the hook runs away: {began}"
         )
         return replace(check, verdict=Verdict.FAILED, time=float(recording.time[0]), remark=remark)
-    spans = _slips(recording, drum)
+    spans = _slips(recording, drum.name)
     lost, since = max(((_lost(recording, drum, span), span[0]) for span in spans), default=(0.0, 0.0))
     lasted = sum(end - begin for begin, end in spans)
     if lost <= _LOST and lasted <= _LONG:

@@ -22,11 +22,13 @@ class MooringLine(FromJson):
         name: Its name in the lift file.
         rope: Its name among the ropes of the recording.
         minimum_breaking_force: Of its rope [N]; None if not known.
+        slipping_winch: Joint of its winch if that has a capacity, at which it slips.
     """
 
     name: str
     rope: str
     minimum_breaking_force: float | None = None
+    slipping_winch: str | None = None
 
 
 @dataclass(frozen=True)
