@@ -20,6 +20,7 @@ from gantline.report import render_report, write_report
 from gantline.report.first_page import FirstPage, stop_if
 from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
+from gantline.report.tables import LiftFile
 from gantline.results import Recording
 from gantline.results.variable import Variable
 from gantline.viewer import BundleMissing
@@ -299,3 +300,12 @@ def test_a_hold_point_is_one_that_something_waits_for(
     ]
     content = FirstPage().content(Subject(ringing_lift(rig=rig)))
     assert [row["is_hold"] for row in content["steps"]["rows"]] == points
+
+
+def test_settings_have_their_units() -> None:
+    plain = ringing_lift()
+    settings = {"integrator": {"type": "del", "step": 0.001}, "duration": 40.0, "sample_interval": 0.02}
+    recording = Recording(plain.variables, plain.coordinates, {**plain.attributes, "settings": settings})
+    about = dict(LiftFile().content(Subject(recording))["about"])
+    assert about["duration"] == "40 s" and about["sample interval"] == "0.02 s"
+    assert about["integrator"] == "type del, step 0.001 s"

@@ -76,6 +76,30 @@ describe("the report", () => {
     expect(pages).toBeLessThan(20);
   });
 
+  it("prints the lift as it is drawn, in light colours, wherever on the page the reader is", async () => {
+    const { page } = await open(browser, "report.html", { dark: true, hash: "#t=20" });
+    // Nothing has been scrolled to: the drawing is below what is in sight.
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    const { colours, lightness } = await page.evaluate(() => {
+      const copy = document.querySelector<HTMLCanvasElement>(".gl-on-paper")!;
+      const { data } = copy.getContext("2d")!.getImageData(0, 0, copy.width, copy.height);
+      const seen = new Set<number>();
+      let [sum, count] = [0, 0];
+      for (let at = 0; at < data.length; at += 4) {
+        if (data[at + 3]! < 255) continue;
+        seen.add((data[at]! << 16) | (data[at + 1]! << 8) | data[at + 2]!);
+        sum += data[at + 1]!;
+        count += 1;
+      }
+      return { colours: seen.size, lightness: sum / count };
+    });
+    expect(colours).toBeGreaterThan(50); // an empty canvas has none
+    expect(lightness).toBeGreaterThan(128);
+    await page.emulateMedia({ media: "print" });
+    const step = page.locator(".gl-step-now");
+    expect(await step.evaluate((one) => getComputedStyle(one, "::after").content)).toContain("20.00 s");
+  });
+
   it("can be read in the light and in the dark", async () => {
     const texts = ["--ink", "--quiet", "--accent"].map((name): [string, string] => [name, "--paper"]);
     const toned = ["good", "warn", "bad"].map((name): [string, string] => [`--${name}`, `--${name}-wash`]);

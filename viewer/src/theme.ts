@@ -89,7 +89,7 @@ const THEMES = ["light", "dark"] as const;
 export type Theme = (typeof THEMES)[number];
 
 /** The theme that is shown: what the reader has chosen, else what the system prefers. */
-function currentTheme(): Theme {
+export function currentTheme(): Theme {
   const chosen = document.documentElement.dataset.theme;
   if (chosen === "light" || chosen === "dark") return chosen;
   return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";

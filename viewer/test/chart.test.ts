@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { alike, dashes, placesOf } from "../src/chart/alike";
 import { apart, familiesOf } from "../src/chart/families";
 import { Curve } from "../src/data/curve";
 
@@ -42,5 +43,37 @@ describe("names beside each other", () => {
   it("stand apart, between their bounds, in the order of what they name", () => {
     expect(apart([50, 10, 51], 12, 0, 100)).toEqual([50, 10, 62]);
     expect(apart([99, 98, 97], 12, 0, 100)).toEqual([100, 88, 76]);
+  });
+});
+
+describe("curves that lie upon each other", () => {
+  const [high, same, low] = [curve("a", "", 100), curve("b", "", 100.5), curve("c", "", 50)] as const;
+  const all = new Map([
+    [0, high],
+    [1, low],
+    [2, same],
+  ]);
+  const asPixels = (value: number) => 2 * value;
+
+  it("are found by what is seen, one pixel apart, not fifty", () => {
+    expect(alike(all, [0, 2], asPixels)).toEqual([[0, 2]]);
+    expect(alike(all, [0, 2], (value) => 10 * value)).toEqual([]);
+  });
+
+  it("are looked at where they are shown", () => {
+    const parts = new Map([
+      [0, curve("a", "", 100, 0)],
+      [1, curve("b", "", 100, 80)],
+    ]);
+    expect(alike(parts, [0, 2], asPixels)).toEqual([]);
+    expect(alike(parts, [0, 1], asPixels)).toEqual([[0, 1]]);
+  });
+
+  it("show all their colours: the first is whole, the others have their places on it", () => {
+    const places = placesOf([[4, 5, 7]]);
+    expect(dashes(places.get(4)!)).toEqual({});
+    expect(dashes(places.get(5)!)).toEqual({ "stroke-dasharray": "12 24", "stroke-dashoffset": -12 });
+    expect(dashes(places.get(7)!)).toEqual({ "stroke-dasharray": "12 24", "stroke-dashoffset": -24 });
+    expect(places.get(6)).toBe(undefined);
   });
 });

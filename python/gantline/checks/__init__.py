@@ -1,6 +1,6 @@
 """Limits of a lift held against its recording."""
 
-from gantline.checks.check import Check, Verdict, governing, has_failed, past_limits, verdict_of
+from gantline.checks.check import Check, Verdict, foremost, governing, has_failed, past_limits, verdict_of
 from gantline.checks.limits import LIMITS
 from gantline.checks.readings import HoldPoint, HookReading, hold_points, hook_readings
 from gantline.checks.run import NO_WARNINGS, check_recording, end_of_step, values_of
@@ -14,6 +14,7 @@ __all__ = [
     "Verdict",
     "check_recording",
     "end_of_step",
+    "foremost",
     "governing",
     "has_failed",
     "hold_points",

@@ -148,16 +148,27 @@ def _is_done(check: Check) -> bool:
     return check.verdict is not Verdict.NOT_CHECKED
 
 
+def foremost(checks: Sequence[Check]) -> list[Check]:
+    """Of checks of one name the one that uses most of its limit, most first; those without a number lead."""
+
+    def used(check: Check) -> float:
+        return math.inf if check.utilisation is None else check.utilisation
+
+    worst: dict[str, Check] = {}
+    for check in sorted(checks, key=used, reverse=True):
+        worst.setdefault(check.name, check)
+    return list(worst.values())
+
+
 def _foremost(checks: Sequence[Check]) -> str:
-    """The checks that use most of their limits, each name once; those without a number first."""
-    used: dict[str, float] = {}
-    for check in checks:
-        share = math.inf if check.utilisation is None else check.utilisation
-        used[check.name] = max(share, used.get(check.name, 0.0))
-    order = sorted(used, key=lambda name: -used[name])[:_MOST_NAMED]
-    shares = ("" if math.isinf(used[name]) else f" {100.0 * used[name]:.0f} %" for name in order)
-    more = f" and {len(used) - _MOST_NAMED} more" if len(used) > _MOST_NAMED and has_failed(checks) else ""
-    return ", ".join(f"{name}{share}" for name, share in zip(order, shares, strict=True)) + more
+    """Names of the checks that use most of their limits, with the share."""
+    every = foremost(checks)
+    named = [
+        check.name + ("" if check.utilisation is None else f" {100.0 * check.utilisation:.0f} %")
+        for check in every[:_MOST_NAMED]
+    ]
+    more = f" and {len(every) - _MOST_NAMED} more" if len(every) > _MOST_NAMED and has_failed(checks) else ""
+    return ", ".join(named) + more
 
 
 def _count(number: int, what: str) -> str:

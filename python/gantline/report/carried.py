@@ -92,11 +92,15 @@ def _once_clear(subject: Subject, load: FloatArray) -> float | None:
 
 
 def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
-    """Slings in the order of the lift file; where there are too many, those that use most of their rope."""
+    """Slings in the order of the lift file; where there are too many, those that use most of their rope.
 
-    def used(sling: Sling) -> tuple[float, float]:
+    Slings that part come before all others.
+    """
+    parted = {one.rope: f"{one.kind} {show(one.time, 's', 1)}" for one in partings(subject.recording)}
+
+    def used(sling: Sling) -> tuple[bool, float, float]:
         share = series.utilisation(subject.recording, sling.rope)
-        return share or 0.0, series.rope_peak(subject.recording, sling.rope)[0]
+        return sling.rope in parted, share or 0.0, series.rope_peak(subject.recording, sling.rope)[0]
 
     slings = subject.rig.slings
     kept = {one.name for one in sorted(slings, key=used, reverse=True)[:most]}
@@ -104,7 +108,11 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
         name: values_of(subject.recording, name)
         for name in ("shackle_load_of_working_load_limit", "lug_load_of_capacity", "lug_out_of_plane_angle")
     }
-    return [_sling(subject, one, *worst.values()) for one in slings if one.name in kept]
+    return [
+        {**_sling(subject, one, *worst.values()), "parted": parted.get(one.rope, "")}
+        for one in slings
+        if one.name in kept
+    ]
 
 
 def _sling(

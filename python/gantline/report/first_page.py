@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.checks import LIMITS, NO_WARNINGS, Check, Verdict, past_limits, verdict_of
+from gantline.checks import LIMITS, NO_WARNINGS, Check, Verdict, foremost, past_limits, verdict_of
 from gantline.checks.forces import hook_force
 from gantline.checks.measure import everywhere
 from gantline.report.afloat import afloat_facts, vessel_tables
@@ -29,6 +29,9 @@ _MOST_SLINGS_AFLOAT = 4
 _MOST_STEPS_AFLOAT = 12
 _MOST_NAMED = 4
 _MOST_WARNINGS = 3
+#: Failed checks with their numbers, and such as are no more than named after them.
+_MOST_FAILED = 3
+_MOST_FAILED_NAMED = 12
 #: Tilt at which a lift is stopped where it sets no limit of its own [rad]: 1 deg.
 _USUAL_TILT = float(np.deg2rad(1.0))
 
@@ -94,10 +97,10 @@ def _verdict(subject: Subject) -> dict[str, Any]:
     warned = [check for check in checks if check.verdict is Verdict.WARNING]
     if tone == "good" and warned:
         tone = "warn"
-    worst: dict[str, Check] = {}
-    for check in sorted(checks, key=lambda one: -(one.utilisation or 0.0)):
-        if check.utilisation is not None and check.verdict is not Verdict.NOT_CHECKED:
-            worst.setdefault(check.name, check)
+    failed = foremost([check for check in checks if check.verdict is Verdict.FAILED])
+    compared = [
+        one for one in checks if one.utilisation is not None and one.verdict is not Verdict.NOT_CHECKED
+    ]
     missing = [
         check.name for check in checks if check.verdict is Verdict.NOT_CHECKED and not check.has_no_limit
     ]
@@ -105,14 +108,40 @@ def _verdict(subject: Subject) -> dict[str, Any]:
     return {
         "head": head,
         "tone": tone,
-        "failed": [check for check in checks if check.verdict is Verdict.FAILED],
+        "failed": [_failure(check) for check in failed[:_MOST_FAILED]],
+        "failed_too": _named_failures(failed[_MOST_FAILED:]),
         "warned": [_warning(check) for check in _foremost_warnings(checks)],
         "warnings": len(warned),
-        "nearest": list(worst.values())[:3],
+        # What failed is past its limit and has been told with its numbers.
+        "nearest": [] if failed else foremost(compared)[:3],
         "missing": _listed(missing) if missing else "",
         "without": _listed(without) if without else "",
         "beyond": _BEYOND,
     }
+
+
+def _failure(check: Check) -> dict[str, str]:
+    """A failed check with what it found, what is allowed, and what the check itself has to say."""
+    bound = (
+        ""
+        if check.limit is None
+        else f"{'at least' if check.at_least else 'at most'} {check.shown(check.limit)}"
+    )
+    found = ", ".join(part for part in (check.shown(check.value), bound) if part)
+    name = check.name.replace("_", " ")
+    about = ", ".join(part for part in (name, check.element) if part)
+    return {"about": about, "text": "; ".join(part for part in (found, check.remark) if part)}
+
+
+def _named_failures(failed: list[Check]) -> str:
+    """Further failed checks, with what they use of their limits."""
+    named = [
+        check.name.replace("_", " ")
+        + ("" if check.utilisation is None else f" {100 * check.utilisation:.0f} %")
+        for check in failed[:_MOST_FAILED_NAMED]
+    ]
+    more = f" and {len(failed) - len(named)} more" if len(failed) > len(named) else ""
+    return ", ".join(named) + more
 
 
 def _foremost_warnings(checks: list[Check]) -> list[Check]:

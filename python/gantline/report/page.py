@@ -9,13 +9,14 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
+from gantline.report.events import Events
 from gantline.report.first_page import FirstPage
 from gantline.report.holds import HoldPoints
 from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tensions, Vessels
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.section import Section
 from gantline.report.subject import Subject
-from gantline.report.tables import Checks, Energy, Equalizers, Events, LiftFile
+from gantline.report.tables import Checks, Energy, Equalizers, LiftFile
 from gantline.results.recording import Recording
 from gantline.results.saved import Beside, read_beside, replace_text
 from gantline.viewer import bundle, pack

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.report.sketch_names import Box, around_dot, has_room, names_beside, text_box
+from gantline.report.sketch_names import Box, around_dot, has_room, hides_none, names_beside, text_box
 from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
 from gantline.results.rotation import axes
@@ -35,6 +35,10 @@ _ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
 
 #: Where along a sling its number is tried, the best first.
 _ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
+
+#: Where above and below its lug a number is tried in a plan, the best first; the further ones are clear of a
+#: centre of gravity on the lug [mm].
+_BESIDE_LUG = (-2.2, -3.8, 3.8)
 
 #: Shortest sling on paper that bears its number in a side view: some lines of text long [mm].
 _NUMBERED = 14.0
@@ -261,34 +265,29 @@ def _numbers(
     subject: Subject, paper: Paper, ropes: Mapping[str, FloatArray], above: list[Mark], *, plan: bool
 ) -> list[Mark]:
     """Lugs as dots, and the number of each sling beside its lug or on its way, clear of what lies above."""
-    marks: list[Mark] = []
+    shown = [
+        (sling.name, paper.place(ropes[sling.rope])) for sling in subject.rig.slings if sling.rope in ropes
+    ]
+    lugs = [path[-1] for _, path in shown]
+    marks = [Mark("dot", "sk-lug", x=float(x), y=float(y)) for x, y in lugs]
     # In a plan hooks are over the slings that hang from them: only a side view has room beside them.
-    kept = [] if plan else [_box(mark) for mark in above if mark.kind in ("dot", "centre", "text")]
-    taken: list[FloatArray] = []
-    for sling in subject.rig.slings:
-        path = ropes.get(sling.rope)
-        if path is None:
-            continue
-        lug = paper.place(path[-1])
-        marks.append(Mark("dot", "sk-lug", x=float(lug[0]), y=float(lug[1])))
-        upper, lower = paper.place(path[0]), lug
-        beside = lug + np.array([0.0, -2.2])
-        tries = [upper + part * (lower - upper) for part in _ALONG]
-        if not plan and np.linalg.norm(lower - upper) < _NUMBERED:
+    taken = [
+        _box(mark) for mark in above if mark.kind == "centre" or (not plan and mark.kind in ("dot", "text"))
+    ]
+    for name, path in shown:
+        upper, lug = path[0], path[-1]
+        tries = [upper + part * (lug - upper) for part in _ALONG]
+        if not plan and np.linalg.norm(lug - upper) < _NUMBERED:
             continue  # its number would hide it; the plan has it
-        free = (
-            place
-            for place in ([beside, *tries] if plan else tries)
-            if all(
-                np.linalg.norm((place - other) / (1.2 + 1.75 * len(sling.name), 3.4)) > 1.0 for other in taken
-            )
-            and has_room(text_box(float(place[0]), float(place[1]), sling.name), kept)
-        )
-        found = next(free, None)
-        if found is None:  # too many beside each other: those that have room stand for them
+        if plan:
+            tries = [*(lug + np.array([0.0, down]) for down in _BESIDE_LUG), *tries]
+        boxes = [text_box(float(x), float(y), name) for x, y in tries]
+        free = [box for box in boxes if has_room(box, taken) and (not plan or hides_none(box, lugs))]
+        if not free:  # too many beside each other: those that have room stand for them
             continue
-        taken.append(found)
-        marks.append(Mark("text", "sk-number", x=float(found[0]), y=float(found[1]), text=sling.name))
+        taken.append(free[0])
+        left, right, height = free[0]
+        marks.append(Mark("text", "sk-number", x=(left + right) / 2, y=height, text=name))
     return marks
 
 

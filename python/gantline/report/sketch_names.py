@@ -8,12 +8,13 @@ import numpy as np
 
 from gantline.results.variable import FloatArray
 
-__all__ = ["Box", "around_dot", "has_room", "names_beside", "text_box"]
+__all__ = ["Box", "around_dot", "has_room", "hides_none", "names_beside", "text_box"]
 
 _LETTER = 1.75  # mm, mean width of a letter
 _LINE = 3.4  # mm, between lines
 _BESIDE = 2.5  # mm, from a dot to its name
 _DOT = 1.2  # mm, of a dot with its edge
+_LETTERS = 2.1  # mm, from the middle of a dot to the middle of a line of letters that just leaves it in sight
 _TOGETHER = 1.5  # mm, between dots that look like one
 _DOWN = (0.0, 4.0, -4.0, 8.0)  # mm
 
@@ -36,6 +37,11 @@ def text_box(x: float, y: float, text: str, anchor: str = "middle") -> Box:
 def has_room(box: Box, taken: Sequence[Box]) -> bool:
     """Whether nothing that is taken lies under a text."""
     return all(_apart(box, other) for other in taken)
+
+
+def hides_none(box: Box, dots: Sequence[FloatArray]) -> bool:
+    """Whether a text leaves all dots in sight, places on paper [mm], shape (2,) each."""
+    return all(abs(box[2] - y) >= _LETTERS or x + _DOT < box[0] or box[1] < x - _DOT for x, y in dots)
 
 
 def names_beside(

@@ -1,4 +1,4 @@
-"""Sections of tables: equalizers, checks, events, energy and accuracy, the lift file, versions."""
+"""Sections of tables: equalizers, checks, energy and accuracy, the lift file, versions."""
 
 from __future__ import annotations
 
@@ -19,7 +19,14 @@ from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.version import version
 
-_MOST_EVENTS = 400
+#: Units of the settings that have one, as recordings keep them.
+_SETTING_UNITS = {
+    "duration": "s",
+    "sample_interval": "s",
+    "step": "s",
+    "tension_tolerance": "N",
+    "position_tolerance": "m",
+}
 
 
 class Equalizers(Section):
@@ -134,22 +141,6 @@ def _check(check: Check) -> dict[str, Any]:
     }
 
 
-class Events(Section):
-    """What happened when."""
-
-    anchor = "events"
-    title = "Events"
-    template = "events.html"
-
-    def content(self, subject: Subject) -> dict[str, Any] | None:
-        """What the template is given."""
-        events = subject.recording.events()
-        if not events:
-            return None
-        rows = [(f"{time:.3f}", kind.replace("_", " "), name) for time, kind, name in events[:_MOST_EVENTS]]
-        return {"rows": rows, "left_out": max(0, len(events) - _MOST_EVENTS)}
-
-
 class Energy(Section):
     """Energy balance and what the run says of its own accuracy."""
 
@@ -168,10 +159,7 @@ class Energy(Section):
                     rows.append(
                         (
                             kind.replace("_", " "),
-                            *(
-                                f"{1e-3 * value:z.3f}"
-                                for value in (curve[0], curve[-1], curve.min(), curve.max())
-                            ),
+                            *(_energy(value) for value in (curve[0], curve[-1], curve.min(), curve.max())),
                         )
                     )
         counters = recording.attributes.get("counters") or {}
@@ -183,6 +171,14 @@ class Energy(Section):
                 (str(name), f"{int(count):,}".replace(",", " ")) for name, count in counters.items()
             ],
         }
+
+
+def _energy(value: float) -> str:
+    """Energy [J] in kJ, with four digits where that leaves some behind the point and whole kJ above."""
+    kilojoules = 1e-3 * float(value)
+    size = abs(kilojoules)
+    digits = 0 if size >= 1000.0 else 1 if size >= 100.0 else 2 if size >= 10.0 else 3
+    return f"{kilojoules:z,.{digits}f}".replace(",", "\u2009").replace("-", "\u2212")
 
 
 def _accuracy(recording: Recording) -> Iterator[str]:
@@ -224,7 +220,7 @@ class LiftFile(Section):
         """What the template is given."""
         attributes = subject.recording.attributes
         settings = attributes.get("settings") or {}
-        shown = [(str(key), _setting(value)) for key, value in settings.items()]
+        shown = [(str(key).replace("_", " "), _setting(str(key), value)) for key, value in settings.items()]
         facts = [
             ("simulated by gantline", str(attributes.get("gantline_version", ""))),
             ("report by gantline", version()),
@@ -240,7 +236,9 @@ class LiftFile(Section):
         return {"about": [*facts, *shown], "text": str(attributes.get("scenario", ""))}
 
 
-def _setting(value: Any) -> str:
+def _setting(name: str, value: Any) -> str:
     if isinstance(value, dict):
-        return ", ".join(f"{key} {one}" for key, one in value.items() if one is not None)
+        return ", ".join(f"{key} {_setting(key, one)}" for key, one in value.items() if one is not None)
+    if name in _SETTING_UNITS and isinstance(value, int | float):
+        return f"{value:.6g} {_SETTING_UNITS[name]}"
     return str(value)

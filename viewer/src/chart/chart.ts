@@ -3,15 +3,28 @@
 import type { Curve } from "../data/curve";
 import { element, set, svg } from "../dom";
 import type { Session } from "../player/session";
+import { alike, dashes, type Place, placesOf } from "./alike";
 import { Cursors } from "./cursors";
 import { COLOURS, type Family, familiesOf } from "./families";
-import { type Area, areaOf, type ChartSpec, frameOf, limitNames, names, unfinished, xOf, yOf } from "./frame";
+import {
+  type Area,
+  areaOf,
+  type ChartSpec,
+  frameOf,
+  liftOffName,
+  limitNames,
+  names,
+  unfinished,
+  xOf,
+  yOf,
+} from "./frame";
 import { Legend } from "./legend";
 import { endNames, type Paper, peakMark, roomOf } from "./marks";
 import { digitsOf, type Scale, shown, verticalScale } from "./scale";
 
 const HEADROOM = 1.1;
 const WIDE = 560; // pixels from which there is room for names at the ends of curves
+const UPON = 2; // pixels, width of curves that lie upon each other
 const MOVED = 6; // pixels from which a press is a drag
 let made = 0;
 
@@ -150,8 +163,17 @@ export class Chart {
     const rank = (index: number) => (this.countsMost(index) ? 1 : 0);
     const order = this.curves.map((_, index) => index);
     if (this.areMany) order.sort((one, other) => rank(one) - rank(other));
-    for (const index of order)
-      if (this.isShown(this.curves[index]!)) this.lines.append(this.path(this.curves[index]!, index));
+    const drawn = order.filter((index) => this.isShown(this.curves[index]!));
+    // Of a family that has one colour only those are told apart that count most.
+    const told = drawn.filter((index) => !this.areMany || this.countsMost(index));
+    const groups = alike(
+      new Map(told.map((index) => [index, this.curves[index]!])),
+      this.session.span,
+      (value) => this.y(value),
+    );
+    const places = placesOf(groups);
+    for (const index of drawn) this.lines.append(this.path(this.curves[index]!, index, places.get(index)));
+    this.legend.tellAlike(groups);
     this.write(visible);
     this.mark();
   }
@@ -170,7 +192,9 @@ export class Chart {
       ...unfinished(session, area, limits),
       ...names(session, area, limits),
       ...(hasRoom ? endNames(this.families.map(shownOnly), this.curves, paper) : []),
-      ...(this.spec.peak ? peakMark(visible, this.spec.unit, paper, limits) : []),
+      ...(this.spec.peak
+        ? peakMark(visible, this.spec.unit, paper, [...limits, ...liftOffName(session, area)])
+        : []),
     );
   }
 
@@ -178,7 +202,7 @@ export class Chart {
     return this.families.some((family) => family.extremes.includes(index));
   }
 
-  private path(curve: Curve, index: number): SVGPathElement {
+  private path(curve: Curve, index: number, upon?: Place): SVGPathElement {
     const [begin, end] = this.session.span;
     const first = Math.max(0, curve.before(begin));
     const last = Math.min(curve.times.length - 1, curve.before(end) + 1);
@@ -194,7 +218,8 @@ export class Chart {
     return svg("path", {
       d: way,
       stroke: this.colour(index),
-      "stroke-width": mine ? 3 : this.areMany ? among : width || 1.8,
+      "stroke-width": mine ? 3 : upon ? UPON : this.areMany ? among : width || 1.8,
+      ...(upon && !mine ? dashes(upon) : {}),
       "stroke-linejoin": "round",
       opacity: hasPinned && !mine ? 0.25 : this.areMany && among < 1 && !mine ? 0.65 : 1,
     });

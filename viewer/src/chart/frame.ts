@@ -154,12 +154,15 @@ function liftOff(session: Session, area: Area): SVGElement[] {
   return [svg("line", { x1: x, x2: x, y1: area.top - 2, y2: area.bottom, class: "gl-lift-off" })];
 }
 
-function liftOffName(session: Session, area: Area): SVGElement[] {
+/** The room of its name, which belongs to no line across the plot. */
+export function liftOffName(session: Session, area: Area): LimitName[] {
   const x = liftOffAt(session, area);
   if (x === null) return [];
+  const text = "lift-off";
+  const wide = LETTER * text.length;
   const isLate = x > area.left + 0.8 * (area.right - area.left);
-  const place = { x: x + (isLate ? -4 : 4), y: area.top + 8, "text-anchor": isLate ? "end" : "start" };
-  return [svg("text", { ...place, class: "gl-note" }, "lift-off")];
+  const left = isLate ? x - 4 - wide : x + 4;
+  return [{ text, left, right: left + wide, baseline: area.top + 8, line: Number.NEGATIVE_INFINITY }];
 }
 
 /** Where the run has ended before its plan; to be drawn upon the curves. */
@@ -216,6 +219,8 @@ export function names(session: Session, area: Area, limits: readonly LimitName[]
     ...limits.map(({ text, right, baseline }) =>
       svg("text", { x: right, y: baseline, "text-anchor": "end", class: "gl-limit-name" }, text),
     ),
-    ...liftOffName(session, area),
+    ...liftOffName(session, area).map(({ text, left, baseline }) =>
+      svg("text", { x: left, y: baseline, class: "gl-note" }, text),
+    ),
   ];
 }

@@ -19,6 +19,7 @@ export class Legend {
   private readonly buttons: HTMLButtonElement[] = [];
   private readonly texts: string[] = [];
   private readonly pace = new Pace(READABLE);
+  private readonly upon = element("span", { class: "gl-legend-family gl-quiet" });
 
   constructor(
     private readonly session: Session,
@@ -47,8 +48,16 @@ export class Legend {
       this.root.append(
         element("span", { class: "gl-legend-family" }, `and ${curves.length - MOST_SHOWN} more`),
       );
+    this.root.append(this.upon);
     this.ends = (["hidden", "pin"] as const).map((topic) => session.on(topic, () => this.showPressed()));
     this.showPressed();
+  }
+
+  /** Which curves lie upon each other, by the indices of each group. */
+  tellAlike(groups: number[][]): void {
+    const names = groups.map((group) => group.map((index) => this.curves[index]!.entry.label).join(", "));
+    this.upon.hidden = names.length === 0;
+    this.upon.textContent = names.length ? `upon each other, in dashes: ${names.join("; ")}` : "";
   }
 
   /** What the curve that counts most comes to, and when. */

@@ -8,7 +8,8 @@ import { Labels } from "../scene/labels";
 import { ropeAt } from "../scene/picking";
 import type { Box } from "../scene/settle";
 import { World } from "../scene/world";
-import { onTheme, paletteOf, rampGradient } from "../theme";
+import { currentTheme, onTheme, paletteOf, rampGradient, type Theme } from "../theme";
+import { onPaper } from "./paper";
 import type { Session } from "./session";
 
 const SLOW = 60; // ms between frames from which ropes are drawn in the cheap style
@@ -57,8 +58,7 @@ export class Stage {
   constructor(private readonly session: Session) {
     const { lift } = session;
     this.root.append(this.canvas);
-    let palette = paletteOf("light");
-    this.world = new World(lift, this.canvas, palette);
+    this.world = new World(lift, this.canvas, paletteOf("light"));
     this.cameras = new Cameras(this.world, lift, this.canvas, () => this.redraw());
     this.labels = new Labels(lift, this.world);
     this.cheapSign = this.toggle(
@@ -68,14 +68,21 @@ export class Stage {
       (on) => this.setCheap(on),
     );
     this.overlays = [this.viewButtons(), this.legend(), this.step, this.switches()];
-    this.root.append(this.labels.root, ...this.overlays);
-    set(this.canvas, { tabindex: 0 });
-    onTheme((theme) => {
-      palette = paletteOf(theme);
-      this.world.setPalette(palette);
-      this.ramp.style.background = rampGradient(palette);
+    const paint = (theme: Theme) => {
+      this.world.setPalette(paletteOf(theme));
+      this.ramp.style.background = rampGradient(paletteOf(theme));
       this.redraw();
+    };
+    const copy = onPaper(this.canvas, {
+      before: () => {
+        paint("light");
+        this.drawForPaper();
+      },
+      after: () => paint(currentTheme()),
     });
+    this.root.append(copy, this.labels.root, ...this.overlays);
+    set(this.canvas, { tabindex: 0 });
+    onTheme(paint);
     new ResizeObserver(() => this.fit()).observe(this.root);
     this.fit();
     this.showView("orbit");
@@ -100,6 +107,13 @@ export class Stage {
     this.world.setStill(true);
     this.draw();
     return this.canvas.toDataURL("image/png");
+  }
+
+  /** Finely, and with the time, which the bar has on the screen. */
+  private drawForPaper(): void {
+    this.world.setStill(true);
+    this.draw();
+    this.step.dataset.time = `${shown(this.session.time, 2)} s`;
   }
 
   private viewButtons(): HTMLElement {

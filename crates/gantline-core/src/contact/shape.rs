@@ -217,8 +217,15 @@ fn nearest_parts<'a, Others: Iterator<Item = Placed<'a>>>(
 }
 
 fn distance(one: Placed, other: Placed) -> f64 {
-    let apart = query::distance(&one.0, one.1.as_ref(), &other.0, other.1.as_ref())
-        .map_or(f64::NAN, |found| found.distance);
+    let apart = match (one.1.as_cuboid(), other.1.as_cuboid()) {
+        // Of two boxes parry's distance goes by the axis that parts them best, from a corner that lies farthest that
+        // way. Where several do, as of boxes with parallel edges, it may take one that is not near.
+        (Some(first), Some(second)) => {
+            query::details::distance_support_map_support_map(&one.0.inv_mul(&other.0), first, second)
+        }
+        _ => query::distance(&one.0, one.1.as_ref(), &other.0, other.1.as_ref())
+            .map_or(f64::NAN, |found| found.distance),
+    };
     if apart > 0.0 {
         return apart;
     }
