@@ -25,9 +25,9 @@ Complex = npt.NDArray[np.complex128]
 #: Waves grow over so many of their longest period.
 _PERIODS_TO_GROW = 3.0
 #: Share of the energy of a sea that may be of waves shorter than a database knows.
-_MOST_UNKNOWN = 0.05
+_MOST_UNKNOWN = 0.2
 #: The same that goes without saying.
-_SILENT = 0.01
+_SILENT = 0.05
 #: A sea is no steeper, height over length in deep water by the peak: DNV-RP-C205, 3.5.5.
 _STEEPEST = 1.0 / 15.0
 #: Added mass and damping of another period than the waves' by more than this share are doubtful.
@@ -90,7 +90,8 @@ def _force(
         parts.warnings += [f"wave forces of {name}: {doubt}" for doubt in doubts]
         unknown = _unknown(train, per_metre)
         if unknown > _SILENT:
-            sentence = f"{100 * unknown:.2g} % of the energy of {train_name} is of waves shorter than its own"
+            shown = f"{100 * unknown:.2g} % of the energy of {train_name}"
+            sentence = f"{shown} is in waves shorter than any there"
             if unknown > _MOST_UNKNOWN:
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
             parts.warnings.append(f"wave forces of {name}: {sentence}; they do nothing")

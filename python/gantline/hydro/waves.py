@@ -100,8 +100,8 @@ def sea(
 ) -> Components:
     """A sea as regular waves of the same energy, each at the middle of its share of it, phases by lot.
 
-    Frequencies have no common measure, so that the record does not repeat, and all energies together are those
-    of the spectrum, whatever the count.
+    Frequencies have no common measure, so that the record does not repeat, and all energies together are
+    those of the spectrum, whatever the count.
 
     Args:
         significant_height: H_s [m].

@@ -84,8 +84,10 @@ impl Mark {
     }
 }
 
-/// Parts of a step at whose ends is looked.
+/// Parts of a step at whose ends is looked, at least.
 const PARTS: usize = 4;
+/// Looks in the shortest period of a wave.
+const LOOKS_IN_WAVE: f64 = 8.0;
 /// Halvings of a part of a step, down to the last bit.
 const HALVINGS: usize = 50;
 
@@ -132,8 +134,10 @@ impl Lookout {
             under.for_each(|mark| log.push(start, EventKind::Flooding, mark));
         }
         let mut from = 0.0;
-        for part in 1..=PARTS {
-            let to = part as f64 / PARTS as f64;
+        let in_waves = LOOKS_IN_WAVE * length / system.sea.shortest_period();
+        let parts = PARTS.max(in_waves.ceil() as usize);
+        for part in 1..=parts {
+            let to = part as f64 / parts as f64;
             std::mem::swap(&mut self.before, &mut self.after);
             self.at(system, span, to, motion);
             for place in 0..self.after.len() {

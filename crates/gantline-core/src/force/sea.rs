@@ -7,6 +7,8 @@
 //! g grows from 0 to 1 at the start, with two derivatives that are zero at both ends, so that what rests begins to move
 //! without a jerk.
 
+use std::f64::consts::PI;
+
 use glam::DVec2;
 
 /// A regular wave.
@@ -49,6 +51,12 @@ impl Sea {
             wave.amplitude * (wave.wave_number.dot(place) - wave.frequency * time + wave.phase).cos()
         });
         self.growth(time).0 * waves.sum::<f64>()
+    }
+
+    /// Of its waves [s]; infinite where there are none.
+    pub fn shortest_period(&self) -> f64 {
+        let periods = self.components.iter().map(|wave| 2.0 * PI / wave.frequency);
+        periods.fold(f64::INFINITY, f64::min)
     }
 
     /// No wave is higher [m].
