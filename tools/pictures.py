@@ -30,6 +30,7 @@ PICTURES_OF_LIFTS = {
     "floating_crane": {"stages": "floating_crane_stages", "vessels": "floating_crane_vessels"},
     "floating_crane_and_crawlers": {"stages": "several_cranes_stages"},
     "spreader_bar": {"system": "spreader_bar"},
+    "crane_barge_in_swell": {"vessels": "waves"},
 }
 DOTS_PER_INCH = 150
 

@@ -43,7 +43,7 @@ const ROUNDING: f64 = 1e-12;
 pub struct Flows {
     /// Work of the drives on the system.
     pub drive_work: f64,
-    /// Work of wind and current on the system.
+    /// Work of wind, current and waves on the system.
     #[serde(default)]
     pub fluid_work: f64,
     /// Lost in rope dampers.
@@ -240,7 +240,7 @@ impl Ledger {
 /// Numbers in [`KINDS`] of those that a system has: without water or air, and where neither streams, theirs are left out.
 pub fn kinds_of(system: &System) -> Vec<usize> {
     let has_fluid = system.tree.forces.iter().any(|force| !matches!(force, AnyForce::Mooring(_)));
-    let streams = force::has_stream(&system.tree);
+    let streams = force::has_stream(&system.tree) || force::has_waves(&system.tree);
     let is_there = |kind: &usize| match KINDS[*kind] {
         "fluid" | "drag" => has_fluid,
         "fluid_work" => streams,

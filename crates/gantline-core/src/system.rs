@@ -1,6 +1,7 @@
 //! What does not change during a run: the tree, the constraints and their rows, drives, plan.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::clock::Clock;
 use crate::constraint::rope::Rope;
@@ -10,6 +11,7 @@ use crate::contact::shape::Shape;
 use crate::event::afloat::{Mark, Vessel};
 use crate::force;
 use crate::force::mooring::Mooring;
+use crate::force::sea::Sea;
 use crate::plan::drive::Timeline;
 use crate::plan::{Cut, Pinning, Plan, Removal};
 use crate::rope::coil::Layers;
@@ -295,6 +297,8 @@ pub struct System {
     pub removals: Vec<Removal>,
     /// Distances that are recorded.
     pub watches: Vec<Watch>,
+    /// Waves on the water.
+    pub sea: Arc<Sea>,
     /// Bodies that should stay upright.
     pub vessels: Vec<Vessel>,
     /// Points of them that should stay above the water.

@@ -1,11 +1,13 @@
-//! Forces of water and wind and of mooring lines on random trees: against energies, rates of momentum, and differences.
+//! Forces of water, wind and waves and of mooring lines on random trees: against energies, rates of momentum, and differences.
 
 mod rigs;
 
 use gantline_core::audit::gravity_energy;
 use gantline_core::build::build;
 use gantline_core::force::{self, AnyForce, At, Energies, Force, twist_of};
-use gantline_core::spec::{BodySpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PumpedSpec, SystemSpec};
+use gantline_core::spec::{
+    BodySpec, ComponentSpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PumpedSpec, SeaSpec, SystemSpec,
+};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
@@ -20,6 +22,10 @@ use rigs::{Draw, moved, rig, seeds};
 /// Central differences as in the tests of mechanics; forces of water are up to some 1e4 here.
 const STEP: f64 = 1e-5;
 const CLOSE: f64 = 1e-6;
+/// When all is looked at [s]: waves still grow.
+const NOW: f64 = 3.0;
+/// Time in which they grow [s].
+const GROWN: f64 = 5.0;
 
 /// Symmetric without negative eigenvalues: B Bᵀ.
 fn square(draw: &mut Draw, size: f64) -> [[f64; 6]; 6] {
@@ -119,13 +125,30 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             volume: 8.0 + 7.0 * draw.number(),
             pumped,
         };
-        spec.forces.extend([buoyancy, added, drag, tank]);
+        let wave = ForceSpec::Wave {
+            name: named("wave", k),
+            body: body(&mut draw),
+            at: at(&mut draw),
+            phasors: (0..3)
+                .map(|_| std::array::from_fn(|_| std::array::from_fn(|_| 100.0 * draw.number())))
+                .collect(),
+        };
+        spec.forces.extend([buoyancy, added, drag, tank, wave]);
     }
+    let component = |draw: &mut Draw| ComponentSpec {
+        frequency: 1.0 + 0.5 * draw.number(),
+        wave_number: [draw.number(), draw.number()],
+        amplitude: draw.number(),
+        phase: draw.number(),
+    };
+    let components = (0..3).map(|_| component(&mut draw)).collect();
+    spec.sea = Some(SeaSpec { components, rise_time: GROWN });
     for k in 0..3 {
         let line = mooring(&mut spec, &mut draw, k);
         spec.forces.push(line);
     }
-    let (system, state) = build(&spec).expect("the generator makes valid rigs");
+    let (system, mut state) = build(&spec).expect("the generator makes valid rigs");
+    state.time = NOW;
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     (system, state, frame)
@@ -298,6 +321,32 @@ proptest! {
         }
     }
 
+    /// ∂τ/∂t, where only waves know time, and how waves grow, against differences.
+    #[test]
+    fn waves_change_with_time(seeds in seeds()) {
+        let (system, mut state, frame) = wet(&seeds);
+        let a = rates(&system, &seeds);
+        let mut drift = vec![0.0; a.len()];
+        force::drift(&system.tree, &frame.kinematics, &state.v, &mut drift);
+        let mut at = |time: f64| {
+            state.time = time;
+            let mut frame = Frame::new(&system);
+            frame.update(&system, &state);
+            inverse(&system, &frame, &state.v, &a).1
+        };
+        let (after, before) = (at(NOW + STEP), at(NOW - STEP));
+        let scale = after.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
+        for (dof, found) in drift.iter().enumerate() {
+            let difference = (after[dof] - before[dof]) / (2.0 * STEP);
+            prop_assert!((difference - found).abs() < CLOSE * scale, "{dof}: {difference} {found}");
+        }
+        let growth = |time: f64| system.sea.growth(time);
+        for time in [0.3, NOW, GROWN - 0.1, GROWN + 1.0] {
+            let difference = (growth(time + STEP).0 - growth(time - STEP).0) / (2.0 * STEP);
+            prop_assert!((difference - growth(time).1).abs() < CLOSE);
+        }
+    }
+
     /// Drag and dampers of lines take power and never give it but what a fluid that streams puts in; it is their force times
     /// the velocity.
     #[test]
@@ -310,7 +359,8 @@ proptest! {
         let (dynamics, _) = inverse(&system, &frame, &state.v, &rates(&system, &seeds));
         let at = |force: &AnyForce| dynamics.at(&system.tree, &frame.kinematics, force.body());
         let losses: Vec<f64> = system.tree.forces.iter().map(|force| force.loss(&at(force))).collect();
-        let work = force::work(&system.tree, &frame.kinematics, &state.v);
+        let work = force::stream_work(&system.tree, &frame.kinematics, &state.v)
+            + force::wave_work(&system.tree, &frame.kinematics, &state.v);
         let lost: f64 = losses.iter().sum();
         prop_assert!(losses.iter().all(|lost| *lost >= 0.0));
         prop_assert!((lost - work - power).abs() < 1e-10 * (1.0 + power.abs() + work.abs()), "{lost} {work} {power}");
@@ -328,6 +378,7 @@ proptest! {
                 twist,
                 rate: Twist::default(),
                 gravity: DVec3::ZERO,
+                time: NOW,
                 q: &state.q,
                 v: &state.v,
             };
@@ -365,6 +416,7 @@ fn a_cube_half_in_water() {
         twist: Twist::default(),
         rate: Twist::default(),
         gravity: system.tree.gravity,
+        time: 0.0,
         q: &state.q,
         v: &still,
     };

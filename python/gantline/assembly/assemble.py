@@ -28,6 +28,7 @@ from gantline.assembly.streams import add_streams
 from gantline.assembly.supports import add_supports, removals
 from gantline.assembly.vessels import add_vessels, watch_vessels
 from gantline.assembly.water import add_water
+from gantline.assembly.waves import add_waves
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Scenario, resolve
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
@@ -90,6 +91,7 @@ def assemble(scenario: Scenario) -> Assembly:
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
     add_streams(parts, scenario, lifted)
+    add_waves(parts, scenario)
     add_critical_damping(parts, scenario)
     add_moorings(parts, scenario)
     watch_vessels(parts, scenario)

@@ -49,6 +49,7 @@ class Parts:
         pairs: shapes that may touch.
         watches: distances that are recorded.
         forces: of water, wind and mooring lines on bodies, in order.
+        sea: waves on the water; None where there are none.
         vessels: what should stay upright, and which of their points above the water.
         drives: drives by name.
         plan: steps in order.
@@ -71,6 +72,7 @@ class Parts:
     pairs: list[Json] = field(default_factory=list)
     watches: list[Json] = field(default_factory=list)
     forces: list[Json] = field(default_factory=list)
+    sea: Json | None = None
     vessels: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
@@ -227,6 +229,7 @@ class Parts:
             "contacts": self.contacts,
             "drives": list(self.drives.values()),
             "plan": self.plan,
+            **({} if self.sea is None else {"sea": self.sea}),
             **({} if self.emergency_stop is None else {"emergency_stop": self.emergency_stop}),
             **{key: given for key, given in if_there.items() if given},
         }

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-from pathlib import Path
-
 import numpy as np
 
-from gantline.assembly.hulls import stamp
-from gantline.hydro.database import DatabaseError, HydrodynamicDatabase, read_database
+from gantline.assembly.databases import from_database
+from gantline.assembly.spatial import Array
+from gantline.hydro.database import HydrodynamicDatabase
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart
 from gantline.scenario.water import AddedMass, OfWater, WaterDamping
@@ -51,21 +49,13 @@ def _from_database(
     scenario: Scenario, path: tuple[PathPart, ...], given: AddedMass | WaterDamping, density: float
 ) -> tuple[list[list[float]], list[str]]:
     assert given.database is not None and given.period is not None  # validated
-    place = Path(scenario.source).parent / given.database
-    try:
-        database = _read(place, stamp(place), given.body)
-        period = None if given.period == "infinite_frequency" else float(given.period)
+    period = None if given.period == "infinite_frequency" else float(given.period)
+
+    def matrix_at(database: HydrodynamicDatabase) -> tuple[Array, list[str]]:
         if isinstance(given, AddedMass):
-            matrix, doubts = database.added_mass_at(period, density)
-        else:
-            assert period is not None  # validated
-            matrix, doubts = database.damping_at(period, density)
-    except DatabaseError as problem:
-        raise scenario.error((*path, "database"), str(problem).replace(str(place), given.database)) from None
+            return database.added_mass_at(period, density)
+        assert period is not None  # validated
+        return database.damping_at(period, density)
+
+    matrix, doubts = from_database(scenario, path, (given.database, given.body), matrix_at)
     return matrix.tolist(), doubts
-
-
-@lru_cache(maxsize=8)
-def _read(path: Path, _stamp: tuple[int, int], body: str | None) -> HydrodynamicDatabase:
-    """A database, read once for added mass, damping and all cases of a lift."""
-    return read_database(path, body)

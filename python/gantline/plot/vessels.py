@@ -10,17 +10,20 @@ from gantline.results.recording import Recording
 
 
 def vessels(recording: Recording) -> Figure | None:
-    """Drafts aft and forward, trim, heel and freeboard of every vessel; None without vessels."""
+    """Drafts aft and forward, trim, heel, freeboard and waves of every vessel; None without vessels."""
     names = recording.coordinates.get("vessel", ())
     if not names:
         return None
-    figure, panels = time_figure(recording, "Vessels", [1.4, 1.0, 1.0, 1.0], 6.4)
-    rows = (
+    rows = [
         ("Draft [m]", {"aft": "vessel_draft_aft", "forward": "vessel_draft_forward"}, 1.0, 0.1),
         ("Trim by the\nstern [deg]", {"": "vessel_trim"}, 180.0 / np.pi, 0.1),
         ("Heel to\nstarboard [deg]", {"": "vessel_heel"}, 180.0 / np.pi, 0.1),
         ("Freeboard [m]", {"": "vessel_freeboard"}, 1.0, 0.1),
-    )
+    ]
+    if "vessel_wave_elevation" in recording.variables:
+        rows.append(("Waves at\nmidship [m]", {"": "vessel_wave_elevation"}, 1.0, 0.1))
+    shares = [1.4, *[1.0] * (len(rows) - 1)]
+    figure, panels = time_figure(recording, "Vessels", shares, 2.0 + sum(shares))
     for panel, (label, variables, factor, least_span) in zip(panels, rows, strict=True):
         found = {
             f"{name} {end}".strip(): factor * recording.column(variable, name)

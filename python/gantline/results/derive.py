@@ -186,7 +186,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         _hook_loads(columns, names, lift),
         _load_state(columns, names, lift),
         rope_flows(columns, names, lift),
-        vessel_state(columns, names, lift.vessels),
+        vessel_state(columns, names, lift.vessels, lift.sea),
         mooring_state(columns, names, lift.mooring_lines, lift.fenders),
     ):
         variables |= derived

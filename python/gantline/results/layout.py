@@ -44,7 +44,7 @@ _OVER: dict[tuple[str, ...], str] = {
     ("time", "crawler"): "tipping_utilisation slew_angle",
     ("time", "track_corner"): "track_pressure ground_pressure",
     ("time", "vessel"): "vessel_draft vessel_draft_aft vessel_draft_forward vessel_heel vessel_trim "
-    "vessel_freeboard vessel_displacement",
+    "vessel_freeboard vessel_displacement vessel_wave_elevation",
     ("time", "mooring_line"): "mooring_tension",
     ("time", "fender"): "fender_force",
     ("time", "hull"): "displaced_volume",
@@ -66,6 +66,7 @@ OPTIONAL = frozenset(
         "luffing_pull",
         "clearance_point",
         "load_swing",
+        "vessel_wave_elevation",
     }
 )
 #: Dimensions whose entries are counted and have no names.

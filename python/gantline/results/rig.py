@@ -17,6 +17,7 @@ from gantline.results.form import Vector
 from gantline.results.gear import Drum, Equalizer, Hook, Rope, Sheave, Sling, Spreader, WrappedSheave
 from gantline.results.moorings import Fender, MooringLine
 from gantline.results.rating_chart import RatingChart
+from gantline.results.sea import Sea
 from gantline.results.strength import Bend, Factor, FromJson, Lug, Rating, SideLoad, lugs_from_json
 from gantline.results.vessels import Vessel
 
@@ -155,6 +156,7 @@ class Rig(FromJson):
         watches: Pairs whose distance is watched.
         touching: Pairs that touch each other in the simulation as the lift file says.
         hooks: Hooks of all cranes.
+        sea: Waves on the water; None where it is still.
         vessels: Vessels.
         mooring_lines: Mooring lines.
         fenders: Fenders.
@@ -190,6 +192,7 @@ class Rig(FromJson):
     watches: Sequence[Watch] = ()
     touching: Sequence[tuple[str, str]] = ()
     hooks: Sequence[Hook] = ()
+    sea: Sea | None = None
     vessels: Sequence[Vessel] = ()
     mooring_lines: Sequence[MooringLine] = ()
     fenders: Sequence[Fender] = ()
@@ -223,6 +226,7 @@ class Rig(FromJson):
             "supports": tuple(Support.from_json(d) for d in document.get("supports") or ()),
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
+            "sea": Sea.from_json(document["sea"]) if document.get("sea") else None,
             "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
             "mooring_lines": tuple(MooringLine.from_json(d) for d in document.get("mooring_lines") or ()),
             "fenders": tuple(Fender.from_json(d) for d in document.get("fenders") or ()),

@@ -1,7 +1,7 @@
 """How vessels lie in the water: drafts, heel, trim and freeboard from the recorded motion of their bodies.
 
 With o the origin of a vessel and w the level of the water, n . x + o_z - w is the height of one of its points
-above the water, n upwards in its axes.
+above the water, n upwards in its axes. Drafts are those in still water, freeboard is that in waves.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import numpy as np
 from gantline.results.attitude import Lie
 from gantline.results.form import Range, Vector
 from gantline.results.rotation import axes
+from gantline.results.sea import Sea
 from gantline.results.strength import FromJson
 from gantline.results.variable import FloatArray, Variable
 
@@ -51,18 +52,21 @@ class Vessel(FromJson):
 _Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
 
 
-def vessel_state(columns: Columns, names: Names, vessels: Sequence[Vessel]) -> _Derived:
+def vessel_state(
+    columns: Columns, names: Names, vessels: Sequence[Vessel], sea: Sea | None = None
+) -> _Derived:
     """Drafts, heel, trim, freeboard and displacement of vessels over time.
 
     Args:
         columns: Columns of the core by name.
         names: Names along their dimensions.
         vessels: Those of the rig.
+        sea: Waves on the water; None where it is still.
     """
     if not vessels:
         return {}, {}
-    parts = [_afloat(columns, names, vessel) for vessel in vessels]
-    described = (
+    parts = [_afloat(columns, names, vessel, sea) for vessel in vessels]
+    described = [
         ("vessel_draft", "m", "draft of a vessel at half its length, along its own z"),
         ("vessel_draft_aft", "m", "draft of a vessel at the stern of its hull"),
         ("vessel_draft_forward", "m", "draft of a vessel at the bow of its hull"),
@@ -70,14 +74,17 @@ def vessel_state(columns: Columns, names: Names, vessels: Sequence[Vessel]) -> _
         ("vessel_trim", "rad", "trim of a vessel, by the stern positive"),
         ("vessel_freeboard", "m", "height above the water of the lowest of deck edge and openings"),
         ("vessel_displacement", "kg", "mass of the water that a vessel displaces"),
-    )
+    ]
+    if sea is not None:
+        elevation = "height of the undisturbed waves amidships of a vessel above still water"
+        described.append(("vessel_wave_elevation", "m", elevation))
     return {
         name: Variable(("time", "vessel"), np.stack([one[name] for one in parts], axis=1), unit, description)
         for name, unit, description in described
     }, {"vessel": [vessel.name for vessel in vessels]}
 
 
-def _afloat(columns: Columns, names: Names, vessel: Vessel) -> dict[str, FloatArray]:
+def _afloat(columns: Columns, names: Names, vessel: Vessel, sea: Sea | None) -> dict[str, FloatArray]:
     body = list(names["body"]).index(vessel.body)
     turn = axes(columns["body_orientation"][:, body])
     origin = columns["body_position"][:, body] - turn @ np.asarray(vessel.centre_of_gravity)
@@ -85,14 +92,24 @@ def _afloat(columns: Columns, names: Names, vessel: Vessel) -> dict[str, FloatAr
     aft, forward = vessel.ends
     points = np.array([point for mark in vessel.marks.values() for point in mark])
     volume = columns["displaced_volume"][:, list(names["hull"]).index(vessel.hull)]
+    freeboard = (lie.up @ points.T).min(axis=1) + lie.height
+    waves = {}
+    if sea is not None:
+        time = columns["time"]
+        marks = origin[:, None, :2] + np.einsum("tij,pj->tpi", turn[:, :2], points)
+        heights = lie.up @ points.T + lie.height[:, None] - sea.elevation(time, marks)
+        freeboard = heights.min(axis=1)
+        amidships = origin[:, :2] + turn[:, :2] @ np.array([(aft + forward) / 2, 0.0, 0.0])
+        waves = {"vessel_wave_elevation": sea.elevation(time, amidships)}
     return {
         "vessel_draft": lie.draft((aft + forward) / 2),
         "vessel_draft_aft": lie.draft(aft),
         "vessel_draft_forward": lie.draft(forward),
         "vessel_heel": lie.heel,
         "vessel_trim": lie.trim,
-        "vessel_freeboard": (lie.up @ points.T).min(axis=1) + lie.height,
+        "vessel_freeboard": freeboard,
         "vessel_displacement": vessel.density * volume,
+        **waves,
     }
 
 

@@ -33,6 +33,7 @@ from gantline.scenario.tree import MapNode, line_of
 from gantline.scenario.vessel import Vessel
 from gantline.scenario.watch import Watch
 from gantline.scenario.water import Water
+from gantline.scenario.waves import WaveTrain
 
 __all__ = ["Scenario"]
 
@@ -73,6 +74,9 @@ class Scenario(Element):
     )
     current: Current | None = Field(
         None, description="Current; it pushes on 'current_areas'. None if not given."
+    )
+    waves: Named[WaveTrain] | None = Field(
+        None, description="Waves that run over the water, by name; they act on vessels with 'wave_forces'."
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     water: Water | None = Field(None, description="Water around hulls; sea water up to 0 if not given.")

@@ -15,7 +15,6 @@ __all__ = ["translate"]
 
 #: What people look for in a lift file and do not find there, and why.
 _TO_COME = {
-    "waves": "water is still but for a steady 'current'",
     "gusts": "wind is steady; give the speed of gusts as that of 'wind'",
     "tag_lines": "a rope under 'mechanics' from the load to a winch or to the ground holds its heading",
 }

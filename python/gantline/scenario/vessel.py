@@ -25,7 +25,7 @@ from gantline.scenario.quantities import (
     Text,
     refuse,
 )
-from gantline.scenario.water import MOTIONS, Afloat, HullShape, WaterDamping
+from gantline.scenario.water import MOTIONS, Afloat, HullShape, WaterDamping, WaveForces
 
 __all__ = [
     "CAPSIZED_BEYOND",
@@ -156,6 +156,7 @@ class Vessel(Afloat):
     trim: Angle = Field(0.0, description="Trim at the start, by the stern positive.")
     hull: VesselHull = Field(description="What of it displaces water.")
     water_damping: VesselDamping | None = Field(None, description="What water resists its motion with.")
+    wave_forces: WaveForces | None = Field(None, description="What waves do to it; nothing if not given.")
     masses: Named[VesselMass] = Field(
         description="What it weighs by itself, by name: without cranes, hooks and contents of tanks."
     )

@@ -15,6 +15,7 @@ from gantline.scenario.quantities import (
     Mass,
     Number,
     Position,
+    PositiveLength,
     Quantity,
     RotationalDamping,
     Sizes,
@@ -37,6 +38,7 @@ __all__ = [
     "OfWater",
     "Water",
     "WaterDamping",
+    "WaveForces",
 ]
 
 #: Density of sea water [kg/m^3].
@@ -59,6 +61,9 @@ class Water(Element):
 
     density: Density = Field(SEA_WATER, description="Density; that of sea water if not given.")
     level: Length = Field(0.0, description="Height of its surface; 0 if not given.")
+    depth: PositiveLength | None = Field(
+        None, description="Depth, which decides how long waves are; deep if not given."
+    )
 
 
 class HullShape(Element):
@@ -207,6 +212,16 @@ class WaterDamping(OfWater):
     def diagonal(self) -> list[float]:
         """Surge, sway, heave [N s/m], roll, pitch, yaw [N m s]."""
         return [getattr(self, motion) for motion in MOTIONS]
+
+
+class WaveForces(Element):
+    """What waves do to a vessel, by a hydrodynamic database."""
+
+    what: ClassVar[str] = "wave forces"
+
+    database: Text = Field(description="Hydrodynamic database beside the lift file: .nc, .h5 or .dhyd.")
+    at: Position = Field(description="Where its reference point is in the vessel's axes.")
+    body: Text | None = Field(None, description="Body of the database, where it has several.")
 
 
 class BallastTank(Element):

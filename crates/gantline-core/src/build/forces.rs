@@ -1,14 +1,18 @@
-//! Forces on bodies: of water and wind, and of mooring lines.
+//! Forces on bodies: of water, wind and waves, and of mooring lines.
+
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::moorings::build_mooring;
+use super::sea::build_wave;
 use super::{BuildError, error, finite, positive};
 use crate::force::AnyForce;
 use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
 use crate::force::drag::Drag;
 use crate::force::mooring::Mooring;
+use crate::force::sea::Sea;
 use crate::force::square::Square;
 use crate::force::tank::{Pumped, Tank};
 use crate::hull::{Hull, Mesh};
@@ -20,11 +24,21 @@ const SYMMETRIC: f64 = 1e-9;
 /// How far below zero an eigenvalue may be, relative to the diagonal.
 const ROUNDING: f64 = 1e-9;
 
-pub(super) fn build_forces(spec: &SystemSpec, tree: &Tree) -> Result<Vec<AnyForce>, BuildError> {
-    spec.forces.iter().map(|given| build_force(given, spec, tree)).collect()
+/// Forces, with the sea that those of waves come from.
+pub(super) fn build_forces(
+    spec: &SystemSpec,
+    tree: &Tree,
+    sea: &Arc<Sea>,
+) -> Result<Vec<AnyForce>, BuildError> {
+    spec.forces.iter().map(|given| build_force(given, spec, tree, sea)).collect()
 }
 
-fn build_force(given: &ForceSpec, spec: &SystemSpec, tree: &Tree) -> Result<AnyForce, BuildError> {
+fn build_force(
+    given: &ForceSpec,
+    spec: &SystemSpec,
+    tree: &Tree,
+    sea: &Arc<Sea>,
+) -> Result<AnyForce, BuildError> {
     let name = given.name();
     let find = |body: &str| match tree.bodies.iter().position(|other| other.name == body) {
         Some(index) if tree.bodies[index].joint.moves_body() => Ok(index),
@@ -35,6 +49,9 @@ fn build_force(given: &ForceSpec, spec: &SystemSpec, tree: &Tree) -> Result<AnyF
         ForceSpec::Mooring(line) => {
             let mooring: Mooring = build_mooring(line, find(&line.body)?, tree)?;
             AnyForce::Mooring(Box::new(mooring))
+        }
+        ForceSpec::Wave { body, at, phasors, .. } => {
+            AnyForce::Wave(build_wave(name, find(body)?, *at, phasors, sea)?)
         }
         ForceSpec::Buoyancy { body, vertices, triangles, density, level, .. } => {
             positive(name, "the density of its water", *density)?;

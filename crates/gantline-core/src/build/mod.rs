@@ -10,10 +10,13 @@ mod moorings;
 mod plan;
 mod ropes;
 mod rows;
+mod sea;
 mod start;
 mod touches;
 mod tree;
 mod vessels;
+
+use std::sync::Arc;
 
 use glam::DVec3;
 use thiserror::Error;
@@ -35,6 +38,7 @@ use light::rows_of_light;
 use moorings::place_moorings;
 use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
+use sea::build_sea;
 use start::first_state;
 use touches::{Touches, build_shapes, build_watches};
 use tree::{build_tree, start_of_joint};
@@ -61,7 +65,8 @@ fn error<T>(element: &str, problem: impl Into<String>) -> Result<T, BuildError> 
 pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     check_names(spec)?;
     let mut tree = build_tree(spec)?;
-    tree.forces = build_forces(spec, &tree)?;
+    let sea = Arc::new(build_sea(spec)?);
+    tree.forces = build_forces(spec, &tree, &sea)?;
     let mut q = vec![0.0; tree.positions];
     let mut v = vec![0.0; tree.velocities];
     for (body, given) in tree.bodies.iter().zip(&spec.bodies) {
@@ -74,7 +79,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         v[drive.dof] = 0.0;
     }
     let mut start = Kinematics::new(&tree);
-    start.update(&tree, &q);
+    start.update(&tree, &q, 0.0);
     let shapes = build_shapes(spec, &tree)?;
     let Built { constraints, groups, seats, touches } = build_constraints(spec, &tree, &start, &shapes)?;
     let Touches { finders, removals, mut spots } = touches;
@@ -135,6 +140,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         finders,
         removals,
         watches,
+        sea,
         vessels,
         marks,
         plan,

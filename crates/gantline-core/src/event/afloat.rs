@@ -6,6 +6,7 @@
 use glam::DVec3;
 
 use super::{EventKind, EventLog};
+use crate::force::sea::Sea;
 use crate::record::{Sample, Span};
 use crate::stepper::StepError;
 use crate::system::System;
@@ -65,14 +66,28 @@ impl Vessel {
 }
 
 impl Mark {
-    /// Height of its lowest point above the water [m].
+    /// Height of its lowest point above the level of still water [m].
     pub fn height(&self, vessel: &Vessel, pose: &Pose, gravity: DVec3) -> f64 {
         vessel.heights(&self.points, pose, gravity).fold(f64::INFINITY, f64::min)
     }
+
+    /// The same above the water at `time` [s], where waves pass as if the vessel were not there; not less than that where
+    /// no wave can reach it.
+    fn height_in_waves(&self, vessel: &Vessel, pose: &Pose, gravity: DVec3, (sea, time): (&Sea, f64)) -> f64 {
+        let (still, highest) = (self.height(vessel, pose, gravity), sea.highest());
+        if highest == 0.0 || still > highest {
+            return still;
+        }
+        let heights = vessel.heights(&self.points, pose, gravity).zip(&self.points);
+        let over = heights.map(|(height, point)| height - sea.elevation(pose.point(*point).truncate(), time));
+        over.fold(f64::INFINITY, f64::min)
+    }
 }
 
-/// Parts of a step at whose ends is looked.
+/// Parts of a step at whose ends is looked, at least.
 const PARTS: usize = 4;
+/// Looks in the shortest period of a wave.
+const LOOKS_IN_WAVE: f64 = 8.0;
 /// Halvings of a part of a step, down to the last bit.
 const HALVINGS: usize = 50;
 
@@ -112,15 +127,17 @@ impl Lookout {
             return Ok(());
         }
         let (start, length) = (span.before.time, span.after.time - span.before.time);
-        self.kinematics.update(&system.tree, &span.before.q);
+        self.kinematics.update(&system.tree, &span.before.q, start);
         self.margins(system);
         if span.before.steps == 0 {
             let under = (0..system.marks.len()).filter(|&mark| self.after[mark] < 0.0);
             under.for_each(|mark| log.push(start, EventKind::Flooding, mark));
         }
         let mut from = 0.0;
-        for part in 1..=PARTS {
-            let to = part as f64 / PARTS as f64;
+        let in_waves = LOOKS_IN_WAVE * length / system.sea.shortest_period();
+        let parts = PARTS.max(in_waves.ceil() as usize);
+        for part in 1..=parts {
+            let to = part as f64 / parts as f64;
             std::mem::swap(&mut self.before, &mut self.after);
             self.at(system, span, to, motion);
             for place in 0..self.after.len() {
@@ -144,11 +161,12 @@ impl Lookout {
         share: f64,
         motion: &mut dyn FnMut(&Span, f64, &mut Sample),
     ) {
+        let (start, end) = (span.before.time, span.after.time);
         if share == 1.0 {
-            self.kinematics.update(&system.tree, &span.after.q);
+            self.kinematics.update(&system.tree, &span.after.q, end);
         } else {
             motion(span, share, &mut self.sample);
-            self.kinematics.update(&system.tree, &self.sample.q);
+            self.kinematics.update(&system.tree, &self.sample.q, start + share * (end - start));
         }
         self.margins(system);
     }
@@ -158,7 +176,7 @@ impl Lookout {
         let pose = |vessel: &Vessel| &self.kinematics.pose[vessel.body];
         let heights = system.marks.iter().map(|mark| {
             let vessel = &system.vessels[mark.vessel];
-            mark.height(vessel, pose(vessel), gravity)
+            mark.height_in_waves(vessel, pose(vessel), gravity, (&system.sea, self.kinematics.time))
         });
         let upright = system.vessels.iter().map(|vessel| -vessel.beyond(pose(vessel), gravity));
         self.after.iter_mut().zip(heights.chain(upright)).for_each(|(margin, value)| *margin = value);

@@ -1,5 +1,5 @@
-//! Forces on single bodies that depend on where the body is and how it moves: what water does to it, around it and in it,
-//! and what wind and mooring lines do.
+//! Forces on single bodies that depend on where the body is and how it moves, and on time: what water does to it, around it
+//! and in it, and what wind and mooring lines do.
 //!
 //! A force is a wrench about the origin of its body. It says how the wrench changes with place, velocity and
 //! acceleration *as seen from the body*: what turns along with the body does not change then. So matrices that are
@@ -12,8 +12,10 @@ pub mod added_mass;
 pub mod buoyancy;
 pub mod drag;
 pub mod mooring;
+pub mod sea;
 pub mod square;
 pub mod tank;
+pub mod wave;
 
 use glam::DVec3;
 
@@ -27,6 +29,7 @@ use drag::Drag;
 use mooring::Mooring;
 use square::Square;
 use tank::Tank;
+use wave::WaveForce;
 
 /// Where a body is and how it moves, world axes.
 #[derive(Debug, Clone, Copy)]
@@ -39,6 +42,8 @@ pub struct At<'a> {
     pub rate: Twist,
     /// Acceleration of gravity [m/s²].
     pub gravity: DVec3,
+    /// Time [s].
+    pub time: f64,
     /// Configuration of the tree.
     pub q: &'a [f64],
     /// Its velocity coordinates.
@@ -101,7 +106,7 @@ pub trait Force {
         0.0
     }
 
-    /// Power that a fluid which streams puts in [W].
+    /// Power that a fluid which streams, or waves, put in [W].
     fn work(&self, _at: &At) -> f64 {
         0.0
     }
@@ -141,6 +146,8 @@ pub enum AnyForce {
     Tank(Box<Tank>),
     /// A mooring line.
     Mooring(Box<Mooring>),
+    /// Waves.
+    Wave(WaveForce),
 }
 
 impl std::ops::Deref for AnyForce {
@@ -153,6 +160,7 @@ impl std::ops::Deref for AnyForce {
             Self::Drag(drag) => drag,
             Self::Tank(tank) => &**tank,
             Self::Mooring(mooring) => &**mooring,
+            Self::Wave(wave) => wave,
         }
     }
 }
@@ -190,7 +198,8 @@ pub fn twist_of(tree: &Tree, kinematics: &Kinematics, body: usize, v: &[f64]) ->
 /// Where the body of a force is, and how it moves under the velocity coordinates `v`; not accelerated.
 fn under<'a>(tree: &Tree, kinematics: &'a Kinematics, body: usize, v: &'a [f64]) -> At<'a> {
     let (twist, rate) = (twist_of(tree, kinematics, body, v), Twist::default());
-    At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity, q: &kinematics.q, v }
+    let Kinematics { pose, q, time, .. } = kinematics;
+    At { pose: &pose[body], twist, rate, gravity: tree.gravity, time: *time, q, v }
 }
 
 /// True where wind or current blows on a body.
@@ -198,18 +207,39 @@ pub fn has_stream(tree: &Tree) -> bool {
     tree.forces.iter().any(|force| matches!(force, AnyForce::Drag(drag) if drag.stream != DVec3::ZERO))
 }
 
+/// True where waves do something to a body.
+pub fn has_waves(tree: &Tree) -> bool {
+    waves(tree).next().is_some()
+}
+
 /// Power that fluids which stream put into all bodies under the velocity coordinates `v` [W].
-pub fn work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
-    tree.forces.iter().map(|force| force.work(&under(tree, kinematics, force.body(), v))).sum()
+pub fn stream_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
+    drags(tree).map(|drag| drag.work(&under(tree, kinematics, drag.body, v))).sum()
+}
+
+/// The same of waves.
+pub fn wave_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
+    waves(tree).map(|wave| wave.work(&under(tree, kinematics, wave.body, v))).sum()
 }
 
 /// Sets `out` to what fluids resist the velocity coordinates `v` with, along every degree of freedom; at rest that is the
-/// opposite of what wind and current push with.
+/// opposite of what wind, current and waves push with.
 pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f64]) {
     out.fill(0.0);
-    for force in &tree.forces {
-        let AnyForce::Drag(drag) = force else { continue };
+    for drag in drags(tree) {
         take(tree, kinematics, drag.body, drag.wrench(&under(tree, kinematics, drag.body, v)), out);
+    }
+    for wave in waves(tree) {
+        take(tree, kinematics, wave.body, wave.wrench(&under(tree, kinematics, wave.body, v)), out);
+    }
+}
+
+/// Sets `out` to the derivative over time alone of what the motion needs along every degree of freedom: the opposite of
+/// how the push of waves changes.
+pub fn drift(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f64]) {
+    out.fill(0.0);
+    for wave in waves(tree) {
+        take(tree, kinematics, wave.body, wave.drift(&under(tree, kinematics, wave.body, v)), out);
     }
 }
 
@@ -232,6 +262,14 @@ fn take(tree: &Tree, kinematics: &Kinematics, body: usize, wrench: Wrench, out: 
         let linear = kinematics.point_column(tree, dof, kinematics.pose[body].position);
         out[dof] -= linear.dot(wrench.force) + kinematics.columns[dof].angular.dot(wrench.moment);
     }
+}
+
+fn drags(tree: &Tree) -> impl Iterator<Item = &Drag> {
+    tree.forces.iter().filter_map(|force| if let AnyForce::Drag(drag) = force { Some(drag) } else { None })
+}
+
+fn waves(tree: &Tree) -> impl Iterator<Item = &WaveForce> {
+    tree.forces.iter().filter_map(|force| if let AnyForce::Wave(wave) = force { Some(wave) } else { None })
 }
 
 /// Mooring lines among the forces.

@@ -94,7 +94,7 @@ impl Columns {
             let tension = &samples.tension[index * rows..][..rows];
             let seats = &samples.seats[index * sheaves..][..sheaves];
             let spots = &samples.spots[index * spots..][..spots];
-            sampled.kinematics.update(&system.tree, q);
+            sampled.kinematics.update(&system.tree, q, samples.time[index]);
             sampled.mark_parted(system, samples.time[index]);
             sampled.add_rows(system, samples.time[index], [q, tension], (seats, spots), &mut columns);
             sampled.add_moorings(system, v, &mut columns);

@@ -70,6 +70,42 @@ pub enum ForceSpec {
     },
     /// A mooring line, an elastic catenary.
     Mooring(Box<MooringSpec>),
+    /// What the waves of the sea do to it.
+    Wave {
+        /// Unique name.
+        name: String,
+        /// Body that it acts on.
+        body: String,
+        /// Point that forces act at and moments are about [m], body frame.
+        at: [f64; 3],
+        /// Of every component of the sea, real and imaginary part of X in Re(X exp(−iωt)): force x, y, z [N], moment x,
+        /// y, z [N m], world axes.
+        phasors: Vec<[[f64; 2]; 6]>,
+    },
+}
+
+/// Waves: what they are made of.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SeaSpec {
+    /// Regular waves a cos(k·x − ωt + ε) whose sum they are.
+    pub components: Vec<ComponentSpec>,
+    /// Time in which they grow from nothing [s].
+    pub rise_time: f64,
+}
+
+/// A regular wave.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ComponentSpec {
+    /// ω [rad/s].
+    pub frequency: f64,
+    /// k [rad/m], world x and y.
+    pub wave_number: [f64; 2],
+    /// a [m].
+    pub amplitude: f64,
+    /// ε [rad].
+    pub phase: f64,
 }
 
 /// A mooring line: one of `length` and `pretension`.
@@ -128,7 +164,8 @@ impl ForceSpec {
             Self::Buoyancy { name, .. }
             | Self::AddedMass { name, .. }
             | Self::Drag { name, .. }
-            | Self::Tank { name, .. } => name,
+            | Self::Tank { name, .. }
+            | Self::Wave { name, .. } => name,
             Self::Mooring(line) => &line.name,
         }
     }

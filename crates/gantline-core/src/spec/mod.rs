@@ -48,6 +48,9 @@ pub struct SystemSpec {
     /// Forces of the water on bodies.
     #[serde(default)]
     pub forces: Vec<ForceSpec>,
+    /// Waves on the water, which forces of waves come from.
+    #[serde(default)]
+    pub sea: Option<SeaSpec>,
     /// Vessels, for what may happen to them.
     #[serde(default)]
     pub vessels: Vec<VesselSpec>,

@@ -221,7 +221,7 @@ impl StaticLift {
     /// How a shape moves every body: velocity of the centre of gravity and angular velocity, world axes.
     pub fn body_motion(&self, shape: &[f64]) -> Vec<f64> {
         let mut kinematics = Kinematics::new(&self.system.tree);
-        kinematics.update(&self.system.tree, &self.state.q);
+        kinematics.update(&self.system.tree, &self.state.q, 0.0);
         let mut twists = vec![Twist::default(); self.system.tree.bodies.len()];
         kinematics.twists(&self.system.tree, shape, &mut twists);
         let bodies = self.system.tree.bodies.iter().zip(twists.iter().zip(&kinematics.lever));
@@ -366,7 +366,7 @@ fn unless_stopped(goes_on: GoesOn) -> Result<(), NoEquilibrium> {
 /// Where everything is in a state.
 fn placed(system: &System, state: &State) -> Frame {
     let mut frame = Frame::new(system);
-    frame.kinematics.update(&system.tree, &state.q);
+    frame.kinematics.update(&system.tree, &state.q, 0.0);
     frame
 }
 

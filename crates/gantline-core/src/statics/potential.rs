@@ -323,9 +323,9 @@ impl Potential {
         self.evaluate(system, bearings, by);
     }
 
-    /// Poses at `self.q`.
+    /// Poses at `self.q`, before any wave comes.
     pub fn place(&mut self, system: &System) {
-        self.frame.kinematics.update(&system.tree, &self.q);
+        self.frame.kinematics.update(&system.tree, &self.q, 0.0);
     }
 
     /// Evaluates everything else, at the poses of `self.q`.

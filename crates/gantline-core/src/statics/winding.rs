@@ -125,7 +125,7 @@ impl Statics {
 
     fn before(&mut self, system: &System, state: &mut State) -> Before {
         let frame = &mut self.search.here.frame;
-        frame.kinematics.update(&system.tree, &state.q);
+        frame.kinematics.update(&system.tree, &state.q, 0.0);
         frame.rows(system, &state.q, &Remembered::of(state));
         for coil in &mut state.coils {
             coil.winds = false;

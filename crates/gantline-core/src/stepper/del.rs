@@ -164,7 +164,8 @@ impl Del {
         for (index, place) in system.coils.iter().enumerate() {
             self.momentum[place.dof] += h * frame.coil_force(system, index);
         }
-        // c, which holds −f of gravity, at the mean velocity by fixed point.
+        // c, which holds −f of gravity, at the mean velocity by fixed point, with the waves of half-way.
+        frame.kinematics.time = state.time + 0.5 * h;
         let mut scale = 0.0;
         for round in 0..BIAS_ROUNDS {
             for (middle, (old, new)) in self.middle.iter_mut().zip(state.v.iter().zip(&self.v)) {
@@ -212,12 +213,13 @@ impl Del {
         report.complementarity_residual = self.rows.residual(system);
 
         // q₊ = q ⊕ h v₊, and the books.
-        let mut stream_power = 0.0;
+        let mut fluid_power = 0.0;
         if !system.tree.forces.is_empty() {
             let [fluid, lines] = &mut self.resistance;
             force::resistance(&system.tree, &frame.kinematics, &self.middle, fluid);
             force::line_damping(&system.tree, &frame.kinematics, &self.middle, lines);
-            stream_power = force::work(&system.tree, &frame.kinematics, &self.middle);
+            fluid_power = force::stream_work(&system.tree, &frame.kinematics, &self.middle)
+                + force::wave_work(&system.tree, &frame.kinematics, &self.v);
         }
         let flow = StepFlows {
             h,
@@ -225,7 +227,7 @@ impl Del {
             v: &self.v,
             c: &self.c,
             resistance: self.resistance.each_ref().map(Vec::as_slice),
-            stream_power,
+            fluid_power,
             rows: &self.rows,
             stiffness: &self.kkt.stiffness,
         };

@@ -24,10 +24,10 @@ pub struct StepFlows<'a> {
     pub v: &'a [f64],
     /// Velocity-dependent forces minus gravity.
     pub c: &'a [f64],
-    /// What of c is resistance of water and air, and what is of dampers of mooring lines; empty where there is none.
+    /// What of c is resistance of water and air, and push of waves, and what is of dampers of mooring lines; empty where there is none.
     pub resistance: [&'a [f64]; 2],
-    /// Power that wind and current put in [W].
-    pub stream_power: f64,
+    /// Power that wind, current and waves put in [W].
+    pub fluid_power: f64,
     /// Forces and modes.
     pub rows: &'a Complementarity,
     /// Geometric stiffness of the step.
@@ -79,8 +79,8 @@ impl StepFlows<'_> {
         state.bias.copy_from_slice(self.c);
         // Resistance takes what it takes in the step.
         let [fluid, lines] = self.resistance;
-        state.ledger.flows.drag += self.h * (power(fluid, self.v) + self.stream_power);
-        state.ledger.flows.fluid_work += self.h * self.stream_power;
+        state.ledger.flows.drag += self.h * (power(fluid, self.v) + self.fluid_power);
+        state.ledger.flows.fluid_work += self.h * self.fluid_power;
         state.ledger.flows.rope_damping += self.h * power(lines, self.v);
         for (bias, force) in state.bias.iter_mut().zip(fluid.iter().zip(lines)) {
             *bias -= force.0 + force.1;

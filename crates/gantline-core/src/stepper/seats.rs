@@ -63,7 +63,7 @@ pub fn explain(system: &System, state: &State, error: StepError) -> StepError {
         let mut q = state.q.clone();
         let increment: Vec<f64> = state.v.iter().map(|v| ahead * v).collect();
         system.tree.advance(&mut q, &increment);
-        kinematics.update(&system.tree, &q);
+        kinematics.update(&system.tree, &q, state.time);
         for rope in whole_ropes(system, state) {
             if let Some((part, reason)) = rope.route.refusal(&kinematics, &state.seats) {
                 let cause = format!("its part {}: {reason}", part + 1);

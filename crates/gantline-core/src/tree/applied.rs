@@ -30,7 +30,8 @@ impl NewtonEuler {
     /// Place and motion of a body at the last update.
     pub fn at<'a>(&'a self, tree: &Tree, kinematics: &'a Kinematics, body: usize) -> At<'a> {
         let (twist, rate) = (self.twists[body], self.accelerations[body]);
-        At { pose: &kinematics.pose[body], twist, rate, gravity: tree.gravity, q: &kinematics.q, v: &self.v }
+        let Kinematics { pose, q, time, .. } = kinematics;
+        At { pose: &pose[body], twist, rate, gravity: tree.gravity, time: *time, q, v: &self.v }
     }
 }
 

@@ -113,7 +113,7 @@ mod tests {
         });
         let tree = Tree::new(bodies.collect(), DVec3::ZERO);
         let mut kinematics = Kinematics::new(&tree);
-        kinematics.update(&tree, &[0.3, -0.8, 0.5, 1.1, -0.4]);
+        kinematics.update(&tree, &[0.3, -0.8, 0.5, 1.1, -0.4], 0.0);
         let mut mass = MassMatrix::new(&tree);
         mass.update(&tree, &kinematics);
         (tree, mass)

@@ -40,6 +40,8 @@ pub struct Kinematics {
     pub columns: Vec<Column>,
     /// The configuration that all this is at.
     pub q: Vec<f64>,
+    /// The time that it is at [s], which forces of waves depend on.
+    pub time: f64,
 }
 
 impl Kinematics {
@@ -52,6 +54,7 @@ impl Kinematics {
             lever: vec![DVec3::ZERO; tree.bodies.len()],
             columns: vec![Column::default(); tree.velocities],
             q: vec![0.0; tree.positions],
+            time: 0.0,
         }
     }
 
@@ -63,10 +66,12 @@ impl Kinematics {
         self.lever.copy_from_slice(&other.lever);
         self.columns.copy_from_slice(&other.columns);
         self.q.copy_from_slice(&other.q);
+        self.time = other.time;
     }
 
-    /// Evaluates everything at the configuration `q`.
-    pub fn update(&mut self, tree: &Tree, q: &[f64]) {
+    /// Evaluates everything at the configuration `q` and the time `time` [s].
+    pub fn update(&mut self, tree: &Tree, q: &[f64], time: f64) {
+        self.time = time;
         self.q.clear();
         self.q.extend_from_slice(q);
         for (index, body) in tree.bodies.iter().enumerate() {

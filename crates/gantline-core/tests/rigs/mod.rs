@@ -159,6 +159,7 @@ pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
         vessels: Vec::new(),
         watches: Vec::new(),
         forces: Vec::new(),
+        sea: None,
         adjusters: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),

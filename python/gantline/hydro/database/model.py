@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -18,6 +19,10 @@ AXES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 _UNSYMMETRIC = 0.02
 #: The same beyond which a file contradicts itself.
 _CONTRADICTS = 0.25
+#: Directions of waves that are the same [deg].
+_SAME_DIRECTION = 1e-6
+#: Directions that are further apart have nothing to say of what is between them [deg].
+_WIDEST = 60.0
 #: Negative damping that panel methods leave near irregular frequencies, of the diagonal.
 _NEGATIVE = 0.02
 
@@ -121,6 +126,55 @@ class HydrodynamicDatabase:
         """Damping at a period; otherwise as `added_mass_at`, units [N s/m, N s, N m s]."""
         return self._ready(self._between(self.damping, period), density, "damping")
 
+    def excitation_at(
+        self, frequency: Array, direction: float, density: float
+    ) -> tuple[npt.NDArray[np.complex128], list[str]]:
+        """Wave forces per metre of amplitude, linear between frequencies and between directions.
+
+        Above the highest frequency of the file they are zero, below the lowest those of the lowest.
+
+        Args:
+            frequency: ω of waves (n,) [rad/s].
+            direction: that they run in, from x towards y [rad].
+            density: of the water that they are wanted for [kg/m^3].
+
+        Returns:
+            forces (n, 6) [N/m, N] about the reference point, phases from the file's origin; what is doubtful.
+
+        Raises:
+            DatabaseError: if the file has no wave forces, or none for this direction.
+        """
+        if self.excitation is None or not len(self.directions):
+            raise DatabaseError(f"{self.source}: has no wave forces; a file of a run with waves has")
+        doubts = list(self.doubts)
+        if self.density is None:
+            doubts.append(f"{self.source} does not say for which water; that of the lift is taken")
+        along, sign, mirrored = self._towards(direction)
+        if mirrored:
+            doubts.append(f"{self.source}: its waves come from one side; from the other they are mirrored")
+        scale = 1.0 if self.density is None else density / self.density
+        forces = np.empty((len(frequency), 6), dtype=np.complex128)
+        for axis in range(6):
+            forces[:, axis] = np.interp(frequency, self.frequencies, along[:, axis], right=0.0)
+        return forces * sign * scale, doubts
+
+    def _towards(self, direction: float) -> tuple[npt.NDArray[np.complex128], Array, bool]:
+        """Wave forces in one direction at all frequencies (n, 6), signs by motion (6,), whether mirrored."""
+        assert self.excitation is not None
+        known = np.degrees(self.directions) % 360.0
+        wanted = math.degrees(direction) % 360.0
+        place = _beside(known, wanted)
+        if place is not None:
+            return _mixed(self.excitation, place), np.ones(6), False
+        # A file for a body with two sides alike needs half of the directions.
+        place = _beside(known, -wanted % 360.0)
+        if place is not None:
+            return _mixed(self.excitation, place), np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0]), True
+        shown = ", ".join(f"{angle:.4g}" for angle in sorted(known)[:12])
+        raise DatabaseError(
+            f"{self.source}: no waves that run {wanted:.4g} deg from its bow; it has {shown} deg"
+        )
+
     def _range(self) -> str:
         longest, shortest = self.periods[0], self.periods[-1]
         return f"its periods go from {shortest:.4g} to {longest:.4g} s"
@@ -176,6 +230,25 @@ class HydrodynamicDatabase:
             doubts.append(f"{self.source}: a motion whose {what} is below zero, by {share}, is set to zero")
         mended = (vectors * np.maximum(values, 0.0)) @ vectors.T * np.outer(scale, scale)
         return (mended + mended.T) / 2, doubts
+
+
+def _beside(known: Array, wanted: float) -> tuple[int, int, float] | None:
+    """The directions before and after one, and the share of the way between them, in degrees up to 360."""
+    ahead, behind = (known - wanted) % 360.0, (wanted - known) % 360.0
+    after, before = int(np.argmin(ahead)), int(np.argmin(behind))
+    gap = float(ahead[after] + behind[before])
+    if min(ahead[after], behind[before]) < _SAME_DIRECTION:
+        nearest = after if ahead[after] < behind[before] else before
+        return nearest, nearest, 0.0
+    return (before, after, float(behind[before]) / gap) if gap <= _WIDEST else None
+
+
+def _mixed(
+    excitation: npt.NDArray[np.complex128], place: tuple[int, int, float]
+) -> npt.NDArray[np.complex128]:
+    before, after, share = place
+    mixed: npt.NDArray[np.complex128] = (1 - share) * excitation[:, before] + share * excitation[:, after]
+    return mixed
 
 
 def _scale(matrix: Array) -> Array:

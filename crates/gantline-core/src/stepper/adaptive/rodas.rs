@@ -26,6 +26,8 @@
 //! r_α = α̇ + Σ cᵢⱼ k^αⱼ/h            k^α = (κτ r_α + κ δu − ε y)/(κ + τ), δu at rest of the anchor
 //! ```
 //!
+//! Where waves push, τ depends on time too, and −κ h dᵢ ∂τ/∂t joins the first right side.
+//!
 //! The acceleration is never solved for: the residual of inverse dynamics takes its place, so a mass matrix
 //! that changes with q costs nothing extra.
 
@@ -37,6 +39,7 @@ use super::tangent::TangentMatrix;
 use super::tangent::rows::{brake_of, slip_weights};
 use crate::clock::Stage;
 use crate::constraint::Law;
+use crate::force;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
@@ -179,6 +182,8 @@ pub struct Rodas {
     slid: Vec<f64>,
     sum: Vec<f64>,
     force: Vec<f64>,
+    /// ∂τ/∂t at the start of the step, by waves alone; empty without any.
+    drift: Vec<f64>,
     rows: Vec<f64>,
     x: Vec<f64>,
 }
@@ -207,6 +212,7 @@ impl Rodas {
             slid: vec![0.0; system.friction.len()],
             sum: vec![0.0; size],
             force: vec![0.0; size],
+            drift: if force::has_waves(&system.tree) { vec![0.0; size] } else { Vec::new() },
             rows: vec![0.0; system.rows.count()],
             x: vec![0.0; size],
         }
@@ -237,6 +243,9 @@ impl Rodas {
     /// Evaluates the tangents there.
     pub fn linearise(&mut self, system: &System, state: &State, mass: &MassMatrix) {
         system.clock.time(Stage::Assembly, || self.matrix.linearise(system, &self.here, mass, state));
+        if !self.drift.is_empty() {
+            force::drift(&system.tree, &self.here.frame.kinematics, &state.v, &mut self.drift);
+        }
     }
 
     /// Computes a step of length `h` [s] from `state`, where [`Rodas::evaluate`] and [`Rodas::linearise`] have been called.
@@ -313,6 +322,7 @@ impl Rodas {
         for (force, imbalance) in self.force.iter_mut().zip(&at.imbalance) {
             *force -= kappa * imbalance;
         }
+        add(&mut self.force, -kappa * h * D[stage], &self.drift);
         for &dof in system.light.iter().flat_map(|light| &light.dofs) {
             self.force[dof] = 0.0;
         }

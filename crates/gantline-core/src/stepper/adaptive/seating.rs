@@ -30,7 +30,7 @@ impl Adaptive {
             }
             self.probe.q.copy_from_slice(&state.q);
             system.tree.advance(&mut self.probe.q, &self.point.phi);
-            self.probe.frame.kinematics.update(&system.tree, &self.probe.q);
+            self.probe.frame.kinematics.update(&system.tree, &self.probe.q, state.time);
             seats::wraps(system, &self.probe.frame.kinematics, state, into);
         };
         change(GLANCE, &mut self.wraps);

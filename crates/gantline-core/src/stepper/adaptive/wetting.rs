@@ -25,7 +25,7 @@ impl Adaptive {
                 self.rodas.course.at(theta, &mut self.point);
                 self.probe.q.copy_from_slice(&state.q);
                 system.tree.advance(&mut self.probe.q, &self.point.phi);
-                self.probe.frame.kinematics.update(&system.tree, &self.probe.q);
+                self.probe.frame.kinematics.update(&system.tree, &self.probe.q, state.time);
                 height(system, &self.probe.frame.kinematics, edge).unwrap_or(before)
             };
             let crosses = |height: f64| (height < 0.0) != (before < 0.0);

@@ -186,7 +186,7 @@ impl TangentMatrix {
                 system.tree.advance(&mut self.probe.q, &self.direction);
                 self.direction[dof] = 0.0;
                 let Evaluation { q, frame, dynamics, imbalance, .. } = &mut self.probe;
-                frame.kinematics.update(&system.tree, q);
+                frame.kinematics.update(&system.tree, q, state.time);
                 let a = Some(state.acceleration.as_slice());
                 dynamics.update(&system.tree, &frame.kinematics, &state.v, a, None, imbalance);
                 pull_of(system, frame, dynamics, row)

@@ -1,0 +1,179 @@
+"""Waves of a lift file into the sea of a document and what it does to vessels."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.assembly.databases import from_database
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.spatial import about_axis, rotation_matrix
+from gantline.hydro.database import DatabaseError, HydrodynamicDatabase
+from gantline.hydro.waves import Components, regular, sea, wave_number
+from gantline.scenario import Scenario
+from gantline.scenario.errors import PathPart
+from gantline.scenario.vessel import Vessel
+from gantline.scenario.water import Water, WaveForces
+from gantline.scenario.waves import WaveTrain
+
+__all__ = ["add_waves"]
+
+Complex = npt.NDArray[np.complex128]
+
+#: Waves grow over so many of their longest period.
+_PERIODS_TO_GROW = 3.0
+#: Share of the energy of a sea that may be of waves shorter than a database knows.
+_MOST_UNKNOWN = 0.2
+#: The same that goes without saying.
+_SILENT = 0.05
+#: A sea is no steeper, height over length in deep water by the peak: DNV-RP-C205, 3.5.5.
+_STEEPEST = 1.0 / 15.0
+#: Added mass and damping of another period than the waves' by more than this share are doubtful.
+_OTHER_PERIOD = 0.25
+
+
+def add_waves(parts: Parts, scenario: Scenario) -> None:
+    """Add the sea, and to each vessel the force of its waves; warn of waves that do nothing.
+
+    Raises:
+        ScenarioError: if a database cannot be used.
+    """
+    if not scenario.waves:
+        return
+    trains = {name: _components(name, train) for name, train in scenario.waves.items()}
+    water = scenario.water or Water()
+    gravity = scenario.simulation.gravity
+    listed = []
+    for train in trains.values():
+        numbers = wave_number(train.frequency, gravity, water.depth)
+        along = (math.cos(train.direction), math.sin(train.direction))
+        waves = zip(train.frequency, numbers, train.amplitude, train.phase, strict=True)
+        for frequency, number, amplitude, phase in waves:
+            wave = {"frequency": float(frequency), "wave_number": [float(number) * part for part in along]}
+            listed.append({**wave, "amplitude": float(amplitude), "phase": float(phase)})
+    rise_time = _PERIODS_TO_GROW * max(train.longest for train in scenario.waves.values())
+    parts.sea = {"components": listed, "rise_time": rise_time}
+    moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
+    for name, vessel in moved.items():
+        parts.forces.append(_force(parts, scenario, name, vessel, trains))
+        parts.warnings += _other_period(scenario, name, vessel)
+    parts.warnings += _idle(scenario, moved) + _steep(scenario)
+
+
+def _components(name: str, train: WaveTrain) -> Components:
+    if train.height is not None and train.period is not None:
+        return regular(train.height, train.period, train.direction)
+    assert train.significant_height is not None and train.peak_period is not None  # validated
+    return sea(
+        train.significant_height,
+        train.peak_period,
+        train.direction,
+        enhancement=train.peak_enhancement,
+        count=train.components,
+        seed=f"{train.seed}/{name}",
+    )
+
+
+def _force(
+    parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Components]
+) -> Json:
+    """What all waves do to a vessel, world axes, phases from the world's origin."""
+    given = vessel.wave_forces
+    assert given is not None
+    path = ("vessels", name, "wave_forces")
+    turn = rotation_matrix(about_axis((0, 0, 1), vessel.heading))
+    phasors = []
+    for train_name, train in trains.items():
+        per_metre, origin, doubts = _of_database(scenario, path, given, train, vessel.heading)
+        parts.warnings += [f"wave forces of {name}: {doubt}" for doubt in doubts]
+        unknown = _unknown(train, per_metre)
+        if unknown > _SILENT:
+            shown = f"{100 * unknown:.2g} % of the energy of {train_name}"
+            sentence = f"{shown} is in waves shorter than any there"
+            if unknown > _MOST_UNKNOWN:
+                raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
+            parts.warnings.append(f"wave forces of {name}: {sentence}; they do nothing")
+        place = np.array([*vessel.position, 0.0]) + turn @ (np.array(given.at) - origin)
+        along = place[0] * math.cos(train.direction) + place[1] * math.sin(train.direction)
+        water = scenario.water or Water()
+        numbers = wave_number(train.frequency, scenario.simulation.gravity, water.depth)
+        wave = train.amplitude * np.exp(1j * (train.phase + numbers * along))
+        forces, moments = per_metre[:, :3] @ turn.T, per_metre[:, 3:] @ turn.T
+        phasors.append(np.hstack([forces, moments]) * wave[:, None])
+    all_waves = np.vstack(phasors)
+    both = np.stack([all_waves.real, all_waves.imag], axis=-1)
+    return {
+        "type": "wave",
+        "name": f"{name}.wave_forces",
+        "body": name,
+        "at": list(given.at),
+        "phasors": both.tolist(),
+    }
+
+
+def _of_database(
+    scenario: Scenario, path: tuple[PathPart, ...], given: WaveForces, train: Components, heading: float
+) -> tuple[Complex, npt.NDArray[np.float64], list[str]]:
+    """Forces per metre in the vessel's axes (n, 6), the reference point from the file's origin, doubts."""
+    density = (scenario.water or Water()).density
+    lowest = float(train.frequency[0])
+
+    def forces(database: HydrodynamicDatabase) -> tuple[Complex, npt.NDArray[np.float64], list[str]]:
+        shortest = 2 * math.pi / float(database.frequencies[-1])
+        if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-9):
+            wanted = f"has no waves of {2 * math.pi / lowest:.4g} s"
+            raise DatabaseError(f"{database.source}: {wanted}; the shortest are of {shortest:.4g} s")
+        found, doubts = database.excitation_at(train.frequency, train.direction - heading, density)
+        reference = database.reference
+        origin = np.zeros(3) if reference is None else np.array([*reference[:2], 0.0])
+        return found, origin, doubts
+
+    return from_database(scenario, path, (given.database, given.body), forces)
+
+
+def _unknown(train: Components, forces: Complex) -> float:
+    """Share of the energy of a sea in waves that push nothing, being shorter than the database knows."""
+    energy = train.amplitude**2
+    return float(energy[~forces.any(axis=1)].sum() / energy.sum())
+
+
+def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[str]:
+    """A sentence on water that is taken at a period which the waves have not."""
+    found = []
+    periods = [train.longest for train in (scenario.waves or {}).values()]
+    for key in ("added_mass", "water_damping"):
+        given = getattr(vessel, key)
+        read = getattr(given, "period", None)
+        if not isinstance(read, float):
+            continue
+        if all(abs(read / period - 1.0) > _OTHER_PERIOD for period in periods):
+            shown = ", ".join(f"{period:g} s" for period in periods)
+            found.append(f"{key} of {name} is that of motions of {read:g} s; the waves have {shown}")
+    return found
+
+
+def _idle(scenario: Scenario, moved: dict[str, Vessel]) -> list[str]:
+    names = ", ".join(scenario.waves or {})
+    vessels = scenario.vessels or {}
+    if not vessels:
+        return [f"the waves {names} do nothing: there are no vessels"]
+    still = [name for name in vessels if name not in moved]
+    return (
+        [f"the waves {names} pass under {', '.join(still)} without a trace: no 'wave_forces'"]
+        if still
+        else []
+    )
+
+
+def _steep(scenario: Scenario) -> list[str]:
+    found = []
+    for name, train in (scenario.waves or {}).items():
+        length = scenario.simulation.gravity * train.longest**2 / (2 * math.pi)
+        if train.significant_height is not None and train.significant_height > _STEEPEST * length:
+            found.append(
+                f"{name} is steeper than seas are: {train.significant_height:g} m at a peak of "
+                f"{train.longest:g} s, more than 1/15 of its length (DNV-RP-C205)"
+            )
+    return found

@@ -1,0 +1,94 @@
+"""Waves on the water: regular ones, and seas by height and period."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, ClassVar
+
+from pydantic import Field, model_validator
+
+from gantline.scenario.base import Element
+from gantline.scenario.quantities import (
+    Angle,
+    Number,
+    PositiveLength,
+    PositiveTime,
+    refuse,
+)
+from gantline.scenario.tree import MapNode
+
+__all__ = ["WaveTrain"]
+
+#: Height over length at which a regular wave breaks: Michell 1893.
+_BREAKS = 0.142
+_REGULAR = ("height", "period")
+_IRREGULAR = ("significant_height", "peak_period")
+
+
+class WaveTrain(Element):
+    """Waves that run in one direction: all alike, or a sea with a JONSWAP spectrum."""
+
+    what: ClassVar[str] = "waves"
+
+    direction: Angle = Field(description="Direction in which they run, from world x towards y.")
+    height: PositiveLength | None = Field(None, description="Of waves that are all alike: crest to trough.")
+    period: PositiveTime | None = Field(None, description="Their period.")
+    significant_height: PositiveLength | None = Field(
+        None, description="Of a sea: four times the standard deviation of its surface."
+    )
+    peak_period: PositiveTime | None = Field(None, description="Period at the peak of its spectrum.")
+    peak_enhancement: Annotated[float, Number(least=1.0, most=7.0)] = Field(
+        3.3, description="γ of its JONSWAP spectrum; 1 is a fully developed sea (Pierson, Moskowitz)."
+    )
+    components: Annotated[int, Number(least=10, most=1000, whole=True)] = Field(
+        100, description="Regular waves that a sea is made of."
+    )
+    seed: Annotated[int, Number(least=0, most=2**31, whole=True)] = Field(
+        1, description="Another number is another record of the same sea."
+    )
+
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """Waves are alike or a sea."""
+        regular, irregular = ([key for key in keys if key in data] for keys in (_REGULAR, _IRREGULAR))
+        if regular and irregular:
+            raise refuse(
+                "waves that are all alike have 'height' and 'period', a sea 'significant_height' and "
+                "'peak_period'; leave one pair out",
+                irregular[0],
+            )
+        if not regular and not irregular:
+            raise refuse(
+                "needs 'significant_height: 1.5 m' and 'peak_period: 8 s', or 'height' and 'period' of waves "
+                "that are all alike"
+            )
+        for pair in (_REGULAR, _IRREGULAR):
+            given = [key for key in pair if key in data]
+            if len(given) == 1:
+                missing = next(key for key in pair if key != given[0])
+                raise refuse(f"'{missing}' is missing beside '{given[0]}'")
+        for key in ("peak_enhancement", "components", "seed"):
+            if regular and key in data:
+                raise refuse(f"'{key}' is for a sea with 'significant_height'", key)
+
+    @model_validator(mode="after")
+    def _stands(self) -> WaveTrain:
+        length = 9.81 * self.longest**2 / (2 * math.pi)
+        height = self.height or self.significant_height or 0.0
+        if height > _BREAKS * length:
+            found = f"{height:g} m every {self.longest:g} s, {length:.3g} m apart in deep water, break"
+            key = "height" if self.is_regular else "significant_height"
+            raise refuse(f"{found}; less than {_BREAKS * length:.3g} m stand", key)
+        return self
+
+    @property
+    def is_regular(self) -> bool:
+        """Whether all waves are alike."""
+        return self.height is not None
+
+    @property
+    def longest(self) -> float:
+        """Period, of a sea that of the peak of its spectrum [s]."""
+        period = self.period if self.is_regular else self.peak_period
+        assert period is not None  # validated
+        return period
