@@ -22,7 +22,7 @@ RADII = (10.0, 26.0, 27.0)
 ANGLE = math.radians(65.0)
 HEAD = (84.0 + 55.0 * math.cos(ANGLE), 7.5 + 55.0 * math.sin(ANGLE))
 BOOM = (84.0 + 0.48 * 55.0 * math.cos(ANGLE), 7.5 + 0.48 * 55.0 * math.sin(ANGLE))
-#: What hangs in the hook: module, slings of 180 kg, shackles of 27 kg; on the falls hook block and falls, 1.45 t.
+#: In the hook: module, slings of 180 kg, shackles of 27 kg; on the falls: hook block and falls (1.45 t) too.
 HOOK = 120e3 + 4 * (179.6 + 2 * 27.0)
 FALLS = HOOK + 9e3 + 1452.0
 
