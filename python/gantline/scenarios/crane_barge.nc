@@ -1,0 +1,1 @@
+../../../scenarios/crane_barge_in_swell/crane_barge.nc
