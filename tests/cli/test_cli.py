@@ -201,14 +201,14 @@ def test_a_new_lift_from_one_that_comes_with_gantline(name: str, tmp_path: Path)
     assert gantline_says("check", str(folder))[0] == 0
 
 
-def test_a_new_lift_has_the_cad_file_of_its_load(tmp_path: Path) -> None:
-    code, out, _ = gantline_says("new", str(tmp_path / "mine"), "--from", "goliath")
+@pytest.mark.parametrize(
+    ("name", "file"), [("goliath", "block.3docx"), ("crane_barge_in_swell", "crane_barge.nc")]
+)
+def test_a_new_lift_has_the_files_that_it_names(name: str, file: str, tmp_path: Path) -> None:
+    code, out, _ = gantline_says("new", str(tmp_path / "mine"), "--from", name)
     assert code == 0, out
-    assert sorted(path.name for path in (tmp_path / "mine").iterdir()) == [
-        "block.3docx",
-        "lift.schema.json",
-        "scenario.yaml",
-    ]
+    beside = sorted(path.name for path in (tmp_path / "mine").iterdir())
+    assert beside == [file, "lift.schema.json", "scenario.yaml"]
     code, _, err = gantline_says("check", str(tmp_path / "mine"))
     assert code == 0, err
 

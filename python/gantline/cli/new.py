@@ -24,10 +24,9 @@ def new(
     """Write a commented lift file to start from, with the schema by which editors check it while typing."""
     from gantline.scenario import FILE_NAME, schema_text, template
 
-    text, beside = (template(), None) if source is None else _shipped(source)
+    text, beside = (template(), []) if source is None else _shipped(source)
     files = {folder / FILE_NAME: text.encode(), folder / "lift.schema.json": schema_text().encode()}
-    if beside is not None:
-        files[folder / beside.name] = beside.read_bytes()
+    files |= {folder / path.name: path.read_bytes() for path in beside}
     if folder.exists() and not folder.is_dir():
         stop(f"{folder}: is a file; the name of a folder is needed")
     if (folder / FILE_NAME).exists():
@@ -41,14 +40,15 @@ def new(
     typer.echo(f"Next: gantline run {folder}")
 
 
-def _shipped(name: str) -> tuple[str, Path | None]:
-    """Text of a lift that comes with gantline, with the schema beside it; and the CAD file of its load."""
+def _shipped(name: str) -> tuple[str, list[Path]]:
+    """Text of a lift that comes with gantline, with the schema beside it; and the files that it names."""
     from gantline.scenario import load_scenario, shipped
+    from gantline.scenario.tree import texts
 
     lifts = shipped()
     if name not in lifts:
         stop(f"--from: no lift '{name}' comes with gantline; there are {', '.join(lifts)}")
     scenario = load_scenario(lifts[name])
-    cad = None if scenario.load is None else scenario.load.shape.cad
     text = scenario.text.replace("../../schema/lift.schema.json", "lift.schema.json")
-    return text, None if cad is None else lifts[name].parent / cad
+    named = set(texts(scenario.tree))
+    return text, [path for path in sorted(lifts[name].parent.iterdir()) if path.name in named]

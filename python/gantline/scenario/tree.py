@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import stat
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final
 
@@ -30,7 +31,17 @@ from ruamel.yaml.reader import ReaderError
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path, shorten
 from gantline.scenario.not_yaml import problem_of
 
-__all__ = ["LARGEST_FILE", "ListNode", "MapNode", "Node", "TextNode", "line_of", "parse_text", "read_text"]
+__all__ = [
+    "LARGEST_FILE",
+    "ListNode",
+    "MapNode",
+    "Node",
+    "TextNode",
+    "line_of",
+    "parse_text",
+    "read_text",
+    "texts",
+]
 
 #: Largest lift file that is read [byte].
 LARGEST_FILE: Final = 5_000_000
@@ -147,6 +158,15 @@ def line_of(tree: MapNode, path: tuple[PathPart, ...]) -> int:
         else:
             break
     return line
+
+
+def texts(node: Node) -> Iterator[str]:
+    """Every text in a tree that is no key."""
+    if isinstance(node, str):
+        yield node
+    else:
+        for part in node.values() if isinstance(node, dict) else node:
+            yield from texts(part)
 
 
 def _whole(source: str, sentence: str) -> ScenarioError:
