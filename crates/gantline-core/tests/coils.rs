@@ -103,6 +103,21 @@ fn what_is_too_short_to_be_told_from_what_lies_below_is_forgotten() {
 }
 
 #[test]
+fn a_drum_that_rings_leaves_few_pieces() {
+    let mut coil = Coil::new(1e-3);
+    let mut gained = coil.bring_to(2.0, 2e-3);
+    for index in 0..500 {
+        let strain = 2e-3 * (1.0 + 0.5 * f64::from(index).sin());
+        gained += coil.bring_to(2.0 + 1e-12 * f64::from(index + 1), strain);
+    }
+    // The long piece, and one of half a nanometre with the mean strain.
+    assert_eq!(coil.pieces.len(), 2);
+    coil.winds = false;
+    assert!((coil.passing(2.0 + 1e-10, 9.0) - 2e-3).abs() < 1e-4);
+    assert!((gained + coil.bring_to(0.0, 0.0)).abs() < 1e-18);
+}
+
+#[test]
 fn a_coil_keeps_its_length_where_it_takes_pieces_together() {
     let (mut coil, mut wound, mut taken, mut gained) = (Coil::new(0.0), 0.0, 0.0, 0.0);
     coil.winds = true;

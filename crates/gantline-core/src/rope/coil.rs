@@ -18,6 +18,9 @@ pub struct Piece {
 /// Strains that differ by less are one: as a share of the strain, and of the length.
 const SAME_SHARE: f64 = 1e-4;
 const SAME: f64 = 1e-9;
+/// A piece shorter than this [m] is one with what comes on next, whatever its strain: a drum that rings under its brake
+/// would leave hundreds.
+const SHORT: f64 = 1e-9;
 /// A coil remembers at most so many pieces; then neighbours are taken together, two by two.
 pub const MOST_PIECES: usize = 1024;
 
@@ -100,9 +103,10 @@ impl Coil {
 
     fn wind(&mut self, from: f64, to: f64, strain: f64) -> f64 {
         let gained = held(to - from, strain);
-        if let Some(last) = self.pieces.last_mut()
-            && (last.strain - strain).abs() <= SAME_SHARE * strain + SAME
-        {
+        let is_one = |last: &&mut Piece| {
+            from - last.from < SHORT || (last.strain - strain).abs() <= SAME_SHARE * strain + SAME
+        };
+        if let Some(last) = self.pieces.last_mut().filter(is_one) {
             let apart = held(from - last.from, last.strain) + gained;
             last.strain = together([from - last.from, to - from], [last.strain, strain]);
             return held(to - last.from, last.strain) - (apart - gained);
