@@ -134,7 +134,7 @@ class Simulation:
         self.status = "ready"
         self.integration_time = 0.0
         self._failure: dict[str, Any] | None = None
-        self._present: tuple[float, Recording] | None = None
+        self._present: tuple[float, dict[str, FloatArray]] | None = None
         try:
             self._core = _core.Simulation(
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
@@ -295,8 +295,9 @@ class Simulation:
             KeyError: If there is no such variable or name.
         """
         if self._present is None or self._present[0] != self.time:
-            self._present = self.time, present_of(self._core.present(), self._names, self._rig)
-        value: FloatArray = self._present[1].column(variable, name)[0]
+            self._present = self.time, self._core.present()
+        present = present_of(self._present[1], self._names, self._rig, variable)
+        value: FloatArray = present.column(variable, name)[0]
         return value
 
     @cached_property

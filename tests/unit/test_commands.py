@@ -95,6 +95,8 @@ def test_a_look_at_the_present_is_what_a_recording_has() -> None:
         assert run.now(variable, name) == pytest.approx(last, rel=1e-9, abs=1e-9), variable
     with pytest.raises(KeyError, match=r"rope_tension has no 'hoist'"):
         run.now("rope_tension", "hoist")
+    with pytest.raises(KeyError, match="hook_lode"):
+        run.now("hook_lode", "gol.A")
 
 
 def test_a_drum_pays_out_at_a_positive_speed() -> None:

@@ -153,6 +153,26 @@ def test_a_pause_is_at_its_time_and_on_the_same_course() -> None:
     assert np.abs(difference).max() < 1e-6
 
 
+def test_the_plan_goes_on_without_what_a_program_moves() -> None:
+    """Of two drives of a step the other one makes its way; a step of the commanded one alone ends at once."""
+    plan = """\
+{step: both, hoist: A, start_at: 10 s, speed: 6 m/min, by: 2 m}
+{step: over, traverse: one, starts: with_previous, speed: 30 m/min, by: 10 m}
+{step: back, traverse: one, speed: 30 m/min, to: -20 m}
+{step: end, hold: until_end}"""
+    run = goliath(plan, duration=60.0)
+    run.advance_to(8.0)
+    run.command("one", speed=-0.1)
+    recording = run.run()
+    at = {(kind, name): time for time, kind, name in recording.events() if kind.startswith("step")}
+    assert at["step_begin", "over"] == at["step_end", "over"] == 10.0
+    # a way s at speed v with ramps of a lasts s/v + v/a
+    assert at["step_end", "both"] == pytest.approx(10 + 2 / 0.1 + 0.1 / 0.05, rel=1e-12)
+    assert at["step_end", "back"] == at["step_begin", "back"] == at["step_end", "both"]
+    # 0.1 m/s after 0.1/a, which makes 0.1²/2a less way than without a ramp
+    assert run.drive_state("one")[0] == pytest.approx(-20 - 5.2 + 0.1**2 / (2 * LIMIT), abs=1e-9)
+
+
 def test_an_emergency_stop_stops_what_a_program_moves_and_ends_commands() -> None:
     """v²/2a further, with the deceleration that the trolley has; after it commands are refused."""
     text = goliath_lift(OVER, start="rest").replace("plan:\n", "emergency_stop: {at: 30 s}\nplan:\n")

@@ -186,21 +186,28 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     return Recording(variables, _used(coordinates, variables), {**attributes, "rig": dict(rig)})
 
 
-def present_of(columns: Columns, names: Names, lift: Rig) -> Recording:
-    """What the core says of one moment, with the loads of hooks: what costs little, without events.
+def present_of(columns: Columns, names: Names, lift: Rig, wanted: str) -> Recording:
+    """A variable of one moment: one that is a column of the core, or the loads of hooks.
 
     Args:
         columns: Columns of the core by name, of one sample.
         names: Names along their dimensions.
         lift: What results need to know of the lift.
+        wanted: Name of the variable.
 
     Returns:
-        A recording of one sample that has these variables alone.
+        A recording of one sample that has this variable; where it is not one of these, all of the core's.
     """
     columns, names, of_nodes = joined(columns, {**names, "event_kind": (), "event_name": ()}, lift)
+    if wanted in ("hook_load", "hoist_load"):
+        loads, hooks = _hook_loads(columns, names, lift)
+        return Recording(loads, hooks, {})
+    for column, (name, dims, unit, description) in _DIRECT.items():
+        if name == wanted and columns[column].size:
+            labels = {dim: names[dim] for dim in dims if dim in _NAMED}
+            return Recording({name: Variable(dims, columns[column], unit, description)}, labels, {})
     variables, coordinates = _direct(columns, names, of_nodes)
-    loads, hooks = _hook_loads(columns, names, lift)
-    return Recording(variables | loads, _used(coordinates | hooks, variables | loads), {})
+    return Recording(variables, _used(coordinates, variables), {})
 
 
 def _direct(
