@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from gantline.assembly.commands import CommandError
     from gantline.report import Report, write_report
     from gantline.results.comparison import Comparison, compare
     from gantline.results.recording import Recording, open_recording
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "CommandError",
     "Comparison",
     "Equilibrium",
     "NoEquilibriumError",
@@ -57,6 +59,7 @@ _PARTS = (
 )
 
 _HOMES = {
+    "CommandError": "gantline.assembly.commands",
     "Comparison": "gantline.results.comparison",
     "compare": "gantline.results.comparison",
     "Recording": "gantline.results.recording",

@@ -19,9 +19,24 @@ class Simulation:
 
     def __init__(self, document: str, settings: str) -> None: ...
     def run(
-        self, on_progress: Callable[[float], bool] | None = None, until: float | None = None
+        self,
+        on_progress: Callable[[float], bool] | None = None,
+        until: float | None = None,
+        exact: bool = False,
     ) -> dict[str, Any]:
-        """Go on to `until` [s] or to the end; the answer holds status, time, element, cause and message."""
+        """Go on to `until` [s] or to the end; the answer holds status, time, element, cause and message.
+
+        The last step ends at `until` if `exact`, where the method can choose its steps.
+        """
+
+    def command(self, document: str) -> None:
+        """Let drives do from now on what a JSON text asks for; ValueError where they cannot."""
+
+    def drive(self, name: str) -> tuple[float, float]:
+        """Position and velocity of what a drive moves now [m or rad, and per s]."""
+
+    def present(self) -> dict[str, npt.NDArray[np.float64]]:
+        """Columns of the present alone, by name."""
 
     def columns(self) -> dict[str, npt.NDArray[np.float64]]:
         """What was recorded so far, by name."""
@@ -40,6 +55,9 @@ class Simulation:
 
     def time(self) -> float:
         """Simulated time [s]."""
+
+    def ended(self) -> bool:
+        """True at its end, within rounding."""
 
     def current_step(self) -> str | None:
         """Name of the step of the plan that is under way."""

@@ -12,13 +12,14 @@ from typing import Any
 
 from gantline import _core
 from gantline.assembly import assemble, integrator_settings
+from gantline.assembly.commands import CommandError, command_of, commanded
 from gantline.assembly.origin import refused
 from gantline.assembly.vessels import adrift, vessel_hulls
 from gantline.interrupt import noted_interrupt
 from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.crawler import tipping_warnings
 from gantline.results.crossing import crossed_ropes
-from gantline.results.derive import recording_of
+from gantline.results.derive import present_of, recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
 from gantline.results.immersion import immersion_warnings
@@ -28,6 +29,7 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
+from gantline.results.variable import FloatArray
 from gantline.results.vessels import vessel_warnings
 from gantline.scenario import Scenario, load_scenario, resolve
 from gantline.scenario.quantities import SMALLEST
@@ -132,6 +134,7 @@ class Simulation:
         self.status = "ready"
         self.integration_time = 0.0
         self._failure: dict[str, Any] | None = None
+        self._present: tuple[float, dict[str, FloatArray]] | None = None
         try:
             self._core = _core.Simulation(
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
@@ -147,6 +150,16 @@ class Simulation:
     def duration(self) -> float:
         """Simulated time at which the run ends [s]."""
         return float(self.settings["duration"])
+
+    @property
+    def time(self) -> float:
+        """Simulated time that it has got to [s]."""
+        return self._core.time()
+
+    @property
+    def ended(self) -> bool:
+        """True at the end of the lift, within rounding: sums of 0.1 s may never give its duration."""
+        return self._core.ended()
 
     @property
     def current_step(self) -> str | None:
@@ -182,15 +195,40 @@ class Simulation:
         """
         if until is not None and not (_is_number(until) and until >= 0.0):
             raise ValueError(f"until: {until!r} is no time in seconds from 0 on; None goes on to the end")
-        started = time.perf_counter()
         with noted_interrupt() as is_interrupted:
 
             def goes_on(now: float) -> bool:
                 return not (is_interrupted() or (on_progress is not None and on_progress(now) is False))
 
-            outcome = self._core.run(goes_on, until)
+            self._go(goes_on, until)
+        return self.recording()
+
+    def advance_to(self, to: float) -> None:
+        """Go on to exactly a time, for programs that look at the lift there, or command it.
+
+        `adaptive` ends a step there, so that the run goes on from it by other steps than one that does not
+        pause, and by the same motion within the tolerances. Methods with fixed steps pause after the first
+        step that reaches the time. Ctrl-C raises KeyboardInterrupt between two steps.
+
+        Args:
+            to: Simulated time [s]; beyond the end of the lift it is the end.
+
+        Raises:
+            ValueError: If it is no time, or is past.
+            SimulationError: If the simulation could not go on.
+        """
+        if not (_is_number(to) and math.isfinite(to)):
+            raise ValueError(f"to: {to!r} is no time in seconds")
+        if to < self.time * (1 - 1e-12):
+            raise ValueError(f"to: {to:g} s is past, it is {self.time:g} s; `restore` goes back to a state")
+        self._go(None, to, exact=True)
+
+    def _go(self, goes_on: Callable[[float], bool] | None, until: float | None, **how: bool) -> None:
+        started = time.perf_counter()
+        outcome = self._core.run(goes_on, until, **how)
         self.integration_time += time.perf_counter() - started
         self.status = str(outcome["status"])
+        self._failure = None
         if self.status == "failed":
             self._failure = {
                 "time": float(outcome["time"]),
@@ -198,8 +236,78 @@ class Simulation:
                 "cause": str(outcome.get("cause") or outcome.get("message", "")),
             }
             raise SimulationError(self.recording(), state=self.save(), **self._failure)
-        self._failure = None
-        return self.recording()
+
+    def command(
+        self, name: str, *, speed: float, acceleration: float | None = None, motion: str | None = None
+    ) -> None:
+        """Let a hook, trolley, crane, boom, drum or winch change to a speed from now on.
+
+        What the plan says of it later is no longer heard: its steps begin and end without it. It keeps the
+        speed until the next command, and comes to rest at the end of its range. An emergency stop of the
+        lift file stops it too, and ends all commands. Commands are part of `save` and of the recording.
+
+        Args:
+            name: Its name as a step of the plan has it, such as `U1`.
+            speed: [m/s, of booms rad/s], positive as `motion` says, negative the other way.
+            acceleration: With which it changes [m/s^2, of booms rad/s^2]; its own limit in the lift file if
+                not given. A change takes 1 ms at least.
+            motion: Verb of the plan, for a name that can move in several ways: `hoist`, `traverse`,
+                `travel`, `luff` (up), `slew`, `pay_out`, `veer`.
+
+        Raises:
+            CommandError: If there is nothing of this name, it is no speed for it, or the run has ended.
+        """
+        one = commanded(self.scenario, name, motion)
+        document = command_of(one, speed, acceleration, self._core.drive)
+        try:
+            self._core.command(json.dumps(document, allow_nan=False))
+        except ValueError as problem:
+            raise CommandError(str(problem).replace("`", "'")) from problem
+
+    def drive_state(self, name: str, *, motion: str | None = None) -> tuple[float, float]:
+        """Where something that can be commanded is now, and how fast it moves there.
+
+        Args:
+            name: As for `command`.
+            motion: As for `command`.
+
+        Returns:
+            Position as `to` of the plan counts it [m or rad], of drums and winches rope paid out since the
+            start [m], and speed [m/s or rad/s].
+
+        Raises:
+            CommandError: If there is nothing of this name.
+        """
+        return commanded(self.scenario, name, motion).state(self._core.drive)
+
+    def now(self, variable: str, name: str) -> FloatArray:
+        """A value of the present, without a recording.
+
+        Args:
+            variable: As in a recording, such as `rope_tension`, `body_position`, `hook_load`; there are
+                those that the core itself gives, and the loads of hooks.
+            name: Name along it, such as `sling.S1`, as for `Recording.column`.
+
+        Returns:
+            A number, or of a vector its components; shape () or (3,), in units of the recording.
+
+        Raises:
+            KeyError: If there is no such variable or name.
+        """
+        if self._present is None or self._present[0] != self.time:
+            self._present = self.time, self._core.present()
+        present = present_of(self._present[1], self._names, self._rig, variable)
+        value: FloatArray = present.column(variable, name)[0]
+        return value
+
+    @cached_property
+    def _names(self) -> dict[str, list[str]]:
+        """Names along the columns of the present; its events are those of when it was asked first."""
+        return self._core.names()
+
+    @cached_property
+    def _rig(self) -> Rig:
+        return Rig.from_json(self.assembly.rig)
 
     def recording(self) -> Recording:
         """Everything recorded so far."""
@@ -212,7 +320,7 @@ class Simulation:
         warnings += _long_steps(self.settings["integrator"])
         names, columns = self._core.names(), self._core.columns()
         warnings += _off_sheaves(self.assembly.rig, columns, names)
-        rig = Rig.from_json(self.assembly.rig)
+        rig = self._rig
         diameters = {rope.name: rope.diameter for rope in rig.ropes}
         warnings += crossed_ropes(self.assembly.document.get("ropes", ()), diameters, columns, names)
         columns, names = clearance_events(rig, columns, names)
@@ -233,6 +341,7 @@ class Simulation:
             hulls = vessel_hulls(self.assembly.document, afloat)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground_in(self.assembly.scene))
         warnings += pump_warnings(rig, columns, names)
+        warnings += _commands(columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):
@@ -277,6 +386,7 @@ class Simulation:
             ValueError: If it is no state of this lift.
         """
         self._core.restore(state)
+        self._present = None
         self.status = "ready"
         self._failure = None
 
@@ -288,6 +398,23 @@ def _long_steps(integrator: Mapping[str, Any]) -> list[str]:
         return []
     sentence = f"steps of {step:g} s: what rings within a few of them is damped away, and peaks with it"
     return [f"{sentence}; 1 ms is usual"]
+
+
+def _commands(columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:
+    """A note of what a program has moved: the plan says no more how it moved."""
+    times: dict[tuple[str, str], list[float]] = {}
+    for at, name, motion in zip(
+        columns.get("command_time", ()),
+        names.get("command_name", ()),
+        names.get("command_motion", ()),
+        strict=True,
+    ):
+        times.setdefault((name, motion), []).append(at)
+    return [
+        f"{name} was moved by a program from {at[0]:.2f} s on and not by the plan ({motion}, "
+        f"commands: {len(at)})"
+        for (name, motion), at in times.items()
+    ]
 
 
 def _off_sheaves(rig: Mapping[str, Any], columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:

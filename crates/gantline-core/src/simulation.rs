@@ -9,10 +9,12 @@ use crate::constraint::Law;
 use crate::event::afloat::Lookout;
 use crate::event::standstill;
 use crate::event::{Event, EventKind, EventLog};
+use crate::plan::Order;
 use crate::record::columns::{Columns, tensions_of};
+use crate::record::named::{Named, named};
 use crate::record::names::Names;
 use crate::record::{Recorder, Sample, Samples, Span};
-use crate::spec::{IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
+use crate::spec::{CommandSpec, IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
 use crate::state::State;
 use crate::statics::potential::Losses;
 use crate::statics::{NoEquilibrium, Statics};
@@ -38,6 +40,9 @@ pub enum SetupError {
     /// A setting is out of its range.
     #[error("{0}")]
     Setting(String),
+    /// A program asks of a drive what cannot be.
+    #[error("{0}")]
+    Command(String),
     /// A saved state does not belong here.
     #[error("the saved state cannot be used: {0}")]
     State(String),
@@ -79,6 +84,21 @@ impl Method {
     }
 }
 
+/// What a program has asked for, in place of the plan.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Command {
+    /// When [s].
+    pub time: f64,
+    /// What moves, and how, in the words of the plan.
+    pub name: String,
+    /// See `name`.
+    pub motion: String,
+    /// Signed speed [m/s or rad/s].
+    pub speed: f64,
+    /// Acceleration limit [m/s² or rad/s²].
+    pub acceleration: f64,
+}
+
 /// Everything that goes into a checkpoint.
 #[derive(Serialize, Deserialize)]
 struct Checkpoint {
@@ -88,6 +108,7 @@ struct Checkpoint {
     state: State,
     samples: Samples,
     events: EventLog,
+    commands: Vec<Command>,
     counters: Counters,
 }
 
@@ -108,6 +129,7 @@ pub struct Simulation {
     asked: (u64, f64),
     samples: Samples,
     events: EventLog,
+    commands: Vec<Command>,
     counters: Counters,
 }
 
@@ -170,6 +192,7 @@ impl Simulation {
             before: state.clone(),
             samples: Samples::with_room(&state, parsed.duration / parsed.sample_interval),
             events: EventLog::new(),
+            commands: Vec::new(),
             counters: Counters::default(),
             settings: parsed,
             system,
@@ -198,19 +221,77 @@ impl Simulation {
     /// # Errors
     /// [`StepError`]; the state is then the last good one, or that in which a vessel has capsized or sheaves have met.
     pub fn step(&mut self) -> Result<(), StepError> {
+        self.step_to(f64::INFINITY)
+    }
+
+    /// The same, with `adaptive` not beyond `until` [s]: there it ends to the last bit.
+    ///
+    /// # Errors
+    /// As [`Simulation::step`].
+    pub fn step_to(&mut self, until: f64) -> Result<(), StepError> {
         self.system.clock.resume();
-        let made = self.make_step();
+        let made = self.make_step(until.min(self.settings.duration));
         self.system.clock.pause();
         made
     }
 
-    fn make_step(&mut self) -> Result<(), StepError> {
+    /// From now on drives do what a program asks for, and no more what the plan says.
+    ///
+    /// # Errors
+    /// [`SetupError`] says what is wrong; nothing has changed then.
+    pub fn command(&mut self, document: &str) -> Result<(), SetupError> {
+        let spec: CommandSpec = serde_json::from_str(document)?;
+        let CommandSpec { name, motion, speed, acceleration, orders: given } = spec;
+        let refused = |problem: &str| Err(SetupError::Command(format!("`{name}` {problem}")));
+        if self.reached(f64::INFINITY) {
+            return refused("cannot be commanded any more: the run has ended");
+        }
+        if self.state.plan.is_stopped() {
+            return refused("cannot be commanded any more: an emergency stop has stopped everything");
+        }
+        let mut orders = Vec::with_capacity(given.len());
+        for order in given {
+            let Some(drive) = self.system.drives.iter().position(|drive| drive.name == order.drive) else {
+                return refused(&format!("has no drive `{}`", order.drive));
+            };
+            if !(order.acceleration > 0.0 && order.braking >= order.acceleration) {
+                return refused("needs an acceleration above zero and within its limit");
+            }
+            let [least, most] = order.range;
+            let range = [least.unwrap_or(f64::NEG_INFINITY), most.unwrap_or(f64::INFINITY)];
+            let (velocity, acceleration, braking) = (order.velocity, order.acceleration, order.braking);
+            orders.push((drive, Order { velocity, acceleration, braking, range }));
+        }
+        let time = self.state.time;
+        for (drive, order) in orders {
+            self.state.plan.timelines[drive].command(time, &order);
+        }
+        self.commands.push(Command { time, name, motion, speed, acceleration });
+        if let Method::Adaptive(adaptive) = &mut self.method {
+            adaptive.forget();
+        }
+        Ok(())
+    }
+
+    /// What programs have asked for so far.
+    pub fn commands(&self) -> &[Command] {
+        &self.commands
+    }
+
+    /// Position and velocity of what a drive moves now [m or rad, and per s]; none of an unknown drive.
+    pub fn drive(&self, name: &str) -> Option<(f64, f64)> {
+        let drive = self.system.drives.iter().find(|drive| drive.name == name)?;
+        let position = self.system.tree.bodies[drive.body].first_position;
+        Some((self.state.q[position], self.state.v[drive.dof]))
+    }
+
+    fn make_step(&mut self, until: f64) -> Result<(), StepError> {
         self.before.copy_from(&self.state);
         let Self { system, state, frame, events, .. } = self;
         let made = match &mut self.method {
             Method::Del(del) => del.step(system, state, frame, events),
             Method::Explicit(explicit) => explicit.step(system, state, frame, events),
-            Method::Adaptive(adaptive) => adaptive.step(system, state, frame, events, self.settings.duration),
+            Method::Adaptive(adaptive) => adaptive.step(system, state, frame, events, until),
         };
         let report = made.inspect_err(|_| {
             self.state.copy_from(&self.before);
@@ -277,6 +358,26 @@ impl Simulation {
     pub fn columns(&self) -> Columns {
         self.system.clock.resume();
         self.system.clock.time(Stage::Recording, || Columns::of(&self.system, &self.samples, &self.events))
+    }
+
+    /// The same by name, with the times of events, and with what programs have asked for.
+    pub fn named_columns(&self) -> Vec<Named> {
+        let events = self.events().iter().map(|event| event.0).collect();
+        let mut all = named(&self.samples, self.columns(), &self.names(), events);
+        let of = |value: fn(&Command) -> f64| self.commands.iter().map(value).collect();
+        let count = self.commands.len();
+        all.push(("command_time", of(|command| command.time), vec![count]));
+        all.push(("command_speed", of(|command| command.speed), vec![count]));
+        all.push(("command_acceleration", of(|command| command.acceleration), vec![count]));
+        all
+    }
+
+    /// The present as columns of one sample, by name, without events.
+    pub fn present(&self) -> Vec<Named> {
+        let mut samples = Samples::default();
+        samples.push_state(&self.system, self.state.time, &self.state);
+        let columns = Columns::of(&self.system, &samples, &self.events);
+        named(&samples, columns, &self.names(), Vec::new())
     }
 
     /// Measures from now on where the time goes. Costs a few per cent.
@@ -360,6 +461,7 @@ impl Simulation {
             state: self.state.clone(),
             samples: self.samples.clone(),
             events: self.events.clone(),
+            commands: self.commands.clone(),
             counters: self.counters,
         };
         Ok(serde_json::to_vec(&checkpoint)?)
@@ -379,6 +481,7 @@ impl Simulation {
         self.state = checkpoint.state;
         self.samples = checkpoint.samples;
         self.events = checkpoint.events;
+        self.commands = checkpoint.commands;
         self.counters = checkpoint.counters;
         self.before.copy_from(&self.state);
         self.frame.update(&self.system, &self.state);

@@ -6,7 +6,8 @@ mod statics;
 use std::sync::{Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
-use gantline_core::record::{Samples, columns::Columns, names::Names};
+use gantline_core::record::named::Named;
+use gantline_core::record::names::Names;
 use gantline_core::simulation::SetupError;
 use gantline_core::stepper::StepError;
 use numpy::ndarray::{ArrayD, IxDyn};
@@ -46,20 +47,22 @@ impl Simulation {
         Ok(Self(Mutex::new(inner)))
     }
 
-    /// Runs until `until` [s], or to the end; tells `on_progress` the time, which stops the run by False.
-    #[pyo3(signature = (on_progress=None, until=None))]
+    /// Runs until `until` [s], or to the end; tells `on_progress` the time, which stops the run by False. Where it is
+    /// `exact`, the last step ends at `until` if the method can choose its steps.
+    #[pyo3(signature = (on_progress=None, until=None, exact=false))]
     fn run<'py>(
         &self,
         py: Python<'py>,
         on_progress: Option<Bound<'py, PyAny>>,
         until: Option<f64>,
+        exact: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let until = until.unwrap_or(f64::INFINITY);
         let status = PyDict::new(py);
         loop {
             let (pause, time) = {
                 let inner = &mut *self.inner(py)?;
-                (py.detach(|| run_for_a_while(inner, until)), inner.time())
+                (py.detach(|| run_for_a_while(inner, until, exact)), inner.time())
             };
             // Not locked here: the callback may ask for the step under way, or for the columns so far.
             let goes_on = match &on_progress {
@@ -93,9 +96,24 @@ impl Simulation {
     /// Columns of the recording so far, by name.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let inner = self.inner(py)?;
-        let columns = py.detach(|| inner.columns());
-        let events: Vec<f64> = inner.events().iter().map(|event| event.0).collect();
-        column_arrays(py, inner.samples(), columns, &inner.names(), events)
+        dictionary(py, py.detach(|| inner.named_columns()))
+    }
+
+    /// Columns of the present alone, by name.
+    fn present<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let inner = self.inner(py)?;
+        dictionary(py, py.detach(|| inner.present()))
+    }
+
+    /// From now on drives do what a document asks for, and no more what the plan says.
+    fn command(&self, py: Python<'_>, document: &str) -> PyResult<()> {
+        self.inner(py)?.command(document).map_err(value_error)
+    }
+
+    /// Position and velocity of what a drive moves now.
+    fn drive(&self, py: Python<'_>, name: &str) -> PyResult<(f64, f64)> {
+        let found = self.inner(py)?.drive(name);
+        found.ok_or_else(|| PyValueError::new_err(format!("there is no drive `{name}`")))
     }
 
     /// Tensions of all ropes (samples, ropes) [N], without working out the other columns.
@@ -113,6 +131,9 @@ impl Simulation {
         let events = inner.events();
         out.set_item("event_kind", events.iter().map(|event| event.1).collect::<Vec<_>>())?;
         out.set_item("event_name", events.iter().map(|event| event.2.as_str()).collect::<Vec<_>>())?;
+        let commands = inner.commands();
+        out.set_item("command_name", commands.iter().map(|one| one.name.as_str()).collect::<Vec<_>>())?;
+        out.set_item("command_motion", commands.iter().map(|one| one.motion.as_str()).collect::<Vec<_>>())?;
         Ok(out)
     }
 
@@ -145,6 +166,11 @@ impl Simulation {
     /// Simulated time [s].
     fn time(&self, py: Python<'_>) -> PyResult<f64> {
         Ok(self.inner(py)?.time())
+    }
+
+    /// True at its end, within rounding.
+    fn ended(&self, py: Python<'_>) -> PyResult<bool> {
+        Ok(self.inner(py)?.reached(f64::INFINITY))
     }
 
     /// Name of the step of the plan that is under way.
@@ -185,14 +211,15 @@ impl Simulation {
     }
 }
 
-fn run_for_a_while(simulation: &mut gantline_core::Simulation, until: f64) -> Pause {
+fn run_for_a_while(simulation: &mut gantline_core::Simulation, until: f64, exact: bool) -> Pause {
     let start = Instant::now();
+    let limit = if exact { until } else { f64::INFINITY };
     loop {
         for _ in 0..STEPS_PER_LOOK {
             if simulation.reached(until) {
                 return Pause::Reached;
             }
-            if let Err(error) = simulation.step() {
+            if let Err(error) = simulation.step_to(limit) {
                 return Pause::Failed(error);
             }
         }
@@ -203,47 +230,9 @@ fn run_for_a_while(simulation: &mut gantline_core::Simulation, until: f64) -> Pa
 }
 
 /// Columns as arrays, by name.
-fn column_arrays<'py>(
-    py: Python<'py>,
-    samples: &Samples,
-    columns: Columns,
-    names: &Names,
-    events: Vec<f64>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let count = samples.time.len();
-    let (ropes, segments, points) = (names.rope.len(), names.segment.len(), names.rope_point.len());
-    let (bodies, kinds) = (names.body.len(), names.energy_kind.len());
-    let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
-    let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
-    let all: [(&str, Vec<f64>, Vec<usize>); 25] = [
-        ("time", samples.time.clone(), vec![count]),
-        ("rope_tension", columns.rope_tension, vec![count, ropes]),
-        ("rope_lengthening", columns.rope_lengthening, vec![count, adjusted]),
-        ("segment_tension", columns.segment_tension, vec![count, segments]),
-        ("segment_length", columns.segment_length, vec![count, segments]),
-        ("rope_point", columns.rope_point, vec![count, points, 3]),
-        ("wrap_angle", columns.wrap_angle, vec![count, names.wrapped_sheave.len()]),
-        ("fleet_angle", columns.fleet_angle, vec![count, names.wrapped_sheave.len(), 2]),
-        ("body_position", columns.body_position, vec![count, bodies, 3]),
-        ("body_orientation", columns.body_orientation, vec![count, bodies, 4]),
-        ("body_velocity", columns.body_velocity, vec![count, bodies, 3]),
-        ("body_angular_velocity", columns.body_angular_velocity, vec![count, bodies, 3]),
-        ("joint_position", columns.joint_position, vec![count, names.joint.len()]),
-        ("joint_force", columns.joint_force, vec![count, bodies, 3]),
-        ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
-        ("pin_force", columns.pin_force, vec![count, names.pin.len()]),
-        ("clearance", columns.clearance, vec![count, names.pair.len()]),
-        ("displaced_volume", columns.displaced_volume, vec![count, names.hull.len()]),
-        ("clearance_point", columns.clearance_point, vec![count, names.pair.len(), 2, 3]),
-        ("energy", columns.energy, vec![count, kinds]),
-        ("constraint_residual", columns.constraint_residual, vec![count]),
-        ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),
-        ("rope_peak_tension", samples.rope_peak_tension.clone(), vec![peaks]),
-        ("rope_peak_time", samples.rope_peak_time.clone(), vec![peaks]),
-        ("event_time", events, vec![event_count]),
-    ];
+fn dictionary(py: Python<'_>, columns: Vec<Named>) -> PyResult<Bound<'_, PyDict>> {
     let out = PyDict::new(py);
-    for (name, values, shape) in all {
+    for (name, values, shape) in columns {
         out.set_item(name, array(py, values, &shape)?)?;
     }
     Ok(out)

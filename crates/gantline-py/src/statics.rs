@@ -1,5 +1,6 @@
 //! Statics at the border: a document in, equilibria, modes and sensitivities out.
 
+use gantline_core::record::named::named;
 use gantline_core::statics::lift::StaticLift;
 use gantline_core::statics::modes::Mode;
 use gantline_core::statics::potential::Losses;
@@ -9,7 +10,7 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::{array, column_arrays, name_lists, value_error};
+use super::{array, dictionary, name_lists, value_error};
 
 /// A system at rest.
 #[pyclass(module = "gantline._core")]
@@ -172,7 +173,7 @@ impl Statics {
     /// Columns of the equilibrium or swing found last, by name.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let columns = py.detach(|| self.inner.columns());
-        column_arrays(py, self.inner.samples(), columns, &self.inner.names(), Vec::new())
+        dictionary(py, named(self.inner.samples(), columns, &self.inner.names(), Vec::new()))
     }
 
     /// Names that go with the columns.

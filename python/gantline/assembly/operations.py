@@ -18,6 +18,7 @@ from gantline.scenario.tanks import ends_of_pump, tanks_of
 
 __all__ = [
     "along_drive",
+    "drives_of",
     "emergency_stop",
     "luff_drive",
     "moved_drives",
@@ -77,7 +78,7 @@ def moved_drives(scenario: Scenario, step: Step) -> list[str]:
         return [pump_drive(name) for name in ends_of_pump(scenario, step) if name is not None]
     if isinstance(step, HoldStep):
         return []
-    return [drive for one in _moved(scenario, step) for drive in _drives(one)]
+    return [drive for one in _moved(scenario, step) for drive in drives_of(one)]
 
 
 def emergency_stop(scenario: Scenario) -> Json | None:
@@ -97,12 +98,13 @@ def emergency_stop(scenario: Scenario) -> Json | None:
                 stopped[drive] = {"drive": drive, "stop": slowing}
         for one in _moved(scenario, step) if isinstance(step, MovingStep) else ():
             rate = _rate(one, {one.name: (one.start or 0.0, True)}, None)
-            for drive in _drives(one):
+            for drive in drives_of(one):
                 stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed, rate)}
     return {"at": at, "drives": list(stopped.values())}
 
 
-def _drives(one: Mover) -> list[str]:
+def drives_of(one: Mover) -> list[str]:
+    """Names of the drives that move something, all alike."""
     if one.kind == "upper":
         return [slew_drive(one.name), turned_drive(one.name)]
     if one.kind == "hook":
@@ -158,7 +160,7 @@ def _pumping(scenario: Scenario, step: PumpStep) -> Json:
 
 def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[float, bool]]) -> Json:
     """A step; `before`: where booms are at its start, see `boom_angles`."""
-    moved = [(one, drive) for one in _moved(scenario, step) for drive in _drives(one)]
+    moved = [(one, drive) for one in _moved(scenario, step) for drive in drives_of(one)]
     targets = [_target(step, one, before) for one, _ in moved]
     moves = []
     for (one, drive), target in zip(moved, targets, strict=True):

@@ -165,21 +165,8 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     lift = Rig.from_json(rig)
     columns, names, of_nodes = joined(columns, names, lift)
     columns, names, contents, tanks = tank_contents(columns, names, lift)
-    variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
-    for column, (name, dims, unit, description) in _DIRECT.items():
-        if columns[column].size or "event" in dims:
-            # Nobody else has them: no copy is needed to keep them as they are.
-            columns[column].flags.writeable = False
-            variables[name] = Variable(dims, columns[column], unit, description)
-    for name, source, dim, description in _TEXTS:
-        variables[name] = Variable((dim,), np.array(names[source], dtype=np.str_), "1", description)
-    coordinates: dict[str, Sequence[str]] = {kind: names[kind] for kind in _NAMED if len(names[kind])}
-    coordinates |= {"xyz": ("x", "y", "z"), "wxyz": ("w", "x", "y", "z")}
-    coordinates["sheave_side"] = ("arriving", "leaving")
-    coordinates["pair_side"] = ("first", "second")
-    if of_nodes:
-        variables |= of_nodes
-        coordinates["rope_end"] = ("first", "last")
+    variables, coordinates = _direct(columns, names, of_nodes)
+    variables |= _commands(columns, names)
     for derived, labels in (
         (contents, tanks),
         _sheave_travel(columns, names, lift),
@@ -196,9 +183,82 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     coordinates |= labels
     if "rope_point" in variables:
         variables["rope_point"] = _rounded(variables["rope_point"], names["rope_point"])
+    return Recording(variables, _used(coordinates, variables), {**attributes, "rig": dict(rig)})
+
+
+def present_of(columns: Columns, names: Names, lift: Rig, wanted: str) -> Recording:
+    """A variable of one moment: one that is a column of the core, or the loads of hooks.
+
+    Args:
+        columns: Columns of the core by name, of one sample.
+        names: Names along their dimensions.
+        lift: What results need to know of the lift.
+        wanted: Name of the variable.
+
+    Returns:
+        A recording of one sample that has this variable; where it is not one of these, all of the core's.
+    """
+    columns, names, of_nodes = joined(columns, {**names, "event_kind": (), "event_name": ()}, lift)
+    if wanted in ("hook_load", "hoist_load"):
+        loads, hooks = _hook_loads(columns, names, lift)
+        return Recording(loads, hooks, {})
+    for column, (name, dims, unit, description) in _DIRECT.items():
+        if name == wanted and columns[column].size:
+            labels = {dim: names[dim] for dim in dims if dim in _NAMED}
+            return Recording({name: Variable(dims, columns[column], unit, description)}, labels, {})
+    variables, coordinates = _direct(columns, names, of_nodes)
+    return Recording(variables, _used(coordinates, variables), {})
+
+
+def _direct(
+    columns: Columns, names: Names, of_nodes: Mapping[str, Variable]
+) -> tuple[dict[str, Variable], dict[str, Sequence[str]]]:
+    """Variables that are columns of the core as they are, and the names along dimensions."""
+    variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
+    for column, (name, dims, unit, description) in _DIRECT.items():
+        if columns[column].size or "event" in dims:
+            # Nobody else has them: no copy is needed to keep them as they are.
+            columns[column].flags.writeable = False
+            variables[name] = Variable(dims, columns[column], unit, description)
+    for name, source, dim, description in _TEXTS:
+        variables[name] = Variable((dim,), np.array(names[source], dtype=np.str_), "1", description)
+    coordinates: dict[str, Sequence[str]] = {kind: names[kind] for kind in _NAMED if len(names[kind])}
+    coordinates |= {"xyz": ("x", "y", "z"), "wxyz": ("w", "x", "y", "z")}
+    coordinates["sheave_side"] = ("arriving", "leaving")
+    coordinates["pair_side"] = ("first", "second")
+    if of_nodes:
+        variables |= of_nodes
+        coordinates["rope_end"] = ("first", "last")
+    return variables, coordinates
+
+
+def _used(
+    coordinates: Mapping[str, Sequence[str]], variables: Mapping[str, Variable]
+) -> dict[str, Sequence[str]]:
+    """Coordinates of dimensions that some variable has."""
     used = {dim for variable in variables.values() for dim in variable.dims}
-    coordinates = {dim: labels for dim, labels in coordinates.items() if dim in used}
-    return Recording(variables, coordinates, {**attributes, "rig": dict(rig)})
+    return {dim: labels for dim, labels in coordinates.items() if dim in used}
+
+
+# name in columns and recording -> unit, description
+_OF_COMMANDS = {
+    "command_time": ("s", "when a program commanded a drive"),
+    "command_speed": ("m/s or rad/s", "speed that it commanded, signed"),
+    "command_acceleration": ("m/s^2 or rad/s^2", "acceleration that it allowed"),
+    "command_name": ("1", "what it commanded, as the plan names it"),
+    "command_motion": ("1", "verb of the plan for that motion"),
+}
+
+
+def _commands(columns: Columns, names: Names) -> dict[str, Variable]:
+    """What programs have commanded; nothing of a lift at rest, or that its plan alone moves."""
+    if not len(columns.get("command_time", ())):
+        return {}
+    found = {}
+    for name, (unit, description) in _OF_COMMANDS.items():
+        values = columns[name] if name in columns else np.array(names[name], dtype=np.str_)
+        found[name] = Variable(("command",), values, unit, description)
+    return found
 
 
 def _rounded(path: Variable, ropes: Sequence[str]) -> Variable:

@@ -134,6 +134,12 @@ class LuffingGear:
         """How much shorter each tackle is at an angle [rad] than at the start [m]: what its drive counts."""
         return self.distance(self.start) - self.distance(angle)
 
+    def angle(self, taken_up: float) -> float:
+        """The angle [rad] at which that is taken up [m]; at the ends of what can be, the angle there."""
+        distance = self.distance(self.start) - taken_up
+        cosine = (self.reach**2 + self.length**2 - distance**2) / (2 * self.reach * self.length)
+        return self.direction - math.acos(min(max(cosine, -1.0), 1.0))
+
     def rate(self, first: float, second: float) -> float:
         """Mean of what is taken up per angle between two angles [rad], where they are one there [m/rad]."""
         if abs(second - first) < 1e-9:

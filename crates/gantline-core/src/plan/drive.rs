@@ -22,6 +22,23 @@ pub struct Ramp {
     pub shape: RampShape,
 }
 
+/// What a program asks of a drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Order {
+    /// Velocity to go to [m/s or rad/s].
+    pub velocity: f64,
+    /// Acceleration with which [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// The most that the drive can do, with which it comes to rest at an end of its range [m/s² or rad/s²].
+    pub braking: f64,
+    /// Least and largest position, infinite where there is no limit [m or rad].
+    pub range: [f64; 2],
+}
+
+/// A change of velocity that is asked for takes no less than this [s]: a controller that hardly changes anything
+/// makes no steps of time that are next to nothing.
+const SHORTEST: f64 = 1e-3;
+
 /// Position, velocity, acceleration of a drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
@@ -82,6 +99,10 @@ pub struct Timeline {
     /// What of that the last step knew [N].
     #[serde(default)]
     noticed: Option<f64>,
+    /// Acceleration with which it stops in an emergency [m/s² or rad/s²], once a program moves it and no longer the
+    /// plan.
+    #[serde(default)]
+    commanded: Option<f64>,
 }
 
 impl Timeline {
@@ -89,12 +110,12 @@ impl Timeline {
     pub fn copy_from(&mut self, other: &Self) {
         self.start = other.start;
         self.ramps.clone_from(&other.ramps);
-        (self.braked, self.noticed) = (other.braked, other.noticed);
+        (self.braked, self.noticed, self.commanded) = (other.braked, other.noticed, other.commanded);
     }
 
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
-        Self { start, ramps: Vec::with_capacity(ramps), braked: None, noticed: None }
+        Self { start, ramps: Vec::with_capacity(ramps), braked: None, noticed: None, commanded: None }
     }
 
     /// Throws in a brake of the given capacity [N] at the time `at` [s]; it holds until the drive moves again.
@@ -170,6 +191,59 @@ impl Timeline {
         self.ramp(at, ramp, speed.copysign(distance), shape);
         self.ramp(at + ramp + cruise, ramp, 0.0, shape)
     }
+
+    /// With which acceleration it stops in an emergency [m/s² or rad/s²], where a program moves it and not the plan.
+    pub fn commanded(&self) -> Option<f64> {
+        self.commanded
+    }
+
+    /// From `at` [s] on it does what a program asks for, whatever was said of later times. It comes to rest at the end
+    /// of its range.
+    ///
+    /// The fastest that it may become, from a velocity u with acceleration a, so that braking with b ends within a
+    /// room r is v with `(v² − u²)/2a + v²/2b = r`.
+    pub fn command(&mut self, at: f64, order: &Order) {
+        self.commanded = Some(order.braking);
+        // A program may ask for thousands of changes: what is over is not carried along.
+        let over = self.ramps.partition_point(|ramp| ramp.at < at).saturating_sub(1);
+        self.ramps.drain(..over);
+        let Order { velocity, acceleration: a, braking: b, range } = *order;
+        let Motion { position, velocity: now, .. } = self.motion(at);
+        let side = if velocity == 0.0 { now.signum() } else { velocity.signum() };
+        let rooms = [position - range[0], range[1] - position];
+        let [behind, room] = if side > 0.0 { rooms } else { [rooms[1], rooms[0]] };
+        let (u, speed) = (side * now, velocity.abs());
+        if u < 0.0 && u * u > 2.0 * a * behind {
+            let rest = self.stop_within(at, behind);
+            return self.command(rest, order);
+        }
+        let fastest = (2.0 * (room + 0.5 * u * u / a).max(0.0) / (1.0 / a + 1.0 / b)).sqrt();
+        let v = speed.min(fastest);
+        let way = 0.5 * (u * u - v * v) / a + 0.5 * v * v / b;
+        if u > 0.0 && u >= v && way >= room * (1.0 - 1e-9) {
+            self.stop_within(at, room);
+            return;
+        }
+        let change = (v - u).abs();
+        let duration = if change == 0.0 { 0.0 } else { (change / a).max(SHORTEST) };
+        let end = self.ramp(at, duration, side * v, RampShape::Linear);
+        if v == 0.0 || room.is_infinite() {
+            return;
+        }
+        let left = room - 0.5 * (u + v) * duration;
+        let cruise = left / v - 0.5 * v / b;
+        if cruise > 0.0 {
+            self.ramp(end + cruise, v / b, 0.0, RampShape::Linear);
+        } else {
+            self.stop_within(end, left);
+        }
+    }
+
+    /// Comes to rest after just the way `room` [m or rad]; returns when [s].
+    fn stop_within(&mut self, at: f64, room: f64) -> f64 {
+        let speed = self.motion(at).velocity.abs();
+        self.ramp(at, (2.0 * room / speed).max(SHORTEST), 0.0, RampShape::Linear)
+    }
 }
 
 #[cfg(test)]
@@ -227,5 +301,71 @@ mod tests {
             let end = timeline.change(0.0, 0.4, 0.1, shape);
             assert!((timeline.motion(end / 2.0).acceleration - 0.1).abs() < 1e-12);
         }
+    }
+
+    /// Ends of ramps and the plan's own words for the rest: half the change of v² over twice the acceleration.
+    #[test]
+    fn what_is_asked_for_replaces_what_was_said() {
+        let free = [f64::NEG_INFINITY, f64::INFINITY];
+        let order = |velocity| Order { velocity, acceleration: 0.1, braking: 0.2, range: free };
+        let mut timeline = Timeline::new(1.0, 8);
+        timeline.travel(0.0, 10.0, 0.5, 0.1, RampShape::Linear);
+        timeline.brake(40.0, 5.0);
+        timeline.command(3.0, &order(-0.2));
+        // 0.3 m/s at 3 s, 1 + 0.45 m; five seconds later −0.2 m/s, (0.04 − 0.09)/0.2 = −0.25, so 0.25 m further.
+        let motion = timeline.motion(8.0);
+        assert!((motion.position - 1.7).abs() < 1e-12 && (motion.velocity + 0.2).abs() < 1e-12);
+        assert_eq!(timeline.next_break(8.0), f64::INFINITY);
+        assert_eq!((timeline.braked(50.0), timeline.commanded()), (None, Some(0.2)));
+        for k in 0..1000 {
+            timeline.command(10.0 + 0.01 * f64::from(k), &order(0.01 * f64::from(k % 7)));
+        }
+        assert!(timeline.ramps.len() <= 2, "what is over is not kept");
+        timeline.command(30.0, &order(timeline.motion(30.0).velocity + 1e-13));
+        assert!(timeline.next_break(30.0) >= 30.0 + 0.99 * SHORTEST);
+    }
+
+    #[test]
+    fn what_is_asked_for_ends_at_rest_at_the_end_of_the_range() {
+        let range = [-2.0, 5.0];
+        let order = |velocity, acceleration| Order { velocity, acceleration, braking: 0.2, range };
+        // How it moves beforehand, for how long [s], and what is then asked for, with an acceleration.
+        for (before, lasts, velocity, acceleration) in [
+            (0.0, 1.0, 0.5, 0.1),
+            (0.0, 1.0, 9.0, 0.2),
+            (0.0, 1.0, -0.3, 0.01),
+            (0.5, 9.0, 0.5, 0.2),
+            (0.5, 9.0, 0.45, 0.01),
+            (0.5, 9.0, 0.0, 0.01),
+            (0.5, 9.0, -0.5, 0.01),
+            (-0.5, 4.0, 0.5, 0.02),
+        ] {
+            let mut timeline = Timeline::new(0.0, 8);
+            timeline.command(0.0, &order(before, 0.2));
+            timeline.command(lasts, &order(velocity, acceleration));
+            let (mut low, mut high) = (0.0_f64, 0.0_f64);
+            for k in 0..200_000 {
+                let motion = timeline.motion(lasts + 0.01 * f64::from(k));
+                (low, high) = (low.min(motion.position), high.max(motion.position));
+                assert!(motion.acceleration.abs() <= 0.2 * (1.0 + 1e-9), "{before} {velocity} {motion:?}");
+            }
+            assert!(low > range[0] - 1e-9 && high < range[1] + 1e-9, "{before} {velocity}: {low} {high}");
+            let last = timeline.motion(lasts + 3000.0);
+            assert_eq!(last.velocity, 0.0);
+            let wanted = if velocity > 0.0 { 5.0 } else { -2.0 };
+            assert!(velocity == 0.0 || (last.position - wanted).abs() < 1e-9, "{velocity}: {last:?}");
+        }
+    }
+
+    #[test]
+    fn at_the_end_of_the_range_it_stays_whatever_is_asked_for() {
+        let order = Order { velocity: 0.5, acceleration: 0.1, braking: 0.1, range: [0.0, 1.0] };
+        let mut timeline = Timeline::new(0.0, 8);
+        for k in 0..400 {
+            timeline.command(0.05 * f64::from(k), &order);
+            assert!(timeline.motion(0.05 * f64::from(k + 1)).position <= 1.0 + 1e-9);
+        }
+        let last = timeline.motion(20.0);
+        assert!((last.position - 1.0).abs() < 1e-9 && last.velocity == 0.0, "{last:?}");
     }
 }

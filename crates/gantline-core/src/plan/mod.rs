@@ -9,6 +9,7 @@ pub mod removal;
 
 pub use condition::{Condition, Falls, Seen};
 pub use cut::{Cut, Due};
+pub use drive::Order;
 pub use operation::{Emergency, EmergencyStop, Move, Plan, PlanState, Step, StopAt, Until};
 pub use pinning::Pinning;
 pub use removal::Removal;

@@ -116,7 +116,7 @@ enum Phase {
 /// Where the plan stands, and the course of every drive.
 ///
 /// Steps that begin with one another are a stage; a step that does not waits until all of the stage before have
-/// ended. Steps begin in their order.
+/// ended. Steps begin in their order. A drive that a program commands is moved by no step any more.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanState {
     /// Course of every drive.
@@ -245,9 +245,19 @@ impl PlanState {
         }
     }
 
+    /// True after an emergency stop; programs command no drive any more then.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped
+    }
+
     /// All drives brake, and the plan ends.
     fn stop(&mut self, plan: &Plan, at: f64, log: &mut EventLog) {
         log.push(at, EventKind::EmergencyStop, self.begun.saturating_sub(1));
+        for timeline in &mut self.timelines {
+            if let Some(acceleration) = timeline.commanded() {
+                timeline.change(at, 0.0, acceleration, RampShape::Linear);
+            }
+        }
         for (drive, how) in plan.stop.iter().flat_map(|stop| &stop.drives) {
             let timeline = &mut self.timelines[*drive];
             timeline.change(at, 0.0, how.acceleration, RampShape::Linear);
@@ -313,6 +323,9 @@ impl PlanState {
             for (motion, given) in step.moves.iter().zip(given.iter().cycle()) {
                 let Move { drive, velocity, acceleration, shape, .. } = *motion;
                 let timeline = &mut self.timelines[drive];
+                if timeline.commanded().is_some() {
+                    continue;
+                }
                 let from = if is_position { timeline.motion(begin).position } else { 0.0 };
                 last = timeline.travel(begin, given - from, velocity, acceleration, shape).max(last);
             }
@@ -339,7 +352,9 @@ impl PlanState {
         }
         for motion in &step.moves {
             let Move { drive, velocity, acceleration, shape, .. } = *motion;
-            self.timelines[drive].change(begin, velocity, acceleration, shape);
+            if self.timelines[drive].commanded().is_none() {
+                self.timelines[drive].change(begin, velocity, acceleration, shape);
+            }
         }
         match step.until {
             Until::BrakeFrom(time) => Phase::UntilTime(self.brake(step, time.max(begin))),
@@ -363,6 +378,9 @@ impl PlanState {
         let ends = step.moves.iter().map(|motion| {
             let acceleration = motion.emergency.map_or(motion.acceleration, |stop| stop.acceleration);
             let timeline = &mut self.timelines[motion.drive];
+            if timeline.commanded().is_some() {
+                return at;
+            }
             let end = timeline.change(at, 0.0, acceleration, motion.shape);
             if let Some(brake) = motion.emergency.and_then(|stop| stop.brake) {
                 timeline.brake(at, brake);

@@ -12,6 +12,7 @@ use crate::tree::kinematics::Kinematics;
 
 mod clearance;
 pub mod columns;
+pub mod named;
 pub mod names;
 
 /// Motion and forces at one moment.

@@ -249,3 +249,35 @@ pub struct DriveStopSpec {
     /// How it is stopped.
     pub stop: EmergencySpec,
 }
+
+/// What a program asks for while a run stands still.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CommandSpec {
+    /// What moves, in the words of the plan.
+    pub name: String,
+    /// How, in the words of the plan.
+    pub motion: String,
+    /// Signed speed, in the words of the plan [m/s or rad/s].
+    pub speed: f64,
+    /// Acceleration limit, likewise [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// What that is for each drive.
+    pub orders: Vec<OrderSpec>,
+}
+
+/// What it is for one drive.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OrderSpec {
+    /// Name of the drive.
+    pub drive: String,
+    /// Signed velocity [m/s or rad/s].
+    pub velocity: f64,
+    /// Acceleration limit [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// Acceleration with which it stops at an end of its range [m/s² or rad/s²].
+    pub braking: f64,
+    /// Least and largest position [m or rad]; none without limit.
+    pub range: [Option<f64>; 2],
+}

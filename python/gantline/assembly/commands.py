@@ -1,0 +1,151 @@
+"""What a program asks of a drive, in the words of the plan, into orders for the core."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from gantline.assembly.operations import drives_of
+from gantline.assembly.parts import Json
+from gantline.scenario import Scenario
+from gantline.scenario.check_travel import said
+from gantline.scenario.errors import nearest
+from gantline.scenario.hooks import full_name
+from gantline.scenario.movers import Mover, movers
+from gantline.scenario.steps import (
+    HoistStep,
+    Kind,
+    LuffStep,
+    MovingStep,
+    PayOutStep,
+    SlewStep,
+    TravelStep,
+    TraverseStep,
+    VeerStep,
+)
+
+__all__ = ["CommandError", "Commanded", "command_of", "commanded"]
+
+#: The verb of the plan that makes what a drive counts larger, and what it moves.
+MOTIONS: dict[str, Kind] = {
+    step.verb: step.kind
+    for step in (HoistStep, PayOutStep, TraverseStep, TravelStep, LuffStep, SlewStep, VeerStep)
+    if issubclass(step, MovingStep)
+}
+_ROUNDING = 1 + 1e-9
+#: Position and velocity of what a drive of the core moves [m or rad, and per s].
+Drive = Callable[[str], tuple[float, float]]
+
+
+class CommandError(ValueError):
+    """A drive cannot be commanded like this; the message says why."""
+
+
+@dataclass(frozen=True)
+class Commanded:
+    """What a program moves.
+
+    Attributes:
+        name: as the plan says it, in full.
+        motion: verb of the plan.
+        mover: its limits.
+    """
+
+    name: str
+    motion: str
+    mover: Mover
+
+    def state(self, drive: Drive) -> tuple[float, float]:
+        """Where it is, as `to` counts it, and how fast it moves there [m or rad, and per s]."""
+        position, velocity = drive(drives_of(self.mover)[0])
+        gear = self.mover.gear
+        if gear is None:
+            return position + self.mover.zero, velocity
+        angle = gear.angle(position)
+        return angle, velocity / gear.rate(angle, angle)
+
+
+def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:
+    """What a name means, and a verb of the plan where the name alone does not say it.
+
+    Raises:
+        CommandError: If it means nothing, or several things, or something that nothing drives.
+    """
+    if motion is not None and motion not in MOTIONS:
+        raise CommandError(f"motion: {motion!r} is none; {nearest(str(motion), MOTIONS)}")
+    known = {verb: movers(scenario, kind) for verb, kind in MOTIONS.items() if motion in (None, verb)}
+    found = {verb: full_name(text, of) for verb, of in known.items()}
+    fitting = [(verb, name) for verb, name in found.items() if name is not None]
+    if not fitting:
+        names = dict.fromkeys(name for of in known.values() for name in of)
+        can = "can move" if motion is None else f"can {motion}"
+        raise CommandError(f"'{text}' is nothing in this lift that {can}; {nearest(text, names)}")
+    if len(fitting) > 1:
+        verbs = ", ".join(verb for verb, _ in fitting)
+        sentence = f"'{text}' can move in several ways: {verbs}"
+        raise CommandError(f"{sentence}; say which, such as motion='{fitting[0][0]}'")
+    verb, name = fitting[0]
+    mover = known[verb][name]
+    if mover is None:
+        raise CommandError(f"'{name}' has nothing that drives it; give it a drive or winch in the lift file")
+    return Commanded(name, verb, mover)
+
+
+def command_of(one: Commanded, speed: object, acceleration: object, drive: Drive) -> Json:
+    """The document of a command for the core.
+
+    Args:
+        one: what moves.
+        speed: signed speed [m/s or rad/s].
+        acceleration: limit of it [m/s^2 or rad/s^2]; None for that of the lift file.
+        drive: where drives of the core are.
+
+    Raises:
+        CommandError: If it is no speed that this can have, or no acceleration.
+    """
+    mover, name = one.mover, one.name
+    speed = _number("speed", speed, "a speed")
+    if abs(speed) > mover.speed * _ROUNDING:
+        sentence = f"{said(mover.kind, abs(speed), 'speed')} is faster than '{name}' can {one.motion}"
+        raise CommandError(f"{sentence}; its highest speed is {said(mover.kind, mover.speed, 'speed')}")
+    limit = mover.acceleration if acceleration is None else _number("acceleration", acceleration, "one")
+    if limit <= 0.0:
+        raise CommandError(f"acceleration: {limit:g} is not above zero; without one its own limit holds")
+    if limit > mover.acceleration * _ROUNDING:
+        sentence = f"{said(mover.kind, limit, 'acceleration')} is more than '{name}' can do"
+        most = said(mover.kind, mover.acceleration, "acceleration")
+        raise CommandError(f"{sentence}; its most is {most}")
+    limit = min(limit, mover.acceleration)
+    rate, ends = 1.0, [_end(end - mover.zero) for end in mover.range or (-math.inf, math.inf)]
+    if mover.gear is not None:
+        angle, _ = one.state(drive)
+        rate = mover.gear.rate(angle, angle)
+        ends = [None if mover.range is None else mover.gear.taken_up(end) for end in mover.range or (0, 0)]
+    order = {
+        "velocity": speed * rate,
+        "acceleration": limit * rate,
+        "braking": mover.acceleration * rate,
+        "range": ends,
+    }
+    return {
+        "name": name,
+        "motion": one.motion,
+        "speed": speed,
+        "acceleration": limit,
+        "orders": [{"drive": of, **order} for of in drives_of(mover)],
+    }
+
+
+def _end(position: float) -> float | None:
+    return position if math.isfinite(position) else None
+
+
+def _number(of: str, value: object, what: str) -> float:
+    try:
+        number = math.nan if isinstance(value, str | bool) else float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise CommandError(f"{of}: {value!r} is not {what} in m and s, or rad and s")
+    return number
