@@ -106,10 +106,9 @@ def _loads(recording: Recording, metrics: dict[str, float]) -> list[str]:
     if not rows:
         return []
     lift_off = metrics.get("lift_off_time")
-    rows.insert(
-        0,
-        ("lift-off", f"at {show(lift_off, 's', 2)}" if lift_off is not None else "never clear of a support"),
-    )
+    # A load that hangs as the run begins leaves no support.
+    never = "clear from the start" if series.is_clear(recording)[0] else "never clear of a support"
+    rows.insert(0, ("lift-off", never if lift_off is None else f"at {show(lift_off, 's', 2)}"))
     return [*weights(recording.rig), *pairs("", rows)[1:]]
 
 
