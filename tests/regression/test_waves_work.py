@@ -1,7 +1,7 @@
 """Work of waves that was called energy from nowhere.
 
-The first page of `crane_barge_in_swell`, whose balance closes to 3e-11, said "GAINS ENERGY from 13.70 s on: up
-to 5.18 % of the largest energy comes from no drive": what wind, current and waves put in stands under
+The first page of `crane_barge_in_swell`, whose balance closes to 3e-11, said "GAINS ENERGY from 13.70 s on:
+up to 5.18 % of the largest energy comes from no drive": what wind, current and waves put in stands under
 `fluid_work`, and was not counted among the work done.
 """
 

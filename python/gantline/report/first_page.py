@@ -153,9 +153,8 @@ def _foremost_warnings(checks: list[Check]) -> list[Check]:
 
 def _warning(check: Check) -> dict[str, str]:
     share = check.utilisation
-    past = (
-        f"{typeset(check.shown(check.value))}, past the {typeset(check.shown(check.limit))} of the lift file"
-    )
+    value, limit = (typeset(check.shown(one)) for one in (check.value, check.limit))
+    past = f"{value}, past the {limit} of the lift file"
     text = "; ".join(
         part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
     )
@@ -281,7 +280,7 @@ def _tilt(subject: Subject, limit: Any) -> str:
 
 
 def _waves(subject: Subject) -> list[str]:
-    """The lift was simulated in its own waves: of higher, longer and other ones nothing here says anything."""
+    """The lift was simulated in its own waves; of higher, longer and other ones nothing here tells."""
     sea = subject.rig.sea
     return [
         f"{train.name} is over {' or '.join(train.height_and_period)}, or from elsewhere"
