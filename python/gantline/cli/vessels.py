@@ -23,7 +23,7 @@ _LIES = (
 
 
 def vessels(recording: Recording) -> list[str]:
-    """How each vessel lies at the last sample, its least freeboard, of an equilibrium that at rest; the sea."""
+    """How each vessel lies at the last sample, its least freeboard (at rest that there), and the sea."""
     rows = []
     for vessel in recording.rig.vessels:
         at_end = [
