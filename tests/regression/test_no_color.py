@@ -1,7 +1,7 @@
 """NO_COLOR, which was kept by help and progress alone.
 
-On a terminal with `NO_COLOR=1` the verdicts of `gantline check`, warnings and errors were still coloured: typer
-styles text whatever that variable says, and takes the styles away only where the output is no terminal.
+On a terminal with `NO_COLOR=1` the verdicts of `gantline check`, warnings and errors were coloured: typer styles
+text whatever that variable says, and takes the styles away only where the output is no terminal.
 """
 
 from __future__ import annotations
