@@ -1,6 +1,6 @@
 """NO_COLOR, which was kept by help and progress alone.
 
-On a terminal with `NO_COLOR=1` the verdicts of `gantline check`, warnings and errors were coloured: typer styles
+With `NO_COLOR=1` on a terminal the verdicts of `gantline check`, warnings and errors had colours: typer styles
 text whatever that variable says, and takes the styles away only where the output is no terminal.
 """
 
