@@ -1,7 +1,7 @@
 """NO_COLOR, which was kept by help and progress alone.
 
-With `NO_COLOR=1` on a terminal the verdicts of `gantline check`, warnings and errors had colours: typer styles
-text whatever that variable says, and takes the styles away only where the output is no terminal.
+With `NO_COLOR=1` on a terminal the verdicts of `gantline check`, warnings and errors had colours: typer
+styles text whatever that variable says, and takes the styles away only where the output is no terminal.
 """
 
 from __future__ import annotations
