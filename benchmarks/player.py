@@ -47,7 +47,13 @@ def lift_with_slings(count: int) -> str:
         "format": 1,
         "lift": {"title": f"{count} slings on one equalizer"},
         "duration": "40 s",
-        "ground": {"level": "0 m", "friction": 0.5, "stiffness": "2000 MN/m", "damping": "20 MN s/m"},
+        # As stiff as the load is heavy: under 400 slings it would else sink in until slings were too short.
+        "ground": {
+            "level": "0 m",
+            "friction": 0.5,
+            "stiffness": f"{20 * count} MN/m",
+            "damping": f"{0.2 * count:g} MN s/m",
+        },
         "ropes": {
             "sling": {"axial_stiffness": "200 MN", "damping_time": "2 ms", "mass": "none"},
             "equalizing": {"axial_stiffness": "100 MN", "damping_time": "2 ms", "mass": "none"},

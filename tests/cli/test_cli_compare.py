@@ -63,7 +63,8 @@ def test_one_lift_by_two_methods(two_methods: tuple[Result, Path]) -> None:
 def test_the_numbers_are_those_of_the_recordings(two_methods: tuple[Result, Path]) -> None:
     _, folder = two_methods
     numbers = json.loads((folder / "comparison.json").read_text())
-    assert numbers == gantline.compare(folder / "a.nc", folder / "b.nc", names=NAMES).to_json()
+    again = gantline.compare(folder / "a.nc", folder / "b.nc", names=NAMES).to_json()
+    assert numbers == again | {"verdicts": [None, None]}
     assert numbers["counters"]["steps"]["a"] == 1000
     # The first step of del is h g/2 per step late at rest: after t its bodies are ½ a h t behind.
     box = next(body for body in numbers["bodies"] if body["name"] == "box")
@@ -233,3 +234,20 @@ def test_an_explicit_step_that_is_too_long_is_compared_as_far_as_it_got(tmp_path
     assert result.exit_code == 3
     assert "explicit, step 10 ms" in result.stdout
     assert "the step of 0.01 s is too long for an explicit method" in result.stdout
+
+
+def test_verdicts_and_what_parted_come_first(tmp_path: Path) -> None:
+    """The sling of `equalizer_sling_cut` is cut 40 s after the start; nothing parts in `equalizer`."""
+    cut = ("equalizer_sling_cut", "--both", "duration=42 s", "--no-plots")
+    result = compare("equalizer", *cut, "-o", tmp_path)
+    assert result.exit_code == 0, result.output
+    said = lines(result)
+    numbers = json.loads((tmp_path / "comparison.json").read_text())
+    at = said.index("Verdict")
+    assert at < said.index("Lift A B B - A of A")
+    a, b = numbers["verdicts"]
+    assert said[at + 1].startswith("A " + a[:40]) and b.startswith("NO-GO")
+    (nothing, (parted,)) = numbers["parted"]
+    assert nothing == [] and (parted["kind"], parted["time"]) == ("cut", 40.0)
+    row = next(line for line in said if line.startswith(f"B {parted['rope']} "))
+    assert row == f"B {parted['rope']} cut 40.000 s {parted['tension'] / 1e3:.1f} kN"

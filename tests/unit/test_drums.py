@@ -93,7 +93,7 @@ def test_a_motion_given_in_advance() -> None:
         (
             "speed: 12 m/min",
             "speed: 60 m/min",
-            "1 m/s is faster than 'winch' can turn; its highest speed is 0.5",
+            "60 m/min is faster than 'winch' can turn; its highest speed is 30 m/min",
         ),
         ("acceleration: 0.1 m/s^2, by", "acceleration: 1 m/s^2, by", "1 m/s^2 is more than 'winch' can do"),
         (

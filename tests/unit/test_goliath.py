@@ -56,7 +56,7 @@ def refused(text: str) -> list[str]:
         ),
         (
             OVER.replace("30 m/min", "40 m/min"),
-            "plan[1].speed: 0.666667 m/s is faster than 'gol.one' can traverse; its highest speed is 0.5 m/s",
+            "plan[1].speed: 40 m/min is faster than 'gol.one' can traverse; its highest speed is 30 m/min",
         ),
         (
             OVER.replace("traverse: one", "traverse: two"),

@@ -38,8 +38,8 @@ describe("a pace", () => {
 
 describe("axes", () => {
   it("have round ticks", () => {
-    expect(ticksOf(0, 702, 5)).toEqual({ ticks: [0, 200, 400, 600], digits: 0 });
-    expect(ticksOf(0, 1, 4)).toEqual({ ticks: [0, 0.25, 0.5, 0.75, 1], digits: 2 });
+    expect(ticksOf(0, 702, 5)).toEqual({ ticks: [0, 200, 400, 600], digits: 0, step: 200 });
+    expect(ticksOf(0, 1, 4)).toEqual({ ticks: [0, 0.25, 0.5, 0.75, 1], digits: 2, step: 0.25 });
   });
 
   it("hold all values, begin at 0 where that is near, and are never without height", () => {
@@ -47,6 +47,8 @@ describe("axes", () => {
     expect([scale.low, scale.high]).toEqual([0, 800]);
     const flat = verticalScale(3, 3, 5, 0.1);
     expect(flat.high - flat.low).toBeGreaterThanOrEqual(0.1);
+    // About zero with less than a step to either side: trim of a barge in waves had the one tick 0.
+    expect(verticalScale(-0.44, 0.44, 2, 0.1).ticks).toEqual([-0.5, 0, 0.5]);
     expect(verticalScale(Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY, 5, 1).high).toBeGreaterThan(0);
   });
 

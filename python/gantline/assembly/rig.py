@@ -44,7 +44,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "remark": head.remark,
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
-        **({} if parts.sea is None else {"sea": parts.sea}),
+        **({} if parts.sea is None else {"sea": {**parts.sea, "trains": _wave_trains(scenario)}}),
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
@@ -93,6 +93,19 @@ def _supports_and_watches(scenario: Scenario) -> Json:
 
 def _force(scenario: Scenario, mass: float | None) -> float | None:
     return None if mass is None else mass * scenario.simulation.gravity
+
+
+def _wave_trains(scenario: Scenario) -> list[Json]:
+    return [
+        {
+            "name": name,
+            "direction": train.direction,
+            "height": train.height or train.significant_height,
+            "period": train.longest,
+            "is_regular": train.is_regular,
+        }
+        for name, train in (scenario.waves or {}).items()
+    ]
 
 
 def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -72,11 +73,15 @@ def _print_version(is_wanted: bool) -> None:
 
 @app.callback(epilog="Exit codes: 0 done, 1 a check failed, 2 bad input, 3 the simulation could not go on.")
 def _gantline(
+    context: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version.")
     ] = False,
 ) -> None:
     """Simulate heavy lifts: what every rope, sheave, lug and hook carries, and when."""
+    # Progress and help know NO_COLOR (no-color.org) by themselves, what verbs print does not.
+    if os.environ.get("NO_COLOR"):
+        context.color = False
 
 
 def run_app() -> None:

@@ -191,16 +191,22 @@ def _simulate(side: _Side, folder: Path) -> None:
 
 def _compare(sides: list[_Side], folder: Path) -> Comparison:
     """Compare the recordings, print the table, and write it with all numbers."""
+    from gantline.checks import check_recording, verdict_of
     from gantline.cli.comparison_table import comparison_table
     from gantline.results.comparison import compare as compare_recordings
 
     a, b = (side.recording for side in sides)
     assert a is not None and b is not None
     comparison = compare_recordings(a, b, names=(sides[0].name, sides[1].name))
-    lines = comparison_table(comparison, (sides[0].integration_time, sides[1].integration_time))
+    checks = (check_recording(a), check_recording(b))
+    # Plain mechanics, of which nothing is checked, has no verdict.
+    of_a, of_b = (verdict_of(one) if one else "" for one in checks)
+    times = (sides[0].integration_time, sides[1].integration_time)
+    lines = comparison_table(comparison, times, (of_a, of_b))
     text = "\n".join(lines)
     with writing(folder):
-        numbers = json.dumps(comparison.to_json(), indent=2, allow_nan=False)
+        document = {**comparison.to_json(), "verdicts": [of_a or None, of_b or None]}
+        numbers = json.dumps(document, indent=2, allow_nan=False)
         (folder / "comparison.json").write_text(f"{numbers}\n", encoding="utf-8")
         (folder / "comparison.txt").write_text(f"{text}\n", encoding="utf-8")
     typer.echo(text)

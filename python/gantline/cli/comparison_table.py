@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable, Sequence
 from functools import partial
 
@@ -39,6 +40,8 @@ _HEADLINES = (
     ("peak_load_yaw", "yaw of a load", "deg", 2),
     ("peak_load_drift_when_clear", "drift of a load when clear", "m", 3),
 )
+#: Columns of text of a verdict.
+_WIDTH = 100
 _COUNTS = (("steps", "steps"), ("rejected", "attempts rejected"))
 _ONLY = {
     "sling": "slings",
@@ -51,19 +54,24 @@ _ONLY = {
 
 
 def comparison_table(
-    comparison: Comparison, integration_times: tuple[float | None, float | None]
+    comparison: Comparison,
+    integration_times: tuple[float | None, float | None],
+    verdicts: tuple[str, str] = ("", ""),
 ) -> list[str]:
     """Lines of the table.
 
     Args:
         comparison: What is shown.
         integration_times: Wall time in the integrator of A and B [s]; None where nothing was simulated.
+        verdicts: On A and B by the limits of their lift files; empty for none.
 
     Returns:
         The lines.
     """
     parts = [
         [f"{letter}  {name}" for letter, name in zip("AB", comparison.names, strict=True)],
+        _verdicts(verdicts),
+        _parted(comparison),
         _headlines(comparison),
         _run(comparison, Difference(*integration_times)),
         _forces("Rope", comparison.ropes),
@@ -73,6 +81,26 @@ def comparison_table(
         _stability(comparison),
     ]
     return [line for part in parts if part for line in (*part, "")][:-1]
+
+
+def _verdicts(verdicts: tuple[str, str]) -> list[str]:
+    """Go or no-go of A and of B."""
+    lines = []
+    for letter, verdict in zip("AB", verdicts, strict=True):
+        lines += textwrap.wrap(
+            verdict, _WIDTH, initial_indent=f"  {letter}  ", subsequent_indent=" " * 5, break_on_hyphens=False
+        )
+    return ["Verdict", *lines] if lines else []
+
+
+def _parted(comparison: Comparison) -> list[str]:
+    """Ropes that were cut or broke in A or in B."""
+    rows = [
+        (letter, one.rope, one.kind, show(one.time, "s", 3), show(one.tension, "kN", 1))
+        for letter, parted in zip("AB", comparison.parted, strict=True)
+        for one in parted
+    ]
+    return table(("Parted", "", "", "at", "tension"), rows, "lllrr") if rows else []
 
 
 def _headlines(comparison: Comparison) -> list[str]:

@@ -11,7 +11,7 @@ from gantline.checks import Check, Verdict, values_of
 from gantline.cli.check_table import check_table
 from gantline.cli.equalizer_table import equalizer_table
 from gantline.cli.hold_points import hold_points
-from gantline.cli.table import ABSENT, pairs, show, table
+from gantline.cli.table import ABSENT, cut, pairs, show, table
 from gantline.cli.vessels import vessels
 from gantline.results import series
 from gantline.results.drift import load_drift
@@ -20,6 +20,8 @@ from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 
+#: Slings that are listed one by one; the report and the recording have all of them.
+_MOST_ROWS = 40
 #: Yaw from which on the table tells it [rad].
 _YAW_TO_TELL = math.radians(1.0)
 
@@ -43,9 +45,9 @@ def summary(
     parts = [
         heading(rig),
         _loads(recording, metrics),
-        _slings(recording),
+        cut(_slings(recording), _MOST_ROWS),
         _parted(recording),
-        _used(recording),
+        cut(_used(recording), _MOST_ROWS),
         *(equalizer_table(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
         vessels(recording),
@@ -106,10 +108,9 @@ def _loads(recording: Recording, metrics: dict[str, float]) -> list[str]:
     if not rows:
         return []
     lift_off = metrics.get("lift_off_time")
-    rows.insert(
-        0,
-        ("lift-off", f"at {show(lift_off, 's', 2)}" if lift_off is not None else "never clear of a support"),
-    )
+    # A load that hangs as the run begins leaves no support.
+    never = "clear from the start" if series.is_clear(recording)[0] else "never clear of a support"
+    rows.insert(0, ("lift-off", never if lift_off is None else f"at {show(lift_off, 's', 2)}"))
     return [*weights(recording.rig), *pairs("", rows)[1:]]
 
 

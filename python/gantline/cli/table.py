@@ -25,6 +25,20 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]], align: str) -> lis
     return [_line(row, widths, align) for row in [list(head), *indented]]
 
 
+def cut(lines: list[str], most: int) -> list[str]:
+    """A table of which rows in the middle are left out, and counted, if it has more than so many.
+
+    Args:
+        lines: Its head and rows.
+        most: Rows that are shown.
+    """
+    left_out = len(lines) - 1 - most
+    if left_out <= 0:
+        return lines
+    first = 1 + most // 2
+    return [*lines[:first], f"  ... and {left_out} more", *lines[first + left_out :]]
+
+
 def tables(
     first: Sequence[str], columns: Sequence[Sequence[str]], last: Sequence[str] | None = None, *, width: int
 ) -> list[list[str]]:

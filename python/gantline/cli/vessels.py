@@ -23,7 +23,7 @@ _LIES = (
 
 
 def vessels(recording: Recording) -> list[str]:
-    """How each vessel lies at the last sample, and its least freeboard; of an equilibrium that at rest."""
+    """How each vessel lies at the last sample, its least freeboard (at rest that there), and the sea."""
     rows = []
     for vessel in recording.rig.vessels:
         at_end = [
@@ -35,7 +35,9 @@ def vessels(recording: Recording) -> list[str]:
             freeboard = freeboard[-1:]
         rows.append((vessel.name, *at_end, format_quantity(float(freeboard.min()), "m", 3)))
     head = ("Vessel", *(title for _, title, _, _ in _LIES), "least freeboard")
-    return table(head, rows, "l" + "r" * (len(head) - 1)) if rows else []
+    sea = None if series.is_equilibrium(recording) else recording.rig.sea
+    waves = [] if sea is None else [f"Sea  {train.in_words}" for train in sea.trains]
+    return [*table(head, rows, "l" + "r" * (len(head) - 1)), *waves] if rows else []
 
 
 def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:

@@ -28,7 +28,7 @@ from gantline.plot.panels import (
     window_of,
 )
 from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
-from gantline.plot.style import INK, KILO, QUIET
+from gantline.plot.style import INK, KILO, MOST_NAMED, QUIET
 from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
 from gantline.results.surroundings import ground_of, water_level
@@ -393,9 +393,13 @@ def _beside(
 
 
 def _label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) -> None:
+    """Name slings with their tensions below their sheaves; of many those at the ends and in the middle."""
     tension = {rope.name: rope.tension for rope in snap.ropes}
     low = float(panel.get_ylim()[0])
     slings = dict(zip(which.moving_sheaves, which.slings, strict=False))
+    if len(slings) > MOST_NAMED:
+        every = list(slings.items())
+        slings = dict([every[0], every[len(every) // 2], every[-1]])
     for sheave in snap.sheaves:
         if sheave.body not in slings:
             continue

@@ -30,6 +30,8 @@ WARN = "#8A5A00"
 
 KILO = 1e3
 _LEGEND_WIDTH, _KEY_WIDTH = 6.0, 0.4  # inch
+#: Most curves or sheaves that are all named beside each other; of more some are.
+MOST_NAMED = 24
 _PEAK_BELOW = 0.84  # of a panel's height: the text above a peak stays clear of 'lift-off'
 TONNE_FORCE = 9.81e3  # N; only what people read speaks of tonne-force
 
@@ -195,11 +197,25 @@ def legend_above(
 
 
 def label_ends(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> None:
-    """Write each curve's name beside its right end; names that would touch move apart and keep a leader."""
+    """Write each curve's name beside its right end; names that would touch move apart and keep a leader.
+
+    Of more than a panel holds, those of lowest and highest end are named and some between.
+    """
     low, high = sorted(panel.get_ylim())
     gap = (high - low) * 0.085 * _size_factor(panel)
     inverted = panel.yaxis_inverted()
     ends = sorted(((float(curve[-1]), index, name) for index, (name, curve) in enumerate(values.items())))
+    if len(ends) > MOST_NAMED:
+        fitting = max(2, int((high - low) / gap))
+        ends = [ends[at] for at in np.linspace(0, len(values) - 1, fitting).round().astype(int)]
+        panel.annotate(
+            f"… and {len(values) - len(ends)} more",
+            xy=(1.035, 1.06),
+            xycoords="axes fraction",
+            color=QUIET,
+            fontsize=8.5,
+            annotation_clip=False,
+        )
     places = _apart([end for end, _, _ in ends], gap, low, high)
     for (end, index, name), place in zip(ends, places, strict=True):
         fraction = (high - place) / (high - low) if inverted else (place - low) / (high - low)

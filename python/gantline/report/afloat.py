@@ -1,8 +1,13 @@
-"""Rows of the first page of lifts afloat: how vessels lie after each step, moorings, sudden release."""
+"""Rows of the first page of lifts afloat: how vessels lie after each step, sea, moorings, sudden release.
+
+In waves, how a vessel lies at one moment says no more than where in a wave it was: there the table has means
+over the end of each step, and the least freeboard in it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -11,6 +16,7 @@ import numpy as np
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
 from gantline.results.progress import spans
+from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray
 from gantline.results.vessels import Vessel
 
@@ -32,6 +38,21 @@ _LIES = (
 )
 
 
+@dataclass(frozen=True)
+class _Moment:
+    """When a table says how a vessel lies.
+
+    Attributes:
+        name: Of the step that ends then.
+        begin: Its first sample.
+        at: Its last sample.
+    """
+
+    name: str
+    begin: int
+    at: int
+
+
 def vessel_tables(subject: Subject) -> list[dict[str, Any]]:
     """How each vessel lies at the start and at the end of each step, with its ballast."""
     if not len(subject.recording.time):
@@ -46,18 +67,22 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
     moments = _changes(subject, vessel)
     rows = [
         {
-            "name": name,
+            "name": moment.name,
             "lies": [
-                number(float(recording.column(variable, vessel.name)[at]), unit, digits)
+                number(_value(subject, vessel, variable, moment), unit, digits)
                 for variable, unit, digits in _LIES
             ],
-            "displacement": number(float(recording.column("vessel_displacement", vessel.name)[at]), "t", 0),
-            "ballast": number(float(held[at]), "t", 0) if tanks else ABSENT,
+            "displacement": number(_value(subject, vessel, "vessel_displacement", moment), "t", 0),
+            "ballast": number(float(held[moment.at]), "t", 0) if tanks else ABSENT,
         }
-        for name, at in moments
+        for moment in moments
     ]
+    sea = subject.rig.sea
     return {
         "name": vessel.name,
+        "when": "at the end of each step"
+        if sea is None
+        else f"mean over the last {show(sea.rise_time, 's', 0)} of each step; freeboard: the least in it",
         "rows": rows,
         "left_out": max(0, len(_moments(subject)) - len(moments)),
         "gm": _gm(subject, vessel),
@@ -66,27 +91,44 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
     }
 
 
-def _moments(subject: Subject) -> list[tuple[str, int]]:
+def _value(subject: Subject, vessel: Vessel, variable: str, moment: _Moment) -> float:
+    """How a vessel lies at the end of a step; in waves as a mean over its end, the freeboard at its least."""
+    values = subject.recording.column(variable, vessel.name)
+    sea = subject.rig.sea
+    if sea is None:
+        return float(values[moment.at])
+    during = values[moment.begin : moment.at + 1]
+    if variable == "vessel_freeboard":
+        return float(during.min())
+    time = subject.recording.time[moment.begin : moment.at + 1]
+    return float(during[time >= time[-1] - sea.rise_time].mean())
+
+
+def _moments(subject: Subject) -> list[_Moment]:
     """The start, and the end of each step that has begun, with their samples; of several together one."""
     time = subject.recording.time
     ends: dict[float, tuple[float, str]] = {}
     for name, (begin, end) in spans(subject.recording).items():
         if end > begin or end == time[-1]:
             ends[begin] = (max(end, ends[begin][0]) if begin in ends else end, name)
-    moments = sorted(ends.values(), key=lambda one: one[0])
-    samples = [(name, max(0, int(np.searchsorted(time, end, side="right")) - 1)) for end, name in moments]
-    return [("at the start", 0), *samples]
+
+    def sample(moment: float) -> int:
+        return max(0, int(np.searchsorted(time, moment, side="right")) - 1)
+
+    moments = sorted((end, begin, name) for begin, (end, name) in ends.items())
+    steps = [_Moment(name, sample(begin), sample(end)) for end, begin, name in moments]
+    return [_Moment("at the start", 0, 0), *steps]
 
 
-def _changes(subject: Subject, vessel: Vessel) -> list[tuple[str, int]]:
+def _changes(subject: Subject, vessel: Vessel) -> list[_Moment]:
     """The start, the end, and of the other moments those with the largest changes of how it lies."""
     found = _moments(subject)
     if len(found) <= _MOST_ROWS:
         return found
     scale = {"vessel_draft_aft": _SAME_DRAFT, "vessel_draft_forward": _SAME_DRAFT, "vessel_heel": _SAME_ANGLE}
     lies = [
-        np.array([subject.recording.column(name, vessel.name)[at] / step for name, step in scale.items()])
-        for _, at in found
+        np.array([_value(subject, vessel, name, moment) / step for name, step in scale.items()])
+        for moment in found
     ]
     kept = [0]
     for place in range(1, len(found)):
@@ -123,11 +165,28 @@ def _pumped(subject: Subject, vessel: Vessel) -> str:
 
 
 def afloat_facts(subject: Subject) -> list[tuple[str, str]]:
-    """Largest forces of mooring lines and fenders, and what a sudden release does."""
+    """Sea, largest forces of mooring lines and fenders, and what a sudden release does."""
     rig = subject.rig
     if not rig.vessels:
         return []
-    return [*_moorings(subject), *_release(subject)]
+    return [*_sea(subject), *_moorings(subject), *_release(subject)]
+
+
+def _sea(subject: Subject) -> list[tuple[str, str]]:
+    """The waves of the lift file, and what of them came to each vessel."""
+    recording, sea = subject.recording, subject.rig.sea
+    if sea is None or "vessel_wave_elevation" not in recording or not len(recording.time):
+        return []
+    rows = [("sea", train.in_words) for train in sea.trains]
+    for vessel in subject.rig.vessels:
+        body = list(recording.coordinates["body"]).index(vessel.body)
+        ahead = axes(recording["body_orientation"].values[:1, body])[0, :, 0]
+        heading = float(np.arctan2(ahead[1], ahead[0]))
+        sides = [train.comes_from(heading) for train in sea.trains]
+        waves = recording.column("vessel_wave_elevation", vessel.name)
+        ends = f"{show(float(waves.min()), 'm', 2)} to {show(float(waves.max()), 'm', 2)} amidships"
+        rows.append((f"waves at {vessel.name}", ", ".join([*dict.fromkeys(sides), ends])))
+    return rows
 
 
 def _moorings(subject: Subject) -> list[tuple[str, str]]:

@@ -17,7 +17,7 @@ from gantline.report.holds import shares
 from gantline.report.rest import what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
-from gantline.report.subject import ABSENT, Subject, share, show
+from gantline.report.subject import ABSENT, Subject, share, show, typeset
 from gantline.results.metrics import energy_bound
 from gantline.results.rig import Step
 from gantline.results.saved import digest_of
@@ -125,9 +125,9 @@ def _failure(check: Check) -> dict[str, str]:
     bound = (
         ""
         if check.limit is None
-        else f"{'at least' if check.at_least else 'at most'} {check.shown(check.limit)}"
+        else f"{'at least' if check.at_least else 'at most'} {typeset(check.shown(check.limit))}"
     )
-    found = ", ".join(part for part in (check.shown(check.value), bound) if part)
+    found = ", ".join(part for part in (typeset(check.shown(check.value)), bound) if part)
     name = check.name.replace("_", " ")
     about = ", ".join(part for part in (name, check.element) if part)
     return {"about": about, "text": "; ".join(part for part in (found, check.remark) if part)}
@@ -153,7 +153,8 @@ def _foremost_warnings(checks: list[Check]) -> list[Check]:
 
 def _warning(check: Check) -> dict[str, str]:
     share = check.utilisation
-    past = f"{check.shown(check.value)}, past the {check.shown(check.limit)} of the lift file"
+    value, limit = (typeset(check.shown(one)) for one in (check.value, check.limit))
+    past = f"{value}, past the {limit} of the lift file"
     text = "; ".join(
         part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
     )
@@ -262,7 +263,7 @@ def stop_if(subject: Subject) -> list[str]:
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         travel = limits.get("equalizer_travel_used")
         found.append(f"travel is over {show(float(travel) if travel else 0.9, '%', 0)} of its stroke")
-    return [*found, *_wind(subject)]
+    return [*found, *_waves(subject), *_wind(subject)]
 
 
 def _tilt(subject: Subject, limit: Any) -> str:
@@ -276,6 +277,15 @@ def _tilt(subject: Subject, limit: Any) -> str:
     if max(still, default=0.0) > _USUAL_TILT:
         return f"tilt is more than {usual} off the plan, in which it comes to {show(max(still), 'deg', 1)}"
     return f"tilt is over {usual}"
+
+
+def _waves(subject: Subject) -> list[str]:
+    """The lift was simulated in its own waves; of higher, longer and other ones nothing here tells."""
+    sea = subject.rig.sea
+    return [
+        f"{train.name} is over {' or '.join(train.height_and_period)}, or from elsewhere"
+        for train in (() if sea is None else sea.trains)
+    ]
 
 
 def _wind(subject: Subject) -> list[str]:

@@ -12,6 +12,8 @@ from gantline.results.drift import is_taken_along
 
 Plot = dict[str, Any]
 
+_WAVES = "Undisturbed waves amidships, above still water"
+
 
 class Player(Section):
     """The lift in three dimensions, with the plot of tensions below it."""
@@ -148,16 +150,16 @@ class Attitude(_Plots):
 
 
 class Vessels(_Plots):
-    """How vessels lie: draft, trim, heel, freeboard."""
+    """How vessels lie: draft, trim, heel, freeboard; and the waves that they meet."""
 
     anchor = "vessels"
     title = "Vessels"
 
     def plots(self, subject: Subject) -> list[Plot]:
-        """Draft, trim, heel, freeboard."""
+        """Draft, trim, heel, freeboard, waves."""
         if not subject.rig.vessels:
             return []
-        return [
+        found = [
             _plot("Draft at half length", "draft", "m", height=180, smallest=0.1),
             _plot("Trim, by the stern positive", "trim", "deg", height=180, smallest=0.1),
             _plot("Heel, to starboard positive", "heel", "deg", height=180, smallest=0.1),
@@ -170,6 +172,9 @@ class Vessels(_Plots):
                 extreme="smallest",
             ),
         ]
+        if "vessel_wave_elevation" in subject.recording:
+            found.append(_plot(_WAVES, "waves", "m", height=180, smallest=0.1))
+        return found
 
 
 class Clearances(_Plots):

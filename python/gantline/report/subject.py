@@ -80,7 +80,12 @@ class Subject:
 
 def show(value: float | None, unit: str, digits: int) -> str:
     """A value with its unit, or a dash."""
-    return ABSENT if value is None else format_quantity(value, unit, digits)
+    return ABSENT if value is None else typeset(format_quantity(value, unit, digits))
+
+
+def typeset(text: str) -> str:
+    """A written number with a proper minus, as plots have it."""
+    return f"−{text[1:]}" if text.startswith("-") else text
 
 
 def number(value: float | None, unit: str, digits: int) -> str:

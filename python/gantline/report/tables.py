@@ -10,7 +10,7 @@ import numpy as np
 from gantline.checks import Check, Verdict
 from gantline.report.first_page import fingerprint
 from gantline.report.section import Section
-from gantline.report.subject import ABSENT, Subject, show
+from gantline.report.subject import ABSENT, Subject, show, typeset
 from gantline.results import series
 from gantline.results.equalising import equalising
 from gantline.results.gaps import gaps
@@ -129,8 +129,8 @@ def _check(check: Check) -> dict[str, Any]:
         "name": check.name.replace("_", " "),
         "verdict": "no limit" if check.has_no_limit else check.verdict.value,
         "tone": tones[check.verdict],
-        "value": check.shown(check.value) or ABSENT,
-        "limit": f"{sign}{check.shown(check.limit)}" or ABSENT,
+        "value": typeset(check.shown(check.value)) or ABSENT,
+        "limit": f"{sign}{typeset(check.shown(check.limit))}" or ABSENT,
         "used": show(used, "%", 0),
         "share": min(1.0, used or 0.0),
         "place": ", ".join(part for part in place if part),

@@ -16,6 +16,7 @@ from typing import Any
 from gantline.results import series
 from gantline.results.common_time import CommonTime, Deviation
 from gantline.results.gaps import without_gaps
+from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording, open_recording
 from gantline.results.rig import Rig
 from gantline.results.stability import Stability, stability_of
@@ -119,6 +120,7 @@ class Comparison:
             nor equalizing rope), and, where neither has loads, `body`. Kinds without any are absent.
         only_b: The same for B.
         stability: How sound the runs of A and B were.
+        parted: Ropes of A and of B that were cut or broke.
     """
 
     a: Recording
@@ -134,6 +136,7 @@ class Comparison:
     only_a: Mapping[str, Sequence[str]]
     only_b: Mapping[str, Sequence[str]]
     stability: tuple[Stability, Stability]
+    parted: tuple[Sequence[Parting], Sequence[Parting]]
 
     def __repr__(self) -> str:
         a, b = self.names
@@ -156,6 +159,7 @@ class Comparison:
             "only_a": {kind: list(names) for kind, names in self.only_a.items()},
             "only_b": {kind: list(names) for kind, names in self.only_b.items()},
             "stability": [dataclasses.asdict(side) for side in self.stability],
+            "parted": [[dataclasses.asdict(one) for one in side] for side in self.parted],
         }
         return dict(without_gaps(document))
 
@@ -200,6 +204,7 @@ def compare(
         only_a=only_a,
         only_b=only_b,
         stability=(stability_of(a), stability_of(b)),
+        parted=(partings(a), partings(b)),
     )
 
 

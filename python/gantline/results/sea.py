@@ -2,16 +2,63 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from gantline.results.strength import FromJson
 from gantline.results.variable import FloatArray
+from gantline.units import format_quantity
 
-__all__ = ["Sea"]
+__all__ = ["Sea", "WaveTrain"]
+
+#: Waves from so little beside the bow, or the stern, come over it [rad]: 0.5 deg.
+_AHEAD = math.radians(0.5)
+
+
+@dataclass(frozen=True)
+class WaveTrain(FromJson):
+    """Waves that run in one direction, as the lift file names them.
+
+    Attributes:
+        name: Their name.
+        direction: In which they run, from world x towards y [rad].
+        height: Of waves that are all alike, else the significant height [m].
+        period: Of waves that are all alike, else that of the peak of the spectrum [s].
+        is_regular: Whether they are all alike.
+    """
+
+    name: str
+    direction: float
+    height: float
+    period: float
+    is_regular: bool = False
+
+    @property
+    def height_and_period(self) -> tuple[str, str]:
+        """How high the waves are, and how long they take."""
+        kind = ("height", "period") if self.is_regular else ("significant height", "peak period")
+        height, period = format_quantity(self.height, "m", 2), format_quantity(self.period, "s", 1)
+        return f"{height} {kind[0]}", f"{period} {kind[1]}"
+
+    @property
+    def in_words(self) -> str:
+        """Height, period and direction."""
+        runs = f"running towards {format_quantity(self.direction, 'deg', 0)}"
+        return f"{self.name}: {', '.join((*self.height_and_period, runs))}"
+
+    def comes_from(self, heading: float) -> str:
+        """From where they come, as seen from a vessel with this heading [rad]."""
+        aside = math.remainder(self.direction + math.pi - heading, math.tau)
+        if abs(aside) < _AHEAD:
+            return "from ahead"
+        if math.pi - abs(aside) < _AHEAD:
+            return "from astern"
+        side = "port" if aside > 0.0 else "starboard"
+        return f"from {format_quantity(abs(aside), 'deg', 0)} off the bow to {side}"
 
 
 @dataclass(frozen=True)
@@ -22,10 +69,18 @@ class Sea(FromJson):
         components: regular waves: `frequency` ω [rad/s], `wave_number` k, world x and y [rad/m],
             `amplitude` a [m], `phase` ε [rad].
         rise_time: in which they grow [s].
+        trains: as the lift file names them; of recordings from before they were kept none.
     """
 
     components: Sequence[Mapping[str, Any]] = ()
     rise_time: float = 1.0
+    trains: Sequence[WaveTrain] = ()
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        trains = tuple(WaveTrain.from_json(one) for one in document.get("trains") or ())
+        return super().from_json({**document, "trains": trains})
 
     def elevation(self, time: FloatArray, place: FloatArray) -> FloatArray:
         """η above still water [m].

@@ -1,9 +1,9 @@
 """What a recording says of how sound its run was: status, energy balance, residuals. Nothing is guessed.
 
 *Energy from nowhere* is what the audit's columns show directly: kinetic + gravity + elastic energy less the
-work of drives can only fall, since every loss is positive. By how much it rises above the least that it has
-had, relative to the largest of kinetic + elastic + |work of drives|, is energy that no drive put in. A method
-that shakes a stiff rope or feeds a swing shows it here, whatever the frequency.
+work of drives, and of wind, current and waves, can only fall, since every loss is positive. By how much it
+rises above the least that it has had, relative to the largest of kinetic + elastic + |work|, is energy that
+none of them put in. A method that shakes a stiff rope or feeds a swing shows it here, whatever the frequency.
 """
 
 from __future__ import annotations
@@ -145,12 +145,13 @@ def _energy_gain(recording: Recording) -> tuple[float | None, float | None]:
     def energy(kind: str) -> FloatArray:
         return recording.column("energy", kind)
 
-    work = energy("drive_work")
-    largest = float(np.max(energy("kinetic") + energy("elastic") + np.abs(work)))
+    kinds = recording.coordinates["energy_kind"]
+    works = [energy(kind) for kind in ("drive_work", "fluid_work") if kind in kinds]
+    largest = float(np.max(energy("kinetic") + energy("elastic") + np.sum(np.abs(works), axis=0)))
     if largest <= 0.0:
         return 0.0, None
-    kept = energy("kinetic") + energy("gravity") + energy("elastic") - work
-    if "fluid" in recording.coordinates["energy_kind"]:
+    kept = energy("kinetic") + energy("gravity") + energy("elastic") - np.sum(works, axis=0)
+    if "fluid" in kinds:
         kept = kept + energy("fluid")
     gain = (kept - np.minimum.accumulate(kept)) / largest
     beyond = np.flatnonzero(gain > ENERGY_GAIN_BOUND)

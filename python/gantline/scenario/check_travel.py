@@ -23,7 +23,7 @@ _ROUNDING = 1e-9
 _Bounds = tuple[float, float]
 
 #: Units of messages: of positions, speeds and accelerations.
-_METRES = {"position": ("m", 1.0), "speed": ("m/s", 1.0), "acceleration": ("m/s^2", 1.0)}
+_METRES = {"position": ("m", 1.0), "speed": ("m/min", 60.0), "acceleration": ("m/s^2", 1.0)}
 _DEGREES = {
     "position": ("deg", math.degrees(1)),
     "speed": ("deg/min", 60 * math.degrees(1)),
@@ -32,7 +32,7 @@ _DEGREES = {
 
 
 def said(kind: Kind, value: float, of: str) -> str:
-    """A value of what moves in a message, such as '0.5 m/s'; `of` is position, speed or acceleration."""
+    """A value of what moves in a message, such as '30 m/min'; `of` is position, speed or acceleration."""
     unit, factor = (_DEGREES if kind in ("boom", "upper") else _METRES)[of]
     return f"{value * factor:g} {unit}"
 

@@ -57,6 +57,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
         ("heel", "vessel_heel", "deg", 180.0 / np.pi),
         ("trim", "vessel_trim", "deg", 180.0 / np.pi),
         ("freeboard", "vessel_freeboard", "m", 1.0),
+        ("waves", "vessel_wave_elevation", "m", 1.0),
         ("clearance", "clearance", "m", 1.0),
     ):
         if variable in recording:

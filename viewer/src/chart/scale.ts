@@ -7,10 +7,14 @@ export interface Scale {
   digits: number;
 }
 
-/** Round ticks over a span, about as many as wanted. */
-export function ticksOf(low: number, high: number, wanted: number): { ticks: number[]; digits: number } {
+/** Round ticks over a span, about as many as wanted, and the step from one to the next. */
+export function ticksOf(
+  low: number,
+  high: number,
+  wanted: number,
+): { ticks: number[]; digits: number; step: number } {
   const span = high - low;
-  if (!(span > 0) || !Number.isFinite(span)) return { ticks: [low], digits: 0 };
+  if (!(span > 0) || !Number.isFinite(span)) return { ticks: [low], digits: 0, step: span };
   const rough = span / Math.max(1, wanted);
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 2.5, 5, 10].find((factor) => factor * power >= rough * 0.999) ?? 10);
@@ -18,7 +22,7 @@ export function ticksOf(low: number, high: number, wanted: number): { ticks: num
   const ticks: number[] = [];
   for (let index = Math.ceil(low / step - 1e-9) + 0; index * step <= high + 1e-9 * span; index++)
     ticks.push(index * step);
-  return { ticks, digits: Math.min(digits, 6) };
+  return { ticks, digits: Math.min(digits, 6), step };
 }
 
 /** A vertical axis that holds all values and ends at round numbers. */
@@ -29,8 +33,7 @@ export function verticalScale(least: number, largest: number, wanted: number, sm
   if (high < 0 && high > 0.6 * low) high = 0;
   const middle = (low + high) / 2;
   if (high - low < smallest) [low, high] = [middle - smallest / 2, middle + smallest / 2];
-  const { ticks, digits } = ticksOf(low, high, wanted);
-  const step = ticks.length > 1 ? ticks[1]! - ticks[0]! : high - low;
+  const { digits, step } = ticksOf(low, high, wanted);
   const bottom = Math.floor(low / step + 1e-9) * step;
   const top = Math.ceil(high / step - 1e-9) * step;
   return { low: bottom, high: top, ticks: ticksOf(bottom, top, wanted).ticks, digits };
