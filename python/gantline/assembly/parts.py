@@ -50,6 +50,7 @@ class Parts:
         watches: distances that are recorded.
         forces: of water, wind and mooring lines on bodies, in order.
         sea: waves on the water; None where there are none.
+        trains: what they are called and what has been asked for, for results.
         vessels: what should stay upright, and which of their points above the water.
         drives: drives by name.
         plan: steps in order.
@@ -73,6 +74,7 @@ class Parts:
     watches: list[Json] = field(default_factory=list)
     forces: list[Json] = field(default_factory=list)
     sea: Json | None = None
+    trains: list[Json] = field(default_factory=list)
     vessels: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)

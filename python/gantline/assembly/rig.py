@@ -44,7 +44,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "remark": head.remark,
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
-        **({} if parts.sea is None else {"sea": parts.sea}),
+        **({} if parts.sea is None else {"sea": {**parts.sea, "trains": parts.trains}}),
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),

@@ -127,7 +127,8 @@ def afloat_facts(subject: Subject) -> list[tuple[str, str]]:
     rig = subject.rig
     if not rig.vessels:
         return []
-    return [*_moorings(subject), *_release(subject)]
+    waves = [] if rig.sea is None else [("waves", "; ".join(rig.sea.words()))]
+    return [*waves, *_moorings(subject), *_release(subject)]
 
 
 def _moorings(subject: Subject) -> list[tuple[str, str]]:

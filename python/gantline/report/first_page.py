@@ -262,6 +262,8 @@ def stop_if(subject: Subject) -> list[str]:
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         travel = limits.get("equalizer_travel_used")
         found.append(f"travel is over {show(float(travel) if travel else 0.9, '%', 0)} of its stroke")
+    if subject.rig.sea is not None and subject.rig.vessels:
+        found.append("waves are other than those of this page, or more")
     return [*found, *_wind(subject)]
 
 
