@@ -154,7 +154,7 @@ def test_waves_longer_than_the_file_knows(tmp_path: Path) -> None:
 
 
 def test_waves_of_another_depth(tmp_path: Path) -> None:
-    """The file is for deep water; 50 m are deep for 8 s, κd = 3.2, and not for 12 s, κd = 1.53, κ 10 % more."""
+    """The file is for deep water; 50 m are deep for 8 s, κd = 3.2, not for 12 s: κd = 1.53, κ 10 % more."""
     swell = {"height": "1 m", "period": "12 s", "direction": "0 deg"}
     water = {"density": "1025 kg/m^3", "depth": "50 m"}
     found = warnings_of(tmp_path, swell, water=water)
@@ -164,7 +164,7 @@ def test_waves_of_another_depth(tmp_path: Path) -> None:
 
 
 def test_waves_that_break_over_the_ground(tmp_path: Path) -> None:
-    """0.142 λ tanh κd (Miche 1944): in 3 m of water λ = 53.16 m for 10 s, and 0.142 ω²λ²/2πg = 2.57 m = 2.57 m."""
+    """0.142 λ tanh κd (Miche 1944): in 3 m of water λ = 53.16 m for 10 s, and 0.142 ω²λ²/2πg = 2.57 m."""
     wave = {"height": "4 m", "period": "10 s", "direction": "0 deg"}
     with pytest.raises(
         ScenarioError, match=r"4 m every 10 s break in a depth of 3 m; less than 2\.57 m stand"
