@@ -86,7 +86,7 @@ def out_of_place(
         names: Names along their dimensions.
     """
     sentences = []
-    for force in (one for one in document["forces"] if one["type"] == "wave"):
+    for force in (one for one in document.get("forces", ()) if one["type"] == "wave"):
         body = next(one for one in document["bodies"] if one["name"] == force["body"])
         at = list(names["body"]).index(force["body"])
         joint, centre = body["joint"], np.array(body.get("centre_of_gravity", (0.0, 0.0, 0.0)))
