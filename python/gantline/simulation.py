@@ -27,6 +27,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
+from gantline.results.sea import out_of_place
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.variable import FloatArray
@@ -328,6 +329,8 @@ class Simulation:
         warnings += drum_warnings(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
+        if len(columns["time"]):
+            warnings += out_of_place(self.assembly.document, columns, names)
         loads = {load.name: load.body for load in rig.loads}
         density = (self.scenario.water or Water()).density
         warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import gantline
-from gantline.cli.vessels import vessels
+from gantline.cli.summary import heading
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.first_page import stop_if
 from gantline.report.plots import Vessels
@@ -37,7 +37,7 @@ def test_the_first_page_says_which_sea_and_from_where_it_comes(sailed: Recording
     facts = afloat_facts(Subject(sailed))
     assert facts[0] == (
         "sea",
-        "swell: 0.80 m significant height, 7.0 s peak period, running towards 150 deg",
+        "swell: 0.80 m significant height, 7.0 s peak period, running towards 150 deg, record 1",
     )
     assert facts[1] == ("sea", "wash: 0.20 m height, 4.0 s period, running towards 180 deg")
     highest = float(sailed.column("vessel_wave_elevation", "barge").max())
@@ -86,9 +86,9 @@ def test_a_report_has_a_plot_of_the_waves(sailed: Recording) -> None:
     assert np.array_equal(curve.values, sailed.column("vessel_wave_elevation", "barge"))
 
 
-def test_the_table_of_vessels_says_which_sea(sailed: Recording) -> None:
-    text = vessels(sailed)
-    assert text[-2] == "Sea  swell: 0.80 m significant height, 7.0 s peak period, running towards 150 deg"
+def test_the_head_of_the_table_says_which_sea(sailed: Recording) -> None:
+    lines = heading(sailed.rig)
+    assert lines[-1].startswith("Waves: swell: 0.80 m significant height, 7.0 s peak period")
 
 
 def test_a_recording_from_before_says_no_more_than_it_knows(sailed: Recording) -> None:

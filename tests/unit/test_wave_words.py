@@ -132,3 +132,52 @@ def test_the_phase_counts_from_the_origin_of_the_file(tmp_path: Path) -> None:
 
     here, there = phasors(), phasors(position=[f"{way} m", "0 m"])
     assert there == pytest.approx(here * 1j, rel=1e-9, abs=1e-6)
+
+
+def test_the_shortest_wave_of_a_file_is_in_it(tmp_path: Path) -> None:
+    """Its own frequency, 3 rad/s, as a period of ten digits: it was above the highest by its last digit, and
+    refused with "1e+02 % of the energy of swell is in waves shorter than any there".
+    """
+    for period in ("2.0943951 s", "2.0943952 s", "2.094395102 s"):
+        wave = {"height": "2 cm", "period": period, "direction": "0 deg"}
+        assert "shorter" not in warnings_of(tmp_path, wave)
+
+
+def test_waves_longer_than_the_file_knows(tmp_path: Path) -> None:
+    """The longest there are of 2π/0.2 = 31.4 s; forces of longer ones are theirs, which was not said."""
+    long = {"height": "1 m", "period": "40 s", "direction": "0 deg"}
+    sentence = (
+        "100 % of the energy is in waves longer than any there; they push as those of 31.42 s, the longest"
+    )
+    assert sentence in warnings_of(tmp_path, long)
+    assert "longer" not in warnings_of(tmp_path, {**long, "period": "31 s"})
+
+
+def test_waves_of_another_depth(tmp_path: Path) -> None:
+    """The file is for deep water; 50 m are deep for 8 s, κd = 3.2, not for 12 s: κd = 1.53, κ 10 % more."""
+    swell = {"height": "1 m", "period": "12 s", "direction": "0 deg"}
+    water = {"density": "1025 kg/m^3", "depth": "50 m"}
+    found = warnings_of(tmp_path, swell, water=water)
+    assert "barge.nc (Capytaine) is for deep water, the lift is in water 50 m deep" in found
+    assert "deep water" not in warnings_of(tmp_path, {**swell, "period": "8 s"}, water=water)
+    assert "deep water" not in warnings_of(tmp_path, swell)
+
+
+def test_waves_that_break_over_the_ground(tmp_path: Path) -> None:
+    """0.142 λ tanh κd (Miche 1944): in 3 m of water λ = 53.16 m for 10 s, and 0.142 ω²λ²/2πg = 2.57 m."""
+    wave = {"height": "4 m", "period": "10 s", "direction": "0 deg"}
+    with pytest.raises(
+        ScenarioError, match=r"4 m every 10 s break in a depth of 3 m; less than 2\.57 m stand"
+    ):
+        warnings_of(tmp_path, wave, water={"depth": "3 m"})
+    assert "break" not in warnings_of(tmp_path, wave)
+
+
+def test_vessels_in_waves_without_their_water(tmp_path: Path) -> None:
+    """Wave forces alone, and added mass of infinite frequency, are no motion in waves."""
+    name = waves.database(tmp_path)
+    alone = barge(wave_forces={"database": name, "at": ["50 m", "0 m", "4 m"]})
+    path = written(tmp_path, lift_of(alone, waves={"swell": SWELL}))
+    found = assemble(load_scenario(path)).warnings
+    for key in ("added_mass", "water_damping"):
+        assert f"barge has 'wave_forces' and no '{key}': its motions in waves are not its own" in found

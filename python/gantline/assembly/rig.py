@@ -103,6 +103,7 @@ def _wave_trains(scenario: Scenario) -> list[Json]:
             "height": train.height or train.significant_height,
             "period": train.longest,
             "is_regular": train.is_regular,
+            "seed": None if train.is_regular else train.seed,
         }
         for name, train in (scenario.waves or {}).items()
     ]

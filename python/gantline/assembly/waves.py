@@ -16,7 +16,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart
 from gantline.scenario.vessel import Vessel
 from gantline.scenario.water import Water, WaveForces
-from gantline.scenario.waves import WaveTrain
+from gantline.scenario.waves import BREAKS, WaveTrain
 
 __all__ = ["add_waves"]
 
@@ -32,6 +32,8 @@ _SILENT = 0.05
 _STEEPEST = 1.0 / 15.0
 #: Added mass and damping of another period than the waves' by more than this share are doubtful.
 _OTHER_PERIOD = 0.25
+#: Waves that are longer or shorter by another depth by more than this share are doubtful.
+_OTHER_LENGTH = 0.05
 
 
 def add_waves(parts: Parts, scenario: Scenario) -> None:
@@ -42,6 +44,8 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     """
     if not scenario.waves:
         return
+    for name, waves in scenario.waves.items():
+        _refuse_breaking(scenario, name, waves)
     trains = {name: _components(name, train) for name, train in scenario.waves.items()}
     water = scenario.water or Water()
     gravity = scenario.simulation.gravity
@@ -49,8 +53,8 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     for train in trains.values():
         numbers = wave_number(train.frequency, gravity, water.depth)
         along = (math.cos(train.direction), math.sin(train.direction))
-        waves = zip(train.frequency, numbers, train.amplitude, train.phase, strict=True)
-        for frequency, number, amplitude, phase in waves:
+        each = zip(train.frequency, numbers, train.amplitude, train.phase, strict=True)
+        for frequency, number, amplitude, phase in each:
             wave = {"frequency": float(frequency), "wave_number": [float(number) * part for part in along]}
             listed.append({**wave, "amplitude": float(amplitude), "phase": float(phase)})
     rise_time = _PERIODS_TO_GROW * max(train.longest for train in scenario.waves.values())
@@ -122,15 +126,52 @@ def _of_database(
 
     def forces(database: HydrodynamicDatabase) -> tuple[Complex, npt.NDArray[np.float64], list[str]]:
         shortest = 2 * math.pi / float(database.frequencies[-1])
-        if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-9):
+        if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-6):
             wanted = f"has no waves of {2 * math.pi / lowest:.4g} s"
             raise DatabaseError(f"{database.source}: {wanted}; the shortest are of {shortest:.4g} s")
         found, doubts = database.excitation_at(train.frequency, train.direction - heading, density)
+        doubts += _of_other_waves(scenario, database, train)
         reference = database.reference
         origin = np.zeros(3) if reference is None else np.array([*reference[:2], 0.0])
         return found, origin, doubts
 
     return from_database(scenario, path, (given.database, given.body), forces)
+
+
+def _of_other_waves(scenario: Scenario, database: HydrodynamicDatabase, train: Components) -> list[str]:
+    """Sentences on waves that are longer than a database knows, or longer or shorter by its depth."""
+    energy = train.amplitude**2 / (train.amplitude**2).sum()
+    doubts = []
+    long = float(energy[train.frequency < database.frequencies[0] * (1 - 1e-6)].sum())
+    if long > _SILENT:
+        sentence = f"{100 * long:.3g} % of the energy is in waves longer than any there"
+        doubts.append(
+            f"{database.source}: {sentence}; they push as those of {database.periods[0]:.4g} s, the longest"
+        )
+    depth, gravity = (scenario.water or Water()).depth, scenario.simulation.gravity
+    if database.water_depth is not None:
+        theirs = None if math.isinf(database.water_depth) else database.water_depth
+        ratio = wave_number(train.frequency, gravity, theirs) / wave_number(train.frequency, gravity, depth)
+        if float(energy @ np.abs(ratio - 1.0)) > _OTHER_LENGTH:
+            said = ["deep water" if one is None else f"water {one:g} m deep" for one in (theirs, depth)]
+            sentence = f"{database.source} is for {said[0]}, the lift is in {said[1]}"
+            doubts.append(f"{sentence}: waves have other lengths there, and other forces")
+    return doubts
+
+
+def _refuse_breaking(scenario: Scenario, name: str, train: WaveTrain) -> None:
+    """Waves that break over the ground, though they would stand in deep water: Miche 1944."""
+    depth = None if scenario.water is None else scenario.water.depth
+    if depth is None:
+        return
+    frequency = np.array([2 * math.pi / train.longest])
+    number = float(wave_number(frequency, scenario.simulation.gravity, depth)[0])
+    most = BREAKS * 2 * math.pi / number * math.tanh(number * depth)
+    height = train.height or train.significant_height or 0.0
+    if height > most:
+        key = "height" if train.is_regular else "significant_height"
+        found = f"{height:g} m every {train.longest:g} s break in a depth of {depth:g} m"
+        raise scenario.error(("waves", name, key), f"{found}; less than {most:.3g} m stand")
 
 
 def _unknown(train: Components, forces: Complex) -> float:
@@ -140,12 +181,16 @@ def _unknown(train: Components, forces: Complex) -> float:
 
 
 def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[str]:
-    """A sentence on water that is taken at a period which the waves have not."""
+    """Sentences on water that is taken at a period which the waves have not, or not at all."""
     found = []
     periods = [train.longest for train in (scenario.waves or {}).values()]
     for key in ("added_mass", "water_damping"):
         given = getattr(vessel, key)
+        if given is None:
+            found.append(f"{name} has 'wave_forces' and no '{key}': its motions in waves are not its own")
         read = getattr(given, "period", None)
+        if read == "infinite_frequency":
+            found.append(f"{key} of {name} is that of infinite frequency; the waves are slower")
         if not isinstance(read, float):
             continue
         if all(abs(read / period - 1.0) > _OTHER_PERIOD for period in periods):

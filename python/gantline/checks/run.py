@@ -229,7 +229,7 @@ def _check_requirement(recording: Recording, step: Step, key: str, side: str, li
         digits=measure.digits,
         step=step.step,
     )
-    during = end_of_step(recording, step)
+    during = _at_end(recording, step)
     if during is None:
         if series.is_equilibrium(recording):
             return replace(check, remark="a run checks what steps require; an equilibrium has no steps")
@@ -279,6 +279,19 @@ def end_of_step(recording: Recording, step: Step) -> BoolArray | None:
     mask = np.zeros(len(recording.time), dtype=np.bool_)
     mask[last] = True
     return mask
+
+
+def _at_end(recording: Recording, step: Step) -> BoolArray | None:
+    """Samples that a requirement of a step is for: the last one, in waves the last three longest periods.
+
+    There the last sample is but a moment between a crest and a trough.
+    """
+    last, sea = end_of_step(recording, step), recording.rig.sea
+    if last is None or sea is None:
+        return last
+    begin, end = progress.spans(recording)[step.step][0], recording.time[last][0]
+    late: BoolArray = (recording.time >= max(begin, end - sea.rise_time)) & (recording.time <= end)
+    return late
 
 
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:

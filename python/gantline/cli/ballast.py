@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from gantline.cli.lift import Lift, quantity_of
+from gantline.cli.lift import Lift, quantity_of, still_water
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 from gantline.cli.progress import telling
 
@@ -61,13 +61,15 @@ def ballast(
     if write is not None and write.exists():
         stop(f"--write: {write} is there already; a new file is needed")
     with scenario_errors():
+        from gantline.scenario import load_scenario
         from gantline.statics import NoEquilibriumError
         from gantline.study import CannotBeError, solve_ballast
 
+        scenario = load_scenario(lift)
         try:
             with telling("ballast") as tell:
                 answer = solve_ballast(
-                    lift,
+                    scenario,
                     vessel=vessel,
                     time=moment,
                     step=step,
@@ -86,7 +88,7 @@ def ballast(
     else:
         from gantline.cli.ballast_table import report
 
-        typer.echo("\n".join(report(answer)))
+        typer.echo("\n".join([*still_water(scenario), *report(answer)]))
     if write is not None:
         with writing(write):
             write.write_text(answer.text, encoding="utf-8")

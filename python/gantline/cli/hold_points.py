@@ -26,7 +26,8 @@ def hold_points(recording: Recording) -> list[str]:
         measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in asked}
         rows = [(measure.replace("_", " "), text) for measure, text in measured.items() if text]
         if rows or readings or point.step.report:
-            lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}", rows)
+            moment = ", as waves have it then" if recording.rig.sea else ""
+            lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}{moment}", rows)
             lines += _hooks(readings)
     return lines
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
-from gantline.cli.lift import output_folder, quantity_of
+from gantline.cli.lift import output_folder, quantity_of, still_water
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 if TYPE_CHECKING:
@@ -69,18 +69,19 @@ def hang_as_wanted(
         )
     option = "--plumb" if plumb else "--level" if want is None else "--want"
     with scenario_errors():
-        from gantline.scenario import ScenarioError
+        from gantline.scenario import ScenarioError, load_scenario
         from gantline.statics import NoEquilibriumError
         from gantline.study import CannotBeError, adjust_lengths, plumb_hooks
 
         answer: LengthAnswer | HookAnswer
+        scenario = load_scenario(lift)
         try:
             if plumb:
-                answer = plumb_hooks(lift, hooks=chosen, time=time)
+                answer = plumb_hooks(scenario, hooks=chosen, time=time)
                 lines = _hooks(answer)
             else:
                 answer = adjust_lengths(
-                    lift,
+                    scenario,
                     slopes=wanted.slopes,
                     heading=wanted.heading,
                     shares=wanted.shares,
@@ -97,7 +98,7 @@ def hang_as_wanted(
             raise
         except ValueError as problem:
             stop(f"{option}: {problem}")
-    typer.echo("\n".join(lines))
+    typer.echo("\n".join([*still_water(scenario), *lines]))
     if output is not None:
         place = output_folder(output)
         with writing(place):

@@ -89,6 +89,11 @@ def refuse_beyond(scenario: Scenario, moment: float | None) -> None:
         stop(f"--time: {moment:g} s is after the end of the lift at {scenario.duration:g} s")
 
 
+def still_water(scenario: Scenario) -> list[str]:
+    """A line on waves of a lift that statics leaves out; none where it has none."""
+    return [f"Still water: without the waves {', '.join(scenario.waves)}"] if scenario.waves else []
+
+
 def prepare(lift: Path, overrides: Mapping[str, Setting], side: str = "") -> Simulation:
     """A lift that is ready to run; what is wrong with it ends the program.
 

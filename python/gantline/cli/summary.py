@@ -63,10 +63,11 @@ def summary(
 
 
 def heading(rig: Rig) -> list[str]:
-    """Number, revision, title and remark of a lift."""
+    """Number, revision, title and remark of a lift, and the waves that it is in."""
     revision = f" rev {rig.revision}" if rig.number and rig.revision else ""
     title = "  ".join(word for word in (f"{rig.number or ''}{revision}", rig.title) if word)
-    return [line for line in (title, rig.remark) if line]
+    waves = [] if rig.sea is None else [f"Waves: {'; '.join(train.in_words for train in rig.sea.trains)}"]
+    return [*(line for line in (title, rig.remark) if line), *waves]
 
 
 def weights(rig: Rig) -> list[str]:

@@ -23,7 +23,7 @@ _LIES = (
 
 
 def vessels(recording: Recording) -> list[str]:
-    """How each vessel lies at the last sample, its least freeboard (at rest that there), and the sea."""
+    """How each vessel lies at the last sample, and its least freeboard, at rest that there."""
     rows = []
     for vessel in recording.rig.vessels:
         at_end = [
@@ -35,9 +35,7 @@ def vessels(recording: Recording) -> list[str]:
             freeboard = freeboard[-1:]
         rows.append((vessel.name, *at_end, format_quantity(float(freeboard.min()), "m", 3)))
     head = ("Vessel", *(title for _, title, _, _ in _LIES), "least freeboard")
-    sea = None if series.is_equilibrium(recording) else recording.rig.sea
-    waves = [] if sea is None else [f"Sea  {train.in_words}" for train in sea.trains]
-    return [*table(head, rows, "l" + "r" * (len(head) - 1)), *waves] if rows else []
+    return table(head, rows, "l" + "r" * (len(head) - 1)) if rows else []
 
 
 def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:

@@ -9,14 +9,19 @@ from typing import Any, Self
 
 import numpy as np
 
+from gantline.results.rotation import axes, heading
 from gantline.results.strength import FromJson
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
-__all__ = ["Sea", "WaveTrain"]
+__all__ = ["Sea", "WaveTrain", "out_of_place"]
 
 #: Waves from so little beside the bow, or the stern, come over it [rad]: 0.5 deg.
 _AHEAD = math.radians(0.5)
+#: Turn of a vessel from which the forces of its first heading are doubtful [rad].
+_TURNED = math.radians(10.0)
+#: Phase by which waves come sooner or later to a vessel that has drifted, from which it counts.
+_DRIFTED = math.pi / 2
 
 
 @dataclass(frozen=True)
@@ -29,6 +34,7 @@ class WaveTrain(FromJson):
         height: Of waves that are all alike, else the significant height [m].
         period: Of waves that are all alike, else that of the peak of the spectrum [s].
         is_regular: Whether they are all alike.
+        seed: Of a sea which of its records; None of waves that are all alike.
     """
 
     name: str
@@ -36,6 +42,7 @@ class WaveTrain(FromJson):
     height: float
     period: float
     is_regular: bool = False
+    seed: int | None = None
 
     @property
     def height_and_period(self) -> tuple[str, str]:
@@ -46,9 +53,10 @@ class WaveTrain(FromJson):
 
     @property
     def in_words(self) -> str:
-        """Height, period and direction."""
+        """Height, period, direction and record."""
         runs = f"running towards {format_quantity(self.direction, 'deg', 0)}"
-        return f"{self.name}: {', '.join((*self.height_and_period, runs))}"
+        record = () if self.seed is None else (f"record {self.seed}",)
+        return f"{self.name}: {', '.join((*self.height_and_period, runs, *record))}"
 
     def comes_from(self, heading: float) -> str:
         """From where they come, as seen from a vessel with this heading [rad]."""
@@ -101,3 +109,43 @@ class Sea(FromJson):
         share = np.clip(time / self.rise_time, 0.0, 1.0)
         growth: FloatArray = share**3 * (10.0 - share * (15.0 - 6.0 * share))
         return found * growth[beside]
+
+
+def out_of_place(
+    document: Mapping[str, Any], columns: Mapping[str, FloatArray], names: Mapping[str, Sequence[str]]
+) -> list[str]:
+    """A sentence for each vessel that has turned or drifted away from where its wave forces are for.
+
+    They keep amount, direction and phase of where the lift file has the vessel. On one that turns by and by
+    the moment that pitched it rolls it, which can heel it far more than any such sea does.
+
+    Args:
+        document: What has been assembled of the lift.
+        columns: What was recorded: `time`, `body_position`, `body_orientation`.
+        names: Names along their dimensions.
+    """
+    sentences = []
+    for force in (one for one in document.get("forces", ()) if one["type"] == "wave"):
+        body = next(one for one in document["bodies"] if one["name"] == force["body"])
+        at = list(names["body"]).index(force["body"])
+        joint, centre = body["joint"], np.array(body.get("centre_of_gravity", (0.0, 0.0, 0.0)))
+        first = np.array(joint["orientation"])
+        turns = np.unwrap(heading(columns["body_orientation"][:, at])) - heading(first)
+        turned = np.abs(turns - 2 * math.pi * np.round(turns[:1] / (2 * math.pi)))
+        arm = np.array(force["at"])
+        given = np.array(joint["position"]) + axes(first) @ arm
+        found = columns["body_position"][:, at] + axes(columns["body_orientation"][:, at]) @ (arm - centre)
+        along = np.array([wave["wave_number"] for wave in document["sea"]["components"]])
+        energy = np.array([wave["amplitude"] ** 2 for wave in document["sea"]["components"]])
+        phase = np.abs((found - given)[:, :2] @ along.T) @ energy / energy.sum()
+        for doubtful, what in (
+            (turned > _TURNED, f"turns by up to {math.degrees(turned.max()):.3g} deg"),
+            (phase > _DRIFTED, f"drifts by up to {np.hypot(*(found - given)[:, :2].T).max():.3g} m"),
+        ):
+            if doubtful.any():
+                since = float(columns["time"][int(np.argmax(doubtful))])
+                sentences.append(
+                    f"wave forces of {force['body']} are for its place and heading in the lift file; "
+                    f"it {what} and from {since:.0f} s on feels those of other waves; mooring lines hold it"
+                )
+    return sentences

@@ -17,10 +17,10 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.tree import MapNode
 
-__all__ = ["WaveTrain"]
+__all__ = ["BREAKS", "WaveTrain"]
 
 #: Height over length at which a regular wave breaks: Michell 1893.
-_BREAKS = 0.142
+BREAKS = 0.142
 _REGULAR = ("height", "period")
 _IRREGULAR = ("significant_height", "peak_period")
 
@@ -75,10 +75,10 @@ class WaveTrain(Element):
     def _stands(self) -> WaveTrain:
         length = 9.81 * self.longest**2 / (2 * math.pi)
         height = self.height or self.significant_height or 0.0
-        if height > _BREAKS * length:
+        if height > BREAKS * length:
             found = f"{height:g} m every {self.longest:g} s, {length:.3g} m apart in deep water, break"
             key = "height" if self.is_regular else "significant_height"
-            raise refuse(f"{found}; less than {_BREAKS * length:.3g} m stand", key)
+            raise refuse(f"{found}; less than {BREAKS * length:.3g} m stand", key)
         return self
 
     @property

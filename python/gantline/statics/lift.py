@@ -305,10 +305,12 @@ class Statics:
         return [*slings, *((kind, load.body) for load in rig.loads for kind in kinds)]
 
     def _recording(self, status: str) -> Recording:
+        # At rest the water is still: freeboard is not against a wave that passes at that time of the plan.
+        rig = {key: value for key, value in self.assembly.rig.items() if key != "sea"}
         return recording_of(
             self._core.columns(),
             self._core.names(),
-            self.assembly.rig,
+            rig,
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,

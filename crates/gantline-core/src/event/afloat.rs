@@ -86,8 +86,6 @@ impl Mark {
 
 /// Parts of a step at whose ends is looked, at least.
 const PARTS: usize = 4;
-/// Looks in the shortest period of a wave.
-const LOOKS_IN_WAVE: f64 = 8.0;
 /// Halvings of a part of a step, down to the last bit.
 const HALVINGS: usize = 50;
 
@@ -134,8 +132,7 @@ impl Lookout {
             under.for_each(|mark| log.push(start, EventKind::Flooding, mark));
         }
         let mut from = 0.0;
-        let in_waves = LOOKS_IN_WAVE * length / system.sea.shortest_period();
-        let parts = PARTS.max(in_waves.ceil() as usize);
+        let parts = PARTS.max(system.sea.looks(length));
         for part in 1..=parts {
             let to = part as f64 / parts as f64;
             std::mem::swap(&mut self.before, &mut self.after);

@@ -11,6 +11,9 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
+/// Looks in the shortest period of a wave.
+const LOOKS_IN_WAVE: f64 = 8.0;
+
 /// A regular wave.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Component {
@@ -53,10 +56,10 @@ impl Sea {
         self.growth(time).0 * waves.sum::<f64>()
     }
 
-    /// Of its waves [s]; infinite where there are none.
-    pub fn shortest_period(&self) -> f64 {
-        let periods = self.components.iter().map(|wave| 2.0 * PI / wave.frequency);
-        periods.fold(f64::INFINITY, f64::min)
+    /// Looks that a time of `length` [s] needs so that no wave comes and goes between two; 0 where there are none.
+    pub fn looks(&self, length: f64) -> usize {
+        let fastest = self.components.iter().map(|wave| wave.frequency).fold(0.0, f64::max);
+        (LOOKS_IN_WAVE * length * fastest / (2.0 * PI)).ceil() as usize
     }
 
     /// No wave is higher [m].

@@ -154,8 +154,12 @@ class HydrodynamicDatabase:
             doubts.append(f"{self.source}: its waves come from one side; from the other they are mirrored")
         scale = 1.0 if self.density is None else density / self.density
         forces = np.empty((len(frequency), 6), dtype=np.complex128)
+        # The highest frequency itself may come with another last digit.
+        known = np.where(
+            np.isclose(frequency, self.frequencies[-1], rtol=1e-6), self.frequencies[-1], frequency
+        )
         for axis in range(6):
-            forces[:, axis] = np.interp(frequency, self.frequencies, along[:, axis], right=0.0)
+            forces[:, axis] = np.interp(known, self.frequencies, along[:, axis], right=0.0)
         return forces * sign * scale, doubts
 
     def _towards(self, direction: float) -> tuple[npt.NDArray[np.complex128], Array, bool]:

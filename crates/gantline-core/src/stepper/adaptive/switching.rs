@@ -134,12 +134,18 @@ impl Adaptive {
         if low > 0.0 { low } else { high }
     }
 
-    /// The share at which the condition of the plan is first fulfilled, or `made`.
+    /// The share at which the condition of the plan is first fulfilled, or `made`. Waves may fulfil it for a moment
+    /// within the step.
     fn condition(&mut self, system: &System, state: &State, made: f64) -> f64 {
-        if !self.fulfilled(system, state, made) {
+        if !state.plan.waits_for_condition() {
             return made;
         }
-        let (mut low, mut high) = (0.0, made);
+        let looks = system.sea.looks(made * self.rodas.course.h).max(1);
+        let share = |look: usize| made * (look as f64 / looks as f64);
+        let Some(first) = (1..=looks).find(|&look| self.fulfilled(system, state, share(look))) else {
+            return made;
+        };
+        let (mut low, mut high) = (share(first - 1), share(first));
         for _ in 0..40 {
             let middle = 0.5 * (low + high);
             if self.fulfilled(system, state, middle) { high = middle } else { low = middle }
@@ -148,9 +154,6 @@ impl Adaptive {
     }
 
     fn fulfilled(&mut self, system: &System, state: &State, theta: f64) -> bool {
-        if !state.plan.waits_for_condition() {
-            return false;
-        }
         self.probe_rows(system, state, theta);
         for (sum, group) in self.support.iter_mut().zip(&system.groups) {
             let normals = group.contacts.iter().map(|&contact| system.rows.first[contact]);
