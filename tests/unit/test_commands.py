@@ -31,7 +31,7 @@ def run() -> Simulation:
         ("A", {"speed": -math.inf}, "speed: -inf is not a speed"),
         ("A", {"speed": "6 m/min"}, "speed: '6 m/min' is not a speed in m and s"),
         ("A", {"speed": None}, "speed: None is not a speed"),
-        ("one", {"speed": -0.6}, "is faster than 'gol.one' can traverse; its highest speed is 0.5 m/s"),
+        ("one", {"speed": -0.6}, "is faster than 'gol.one' can traverse; its highest speed is 30 m/min"),
         ("one", {"speed": 0.1, "acceleration": 0.04}, "is more than 'gol.one' can do; its most is 0.03 m/s"),
         ("one", {"speed": 0.1, "acceleration": 0.0}, "acceleration: 0 is not above zero"),
         ("one", {"speed": 0.1, "acceleration": math.nan}, "acceleration: nan is not"),

@@ -134,6 +134,6 @@ def test_spoiled_text(data: st.DataObject) -> None:
 
 @pytest.mark.parametrize("text", TEXTS, ids=range(len(TEXTS)))
 def test_lifts_that_are_not_spoiled_run(text: str) -> None:
-    beside_cad = str(SCENARIOS / "goliath" / "lift.yaml")
-    simulation = Simulation(parse_scenario(written(parse_text(text, "lift.yaml")), beside_cad))
+    beside_files = str(SCENARIOS.parent / "python" / "gantline" / "scenarios" / "lift.yaml")
+    simulation = Simulation(parse_scenario(written(parse_text(text, "lift.yaml")), beside_files))
     assert simulation.run(until=0.002).attributes["status"] == "done"
