@@ -18,26 +18,12 @@ import pytest
 
 import gantline
 from gantline.results.recording import Recording
+from lift_text import weight_on_a_rope
 from sample_lift import ringing_lift
-
-LIFT = """\
-format: 1
-lift: {title: A weight on a rope}
-duration: 0.2 s
-ropes: {thin: {axial_stiffness: 1 MN, damping_time: 10 ms}}
-mechanics:
-  bodies:
-    weight: {joint: {type: slider, axis: [0, 0, 1]}, mass: MASS}
-  ropes:
-    rope:
-      rope: thin
-      length: 5 m
-      route: [{type: end, body: world, at: [0 m, 0 m, 5 m]}, {type: end, body: weight}]
-"""
 
 
 def simulated(mass: str) -> Recording:
-    return gantline.simulate(gantline.parse_scenario(LIFT.replace("MASS", mass)))
+    return gantline.simulate(gantline.parse_scenario(weight_on_a_rope(mass)))
 
 
 @pytest.mark.parametrize("again", [lambda one: pickle.loads(pickle.dumps(one)), copy.deepcopy])

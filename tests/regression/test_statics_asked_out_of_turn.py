@@ -13,22 +13,10 @@ import pytest
 import gantline
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
+from lift_text import weight_on_a_rope
 
 MASS, STIFFNESS, LENGTH, G = 100.0, 1e6, 5.0, 9.81
-LIFT = """\
-format: 1
-lift: {title: A weight on a rope}
-duration: 1 s
-ropes: {thin: {axial_stiffness: 1 MN, damping_time: 10 ms}}
-mechanics:
-  bodies:
-    weight: {joint: {type: slider, axis: [0, 0, 1]}, mass: 100 kg}
-  ropes:
-    rope:
-      rope: thin
-      length: 5 m
-      route: [{type: end, body: world, at: [0 m, 0 m, 5 m]}, {type: end, body: weight}]
-"""
+LIFT = weight_on_a_rope("100 kg")
 FALLS = LIFT[: LIFT.index("  ropes:\n")]
 
 

@@ -167,3 +167,21 @@ fenders:
 plan:
   - {step: haul, haul: bow, speed: 3 m/min, by: 0.2 m}
 """
+
+
+def weight_on_a_rope(mass: str) -> str:
+    """The text of a lift of a second: a weight of this mass on 5 m of rope of 1 MN."""
+    return f"""\
+format: 1
+lift: {{title: A weight on a rope}}
+duration: 1 s
+ropes: {{thin: {{axial_stiffness: 1 MN, damping_time: 10 ms}}}}
+mechanics:
+  bodies:
+    weight: {{joint: {{type: slider, axis: [0, 0, 1]}}, mass: {mass}}}
+  ropes:
+    rope:
+      rope: thin
+      length: 5 m
+      route: [{{type: end, body: world, at: [0 m, 0 m, 5 m]}}, {{type: end, body: weight}}]
+"""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -16,12 +17,15 @@ from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart
 from gantline.scenario.vessel import Vessel
 from gantline.scenario.water import Water, WaveForces
-from gantline.scenario.waves import BREAKS, WaveTrain
+from gantline.scenario.waves import WaveTrain
 
 __all__ = ["add_waves"]
 
 Complex = npt.NDArray[np.complex128]
+Array = npt.NDArray[np.float64]
 
+#: Height over length at which a regular wave breaks in deep water: Michell 1893.
+_BREAKS = 0.142
 #: Waves grow over so many of their longest period.
 _PERIODS_TO_GROW = 3.0
 #: Share of the energy of a sea that may be of waves shorter than a database knows.
@@ -36,34 +40,56 @@ _OTHER_PERIOD = 0.25
 _OTHER_LENGTH = 0.05
 
 
+@dataclass(frozen=True)
+class _Train:
+    """Waves of one name.
+
+    Attributes:
+        waves: what they are made of.
+        numbers: k of each, world x and y (n, 2) [rad/m].
+    """
+
+    waves: Components
+    numbers: Array
+
+    @property
+    def document(self) -> list[Json]:
+        """As the core reads them."""
+        waves = self.waves
+        columns = (waves.frequency, self.numbers, waves.amplitude, waves.phase)
+        keys = ("frequency", "wave_number", "amplitude", "phase")
+        return [
+            dict(zip(keys, wave, strict=True))
+            for wave in zip(*(column.tolist() for column in columns), strict=True)
+        ]
+
+
 def add_waves(parts: Parts, scenario: Scenario) -> None:
     """Add the sea, and to each vessel the force of its waves; warn of waves that do nothing.
 
     Raises:
-        ScenarioError: if a database cannot be used.
+        ScenarioError: if waves break, or a database cannot be used.
     """
     if not scenario.waves:
         return
     for name, waves in scenario.waves.items():
         _refuse_breaking(scenario, name, waves)
-    trains = {name: _components(name, train) for name, train in scenario.waves.items()}
-    water = scenario.water or Water()
-    gravity = scenario.simulation.gravity
-    listed = []
-    for train in trains.values():
-        numbers = wave_number(train.frequency, gravity, water.depth)
-        along = (math.cos(train.direction), math.sin(train.direction))
-        each = zip(train.frequency, numbers, train.amplitude, train.phase, strict=True)
-        for frequency, number, amplitude, phase in each:
-            wave = {"frequency": float(frequency), "wave_number": [float(number) * part for part in along]}
-            listed.append({**wave, "amplitude": float(amplitude), "phase": float(phase)})
-    rise_time = _PERIODS_TO_GROW * max(train.longest for train in scenario.waves.values())
+    trains = {name: _train(scenario, name, waves) for name, waves in scenario.waves.items()}
+    listed = [wave for train in trains.values() for wave in train.document]
+    rise_time = _PERIODS_TO_GROW * max(train.main_period for train in scenario.waves.values())
     parts.sea = {"components": listed, "rise_time": rise_time}
     moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
     for name, vessel in moved.items():
         parts.forces.append(_force(parts, scenario, name, vessel, trains))
         parts.warnings += _other_period(scenario, name, vessel)
     parts.warnings += _idle(scenario, moved) + _steep(scenario)
+
+
+def _train(scenario: Scenario, name: str, given: WaveTrain) -> _Train:
+    waves = _components(name, given)
+    depth = (scenario.water or Water()).depth
+    towards = np.array([math.cos(waves.direction), math.sin(waves.direction)])
+    return _Train(waves, np.outer(wave_number(waves.frequency, scenario.simulation.gravity, depth), towards))
 
 
 def _components(name: str, train: WaveTrain) -> Components:
@@ -80,9 +106,7 @@ def _components(name: str, train: WaveTrain) -> Components:
     )
 
 
-def _force(
-    parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Components]
-) -> Json:
+def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, _Train]) -> Json:
     """What all waves do to a vessel, world axes, phases from the world's origin."""
     given = vessel.wave_forces
     assert given is not None
@@ -90,9 +114,10 @@ def _force(
     turn = rotation_matrix(about_axis((0, 0, 1), vessel.heading))
     phasors = []
     for train_name, train in trains.items():
-        per_metre, origin, doubts = _of_database(scenario, path, given, train, vessel.heading)
+        waves = train.waves
+        per_metre, origin, doubts = _of_database(scenario, path, given, waves, vessel.heading)
         parts.warnings += [f"wave forces of {name}: {doubt}" for doubt in doubts]
-        unknown = _unknown(train, per_metre)
+        unknown = _unknown(waves, per_metre)
         if unknown > _SILENT:
             shown = f"{100 * unknown:.2g} % of the energy of {train_name}"
             sentence = f"{shown} is in waves shorter than any there"
@@ -100,10 +125,7 @@ def _force(
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
             parts.warnings.append(f"wave forces of {name}: {sentence}; they do nothing")
         place = np.array([*vessel.position, 0.0]) + turn @ (np.array(given.at) - origin)
-        along = place[0] * math.cos(train.direction) + place[1] * math.sin(train.direction)
-        water = scenario.water or Water()
-        numbers = wave_number(train.frequency, scenario.simulation.gravity, water.depth)
-        wave = train.amplitude * np.exp(1j * (train.phase + numbers * along))
+        wave = waves.amplitude * np.exp(1j * (waves.phase + train.numbers @ place[:2]))
         forces, moments = per_metre[:, :3] @ turn.T, per_metre[:, 3:] @ turn.T
         phasors.append(np.hstack([forces, moments]) * wave[:, None])
     all_waves = np.vstack(phasors)
@@ -160,17 +182,16 @@ def _of_other_waves(scenario: Scenario, database: HydrodynamicDatabase, train: C
 
 
 def _refuse_breaking(scenario: Scenario, name: str, train: WaveTrain) -> None:
-    """Waves that break over the ground, though they would stand in deep water: Miche 1944."""
-    depth = None if scenario.water is None else scenario.water.depth
-    if depth is None:
-        return
-    frequency = np.array([2 * math.pi / train.longest])
+    """No wave is higher than 0.142 λ tanh κd: Michell 1893 in deep water, Miche 1944."""
+    depth = (scenario.water or Water()).depth
+    frequency = np.array([2 * math.pi / train.main_period])
     number = float(wave_number(frequency, scenario.simulation.gravity, depth)[0])
-    most = BREAKS * 2 * math.pi / number * math.tanh(number * depth)
+    most = _BREAKS * 2 * math.pi / number * (1.0 if depth is None else math.tanh(number * depth))
     height = train.height or train.significant_height or 0.0
     if height > most:
         key = "height" if train.is_regular else "significant_height"
-        found = f"{height:g} m every {train.longest:g} s break in a depth of {depth:g} m"
+        where = "in deep water" if depth is None else f"in a depth of {depth:g} m"
+        found = f"{height:g} m every {train.main_period:g} s break {where}"
         raise scenario.error(("waves", name, key), f"{found}; less than {most:.3g} m stand")
 
 
@@ -183,7 +204,7 @@ def _unknown(train: Components, forces: Complex) -> float:
 def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[str]:
     """Sentences on water that is taken at a period which the waves have not, or not at all."""
     found = []
-    periods = [train.longest for train in (scenario.waves or {}).values()]
+    periods = [train.main_period for train in (scenario.waves or {}).values()]
     for key in ("added_mass", "water_damping"):
         given = getattr(vessel, key)
         if given is None:
@@ -215,10 +236,10 @@ def _idle(scenario: Scenario, moved: dict[str, Vessel]) -> list[str]:
 def _steep(scenario: Scenario) -> list[str]:
     found = []
     for name, train in (scenario.waves or {}).items():
-        length = scenario.simulation.gravity * train.longest**2 / (2 * math.pi)
+        length = scenario.simulation.gravity * train.main_period**2 / (2 * math.pi)
         if train.significant_height is not None and train.significant_height > _STEEPEST * length:
             found.append(
                 f"{name} is steeper than seas are: {train.significant_height:g} m at a peak of "
-                f"{train.longest:g} s, more than 1/15 of its length (DNV-RP-C205)"
+                f"{train.main_period:g} s, more than 1/15 of its length (DNV-RP-C205)"
             )
     return found

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, ClassVar
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
@@ -17,10 +16,8 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.tree import MapNode
 
-__all__ = ["BREAKS", "WaveTrain"]
+__all__ = ["WaveTrain"]
 
-#: Height over length at which a regular wave breaks: Michell 1893.
-BREAKS = 0.142
 _REGULAR = ("height", "period")
 _IRREGULAR = ("significant_height", "peak_period")
 
@@ -71,23 +68,13 @@ class WaveTrain(Element):
             if regular and key in data:
                 raise refuse(f"'{key}' is for a sea with 'significant_height'", key)
 
-    @model_validator(mode="after")
-    def _stands(self) -> WaveTrain:
-        length = 9.81 * self.longest**2 / (2 * math.pi)
-        height = self.height or self.significant_height or 0.0
-        if height > BREAKS * length:
-            found = f"{height:g} m every {self.longest:g} s, {length:.3g} m apart in deep water, break"
-            key = "height" if self.is_regular else "significant_height"
-            raise refuse(f"{found}; less than {BREAKS * length:.3g} m stand", key)
-        return self
-
     @property
     def is_regular(self) -> bool:
         """Whether all waves are alike."""
         return self.height is not None
 
     @property
-    def longest(self) -> float:
+    def main_period(self) -> float:
         """Period, of a sea that of the peak of its spectrum [s]."""
         period = self.period if self.is_regular else self.peak_period
         assert period is not None  # validated
