@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from gantline import _core
-from gantline.assembly import assemble, integrator_settings
+from gantline.assembly import assemble
 from gantline.assembly.commands import CommandError, command_of, commanded
 from gantline.assembly.origin import refused
 from gantline.assembly.vessels import adrift, vessel_hulls
 from gantline.interrupt import noted_interrupt
+from gantline.overrides import is_number, overridden, with_adjusting_factor, with_locked_equalizers
 from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.crawler import tipping_warnings
 from gantline.results.crossing import crossed_ropes
@@ -27,14 +28,13 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
+from gantline.results.run_warnings import command_warnings, sheave_warnings
 from gantline.results.sea import out_of_place
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.variable import FloatArray
 from gantline.results.vessels import vessel_warnings
-from gantline.scenario import Scenario, load_scenario, resolve
-from gantline.scenario.quantities import SMALLEST
-from gantline.scenario.times import wrong_times
+from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.water import Water
 from gantline.version import version
 
@@ -42,19 +42,6 @@ Progress = Callable[[float], bool | None]
 
 #: Steps of a method with fixed steps that follow how a lift rings are shorter by far [s].
 _LONG_STEP = 0.05
-#: Settings of the run; the other settings are those of an integrator.
-_OF_RUN = ("duration", "sample_interval")
-_ABOVE_ZERO = {
-    "step": "a time above zero in seconds",
-    "duration": "a time above zero in seconds",
-    "sample_interval": "a time above zero in seconds",
-    "tension_tolerance": "a force above zero in newtons",
-    "position_tolerance": "a length above zero in metres",
-}
-
-
-class SettingError(ValueError):
-    """A setting of the simulation is not usable; the message says which and why."""
 
 
 class SimulationError(RuntimeError):
@@ -126,12 +113,12 @@ class Simulation:
         self.scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
         factor = overrides.pop("adjusting_factor", None)
         if factor is not None:
-            self.scenario = _with_adjusting_factor(self.scenario, factor)
+            self.scenario = with_adjusting_factor(self.scenario, factor)
         equalizers = overrides.pop("equalizers", None)
         if equalizers is not None:
-            self.scenario = _with_locked_equalizers(self.scenario, equalizers)
+            self.scenario = with_locked_equalizers(self.scenario, equalizers)
         self.assembly = assemble(self.scenario)
-        self.settings = _overridden(self.scenario, self.assembly.settings, overrides)
+        self.settings = overridden(self.scenario, self.assembly.settings, overrides)
         self.status = "ready"
         self.integration_time = 0.0
         self._failure: dict[str, Any] | None = None
@@ -194,7 +181,7 @@ class Simulation:
             ValueError: If `until` is no time.
             SimulationError: If the simulation could not go on.
         """
-        if until is not None and not (_is_number(until) and until >= 0.0):
+        if until is not None and not (is_number(until) and until >= 0.0):
             raise ValueError(f"until: {until!r} is no time in seconds from 0 on; None goes on to the end")
         with noted_interrupt() as is_interrupted:
 
@@ -218,7 +205,7 @@ class Simulation:
             ValueError: If it is no time, or is past.
             SimulationError: If the simulation could not go on.
         """
-        if not (_is_number(to) and math.isfinite(to)):
+        if not (is_number(to) and math.isfinite(to)):
             raise ValueError(f"to: {to!r} is no time in seconds")
         if to < self.time * (1 - 1e-12):
             raise ValueError(f"to: {to:g} s is past, it is {self.time:g} s; `restore` goes back to a state")
@@ -320,7 +307,7 @@ class Simulation:
             warnings.append(f"the energy balance does not close: {missed}")
         warnings += _long_steps(self.settings["integrator"])
         names, columns = self._core.names(), self._core.columns()
-        warnings += _off_sheaves(self.assembly.rig, columns, names)
+        warnings += sheave_warnings(self.assembly.rig, columns, names)
         rig = self._rig
         diameters = {rope.name: rope.diameter for rope in rig.ropes}
         warnings += crossed_ropes(self.assembly.document.get("ropes", ()), diameters, columns, names)
@@ -344,7 +331,7 @@ class Simulation:
             hulls = vessel_hulls(self.assembly.document, afloat)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground_in(self.assembly.scene))
         warnings += pump_warnings(rig, columns, names)
-        warnings += _commands(columns, names)
+        warnings += command_warnings(columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):
@@ -401,108 +388,3 @@ def _long_steps(integrator: Mapping[str, Any]) -> list[str]:
         return []
     sentence = f"steps of {step:g} s: what rings within a few of them is damped away, and peaks with it"
     return [f"{sentence}; 1 ms is usual"]
-
-
-def _commands(columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:
-    """A note of what a program has moved: the plan says no more how it moved."""
-    times: dict[tuple[str, str], list[float]] = {}
-    for at, name, motion in zip(
-        columns.get("command_time", ()),
-        names.get("command_name", ()),
-        names.get("command_motion", ()),
-        strict=True,
-    ):
-        times.setdefault((name, motion), []).append(at)
-    return [
-        f"{name} was moved by a program from {at[0]:.2f} s on and not by the plan ({motion}, "
-        f"commands: {len(at)})"
-        for (name, motion), at in times.items()
-    ]
-
-
-def _off_sheaves(rig: Mapping[str, Any], columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:
-    """Warnings of ropes that left a sheave which they may not leave: once for each sheave, the first time."""
-    held = {sheave["name"] for sheave in rig.get("wrapped_sheaves", ()) if not sheave["may_lift_off"]}
-    first: dict[str, float] = {}
-    for time_off, kind, name in zip(
-        columns["event_time"], names["event_kind"], names["event_name"], strict=True
-    ):
-        if kind == "rope_off_sheave" and name in held:
-            first.setdefault(name, float(time_off))
-    return [
-        f"the rope leaves the sheave {name} at {when:.3f} s: it is followed as if it were held in the groove"
-        "; 'may_lift_off: true' lets it run straight past"
-        for name, when in first.items()
-    ]
-
-
-def _with_adjusting_factor(scenario: Scenario, factor: object) -> Scenario:
-    """The same lift with another factor for all equalizers that are approximated."""
-    if not isinstance(factor, int | float) or isinstance(factor, bool) or not 0.0 < factor < math.inf:
-        raise SettingError(f"adjusting_factor: {factor!r} is not a number above zero")
-    given = scenario.equalizers or {}
-    approximated = [name for name, one in resolve(scenario).equalizers.items() if not one.has_sheaves]
-    if not approximated:
-        raise SettingError("adjusting_factor: no equalizer of this lift has 'mechanism: approximated'")
-    changed = {name: given[name].model_copy(update={"adjusting_factor": factor}) for name in approximated}
-    return scenario.model_copy(update={"equalizers": {**given, **changed}})
-
-
-def _with_locked_equalizers(scenario: Scenario, word: object) -> Scenario:
-    """The same lift with pins in all moving sheaves throughout: its slings hang as from a rigid frame."""
-    if word != "locked":
-        raise SettingError(f"equalizers: {word!r} is none; 'locked' pins all moving sheaves where they start")
-    given = scenario.equalizers or {}
-    rigged = {name: one for name, one in resolve(scenario).equalizers.items() if one.has_sheaves}
-    if not rigged:
-        raise SettingError("equalizers: no equalizer of this lift has moving sheaves to lock")
-    rigid = [name for name, one in rigged.items() if one.rope.inextensible]
-    if rigid:
-        sentence = (
-            f"the rope of '{rigid[0]}' is inextensible, and pins in all its sheaves hold the same again"
-        )
-        raise SettingError(f"equalizers: {sentence}; give it an axial stiffness")
-    locked = {
-        name: given[name].model_copy(update={"travel": one.travel.model_copy(update={"locked": True})})
-        for name, one in rigged.items()
-    }
-    no_pins = {"pull_pins": (), "put_in_pins": ()}
-    plan = [step.model_copy(update=no_pins) for step in scenario.plan]
-    return scenario.model_copy(update={"equalizers": {**given, **locked}, "plan": plan})
-
-
-def _overridden(
-    scenario: Scenario, settings: Mapping[str, Any], overrides: Mapping[str, Any]
-) -> dict[str, Any]:
-    given = {name: value for name, value in overrides.items() if value is not None}
-    integrator = dict(settings["integrator"])
-    kind = given.pop("integrator", integrator["type"])
-    if kind != integrator["type"]:
-        try:
-            integrator = integrator_settings(kind, scenario.simulation)
-        except KeyError:
-            raise SettingError(
-                f"integrator: {kind!r} is none; there are adaptive, del and explicit"
-            ) from None
-    merged: dict[str, Any] = {**settings, "integrator": integrator}
-    for name, value in given.items():
-        wanted = _ABOVE_ZERO.get(name)
-        if wanted and not (_is_number(value) and math.isfinite(value) and value > 0.0):
-            raise SettingError(f"{name}: {value!r} is not {wanted}")
-        if wanted and value < SMALLEST:
-            raise SettingError(f"{name}: {value!r} is absurdly small; check the number and its unit")
-        if name in _OF_RUN:
-            merged[name] = float(value)
-        elif name in integrator:
-            integrator[name] = value
-        else:
-            known = ", ".join(("integrator", *list(integrator)[1:], *_OF_RUN))
-            raise SettingError(f"{name}: not a setting of the integrator {kind}; there are {known}")
-    times = wrong_times(merged["duration"], integrator.get("step"), merged["sample_interval"])
-    for name, sentence in times:
-        raise SettingError(f"{name}: {sentence}")
-    return merged
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)

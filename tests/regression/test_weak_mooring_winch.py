@@ -55,7 +55,7 @@ def hauled(recording: Recording) -> FloatArray:
 
 
 def rates(time: float, state: FloatArray) -> list[float]:
-    """Of place and speed of the pontoon and of what is hauled in; the winch follows until it pulls all it can."""
+    """Of the pontoon's place and speed, and what is hauled in: as asked until the winch pulls all it can."""
     place, speed, taken = state
     asked = min(0.05 * time, 0.15)
     stretched = _PRETENSION + _AHEAD * (taken - place)

@@ -10,10 +10,10 @@ import pytest
 import gantline
 from gantline.assembly import assemble
 from gantline.cli.summary import summary
+from gantline.overrides import SettingError
 from gantline.plot import figures
 from gantline.scenario import ScenarioError
 from gantline.scenario.reading import parse_scenario
-from gantline.simulation import SettingError
 from lift_text import BASE, spoiled
 
 FRAME = {"mass": 5e3, "depth": 2.0}

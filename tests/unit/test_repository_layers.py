@@ -32,7 +32,7 @@ def test_the_import_contracts_hold() -> None:
 
 
 def test_an_arrow_that_points_backwards_is_found(tmp_path: Path) -> None:
-    layers = ["cli", "simulation", "assembly", "scenario", "rope_data", "rule_data", "units"]
+    layers = ["cli", "simulation", "overrides", "assembly", "scenario", "rope_data", "rule_data", "units"]
     layers += ["cad", "checks", "export", "plot", "report", "results", "statics", "study", "viewer"]
     for module in layers:
         (tmp_path / "gantline").mkdir(exist_ok=True)

@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 
 from fake_core import SETTINGS, FakeCore, core
+from gantline.overrides import SettingError
 from gantline.scenario import ScenarioError
-from gantline.simulation import SettingError, Simulation, SimulationError, simulate
+from gantline.simulation import Simulation, SimulationError, simulate
 
 __all__ = ["core"]
 

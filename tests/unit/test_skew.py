@@ -14,10 +14,11 @@ from hypothesis import strategies as st
 from gantline.checks import values_of
 from gantline.checks.forces import sling_forces
 from gantline.checks.measure import everywhere
+from gantline.overrides import SettingError
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew, perfect_forces, skew_loads
 from gantline.scenario import parse_scenario
-from gantline.simulation import SettingError, Simulation
+from gantline.simulation import Simulation
 from lift_text import BASE, MECHANICS
 from sample_lift import ALONG, HOOK, LENGTHS, LUGS, sample_recording, sample_rig
 

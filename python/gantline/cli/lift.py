@@ -103,7 +103,8 @@ def prepare(lift: Path, overrides: Mapping[str, Setting], side: str = "") -> Sim
         side: What messages about settings begin with, where there are several lifts.
     """
     with scenario_errors():
-        from gantline.simulation import SettingError, Simulation
+        from gantline.overrides import SettingError
+        from gantline.simulation import Simulation
 
         try:
             return Simulation(lift, **overrides)
