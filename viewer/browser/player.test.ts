@@ -106,11 +106,10 @@ describe("the player", () => {
       return { x: box.left + at[0], y: box.top + at[1] };
     });
     await page.mouse.click(place.x, place.y);
-    const name = (await page.locator(".gl-pinned-name").textContent())!.split(" ")[0]!;
-    expect(name).toBe("sling.S1");
+    await page.locator(".gl-pinned-name", { hasText: /^sling\.S1 / }).waitFor(PATIENTLY);
     const shown = Number.parseFloat((await page.locator(".gl-pinned-value").textContent())!);
     // Shown with one decimal, and the curve is decimated without losing more than that.
-    expect(Math.abs(shown - at(times, ropes[name]!, 17.5) / 1e3)).toBeLessThan(0.06);
+    expect(Math.abs(shown - at(times, ropes["sling.S1"]!, 17.5) / 1e3)).toBeLessThan(0.06);
     expect(await page.evaluate(() => location.hash)).toContain("t=17.5");
   });
 
@@ -119,9 +118,9 @@ describe("the player", () => {
     await page.getByRole("button", { name: "Play (space)" }).click();
     await page.waitForFunction(() => globalThis.gantlinePage!.session.time > 0.3);
     await page.getByRole("button", { name: "Pause (space)" }).click();
-    const stopped = await clock(page);
+    const stopped = await settled(page, () => document.querySelector(".gl-clock")!.textContent);
     await page.waitForTimeout(200);
-    expect(await clock(page)).toBe(stopped);
+    expect(await page.locator(".gl-clock").textContent()).toBe(stopped);
     await page.locator(".gl-slider").fill("20");
     expect(await clock(page)).toBe(20);
     await page.getByRole("button", { name: "Previous event (comma)" }).click();
@@ -193,7 +192,8 @@ describe("the player", () => {
   it("says what came of a link that was asked for", async () => {
     const { page } = await open(browser, "report.html");
     await page.getByRole("button", { name: "Copy a link to what is shown" }).click();
-    expect(await page.getByRole("status").filter({ hasText: "link" }).count()).toBe(1);
+    // Whether a browser gives its clipboard away is known a moment after the click.
+    await page.getByRole("status").filter({ hasText: "link" }).waitFor(PATIENTLY);
   });
 
   it("saves what it shows as a picture", async () => {
@@ -234,8 +234,8 @@ describe("the player", () => {
     for (const [place, part] of nearest.entries())
       expect(Math.abs(part - recorded[place]!)).toBeLessThan(1e-6);
     const label = page.locator(".gl-label-pair");
-    expect(await label.textContent()).toBe("2.50 m");
-    expect(await label.getAttribute("data-close")).toBe(""); // 3 m are asked for
+    await expect.poll(() => label.textContent(), PATIENTLY).toBe("2.50 m");
+    await expect.poll(() => label.getAttribute("data-close"), PATIENTLY).toBe(""); // 3 m are asked for
     await page.getByRole("button", { name: "Distances" }).click();
     await label.waitFor({ state: "hidden" });
     const plot = page.locator('[data-gantline-chart*="clearance"]');

@@ -147,7 +147,9 @@ describe("the report", () => {
     const box = (await plot.boundingBox())!;
     const middle = box.y + box.height / 2;
     await page.mouse.move(box.x + box.width / 2, middle);
-    expect(await page.locator(".gl-tip").first().textContent()).toMatch(/kN at \d+\.\d\d s/);
+    await expect
+      .poll(() => page.locator(".gl-tip").first().textContent(), PATIENTLY)
+      .toMatch(/kN at \d+\.\d\d s/);
     await page.mouse.down();
     await page.mouse.up();
     const time = await clock(page);
@@ -215,7 +217,7 @@ describe("the report", () => {
       document.body.append(script);
     });
     expect(await page.evaluate(() => globalThis.hacked)).toBe(undefined);
-    expect(troubles.join()).toMatch(/Content Security Policy/);
+    await expect.poll(() => troubles.join(), PATIENTLY).toMatch(/Content Security Policy/);
   });
 
   it("is small enough to mail", () => {

@@ -1,5 +1,7 @@
 //! A run: system, method, recorder and state together.
 
+mod commands;
+
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -9,12 +11,11 @@ use crate::constraint::Law;
 use crate::event::afloat::Lookout;
 use crate::event::standstill;
 use crate::event::{Event, EventKind, EventLog};
-use crate::plan::Order;
 use crate::record::columns::{Columns, tensions_of};
 use crate::record::named::{Named, named};
 use crate::record::names::Names;
 use crate::record::{Recorder, Sample, Samples, Span};
-use crate::spec::{CommandSpec, IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
+use crate::spec::{IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
 use crate::state::State;
 use crate::statics::potential::Losses;
 use crate::statics::{NoEquilibrium, Statics};
@@ -24,6 +25,7 @@ use crate::stepper::del::Del;
 use crate::stepper::explicit::Explicit;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+pub use commands::Command;
 
 /// Why a run cannot be set up or taken up again.
 #[derive(Debug, Error)]
@@ -82,21 +84,6 @@ impl Method {
             Self::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
         }
     }
-}
-
-/// What a program has asked for, in place of the plan.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Command {
-    /// When [s].
-    pub time: f64,
-    /// What moves, and how, in the words of the plan.
-    pub name: String,
-    /// See `name`.
-    pub motion: String,
-    /// Signed speed [m/s or rad/s].
-    pub speed: f64,
-    /// Acceleration limit [m/s² or rad/s²].
-    pub acceleration: f64,
 }
 
 /// Everything that goes into a checkpoint.
@@ -233,56 +220,6 @@ impl Simulation {
         let made = self.make_step(until.min(self.settings.duration));
         self.system.clock.pause();
         made
-    }
-
-    /// From now on drives do what a program asks for, and no more what the plan says.
-    ///
-    /// # Errors
-    /// [`SetupError`] says what is wrong; nothing has changed then.
-    pub fn command(&mut self, document: &str) -> Result<(), SetupError> {
-        let spec: CommandSpec = serde_json::from_str(document)?;
-        let CommandSpec { name, motion, speed, acceleration, orders: given } = spec;
-        let refused = |problem: &str| Err(SetupError::Command(format!("`{name}` {problem}")));
-        if self.reached(f64::INFINITY) {
-            return refused("cannot be commanded any more: the run has ended");
-        }
-        if self.state.plan.is_stopped() {
-            return refused("cannot be commanded any more: an emergency stop has stopped everything");
-        }
-        let mut orders = Vec::with_capacity(given.len());
-        for order in given {
-            let Some(drive) = self.system.drives.iter().position(|drive| drive.name == order.drive) else {
-                return refused(&format!("has no drive `{}`", order.drive));
-            };
-            if !(order.acceleration > 0.0 && order.braking >= order.acceleration) {
-                return refused("needs an acceleration above zero and within its limit");
-            }
-            let [least, most] = order.range;
-            let range = [least.unwrap_or(f64::NEG_INFINITY), most.unwrap_or(f64::INFINITY)];
-            let (velocity, acceleration, braking) = (order.velocity, order.acceleration, order.braking);
-            orders.push((drive, Order { velocity, acceleration, braking, range }));
-        }
-        let time = self.state.time;
-        for (drive, order) in orders {
-            self.state.plan.timelines[drive].command(time, &order);
-        }
-        self.commands.push(Command { time, name, motion, speed, acceleration });
-        if let Method::Adaptive(adaptive) = &mut self.method {
-            adaptive.forget();
-        }
-        Ok(())
-    }
-
-    /// What programs have asked for so far.
-    pub fn commands(&self) -> &[Command] {
-        &self.commands
-    }
-
-    /// Position and velocity of what a drive moves now [m or rad, and per s]; none of an unknown drive.
-    pub fn drive(&self, name: &str) -> Option<(f64, f64)> {
-        let drive = self.system.drives.iter().find(|drive| drive.name == name)?;
-        let position = self.system.tree.bodies[drive.body].first_position;
-        Some((self.state.q[position], self.state.v[drive.dof]))
     }
 
     fn make_step(&mut self, until: f64) -> Result<(), StepError> {
