@@ -11,7 +11,7 @@ use crate::contact::shape::Shape;
 use crate::event::afloat::{Mark, Vessel};
 use crate::force;
 use crate::force::mooring::Mooring;
-use crate::force::sea::Sea;
+use crate::force::trains::Trains;
 use crate::plan::drive::Timeline;
 use crate::plan::{Cut, Pinning, Plan, Removal};
 use crate::rope::coil::Layers;
@@ -298,7 +298,9 @@ pub struct System {
     /// Distances that are recorded.
     pub watches: Vec<Watch>,
     /// Waves on the water.
-    pub sea: Arc<Sea>,
+    pub sea: Arc<Trains>,
+    /// What comes on top of the mean speed of the wind.
+    pub gusts: Arc<Trains>,
     /// Bodies that should stay upright.
     pub vessels: Vec<Vessel>,
     /// Points of them that should stay above the water.

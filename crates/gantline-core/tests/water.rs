@@ -4,9 +4,10 @@ mod rigs;
 
 use gantline_core::audit::gravity_energy;
 use gantline_core::build::build;
+use gantline_core::force::drag::Drag;
 use gantline_core::force::{self, AnyForce, At, Energies, Force, twist_of};
 use gantline_core::spec::{
-    BodySpec, ComponentSpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PumpedSpec, SeaSpec, SystemSpec,
+    BodySpec, ComponentSpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PumpedSpec, SystemSpec, TrainsSpec,
 };
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
@@ -106,8 +107,9 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             at: at(&mut draw),
             damping: square(&mut draw, 20.0),
             quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
-            // One stands, the other streams.
+            // One stands, the other streams and comes in gusts.
             stream: if k == 0 { [0.0; 3] } else { draw.scaled(2.0) },
+            gusty: k == 1,
         };
         let has_tank = body(&mut draw);
         // One of the two is pumped.
@@ -141,8 +143,10 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
         amplitude: draw.number(),
         phase: draw.number(),
     };
-    let components = (0..3).map(|_| component(&mut draw)).collect();
-    spec.sea = Some(SeaSpec { components, rise_time: GROWN });
+    for trains in [&mut spec.sea, &mut spec.gusts] {
+        let components = (0..3).map(|_| component(&mut draw)).collect();
+        *trains = Some(TrainsSpec { components, rise_time: GROWN });
+    }
     for k in 0..3 {
         let line = mooring(&mut spec, &mut draw, k);
         spec.forces.push(line);
@@ -321,9 +325,9 @@ proptest! {
         }
     }
 
-    /// ∂τ/∂t, where only waves know time, and how waves grow, against differences.
+    /// ∂τ/∂t, where waves and gusts alone know time, and how they grow, against differences.
     #[test]
-    fn waves_change_with_time(seeds in seeds()) {
+    fn waves_and_gusts_change_with_time(seeds in seeds()) {
         let (system, mut state, frame) = wet(&seeds);
         let a = rates(&system, &seeds);
         let mut drift = vec![0.0; a.len()];
@@ -382,9 +386,9 @@ proptest! {
                 q: &state.q,
                 v: &state.v,
             };
-            let mut still = drag.clone();
-            still.stream = DVec3::ZERO;
-            let (one, other) = (drag.wrench(&at(twist)), still.wrench(&at(Twist { linear: twist.linear - drag.stream, ..twist })));
+            let steady = Drag { gusts: None, ..drag.clone() };
+            let still = Drag { stream: DVec3::ZERO, ..steady.clone() };
+            let (one, other) = (steady.wrench(&at(twist)), still.wrench(&at(Twist { linear: twist.linear - drag.stream, ..twist })));
             let scale = 1.0 + one.force.length() + one.moment.length();
             prop_assert!((one.force - other.force).length() < 1e-12 * scale);
             prop_assert!((one.moment - other.moment).length() < 1e-12 * scale);

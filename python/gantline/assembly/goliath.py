@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from gantline.assembly.gusts import wind_of_limit
 from gantline.assembly.operations import along_drive
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import hook_rig
@@ -130,7 +131,7 @@ def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             "hook_approach": crane.hook_approach,
             "hook_distance": crane.hook_distance,
             "wind_limit": crane.wind_limit,
-            "wind": scenario.wind_speed,
+            "wind": wind_of_limit(scenario),
             "trolleys": [
                 {
                     "name": trolley_name(name, trolley),

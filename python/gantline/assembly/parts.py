@@ -50,6 +50,7 @@ class Parts:
         watches: distances that are recorded.
         forces: of water, wind and mooring lines on bodies, in order.
         sea: waves on the water; None where there are none.
+        gusts: what comes on top of the mean speed of the wind; None where nothing does.
         vessels: what should stay upright, and which of their points above the water.
         drives: drives by name.
         plan: steps in order.
@@ -73,6 +74,7 @@ class Parts:
     watches: list[Json] = field(default_factory=list)
     forces: list[Json] = field(default_factory=list)
     sea: Json | None = None
+    gusts: Json | None = None
     vessels: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
@@ -230,6 +232,7 @@ class Parts:
             "drives": list(self.drives.values()),
             "plan": self.plan,
             **({} if self.sea is None else {"sea": self.sea}),
+            **({} if self.gusts is None else {"gusts": self.gusts}),
             **({} if self.emergency_stop is None else {"emergency_stop": self.emergency_stop}),
             **{key: given for key, given in if_there.items() if given},
         }

@@ -11,6 +11,7 @@ from gantline.assembly.boom import boom_rig
 from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ratings
 from gantline.assembly.crawler import crawler_rig
 from gantline.assembly.goliath import crane_rig
+from gantline.assembly.gusts import wind_rig
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.moorings import mooring_rig
 from gantline.assembly.operations import moved_drives
@@ -29,6 +30,7 @@ from gantline.scenario.load import PLATE_NORMALS, Lug
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
+from gantline.scenario.stream import Wind
 from gantline.scenario.tanks import ends_of_pump, tanks_of
 
 __all__ = ["rig"]
@@ -45,6 +47,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
         **({} if parts.sea is None else {"sea": {**parts.sea, "trains": _wave_trains(scenario)}}),
+        **({"wind": wind_rig(wind, parts.gusts)} if isinstance(wind := scenario.wind, Wind) else {}),
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),

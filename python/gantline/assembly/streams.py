@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
 
+from gantline.assembly.gusts import gusts, wind_of_limit
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
 from gantline.scenario import Scenario
@@ -21,15 +23,26 @@ __all__ = ["add_streams"]
 #: Wind in which cranes with booms lift, where nothing else is known [m/s]: ISO 4302, the lightest in service.
 _LIFTS_UP_TO = 14.0
 _AXES = ("x", "y", "z")
+_STANDS = (0.0, 0.0, 0.0)
+
+
+class _Fluid(NamedTuple):
+    """Air or water: density [kg/m^3], velocity, in gusts the mean [m/s], and whether gusts come on top."""
+
+    density: float
+    velocity: tuple[float, float, float] = _STANDS
+    is_gusty: bool = False
 
 
 def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> None:
     """Add a force for each area of vessels, plain bodies and the load; warn of a stream that does nothing."""
     origins = {name: (body, np.zeros(3)) for name, body in bodies_afloat(scenario).items()}
     wind, current = scenario.wind, scenario.current
-    air = (wind.density, wind.velocity) if isinstance(wind, Wind) else (AIR, (0.0, 0.0, 0.0))
-    standing = (scenario.water or Water()).density, (0.0, 0.0, 0.0)
-    water = standing if current is None else (standing[0], current.velocity)
+    air = _Fluid(AIR)
+    if isinstance(wind, Wind):
+        air = _Fluid(wind.density, wind.velocity, wind.gusts is not None)
+        parts.gusts = None if wind.gusts is None else gusts(wind)
+    water = _Fluid((scenario.water or Water()).density, _STANDS if current is None else current.velocity)
     for name, (body, origin) in origins.items():
         parts.forces += _pushed(name, "wind", body.wind_areas, origin, air)
         parts.forces += _pushed(name, "current", body.current_areas, origin, water)
@@ -62,7 +75,7 @@ def _strong(scenario: Scenario) -> list[str]:
     """A sentence on wind in which cranes with booms do not lift, of which nothing else is held against it."""
     cranes = (scenario.cranes or {}).items()
     booms = [name for name, crane in cranes if isinstance(crane, Crawler | FloatingCrane)]
-    speed = scenario.wind_speed or 0.0
+    speed = wind_of_limit(scenario) or 0.0
     if not booms or speed <= _LIFTS_UP_TO:
         return []
     usual = (
@@ -81,14 +94,13 @@ def _pushed(
     kind: str,
     areas: Mapping[str, StreamArea] | None,
     origin: np.typing.NDArray[np.float64],
-    fluid: tuple[float, tuple[float, float, float]],
+    fluid: _Fluid,
 ) -> list[Json]:
     """Forces ½ ρ C A |u| u on areas of a body, whose places count from `origin` in its axes [m]."""
-    density, velocity = fluid
     found = []
     for name, area in (areas or {}).items():
         quadratic = [0.0] * 6
-        quadratic[_AXES.index(area.along)] = 0.5 * density * area.coefficient * area.area
+        quadratic[_AXES.index(area.along)] = 0.5 * fluid.density * area.coefficient * area.area
         found.append(
             {
                 "type": "drag",
@@ -97,7 +109,8 @@ def _pushed(
                 "at": (np.array(area.at) - origin).tolist(),
                 "damping": [[0.0] * 6] * 6,
                 "quadratic": quadratic,
-                "stream": list(velocity),
+                "stream": list(fluid.velocity),
+                **({"gusty": True} if fluid.is_gusty else {}),
             }
         )
     return found

@@ -282,15 +282,15 @@ def end_of_step(recording: Recording, step: Step) -> BoolArray | None:
 
 
 def _at_end(recording: Recording, step: Step) -> BoolArray | None:
-    """Samples that a requirement of a step is for: the last one, in waves the last three longest periods.
+    """Samples that a requirement of a step is for: the last one, in waves and gusts the last that average.
 
     There the last sample is but a moment between a crest and a trough.
     """
-    last, sea = end_of_step(recording, step), recording.rig.sea
-    if last is None or sea is None:
+    last, while_ = end_of_step(recording, step), recording.rig.time_to_average
+    if last is None or while_ == 0.0:
         return last
     begin, end = progress.spans(recording)[step.step][0], recording.time[last][0]
-    late: BoolArray = (recording.time >= max(begin, end - sea.rise_time)) & (recording.time <= end)
+    late: BoolArray = (recording.time >= max(begin, end - while_)) & (recording.time <= end)
     return late
 
 

@@ -63,11 +63,12 @@ def summary(
 
 
 def heading(rig: Rig) -> list[str]:
-    """Number, revision, title and remark of a lift, and the waves that it is in."""
+    """Number, revision, title and remark of a lift, and the waves and the wind that it is in."""
     revision = f" rev {rig.revision}" if rig.number and rig.revision else ""
     title = "  ".join(word for word in (f"{rig.number or ''}{revision}", rig.title) if word)
     waves = [] if rig.sea is None else [f"Waves: {'; '.join(train.in_words for train in rig.sea.trains)}"]
-    return [*(line for line in (title, rig.remark) if line), *waves]
+    wind = [] if rig.wind is None else [f"Wind: {rig.wind.in_words}"]
+    return [*(line for line in (title, rig.remark) if line), *waves, *wind]
 
 
 def weights(rig: Rig) -> list[str]:

@@ -148,11 +148,10 @@ def sling_lengthening(recording: Recording) -> Figure | None:
 
 
 def attitude(recording: Recording) -> Figure | None:
-    """Tilt, heading, height and drift of the loads, with the headings of the frames; None without loads."""
+    """Tilt, heading, height, drift and gusts of loads, with headings of frames; None without loads."""
     loads = recording.rig.loads
     if not loads:
         return None
-    figure, panels = time_figure(recording, "Attitude", [1.0] * 4, 6.4)
     position = {load.name: recording.column("body_position", load.body) for load in loads}
     bodies = {load.name: load.body for load in loads} | {e.name: e.body for e in recording.rig.equalizers}
     degrees = {
@@ -162,12 +161,16 @@ def attitude(recording: Recording) -> Figure | None:
     tilt = {load.name: np.degrees(recording.column("load_tilt", load.name)) for load in loads}
     height = {name: place[:, 2] - place[0, 2] for name, place in position.items()}
     drift = {load.name: load_drift(recording, load) for load in loads}
-    rows = (
+    rows = [
         ("Tilt [deg]", tilt, 0.1),
         ("Heading [deg]", degrees, 1.0),
         ("Height above\nstart [m]", height, 0.01),
         ("Drift off the\nplan's way [m]" if is_taken_along(recording.rig) else "Drift [m]", drift, 0.01),
-    )
+    ]
+    if "wind_at_load" in recording:
+        wind = {load.name: recording.column("wind_at_load", load.name) for load in loads}
+        rows.append(("Wind [m/s]", wind, 1.0))
+    figure, panels = time_figure(recording, "Attitude", [1.0] * len(rows), 1.6 * len(rows))
     for panel, (label, values, least_span) in zip(panels, rows, strict=True):
         for index, curve in enumerate(values.values()):
             panel.plot(recording.time, curve, color=colour(index))

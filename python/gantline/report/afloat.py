@@ -77,12 +77,12 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
         }
         for moment in moments
     ]
-    sea = subject.rig.sea
+    last = subject.rig.time_to_average
     return {
         "name": vessel.name,
         "when": "at the end of each step"
-        if sea is None
-        else f"mean over the last {show(sea.rise_time, 's', 0)} of each step; freeboard: the least in it",
+        if last == 0.0
+        else f"mean over the last {show(last, 's', 0)} of each step; freeboard: the least in it",
         "rows": rows,
         "left_out": max(0, len(_moments(subject)) - len(moments)),
         "gm": _gm(subject, vessel),
@@ -92,16 +92,16 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
 
 
 def _value(subject: Subject, vessel: Vessel, variable: str, moment: _Moment) -> float:
-    """How a vessel lies at the end of a step; in waves as a mean over its end, the freeboard at its least."""
+    """How a vessel lies at the end of a step; in waves and gusts a mean over it, the freeboard its least."""
     values = subject.recording.column(variable, vessel.name)
-    sea = subject.rig.sea
-    if sea is None:
+    last = subject.rig.time_to_average
+    if last == 0.0:
         return float(values[moment.at])
     during = values[moment.begin : moment.at + 1]
     if variable == "vessel_freeboard":
         return float(during.min())
     time = subject.recording.time[moment.begin : moment.at + 1]
-    return float(during[time >= time[-1] - sea.rise_time].mean())
+    return float(during[time >= time[-1] - last].mean())
 
 
 def _moments(subject: Subject) -> list[_Moment]:

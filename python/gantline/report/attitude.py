@@ -11,9 +11,9 @@ from gantline.results.rig import Load
 
 
 def attitude(subject: Subject) -> list[tuple[str, str]]:
-    """Lift-off, tilt, yaw, drift, swing and smallest clearance, in words."""
+    """Wind, lift-off, tilt, yaw, drift, swing and smallest clearance, in words."""
     recording = subject.recording
-    rows: list[tuple[str, str]] = []
+    rows = _wind(subject)
     lift_off = subject.metrics.get("lift_off_time")
     if lift_off is not None:
         rows.append(("lift-off", f"at {show(lift_off, 's', 1)}"))
@@ -24,6 +24,20 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
     rows += _clearance(subject)
     if recording.attributes.get("status") == "failed":
         rows.append(("the run failed", str((recording.attributes.get("failure") or {}).get("cause", ""))))
+    return rows
+
+
+def _wind(subject: Subject) -> list[tuple[str, str]]:
+    """The wind of the lift file, and what of gusts came to each load."""
+    wind, recording = subject.rig.wind, subject.recording
+    if wind is None:
+        return []
+    rows = [("wind", wind.in_words)]
+    if "wind_at_load" in recording and len(recording.time):
+        for load in subject.rig.loads:
+            speed = recording.column("wind_at_load", load.name)
+            ends = f"{show(float(speed.min()), 'm/s', 1)} to {show(float(speed.max()), 'm/s', 1)}"
+            rows.append((f"wind at {load.name}", ends))
     return rows
 
 

@@ -126,13 +126,13 @@ class HookLoads(_Plots):
 
 
 class Attitude(_Plots):
-    """How loads hang: tilt, drift, height."""
+    """How loads hang: tilt, drift, height, and the gusts that they hang in."""
 
     anchor = "attitude"
     title = "Attitude"
 
     def plots(self, subject: Subject) -> list[Plot]:
-        """Tilt, drift, height."""
+        """Tilt, drift, height, gusts."""
         if not subject.rig.loads or "load_tilt" not in subject.recording:
             return []
         tilt = subject.rig.limits.get("load_tilt")
@@ -140,13 +140,16 @@ class Attitude(_Plots):
         drift = "Horizontal drift of the centre of gravity"
         if is_taken_along(subject.rig):
             drift += ", off the way of the plan"
-        return [
+        found = [
             _plot("Tilt of the load", "tilt", "deg", height=180, smallest=0.05, zero=True, limits=limits),
             _plot(drift, "drift", "m", height=180, smallest=0.01, zero=True),
             _plot(
                 "Height of the centre of gravity above its start", "height", "m", height=180, smallest=0.01
             ),
         ]
+        if "wind_at_load" in subject.recording:
+            found.append(_plot("Wind at the load, gusts included", "wind", "m/s", height=180, smallest=0.1))
+        return found
 
 
 class Vessels(_Plots):

@@ -22,6 +22,7 @@ from gantline.results.rotation import tilt
 from gantline.results.tanks import tank_contents
 from gantline.results.variable import FloatArray, Variable
 from gantline.results.vessels import vessel_state
+from gantline.results.wind import wind_at_loads
 
 Columns = Mapping[str, FloatArray]
 Names = Mapping[str, Sequence[str]]
@@ -173,6 +174,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
         _hook_loads(columns, names, lift),
         _load_state(columns, names, lift),
         rope_flows(columns, names, lift),
+        wind_at_loads(columns, names, {load.name: load.body for load in lift.loads}, lift.wind),
         vessel_state(columns, names, lift.vessels, lift.sea),
         mooring_state(columns, names, lift.mooring_lines, lift.fenders),
     ):

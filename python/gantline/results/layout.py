@@ -48,7 +48,7 @@ _OVER: dict[tuple[str, ...], str] = {
     ("time", "mooring_line"): "mooring_tension",
     ("time", "fender"): "fender_force",
     ("time", "hull"): "displaced_volume",
-    ("time", "load"): "load_transferred load_tilt load_swing",
+    ("time", "load"): "load_transferred load_tilt load_swing wind_at_load",
     ("time", "energy_kind"): "energy",
     ("event",): "event_time event_kind event_name",
 }
@@ -67,6 +67,7 @@ OPTIONAL = frozenset(
         "clearance_point",
         "load_swing",
         "vessel_wave_elevation",
+        "wind_at_load",
     }
 )
 #: Dimensions whose entries are counted and have no names.

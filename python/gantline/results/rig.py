@@ -20,6 +20,7 @@ from gantline.results.rating_chart import RatingChart
 from gantline.results.sea import Sea
 from gantline.results.strength import Bend, Factor, FromJson, Lug, Rating, SideLoad, lugs_from_json
 from gantline.results.vessels import Vessel
+from gantline.results.wind import Wind
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
 EQUALISED_BELOW = 0.05
@@ -157,6 +158,7 @@ class Rig(FromJson):
         touching: Pairs that touch each other in the simulation as the lift file says.
         hooks: Hooks of all cranes.
         sea: Waves on the water; None where it is still.
+        wind: Wind with a direction; None where there is none.
         vessels: Vessels.
         mooring_lines: Mooring lines.
         fenders: Fenders.
@@ -193,6 +195,7 @@ class Rig(FromJson):
     touching: Sequence[tuple[str, str]] = ()
     hooks: Sequence[Hook] = ()
     sea: Sea | None = None
+    wind: Wind | None = None
     vessels: Sequence[Vessel] = ()
     mooring_lines: Sequence[MooringLine] = ()
     fenders: Sequence[Fender] = ()
@@ -227,6 +230,7 @@ class Rig(FromJson):
             "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "sea": Sea.from_json(document["sea"]) if document.get("sea") else None,
+            "wind": Wind.from_json(document["wind"]) if document.get("wind") else None,
             "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
             "mooring_lines": tuple(MooringLine.from_json(d) for d in document.get("mooring_lines") or ()),
             "fenders": tuple(Fender.from_json(d) for d in document.get("fenders") or ()),
@@ -252,6 +256,12 @@ class Rig(FromJson):
             "bends": tuple(Bend.from_json(d) for d in document.get("bends") or ()),
         }
         return super().from_json({**document, **parts})
+
+    @property
+    def time_to_average(self) -> float:
+        """Time over which what waves and gusts do averages [s]; 0 where there are none."""
+        gusts = None if self.wind is None else self.wind.gusts
+        return max((trains.rise_time for trains in (self.sea, gusts) if trains is not None), default=0.0)
 
     @property
     def carried_hooks(self) -> list[CraneHook]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from gantline.results.rotation import axes, heading
 from gantline.results.strength import FromJson
+from gantline.results.trains import Trains
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
@@ -70,18 +71,13 @@ class WaveTrain(FromJson):
 
 
 @dataclass(frozen=True)
-class Sea(FromJson):
-    """Waves on the water: η = g(t) Σ a cos(k·x − ωt + ε), g growing from 0 to 1 with two derivatives.
+class Sea(Trains):
+    """The undisturbed surface of the water above still water [m].
 
     Attributes:
-        components: regular waves: `frequency` ω [rad/s], `wave_number` k, world x and y [rad/m],
-            `amplitude` a [m], `phase` ε [rad].
-        rise_time: in which they grow [s].
         trains: as the lift file names them; of recordings from before they were kept none.
     """
 
-    components: Sequence[Mapping[str, Any]] = ()
-    rise_time: float = 1.0
     trains: Sequence[WaveTrain] = ()
 
     @classmethod
@@ -89,26 +85,6 @@ class Sea(FromJson):
         """Make one from its JSON object."""
         trains = tuple(WaveTrain.from_json(one) for one in document.get("trains") or ())
         return super().from_json({**document, "trains": trains})
-
-    def elevation(self, time: FloatArray, place: FloatArray) -> FloatArray:
-        """η above still water [m].
-
-        Args:
-            time: (samples,) [s].
-            place: world x and y (samples, ..., 2) [m].
-
-        Returns:
-            (samples, ...).
-        """
-        beside = (slice(None), *[None] * (place.ndim - 2))
-        found = np.zeros(place.shape[:-1])
-        for wave in self.components:
-            x, y = wave["wave_number"]
-            along = x * place[..., 0] + y * place[..., 1]
-            found += wave["amplitude"] * np.cos(along - wave["frequency"] * time[beside] + wave["phase"])
-        share = np.clip(time / self.rise_time, 0.0, 1.0)
-        growth: FloatArray = share**3 * (10.0 - share * (15.0 - 6.0 * share))
-        return found * growth[beside]
 
 
 def out_of_place(

@@ -158,9 +158,7 @@ def _stretches(mask: BoolArray) -> list[BoolArray]:
 
 def _lasts(recording: Recording, stretch: BoolArray) -> bool:
     times = recording.time[stretch]
-    sea = recording.rig.sea
-    shortest = _SHORTEST_QUIET if sea is None else max(_SHORTEST_QUIET, sea.rise_time)
-    return bool(times[-1] - times[0] >= shortest)
+    return bool(times[-1] - times[0] >= max(_SHORTEST_QUIET, recording.rig.time_to_average))
 
 
 def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | None, BoolArray]:

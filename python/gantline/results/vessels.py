@@ -97,10 +97,10 @@ def _afloat(columns: Columns, names: Names, vessel: Vessel, sea: Sea | None) -> 
     if sea is not None:
         time = columns["time"]
         marks = origin[:, None, :2] + np.einsum("tij,pj->tpi", turn[:, :2], points)
-        heights = lie.up @ points.T + lie.height[:, None] - sea.elevation(time, marks)
+        heights = lie.up @ points.T + lie.height[:, None] - sea.at(time, marks)
         freeboard = heights.min(axis=1)
         amidships = origin[:, :2] + turn[:, :2] @ np.array([(aft + forward) / 2, 0.0, 0.0])
-        waves = {"vessel_wave_elevation": sea.elevation(time, amidships)}
+        waves = {"vessel_wave_elevation": sea.at(time, amidships)}
     return {
         "vessel_draft": lie.draft((aft + forward) / 2),
         "vessel_draft_aft": lie.draft(aft),

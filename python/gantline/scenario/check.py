@@ -13,6 +13,7 @@ from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.check_spreaders import check_spreaders
 from gantline.scenario.check_supports import check_supports
 from gantline.scenario.check_vessels import check_vessels
+from gantline.scenario.check_wind import check_wind
 from gantline.scenario.crane_parts import crane_parts
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
@@ -67,6 +68,7 @@ def check(scenario: Scenario) -> None:
     if scenario.mechanics is not None:
         check_mechanics(findings, scenario.mechanics)
     check_vessels(findings)
+    check_wind(findings)
     check_moorings(findings)
     _check_hook_groups(findings)
     check_plan(findings)

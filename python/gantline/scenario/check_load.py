@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gantline.scenario.check_supports import check_places, top_of
-from gantline.scenario.check_vessels import check_areas
+from gantline.scenario.check_wind import check_areas
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.load import Load, LoadInertia, Lug

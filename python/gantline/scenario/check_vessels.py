@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
+from gantline.scenario.check_wind import check_areas
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.mechanics import BodyInertia
-from gantline.scenario.stream import StreamArea
 from gantline.scenario.vessel import CAPSIZED_BEYOND, DECK_EDGE, Vessel
 from gantline.scenario.water import Afloat, Extent
 
-__all__ = ["check_afloat", "check_areas", "check_inertia", "check_inside", "check_vessels"]
+__all__ = ["check_afloat", "check_inertia", "check_inside", "check_vessels"]
 
 _ROUNDING = 1 + 1e-9
 #: A fairlead may stand so far off the hull, on a platform or a boom [m].
@@ -39,15 +38,6 @@ def check_afloat(findings: Findings, path: Path, body: Afloat) -> None:
     for key in ("hull", "tanks"):
         if getattr(body, key) is not None and findings.scenario.simulation.gravity == 0:
             findings.add((*path, key), "gravity is zero; water needs gravity above zero")
-
-
-def check_areas(findings: Findings, path: Path, areas: Mapping[str, StreamArea] | None) -> None:
-    """Note areas in wind that has no direction."""
-    wind = findings.scenario.wind
-    if areas and isinstance(wind, float) and wind > 0:
-        sentence = "the 'wind' of this lift is a speed alone and pushes nothing"
-        right = f"write 'wind: {{speed: {wind:g} m/s, direction: 0 deg}}', or leave the areas out"
-        findings.add((*path, "wind_areas"), f"{sentence}; {right}")
 
 
 def check_inertia(findings: Findings, path: Path, inertia: BodyInertia, *, is_free: bool) -> None:

@@ -26,7 +26,7 @@ from gantline.scenario.mooring import Fender, MooringLine
 from gantline.scenario.plan import EmergencyStop, Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
 from gantline.scenario.spreader import Spreader
-from gantline.scenario.stream import Current, Wind, WindOfLift
+from gantline.scenario.stream import Current, WindOfLift
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
 from gantline.scenario.tree import MapNode, line_of
@@ -205,13 +205,6 @@ class Scenario(Element):
     def booms(self) -> dict[str, PlacedBoom]:
         """Booms of all cranes that have one, by the name of the crane."""
         return booms_of(self.cranes or {}, self.vessels or {})
-
-    @property
-    def wind_speed(self) -> float | None:
-        """Speed that is held against limits [m/s]; None if not said."""
-        if isinstance(self.wind, Wind):
-            return self.wind.speed
-        return 0.0 if self.wind == "none" else self.wind
 
     @property
     def starts_at_rest(self) -> bool:

@@ -8,13 +8,24 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Discriminator, Field, Tag
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import Angle, Number, Position, Quantity, WordOr
+from gantline.scenario.quantities import (
+    Angle,
+    Number,
+    Position,
+    PositiveLength,
+    PositiveSpeed,
+    Quantity,
+    WordOr,
+    refuse,
+)
+from gantline.scenario.tree import MapNode
 
 __all__ = [
     "AIR",
     "CURRENT_SHOWN",
     "WIND_SHOWN",
     "Current",
+    "Gusts",
     "Stream",
     "StreamArea",
     "Wind",
@@ -51,7 +62,7 @@ class StreamArea(Element):
 
 
 class Stream(Element):
-    """A fluid that moves steadily, the same everywhere, level."""
+    """A fluid that moves level."""
 
     speed: Annotated[float, Quantity("speed", "not_negative")] = Field(description="Speed.")
     direction: Angle = Field(description="Direction in which it moves, from world x towards y.")
@@ -63,13 +74,45 @@ class Stream(Element):
         return self.speed * x, self.speed * y, 0.0
 
 
+class Gusts(Element):
+    """What makes wind unsteady: its speed along its direction, with a spectrum of Kaimal's form."""
+
+    what: ClassVar[str] = "gusts"
+
+    speed: PositiveSpeed | None = Field(
+        None, description="Speed of gusts: the highest mean over 3 s to be expected in ten minutes."
+    )
+    turbulence: Annotated[float, Quantity("ratio", "positive")] | None = Field(
+        None, description="Instead: standard deviation of the speed over its mean, up to 50 %."
+    )
+    length: PositiveLength = Field(150.0, description="Of the eddies along the wind; 150 m if not given.")
+    components: Annotated[int, Number(least=10, most=1000, whole=True)] = Field(
+        100, description="Regular gusts that they are made of."
+    )
+    seed: Annotated[int, Number(least=0, most=2**31, whole=True)] = Field(
+        1, description="Another number is another record of the same wind."
+    )
+
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """One of speed and turbulence says how strong they are."""
+        given = [key for key in ("speed", "turbulence") if key in data]
+        if len(given) == 2:
+            raise refuse("'speed' says already how strong gusts are; leave one out", "turbulence")
+        if not given:
+            raise refuse("needs 'speed: 16 m/s', the speed of gusts, or 'turbulence: 15 %'")
+
+
 class Wind(Stream):
-    """Steady wind."""
+    """Wind, steady or in gusts."""
 
     what: ClassVar[str] = "wind"
 
     density: Annotated[float, Quantity("density", "positive")] = Field(
         AIR, description="Density of the air; 1.225 kg/m^3 if not given."
+    )
+    gusts: Gusts | None = Field(
+        None, description="Gusts about 'speed', which is the mean over ten minutes then. None if not given."
     )
 
 

@@ -15,7 +15,7 @@ __all__ = ["translate"]
 
 #: What people look for in a lift file and do not find there, and why.
 _TO_COME = {
-    "gusts": "wind is steady; give the speed of gusts as that of 'wind'",
+    "gusts": "gusts belong to 'wind': {speed: 10 m/s, direction: 0 deg, gusts: {speed: 14 m/s}}",
     "tag_lines": "a rope under 'mechanics' from the load to a winch or to the ground holds its heading",
 }
 #: Keys by other words, which are not written like them; the first that may stand there is meant.

@@ -58,6 +58,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
         ("trim", "vessel_trim", "deg", 180.0 / np.pi),
         ("freeboard", "vessel_freeboard", "m", 1.0),
         ("waves", "vessel_wave_elevation", "m", 1.0),
+        ("wind", "wind_at_load", "m/s", 1.0),
         ("clearance", "clearance", "m", 1.0),
     ):
         if variable in recording:

@@ -5,16 +5,16 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::moorings::build_mooring;
-use super::sea::build_wave;
+use super::trains::build_wave;
 use super::{BuildError, error, finite, positive};
 use crate::force::AnyForce;
 use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
 use crate::force::drag::Drag;
 use crate::force::mooring::Mooring;
-use crate::force::sea::Sea;
 use crate::force::square::Square;
 use crate::force::tank::{Pumped, Tank};
+use crate::force::trains::Trains;
 use crate::hull::{Hull, Mesh};
 use crate::spec::{ForceSpec, JointSpec, PumpedSpec, SystemSpec};
 use crate::tree::Tree;
@@ -24,22 +24,23 @@ const SYMMETRIC: f64 = 1e-9;
 /// How far below zero an eigenvalue may be, relative to the diagonal.
 const ROUNDING: f64 = 1e-9;
 
-/// Forces, with the sea that those of waves come from.
+/// Forces, with the sea that those of waves come from and the gusts of the wind.
 pub(super) fn build_forces(
     spec: &SystemSpec,
     tree: &Tree,
-    sea: &Arc<Sea>,
+    trains: [&Arc<Trains>; 2],
 ) -> Result<Vec<AnyForce>, BuildError> {
-    spec.forces.iter().map(|given| build_force(given, spec, tree, sea)).collect()
+    spec.forces.iter().map(|given| build_force(given, spec, tree, trains)).collect()
 }
 
 fn build_force(
     given: &ForceSpec,
     spec: &SystemSpec,
     tree: &Tree,
-    sea: &Arc<Sea>,
+    trains: [&Arc<Trains>; 2],
 ) -> Result<AnyForce, BuildError> {
     let name = given.name();
+    let [sea, gusts] = trains;
     let find = |body: &str| match tree.bodies.iter().position(|other| other.name == body) {
         Some(index) if tree.bodies[index].joint.moves_body() => Ok(index),
         Some(_) => error(name, format!("`{body}` is rope that flows; forces act on bodies")),
@@ -106,12 +107,16 @@ fn build_force(
                 matrix: built,
             })
         }
-        ForceSpec::Drag { body, at, damping, quadratic, stream, .. } => {
+        ForceSpec::Drag { body, at, damping, quadratic, stream, gusty, .. } => {
             finite(name, "its point", at)?;
             finite(name, "the velocity of its fluid", stream)?;
             check_matrix(name, "its damping", damping)?;
             if let Some(value) = quadratic.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
                 return error(name, format!("a quadratic resistance is {value}; it must be zero or more"));
+            }
+            let stream = DVec3::from_array(*stream);
+            if *gusty && stream == DVec3::ZERO {
+                return error(name, "gusts come with wind; give it a stream");
             }
             AnyForce::Drag(Drag {
                 name: name.to_owned(),
@@ -120,7 +125,8 @@ fn build_force(
                 damping: Square::from_rows(damping),
                 linear: DVec3::from_slice(&quadratic[..3]),
                 angular: DVec3::from_slice(&quadratic[3..]),
-                stream: DVec3::from_array(*stream),
+                stream,
+                gusts: gusty.then(|| Arc::clone(gusts)),
             })
         }
     })

@@ -10,13 +10,11 @@ mod moorings;
 mod plan;
 mod ropes;
 mod rows;
-mod sea;
 mod start;
 mod touches;
+mod trains;
 mod tree;
 mod vessels;
-
-use std::sync::Arc;
 
 use glam::DVec3;
 use thiserror::Error;
@@ -38,9 +36,9 @@ use light::rows_of_light;
 use moorings::place_moorings;
 use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
 use rows::{Built, build_constraints};
-use sea::build_sea;
 use start::first_state;
 use touches::{Touches, build_shapes, build_watches};
+use trains::build_trains;
 use tree::{build_tree, start_of_joint};
 use vessels::build_vessels;
 
@@ -65,8 +63,9 @@ fn error<T>(element: &str, problem: impl Into<String>) -> Result<T, BuildError> 
 pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     check_names(spec)?;
     let mut tree = build_tree(spec)?;
-    let sea = Arc::new(build_sea(spec)?);
-    tree.forces = build_forces(spec, &tree, &sea)?;
+    let sea = build_trains("sea", spec.sea.as_ref())?;
+    let gusts = build_trains("gusts", spec.gusts.as_ref())?;
+    tree.forces = build_forces(spec, &tree, [&sea, &gusts])?;
     let mut q = vec![0.0; tree.positions];
     let mut v = vec![0.0; tree.velocities];
     for (body, given) in tree.bodies.iter().zip(&spec.bodies) {
@@ -141,6 +140,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         removals,
         watches,
         sea,
+        gusts,
         vessels,
         marks,
         plan,

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use super::{EventKind, EventLog};
-use crate::force::sea::Sea;
+use crate::force::trains::Trains;
 use crate::record::{Sample, Span};
 use crate::stepper::StepError;
 use crate::system::System;
@@ -73,13 +73,20 @@ impl Mark {
 
     /// The same above the water at `time` [s], where waves pass as if the vessel were not there; not less than that where
     /// no wave can reach it.
-    fn height_in_waves(&self, vessel: &Vessel, pose: &Pose, gravity: DVec3, (sea, time): (&Sea, f64)) -> f64 {
+    fn height_in_waves(
+        &self,
+        vessel: &Vessel,
+        pose: &Pose,
+        gravity: DVec3,
+        (sea, time): (&Trains, f64),
+    ) -> f64 {
         let (still, highest) = (self.height(vessel, pose, gravity), sea.highest());
         if highest == 0.0 || still > highest {
             return still;
         }
         let heights = vessel.heights(&self.points, pose, gravity).zip(&self.points);
-        let over = heights.map(|(height, point)| height - sea.elevation(pose.point(*point).truncate(), time));
+        let over =
+            heights.map(|(height, point)| height - sea.passing(pose.point(*point).truncate(), time).value);
         over.fold(f64::INFINITY, f64::min)
     }
 }

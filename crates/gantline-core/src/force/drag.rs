@@ -1,5 +1,5 @@
-//! Resistance of a fluid, water or air, that stands or streams: linear by a constant matrix, quadratic along the body's
-//! axes.
+//! Resistance of a fluid, water or air, that stands or streams, in gusts if it is wind: linear by a constant matrix,
+//! quadratic along the body's axes.
 //!
 //! ```text
 //! F = −B ν − (c_i |w| ν_i, c_j |ν_j| ν_j)        ν = (w, Rᵀ ω)        w = Rᵀ (v_P − u)
@@ -8,14 +8,18 @@
 //! i runs over the translations, whose pressure is that of the whole speed |w|, j over the rotations.
 //!
 //! ν holds the velocity of a point P of the body against the fluid and the angular velocity, in the body's axes; forces
-//! act at P. u is the velocity of the fluid, the same everywhere and always. It does not turn along with the body: a turn
-//! δθ changes ν by Rᵀ (δθ × u), and that is all that the force knows of the body's place.
+//! act at P. u is the velocity of the fluid. It does not turn along with the body: a turn δθ changes ν by Rᵀ (δθ × u). In
+//! a steady stream that is all that the force knows of the body's place; in gusts u = (1 + η/U) U, U the mean, and η, of
+//! [`Trains`], is another at another place and time.
 //!
 //! The power F·v splits into what is lost, F·(v − u) + M·ω, never positive, and the work F·u of what drives the fluid.
+
+use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
 use super::square::{Square, skew};
+use super::trains::{Passing, Trains};
 use super::{At, Force, Tangent};
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::Twist;
@@ -35,16 +39,43 @@ pub struct Drag {
     pub linear: DVec3,
     /// c of the three rotations [N m s²].
     pub angular: DVec3,
-    /// u [m/s], world axes.
+    /// u [m/s], world axes, in gusts its mean.
     pub stream: DVec3,
+    /// η [m/s] along the stream.
+    pub gusts: Option<Arc<Trains>>,
 }
 
 impl Drag {
     /// ν.
     fn motion(&self, at: &At) -> Twist {
         let turn = at.pose.rotation.transpose();
-        let linear = at.twist.at(at.pose.rotation * self.at) - self.stream;
+        let linear = at.twist.at(at.pose.rotation * self.at) - self.fluid(at);
         Twist { angular: turn * at.twist.angular, linear: turn * linear }
+    }
+
+    /// η, and the direction that it has.
+    fn gust(&self, at: &At) -> Option<(DVec3, Passing)> {
+        let gusts = self.gusts.as_ref()?;
+        let passing = gusts.passing(at.pose.point(self.at).truncate(), at.time);
+        Some((self.stream.normalize_or_zero(), passing))
+    }
+
+    /// u.
+    fn fluid(&self, at: &At) -> DVec3 {
+        self.gust(at).map_or(self.stream, |(along, gust)| self.stream + along * gust.value)
+    }
+
+    /// Derivatives of the wrench over the velocity of the body.
+    fn slope(&self, at: &At) -> Square {
+        let motion = self.motion(at);
+        let mut slope = self.damping;
+        // ∂(|w| w_i)/∂w_j = |w| δ_ij + w_i w_j/|w|.
+        let (speed, along) = (motion.linear.length(), motion.linear.normalize_or_zero());
+        let of_axis = |w: f64| self.linear * motion.linear * w;
+        slope.linear += DMat3::from_diagonal(self.linear * speed)
+            + DMat3::from_cols(of_axis(along.x), of_axis(along.y), of_axis(along.z));
+        slope.angular += DMat3::from_diagonal(self.angular * motion.angular.abs() * 2.0);
+        slope.about(self.at).turned(&at.pose.rotation).negated()
     }
 }
 
@@ -67,28 +98,35 @@ impl Force for Drag {
     }
 
     fn tangent(&self, at: &At) -> Tangent {
-        let motion = self.motion(at);
-        let mut slope = self.damping;
-        // ∂(|w| w_i)/∂w_j = |w| δ_ij + w_i w_j/|w|.
-        let (speed, along) = (motion.linear.length(), motion.linear.normalize_or_zero());
-        let of_axis = |w: f64| self.linear * motion.linear * w;
-        slope.linear += DMat3::from_diagonal(self.linear * speed)
-            + DMat3::from_cols(of_axis(along.x), of_axis(along.y), of_axis(along.z));
-        slope.angular += DMat3::from_diagonal(self.angular * motion.angular.abs() * 2.0);
-        let velocity = slope.about(self.at).turned(&at.pose.rotation).negated();
-        // δν = δθ × u, and the same at every point of the body.
-        let turned = skew(self.stream) * -1.0;
-        let cross = velocity.linear * turned;
-        let place = Square { cross, angular: velocity.back * turned, ..Square::ZERO };
+        let velocity = self.slope(at);
+        // δν = δθ × u − δu, and the same at every point of the body.
+        let mut moved = DMat3::ZERO;
+        let mut turned = skew(self.fluid(at)) * -1.0;
+        if let Some((along, gust)) = self.gust(at) {
+            let [x, y] = gust.gradient.to_array();
+            moved = DMat3::from_cols(along * -x, along * -y, DVec3::ZERO);
+            turned -= moved * skew(at.pose.rotation * self.at);
+        }
+        let place = Square {
+            linear: velocity.linear * moved,
+            cross: velocity.linear * turned,
+            back: velocity.back * moved,
+            angular: velocity.back * turned,
+        };
         Tangent { place, velocity, ..Tangent::NONE }
+    }
+
+    fn drift(&self, at: &At) -> Option<Wrench> {
+        let (along, gust) = self.gust(at)?;
+        Some(self.slope(at).times(&Twist { linear: along * -gust.rate, angular: DVec3::ZERO }))
     }
 
     fn loss(&self, at: &At) -> f64 {
         let Wrench { force, moment } = self.wrench(at);
-        force.dot(self.stream - at.twist.linear) - moment.dot(at.twist.angular)
+        force.dot(self.fluid(at) - at.twist.linear) - moment.dot(at.twist.angular)
     }
 
     fn work(&self, at: &At) -> f64 {
-        if self.stream == DVec3::ZERO { 0.0 } else { self.wrench(at).force.dot(self.stream) }
+        if self.stream == DVec3::ZERO { 0.0 } else { self.wrench(at).force.dot(self.fluid(at)) }
     }
 }

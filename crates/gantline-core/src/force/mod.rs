@@ -12,9 +12,9 @@ pub mod added_mass;
 pub mod buoyancy;
 pub mod drag;
 pub mod mooring;
-pub mod sea;
 pub mod square;
 pub mod tank;
+pub mod trains;
 pub mod wave;
 
 use glam::DVec3;
@@ -99,6 +99,11 @@ pub trait Force {
     /// Rate of that energy under the velocity of `at` [W].
     fn energy_rate(&self, _at: &At) -> f64 {
         0.0
+    }
+
+    /// Derivative of the wrench over time alone; none where it does not know time.
+    fn drift(&self, _at: &At) -> Option<Wrench> {
+        None
     }
 
     /// Power that is lost in it [W].
@@ -204,12 +209,17 @@ fn under<'a>(tree: &Tree, kinematics: &'a Kinematics, body: usize, v: &'a [f64])
 
 /// True where wind or current blows on a body.
 pub fn has_stream(tree: &Tree) -> bool {
-    tree.forces.iter().any(|force| matches!(force, AnyForce::Drag(drag) if drag.stream != DVec3::ZERO))
+    drags(tree).any(|drag| drag.stream != DVec3::ZERO)
 }
 
 /// True where waves do something to a body.
 pub fn has_waves(tree: &Tree) -> bool {
     waves(tree).next().is_some()
+}
+
+/// True where a force changes by itself as time goes on.
+pub fn knows_time(tree: &Tree) -> bool {
+    has_waves(tree) || drags(tree).any(|drag| drag.gusts.is_some())
 }
 
 /// Power that fluids which stream put into all bodies under the velocity coordinates `v` [W].
@@ -235,11 +245,14 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
 }
 
 /// Sets `out` to the derivative over time alone of what the motion needs along every degree of freedom: the opposite of
-/// how the push of waves changes.
+/// how the push of waves and gusts changes.
 pub fn drift(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f64]) {
     out.fill(0.0);
-    for wave in waves(tree) {
-        take(tree, kinematics, wave.body, wave.drift(&under(tree, kinematics, wave.body, v)), out);
+    for force in &tree.forces {
+        let body = force.body();
+        if let Some(wrench) = force.drift(&under(tree, kinematics, body, v)) {
+            take(tree, kinematics, body, wrench, out);
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 //! F(t) = g(t) Re Σ X e^{−iωt}
 //! ```
 //!
-//! X holds force and moment of every component of the [`Sea`], its amplitude and phase included, for the body where it is
+//! X holds force and moment of every component of the sea, its amplitude and phase included, for the body where it is
 //! at the start; they act at a point P of it, along the world's axes. Small motions about that place are what a wave
 //! force of first order is for.
 
@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::sea::Sea;
 use super::square::{Square, skew};
+use super::trains::Trains;
 use super::{At, Force, Tangent};
 use crate::tree::bias::Wrench;
 
@@ -38,7 +38,7 @@ pub struct WaveForce {
     /// X of every component of the sea.
     pub phasors: Vec<Phasor>,
     /// The waves.
-    pub sea: Arc<Sea>,
+    pub sea: Arc<Trains>,
 }
 
 impl WaveForce {
@@ -46,11 +46,6 @@ impl WaveForce {
     fn about_origin(&self, at: &At, Wrench { force, moment }: Wrench) -> Wrench {
         let arm = at.pose.rotation * self.at;
         Wrench { force, moment: moment + arm.cross(force) }
-    }
-
-    /// Its derivative over time alone [N/s, N m/s].
-    pub fn drift(&self, at: &At) -> Wrench {
-        self.about_origin(at, self.at_point(at.time)[1])
     }
 
     /// F at P and its derivative over time.
@@ -89,6 +84,10 @@ impl Force for WaveForce {
         let (cross, arm) = (skew(force), skew(at.pose.rotation * self.at));
         let angular = skew(moment) + arm * cross;
         Tangent { place: Square { cross, angular, ..Square::ZERO }, ..Tangent::NONE }
+    }
+
+    fn drift(&self, at: &At) -> Option<Wrench> {
+        Some(self.about_origin(at, self.at_point(at.time)[1]))
     }
 
     fn work(&self, at: &At) -> f64 {

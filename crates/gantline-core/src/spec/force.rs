@@ -45,9 +45,12 @@ pub enum ForceSpec {
         /// Force over speed squared [N s²/m², N m s²]: along an axis over its share of the speed times the whole; each
         /// rotation by itself.
         quadratic: [f64; 6],
-        /// Velocity of the fluid [m/s], world axes.
+        /// Velocity of the fluid [m/s], world axes; of wind with gusts the mean.
         #[serde(default)]
         stream: [f64; 3],
+        /// Whether the gusts of the system come on top, along the stream.
+        #[serde(default)]
+        gusty: bool,
     },
     /// A liquid in a tank. Its mass is the body's, at the centre that the liquid has with the body upright, unless it
     /// is pumped.
@@ -84,10 +87,10 @@ pub enum ForceSpec {
     },
 }
 
-/// Waves: what they are made of.
+/// Waves or gusts: what they are made of.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct SeaSpec {
+pub struct TrainsSpec {
     /// Regular waves a cos(k·x − ωt + ε) whose sum they are.
     pub components: Vec<ComponentSpec>,
     /// Time in which they grow from nothing [s].
@@ -102,7 +105,7 @@ pub struct ComponentSpec {
     pub frequency: f64,
     /// k [rad/m], world x and y.
     pub wave_number: [f64; 2],
-    /// a [m].
+    /// a [m, of gusts m/s].
     pub amplitude: f64,
     /// ε [rad].
     pub phase: f64,

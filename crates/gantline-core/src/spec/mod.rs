@@ -50,7 +50,10 @@ pub struct SystemSpec {
     pub forces: Vec<ForceSpec>,
     /// Waves on the water, which forces of waves come from.
     #[serde(default)]
-    pub sea: Option<SeaSpec>,
+    pub sea: Option<TrainsSpec>,
+    /// Gusts of the wind, on top of its mean speed.
+    #[serde(default)]
+    pub gusts: Option<TrainsSpec>,
     /// Vessels, for what may happen to them.
     #[serde(default)]
     pub vessels: Vec<VesselSpec>,

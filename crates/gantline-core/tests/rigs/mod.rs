@@ -160,6 +160,7 @@ pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
         watches: Vec::new(),
         forces: Vec::new(),
         sea: None,
+        gusts: None,
         adjusters: Vec::new(),
         drives: Vec::new(),
         plan: Vec::new(),

@@ -212,7 +212,7 @@ impl Rodas {
             slid: vec![0.0; system.friction.len()],
             sum: vec![0.0; size],
             force: vec![0.0; size],
-            drift: if force::has_waves(&system.tree) { vec![0.0; size] } else { Vec::new() },
+            drift: if force::knows_time(&system.tree) { vec![0.0; size] } else { Vec::new() },
             rows: vec![0.0; system.rows.count()],
             x: vec![0.0; size],
         }

@@ -134,13 +134,14 @@ impl Adaptive {
         if low > 0.0 { low } else { high }
     }
 
-    /// The share at which the condition of the plan is first fulfilled, or `made`. Waves may fulfil it for a moment
-    /// within the step.
+    /// The share at which the condition of the plan is first fulfilled, or `made`. Waves and gusts may fulfil it
+    /// for a moment within the step.
     fn condition(&mut self, system: &System, state: &State, made: f64) -> f64 {
         if !state.plan.waits_for_condition() {
             return made;
         }
-        let looks = system.sea.looks(made * self.rodas.course.h).max(1);
+        let length = made * self.rodas.course.h;
+        let looks = system.sea.looks(length).max(system.gusts.looks(length)).max(1);
         let share = |look: usize| made * (look as f64 / looks as f64);
         let Some(first) = (1..=looks).find(|&look| self.fulfilled(system, state, share(look))) else {
             return made;

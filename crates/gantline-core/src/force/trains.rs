@@ -1,4 +1,5 @@
-//! Waves on the water: long-crested components, each a small regular wave (Airy 1845).
+//! What comes by as a sum of regular waves that travel: the surface of the water (Airy 1845), and gusts, which wind carries
+//! along as they are (Taylor 1938).
 //!
 //! ```text
 //! η(x, t) = g(t) Σ a cos(k·x − ω t + ε)
@@ -21,7 +22,7 @@ pub struct Component {
     pub frequency: f64,
     /// k [rad/m], world axes.
     pub wave_number: DVec2,
-    /// a [m].
+    /// a [m, of gusts m/s].
     pub amplitude: f64,
     /// ε [rad].
     pub phase: f64,
@@ -29,14 +30,25 @@ pub struct Component {
 
 /// Waves that come by.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Sea {
+pub struct Trains {
     /// What they are made of.
     pub components: Vec<Component>,
     /// Time in which they grow [s].
     pub rise_time: f64,
 }
 
-impl Sea {
+/// What comes by at a place and a time.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Passing {
+    /// η [m, of gusts m/s].
+    pub value: f64,
+    /// Its derivative over the place, world axes.
+    pub gradient: DVec2,
+    /// Its derivative over time.
+    pub rate: f64,
+}
+
+impl Trains {
     /// g and its derivative over time at `time` [s].
     pub fn growth(&self, time: f64) -> (f64, f64) {
         if time >= self.rise_time {
@@ -48,12 +60,18 @@ impl Sea {
         (share, slope / self.rise_time)
     }
 
-    /// η of the undisturbed water at a place [m] and `time` [s] [m].
-    pub fn elevation(&self, place: DVec2, time: f64) -> f64 {
-        let waves = self.components.iter().map(|wave| {
-            wave.amplitude * (wave.wave_number.dot(place) - wave.frequency * time + wave.phase).cos()
-        });
-        self.growth(time).0 * waves.sum::<f64>()
+    /// What comes by at a place [m] and `time` [s], of the water undisturbed by anything in it.
+    pub fn passing(&self, place: DVec2, time: f64) -> Passing {
+        let mut sum = Passing::default();
+        for wave in &self.components {
+            let (sin, cos) = (wave.wave_number.dot(place) - wave.frequency * time + wave.phase).sin_cos();
+            sum.value += wave.amplitude * cos;
+            sum.gradient -= wave.wave_number * (wave.amplitude * sin);
+            sum.rate += wave.frequency * wave.amplitude * sin;
+        }
+        let (growth, slope) = self.growth(time);
+        let rate = growth * sum.rate + slope * sum.value;
+        Passing { value: growth * sum.value, gradient: sum.gradient * growth, rate }
     }
 
     /// Looks that a time of `length` [s] needs so that no wave comes and goes between two; 0 where there are none.

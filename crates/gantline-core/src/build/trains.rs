@@ -1,28 +1,28 @@
-//! Waves, and what they do to bodies.
+//! Waves and gusts that come by, and what waves do to bodies.
 
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
 use super::{BuildError, error, finite, positive};
-use crate::force::sea::{Component, Sea};
+use crate::force::trains::{Component, Trains};
 use crate::force::wave::{Phasor, WaveForce};
-use crate::spec::SystemSpec;
+use crate::spec::TrainsSpec;
 use crate::tree::bias::Wrench;
 
-/// Waves of a document; none where it has none.
-pub(super) fn build_sea(spec: &SystemSpec) -> Result<Sea, BuildError> {
-    let Some(given) = &spec.sea else { return Ok(Sea::default()) };
-    positive("sea", "the time in which its waves grow", given.rise_time)?;
+/// The sea or the gusts of a document; nothing where it has none.
+pub(super) fn build_trains(name: &str, given: Option<&TrainsSpec>) -> Result<Arc<Trains>, BuildError> {
+    let Some(given) = given else { return Ok(Arc::default()) };
+    positive(name, "the time in which its waves grow", given.rise_time)?;
     let mut components = Vec::with_capacity(given.components.len());
     for wave in &given.components {
-        positive("sea", "the frequency of a wave", wave.frequency)?;
+        positive(name, "the frequency of a wave", wave.frequency)?;
         let [x, y] = wave.wave_number;
-        finite("sea", "a wave number, amplitude or phase", &[x, y, wave.amplitude, wave.phase])?;
+        finite(name, "a wave number, amplitude or phase", &[x, y, wave.amplitude, wave.phase])?;
         let (wave_number, frequency) = (DVec2::new(x, y), wave.frequency);
         components.push(Component { frequency, wave_number, amplitude: wave.amplitude, phase: wave.phase });
     }
-    Ok(Sea { components, rise_time: given.rise_time })
+    Ok(Arc::new(Trains { components, rise_time: given.rise_time }))
 }
 
 /// What waves do to a body: X of every component of the sea, about a point of the body [m].
@@ -31,7 +31,7 @@ pub(super) fn build_wave(
     body: usize,
     at: [f64; 3],
     phasors: &[[[f64; 2]; 6]],
-    sea: &Arc<Sea>,
+    sea: &Arc<Trains>,
 ) -> Result<WaveForce, BuildError> {
     finite(name, "its point", &at)?;
     finite(name, "a force of its", phasors.as_flattened().as_flattened())?;
