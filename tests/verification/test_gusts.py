@@ -50,20 +50,20 @@ def sprung(folder: Path, *, stops: dict[str, str] | None = SPRING, **given: Any)
 
 def spectrum(frequency: float) -> float:
     """S/σ² over n in hertz, as EN 1991-1-4 has it [s]."""
-    x = frequency * LENGTH / MEAN
-    return 6.8 * x / (1 + 10.2 * x) ** (5 / 3) / frequency
+    x: float = frequency * LENGTH / MEAN
+    return 6.8 * x / math.pow(1 + 10.2 * x, 5 / 3) / frequency
 
 
 def gust_of(wind: Wind) -> Callable[[float, float], float]:
     """η(x, t) by the equation of the page, from the amplitudes and phases of the document alone."""
     assert wind.gusts is not None
     parts = [(one["amplitude"], one["frequency"], one["phase"]) for one in wind.gusts.components]
-    a, omega, phase = (np.array(part) for part in zip(*parts, strict=True))
-    rise = wind.gusts.rise_time
+    a, omega, phase = np.array(parts).T
+    rise: float = wind.gusts.rise_time
 
     def gust(x: float, time: float) -> float:
         s = min(time / rise, 1.0)
-        growth = 10 * s**3 - 15 * s**4 + 6 * s**5
+        growth = s * s * s * (10 - 15 * s + 6 * s * s)
         return growth * float((a * np.cos(omega * (x / MEAN - time) + phase)).sum())
 
     return gust
@@ -95,9 +95,9 @@ def test_gusts_travel_with_the_mean(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("gusts", [{"speed": "17 m/s"}, {"turbulence": TURBULENCE}])
 def test_the_speed_of_gusts_is_that_of_ten_minutes(tmp_path: Path, gusts: dict[str, Any]) -> None:
-    """Highest means over 3 s of 300 records of ten minutes are on average the speed of gusts, to three standard
-    errors of that average, and to 2 % of what is above the mean, as peaks come in clusters, which Davenport's
-    formula does not know.
+    """Highest means over 3 s of 300 records of ten minutes are on average the speed of gusts, to three
+    standard errors of that average, and to 2 % of what is above the mean, as peaks come in clusters, which
+    Davenport's formula does not know.
     """
     found, wind = [], None
     for seed in range(300):
