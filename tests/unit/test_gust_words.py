@@ -13,6 +13,7 @@ from gantline.assembly import assemble
 from gantline.cli.summary import heading
 from gantline.plot.traces import attitude as picture
 from gantline.report.attitude import attitude
+from gantline.report.first_page import stop_if
 from gantline.report.plots import Attitude
 from gantline.report.subject import Subject
 from gantline.results import Recording
@@ -99,11 +100,12 @@ def test_what_results_say(swung: Recording) -> None:
     assert np.array_equal(found, wind.speed_at(swung.time, place))
     assert found[0] == pytest.approx(8.0, abs=1e-12)
     assert float(np.std(found[swung.time > 20.0])) > 0.3
-    said = "8.0 m/s towards 0 deg, gusts of 12.0 m/s, turbulence"
+    said = "8.0 m/s towards 0 deg, gusts of 12.0 m/s"
     assert any(line.startswith(f"Wind: {said}") for line in heading(swung.rig))
     rows = dict(attitude(Subject(swung)))
     assert rows["wind"].startswith(said) and rows["wind"].endswith("record 3")
     assert rows[f"wind at {load.name}"] == f"{found.min():.1f} m/s to {found.max():.1f} m/s"
+    assert "gusts are over 12.0 m/s, or from elsewhere" in stop_if(Subject(swung))
     (curve,) = [one for one in curves(swung) if one.group == "wind"]
     assert np.array_equal(curve.values, found)
     assert "Wind at the load, gusts included" in [plot["title"] for plot in Attitude().plots(Subject(swung))]

@@ -39,7 +39,7 @@ _USUAL_TILT = float(np.deg2rad(1.0))
 _ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out")
 
 #: What no check of the program looks at, whatever the lift.
-_BEYOND = "local strength of the load at its lugs, wind, and the ground under supports and crane"
+_BEYOND = "local strength of the load at its lugs, {wind}, and the ground under supports and crane"
 
 
 class FirstPage(Section):
@@ -116,7 +116,7 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         "nearest": [] if failed else foremost(compared)[:3],
         "missing": _listed(missing) if missing else "",
         "without": _listed(without) if without else "",
-        "beyond": _BEYOND,
+        "beyond": _BEYOND.format(wind="wind" if subject.rig.wind is None else "wind on cranes and ropes"),
     }
 
 
@@ -289,13 +289,20 @@ def _waves(subject: Subject) -> list[str]:
 
 
 def _wind(subject: Subject) -> list[str]:
-    """When wind stops the lift; a crane whose limit nobody has said has one in its own papers."""
+    """When wind stops the lift; a crane whose limit nobody has said has one in its own papers.
+
+    Of more wind than the lift was simulated in, and of other directions, nothing here tells.
+    """
     rig = subject.rig
     known = {crane.name: crane.wind_limit for crane in rig.cranes if crane.wind_limit is not None}
     found = [f"wind is over {show(limit, 'm/s', 0)}, the limit of {name}" for name, limit in known.items()]
     if not known or any(hook.crane not in known for hook in rig.hooks):
         rest = "of the crane" if not known else "of any other crane"
         found.append(f"wind is over the limit {rest}, which the lift file does not say")
+    if rig.wind is not None:
+        gusts = rig.wind.gust_speed
+        what, most = ("wind is", rig.wind.speed) if gusts is None else ("gusts are", gusts)
+        found.append(f"{what} over {show(most, 'm/s', 1)}, or from elsewhere")
     return found
 
 

@@ -45,13 +45,10 @@ class Wind(FromJson):
     @property
     def in_words(self) -> str:
         """Speed, direction, gusts and record."""
-        steady = (
-            f"{format_quantity(self.speed, 'm/s', 1)} towards {format_quantity(self.direction, 'deg', 0)}"
-        )
-        if self.gust_speed is None or self.turbulence is None:
-            return steady
-        strength = f"gusts of {format_quantity(self.gust_speed, 'm/s', 1)}"
-        return f"{steady}, {strength}, turbulence {100 * self.turbulence:.0f} %, record {self.seed}"
+        towards = format_quantity(self.direction, "deg", 0)
+        gusty = "" if self.gust_speed is None else f", gusts of {format_quantity(self.gust_speed, 'm/s', 1)}"
+        record = "" if self.seed is None else f", record {self.seed}"
+        return f"{format_quantity(self.speed, 'm/s', 1)} towards {towards}{gusty}{record}"
 
     def speed_at(self, time: FloatArray, place: FloatArray) -> FloatArray:
         """Its speed [m/s].
