@@ -16,6 +16,7 @@ from gantline.cad.ship_block import ShipBlockSizes, ship_block
 from gantline.cli.cad_picture import model_picture
 from gantline.plot import comparison_figures, figures
 from gantline.plot.style import RC
+from gantline.scenario import load_scenario
 
 ROOT = Path(__file__).resolve().parents[1]
 #: Name of the picture in the documentation by the name of the plot.
@@ -31,6 +32,14 @@ PICTURES_OF_LIFTS = {
     "floating_crane_and_crawlers": {"stages": "several_cranes_stages"},
     "spreader_bar": {"system": "spreader_bar"},
     "crane_barge_in_swell": {"vessels": "waves"},
+}
+#: What puts a lift in gusts: its load has the areas of its box.
+IN_GUSTS = {
+    "wind": {"speed": "9 m/s", "direction": "20 deg", "gusts": {"speed": "13 m/s", "seed": 3}},
+    "load.wind_areas": {
+        "end": {"area": "14 m^2", "coefficient": 1.2, "along": "x", "at": ["0 m", "0 m", "1.75 m"]},
+        "side": {"area": "38 m^2", "coefficient": 1.2, "along": "y", "at": ["0 m", "0 m", "1.75 m"]},
+    },
 }
 DOTS_PER_INCH = 150
 
@@ -52,6 +61,8 @@ def main() -> None:
     keep(drawn, PICTURES, folder)
     for name, pictures in PICTURES_OF_LIFTS.items():
         keep(figures(gantline.simulate(ROOT / "scenarios" / name)), pictures, folder)
+    blown = load_scenario(ROOT / "scenarios" / "spreader_bar").changed(IN_GUSTS)
+    keep(figures(gantline.simulate(blown)), {"attitude": "gusts"}, folder)
 
 
 def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:
