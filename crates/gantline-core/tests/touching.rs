@@ -8,7 +8,7 @@ use gantline_core::build::build;
 use gantline_core::constraint::{AnyConstraint, Line, Moving, Placed};
 use gantline_core::contact::plane::Plane;
 use gantline_core::contact::shape::{Meeting, Part, Shape};
-use gantline_core::contact::spot::Spot;
+use gantline_core::contact::spot::{Crossing, Spot};
 use gantline_core::spec::{PairSpec, PartSpec, ShapeSpec, SystemSpec};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
@@ -56,11 +56,34 @@ fn touching(seeds: &[f64]) -> (System, State, Frame) {
         let normal = DVec3::from_array(draw.direction()).normalize();
         let plane = Plane::new(DVec3::from_array(draw.vector()), normal);
         let point = DVec3::from_array(draw.vector());
-        *spot = Spot { is_near: true, is_swapped: draw.number() > 0.0, point, plane, feature: 1 };
+        *spot =
+            Spot { is_near: true, is_swapped: draw.number() > 0.0, point, plane, crossing: None, feature: 1 };
     }
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
+    for (_, constraint) in touches(&system).step_by(2) {
+        let AnyConstraint::Touch(touch) = constraint else { continue };
+        let poses = touch.bodies.map(|body| frame.kinematics.pose_of(body));
+        cross(&mut state.spots[touch.spot], poses, &mut draw);
+    }
+    frame.update(&system, &state);
     (system, state, frame)
+}
+
+/// Makes a spot one where edges that are drawn cross: its points are those that are nearest to each other.
+fn cross(spot: &mut Spot, poses: [&Pose; 2], draw: &mut Draw) {
+    let [with_point, with_plane] = if spot.is_swapped { [poses[1], poses[0]] } else { poses };
+    let [own, mut other] = [(); 2].map(|()| DVec3::from_array(draw.direction()).normalize());
+    let own_before = with_plane.rotation.transpose() * (with_point.rotation * own);
+    if own_before.cross(other).length() < 0.3 {
+        other = own_before.any_orthonormal_vector();
+    }
+    let normal = own_before.cross(other).normalize() * draw.number().signum();
+    let local = with_plane.rotation.transpose() * (with_point.point(spot.point) - with_plane.position);
+    let gap_before = draw.number();
+    let point = local - normal * gap_before;
+    spot.plane = Plane { point, normal, tangents: [other, normal.cross(other)] };
+    spot.crossing = Some(Crossing { own, own_before, other, gap_before });
 }
 
 fn touches(system: &System) -> impl Iterator<Item = (usize, &AnyConstraint)> {

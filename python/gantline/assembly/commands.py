@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from gantline.assembly.operations import drives_of
+from gantline.assembly.operations import drives_of, stop_of
 from gantline.assembly.parts import Json
 from gantline.scenario import Scenario
 from gantline.scenario.check_travel import said
@@ -127,6 +127,7 @@ def command_of(one: Commanded, speed: object, acceleration: object, drive: Drive
         "acceleration": limit * rate,
         "braking": mover.acceleration * rate,
         "range": ends,
+        "emergency": stop_of(mover, mover.speed, rate),
     }
     return {
         "name": name,

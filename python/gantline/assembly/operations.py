@@ -24,6 +24,7 @@ __all__ = [
     "moved_drives",
     "operations",
     "slew_drive",
+    "stop_of",
     "turned_drive",
 ]
 
@@ -99,7 +100,7 @@ def emergency_stop(scenario: Scenario) -> Json | None:
         for one in _moved(scenario, step) if isinstance(step, MovingStep) else ():
             rate = _rate(one, {one.name: (one.start or 0.0, True)}, None)
             for drive in drives_of(one):
-                stopped[drive] = {"drive": drive, "stop": _stop(one, one.speed, rate)}
+                stopped[drive] = {"drive": drive, "stop": stop_of(one, one.speed, rate)}
     return {"at": at, "drives": list(stopped.values())}
 
 
@@ -121,7 +122,7 @@ def _moved(scenario: Scenario, step: MovingStep) -> list[Mover]:
     return [one for one in found if one is not None]
 
 
-def _stop(one: Mover, speed: float, rate: float = 1.0) -> Json:
+def stop_of(one: Mover, speed: float, rate: float = 1.0) -> Json:
     """How a drive at a speed is stopped in an emergency; `rate` is from words of the plan to the drive."""
     acceleration = speed / _AT_ONCE if one.capacity or one.emergency is None else one.emergency
     return {"acceleration": acceleration * rate, "brake": one.brake}
@@ -172,7 +173,7 @@ def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[flo
                 "velocity": step.sign * step.speed * rate,
                 "acceleration": acceleration * rate,
                 "shape": "linear",
-                **({} if step.emergency_stop_at is None else {"emergency": _stop(one, step.speed, rate)}),
+                **({} if step.emergency_stop_at is None else {"emergency": stop_of(one, step.speed, rate)}),
             }
         )
     made: Json = {"name": step.step, "moves": moves, "start_at": step.start_at, "until": {}}

@@ -7,7 +7,7 @@ mod conditions;
 mod forces;
 mod light;
 mod moorings;
-mod plan;
+pub(crate) mod plan;
 mod ropes;
 mod rows;
 mod start;

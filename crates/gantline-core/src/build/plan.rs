@@ -85,7 +85,11 @@ fn find_drive(element: &str, wanted: &str, drives: &[DriveJoint]) -> Result<usiz
     }
 }
 
-fn build_emergency(
+/// How a drive is stopped in an emergency.
+///
+/// # Errors
+/// Where its numbers are not positive, or a brake has no motor in whose place it could hold.
+pub fn build_emergency(
     element: &str,
     given: &EmergencySpec,
     drive: &DriveJoint,

@@ -12,12 +12,17 @@
 //! ∂_k C_j^Q = change of the column of a point of Q at x + a_j × (C_k^P − C_k^Q), since x moves with P
 //! ```
 //!
-//! C_j is the column of degree of freedom j at x, a_j its angular part.
+//! C_j is the column of degree of freedom j at x, a_j its angular part. Where edges cross, x also moves along the edge of P
+//! and d turns with both edges ([`crate::contact::spot`]): with u_k the way of x along P and d_k the turn of d,
+//!
+//! ```text
+//! ∂G_j/∂q_k = d·(∂_k C_j^P + a_j^P × u_k − ∂_k C_j^Q − a_j^Q × (C_k^P − C_k^Q + u_k)) + d_k·(C_j^P − C_j^Q)
+//! ```
 
 use glam::DVec3;
 
 use super::{Constraint, Law, Line, Moving, Placed};
-use crate::contact::spot::Spot;
+use crate::contact::spot::{Located, Spot};
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::{Kinematics, Twist};
@@ -53,10 +58,8 @@ pub struct Touch {
 
 /// The rows of a spot where its bodies are.
 struct Pointed {
-    /// x [m].
-    point: DVec3,
-    /// x − o [m].
-    offset: DVec3,
+    /// The spot.
+    at: Located,
     /// d of the three rows.
     directions: [DVec3; 3],
     /// 1 where the first body has the point, −1 where it has the plane.
@@ -96,42 +99,37 @@ impl Touch {
         }
     }
 
-    /// Normal of the plane and its tangents in the world, times −1 the first: d of the rows.
+    /// The spot where the bodies are.
     fn pointed(&self, kinematics: &Kinematics, spot: &Spot) -> Pointed {
-        let [first, second] = self.bodies;
-        let (with_point, with_plane, sign) =
-            if spot.is_swapped { (second, first, -1.0) } else { (first, second, 1.0) };
-        let point = kinematics.point(with_point, spot.point);
-        let origin = kinematics.point(with_plane, spot.plane.point);
-        let [one, other] = spot.plane.tangents;
-        let directions = [-spot.plane.normal, one, other].map(|local| kinematics.turn(with_plane, local));
-        Pointed { point, offset: point - origin, directions, sign }
+        let at = spot.between(self.bodies.map(|body| kinematics.pose_of(body)));
+        let sign = if spot.is_swapped { -1.0 } else { 1.0 };
+        Pointed { at, directions: at.directions(), sign }
     }
 
     /// World direction of the normal, from the body with the plane to that with the point.
     pub fn normal(&self, kinematics: &Kinematics, spot: &Spot) -> DVec3 {
-        -self.pointed(kinematics, spot).directions[0]
+        self.pointed(kinematics, spot).at.normal
     }
 
     /// How the first body is displaced along the plane against the second where a spot's tangential rows have these
     /// values [m], world axes.
     pub fn displaced(&self, kinematics: &Kinematics, spot: &Spot, values: [f64; 2]) -> DVec3 {
-        let Pointed { directions: [_, one, other], sign, .. } = self.pointed(kinematics, spot);
+        let Pointed { at: Located { tangents: [one, other], .. }, sign, .. } = self.pointed(kinematics, spot);
         (one * values[0] + other * values[1]) * sign
     }
 
     /// What the tangential rows of a spot have to remember so that the first body is displaced by that [m].
     pub fn remembered(&self, kinematics: &Kinematics, spot: &Spot, displaced: DVec3) -> [f64; 2] {
-        let Pointed { offset, directions: [_, one, other], sign, .. } = self.pointed(kinematics, spot);
-        [one, other].map(|tangent| tangent.dot(offset - displaced * sign))
+        let Pointed { at, sign, .. } = self.pointed(kinematics, spot);
+        at.tangents.map(|tangent| tangent.dot(at.offset - displaced * sign))
     }
 
     /// The point at which it presses [m] and the force on the first body with these forces of its rows [N].
     pub fn force(&self, kinematics: &Kinematics, spot: &Spot, tension: [f64; 3]) -> (DVec3, DVec3) {
-        let Pointed { point, directions, sign, .. } = self.pointed(kinematics, spot);
+        let Pointed { at, directions, sign } = self.pointed(kinematics, spot);
         let sum: DVec3 =
             directions.into_iter().zip(tension).map(|(direction, force)| direction * force).sum();
-        (point, -sum * sign)
+        (at.point, -sum * sign)
     }
 
     /// C_j^0 − C_j^1 at a world point of the entry of a degree of freedom.
@@ -171,7 +169,8 @@ impl Constraint for Touch {
             lines.fill(Line::default());
             return;
         }
-        let Pointed { point, offset, directions, sign } = self.pointed(at.kinematics, spot);
+        let Pointed { at: Located { point, offset, .. }, directions, sign } =
+            self.pointed(at.kinematics, spot);
         let arms =
             self.bodies.map(|body| body.map_or(point, |body| point - at.kinematics.pose[body].position));
         for (row, direction) in directions.into_iter().enumerate() {
@@ -210,7 +209,7 @@ impl Constraint for Touch {
             gradient.fill(0.0);
             return;
         }
-        let Pointed { point, offset, directions, sign } = self.pointed(kinematics, spot);
+        let Pointed { at: Located { point, offset, .. }, directions, sign } = self.pointed(kinematics, spot);
         let count = self.dofs.len();
         for (row, direction) in directions.into_iter().enumerate() {
             let remembered = if row == 0 { 0.0 } else { value[row] };
@@ -235,17 +234,31 @@ impl Constraint for Touch {
             block.fill(0.0);
             return;
         }
-        let Pointed { point, directions, sign, .. } = self.pointed(kinematics, spot);
-        let direction = directions[group];
-        let with_plane = usize::from(!spot.is_swapped);
+        let Pointed { at: located, directions, sign } = self.pointed(kinematics, spot);
+        let (point, direction) = (located.point, directions[group]);
+        let (with_point, with_plane) = if spot.is_swapped { (1, 0) } else { (0, 1) };
         for (column, &dof) in columns.iter_mut().zip(&self.dofs) {
             *column = kinematics.point_column(tree, dof, point);
         }
         let size = self.dofs.len();
-        for j in 0..size {
-            let apart_j = self.column(tree, kinematics, j, point) * sign;
-            for k in 0..size {
-                let apart_k = self.column(tree, kinematics, k, point) * sign;
+        let turn = |entry: usize, body: usize| {
+            if self.moves[entry][body] { kinematics.columns[self.dofs[entry]].angular } else { DVec3::ZERO }
+        };
+        for k in 0..size {
+            let apart_k = self.column(tree, kinematics, k, point) * sign;
+            // How x moves along the body with the point, and how d turns.
+            let (moves, turned) = located.crossed.map_or_else(
+                || (DVec3::ZERO, turn(k, with_plane).cross(direction)),
+                |crossed| {
+                    crossed.change(
+                        &located,
+                        apart_k,
+                        [with_point, with_plane].map(|body| turn(k, body)),
+                        group,
+                    )
+                },
+            );
+            for j in 0..size {
                 let change = |body: usize| {
                     let [by_j, by_k] = [j, k].map(|entry| self.moves[entry][body]);
                     if !by_j || !by_k {
@@ -255,14 +268,9 @@ impl Constraint for Touch {
                     kinematics.column_change(tree, row, dof, point)
                 };
                 let mut change = (change(0) - change(1)) * sign;
-                if self.moves[j][with_plane] {
-                    change -= kinematics.columns[self.dofs[j]].angular.cross(apart_k);
-                }
-                let mut curvature = direction.dot(change);
-                if self.moves[k][with_plane] {
-                    curvature += kinematics.columns[self.dofs[k]].angular.cross(direction).dot(apart_j);
-                }
-                block[j * size + k] = curvature;
+                change += turn(j, with_point).cross(moves) - turn(j, with_plane).cross(apart_k + moves);
+                let apart_j = self.column(tree, kinematics, j, point) * sign;
+                block[j * size + k] = direction.dot(change) + turned.dot(apart_j);
             }
         }
     }

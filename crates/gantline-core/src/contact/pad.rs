@@ -49,7 +49,7 @@ impl Pad {
         if is_off || self.top.depth(place) > DEEPEST * self.half[0].max(self.half[1]) {
             return Spot::none();
         }
-        Spot { is_near: true, is_swapped: false, point, plane: self.top, feature: 1 }
+        Spot { is_near: true, is_swapped: false, point, plane: self.top, crossing: None, feature: 1 }
     }
 }
 

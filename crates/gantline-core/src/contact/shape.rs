@@ -13,7 +13,7 @@ use parry3d_f64::query::{
 use parry3d_f64::shape::{PackedFeatureId, PolygonalFeature, SharedShape};
 
 use super::plane::Plane;
-use super::spot::Spot;
+use super::spot::{Crossing, Spot};
 use crate::tree::pose::Pose;
 
 /// Points of two parts that are closer than this are one [m].
@@ -21,6 +21,8 @@ const SAME: f64 = 1e-3;
 /// Cosine of the angle between a face and the direction in which shapes part, at most, for them to part along the face:
 /// 1.8°.
 const ALIGNED: f64 = 0.9995;
+/// Sine of the angle between edges that cross, at least: 6°. Where edges are more parallel their crossing runs away.
+const CROSSES: f64 = 0.1;
 
 /// A part of a shape, in the frame of its body.
 #[derive(Debug, Clone, PartialEq)]
@@ -190,7 +192,10 @@ impl Shape {
                     let near = manifold.points.iter().filter(|point| point.dist <= reach);
                     let one = Located { local, body: &own, part };
                     let located = [one, Located { local: other_local, body: &its, part: other_part }];
-                    found.extend(near.map(|point| meeting(manifold, point, located, parts)));
+                    found.extend(near.map(|point| {
+                        let spot = spot_of(manifold, point, located, parts).anew(poses);
+                        Meeting { spot, gap: spot.gap(poses) }
+                    }));
                 }
             }
         }
@@ -261,36 +266,57 @@ impl Located<'_> {
         inner.map_or(*self.local, |pose| *self.local * pose)
     }
 
-    /// Normal of the face that looks most along `direction`, in the frame of the part, where it does so closely.
-    fn face(&self, direction: Vector) -> Option<Vector> {
+    /// What of the part looks most along `direction`, in the frame of the part; nothing of a mesh.
+    fn feature(&self, direction: Vector) -> Option<PolygonalFeature> {
         let (map, _) = self.part.as_polygonal_feature_map()?;
         let mut feature = PolygonalFeature::default();
         map.local_support_feature(direction, &mut feature);
-        if feature.num_vertices < 3 {
-            return None;
-        }
-        let [first, second, third, _] = feature.vertices;
-        let across = (second - first).cross(third - first).try_normalize()?;
-        let normal = if across.dot(direction) < 0.0 { -across } else { across };
-        (normal.dot(direction) > ALIGNED).then_some(normal)
+        Some(feature)
     }
 }
 
-/// A point of a manifold as a spot. The plane is a face of the second body where that looks the right way, else one of
-/// the first; where neither does, edges meet, and the plane is that between them, on the second. Of meshes corners tell.
-fn meeting(
+/// Normal of a face, in the frame of its part, where it looks closely along `direction`.
+fn normal_of(feature: &PolygonalFeature, direction: Vector) -> Option<Vector> {
+    if feature.num_vertices < 3 {
+        return None;
+    }
+    let [first, second, third, _] = feature.vertices;
+    let across = (second - first).cross(third - first).try_normalize()?;
+    let normal = if across.dot(direction) < 0.0 { -across } else { across };
+    (normal.dot(direction) > ALIGNED).then_some(normal)
+}
+
+/// Direction of an edge of a face, in the frame of its part.
+fn edge_of(feature: &PolygonalFeature, edge: PackedFeatureId) -> Option<Vector> {
+    let number = feature.eids[..feature.num_vertices].iter().position(|own| *own == edge)?;
+    let [from, to] = [number, (number + 1) % feature.num_vertices].map(|corner| feature.vertices[corner]);
+    (to - from).try_normalize()
+}
+
+/// A point of a manifold as a spot. A corner over a face is a point against the plane of that face, so that it stays one
+/// however the two slide; edges that cross have a plane of their own. What is neither has the plane of a face of the second body where that looks the right way, else of one of the
+/// first; of meshes corners tell.
+fn spot_of(
     manifold: &ContactManifold<(), ()>,
     point: &TrackedContact<()>,
     [one, other]: [Located; 2],
     parts: u64,
-) -> Meeting {
+) -> Spot {
     let inner = manifold.subshape_poses.as_ref();
     let own = one.frame(inner.and_then(|poses| poses.pos1));
     let its = other.frame(inner.and_then(|poses| poses.pos2));
     let [first, second] = [own.transform_point(point.local_p1), its.transform_point(point.local_p2)];
-    let faces = [one.face(manifold.local_n1), other.face(manifold.local_n2)];
-    let corner = faces == [None, None] && point.fid2.is_vertex() && !point.fid1.is_vertex();
-    let is_swapped = corner || (faces[1].is_none() && faces[0].is_some());
+    let directions = [manifold.local_n1, manifold.local_n2];
+    let seen = [one.feature(directions[0]), other.feature(directions[1])];
+    let face = |side: usize| seen[side].as_ref().and_then(|seen| normal_of(seen, directions[side]));
+    let faces = [face(0), face(1)];
+    let is_corner = [point.fid1.is_vertex(), point.fid2.is_vertex()];
+    let is_face = |side: usize| faces[side].is_some() || faces == [None, None];
+    let is_swapped = match is_corner {
+        [true, false] if is_face(1) => false,
+        [false, true] if is_face(0) => true,
+        _ => faces[1].is_none() && faces[0].is_some(),
+    };
     let (place, origin, normal, frames) = if is_swapped {
         let normal = own.transform_vector(faces[0].unwrap_or(manifold.local_n1));
         (second, first, normal, [other.body, one.body])
@@ -298,13 +324,16 @@ fn meeting(
         let normal = its.transform_vector(faces[1].unwrap_or(manifold.local_n2));
         (first, second, normal, [one.body, other.body])
     };
-    let [with_point, with_plane] = frames;
-    let apart = with_point.transform_point(place) - with_plane.transform_point(origin);
-    let gap = with_plane.transform_vector(normal).dot(apart);
     let plane = Plane::new(taken(origin), taken(normal).normalize());
     let subshapes = (u64::from(manifold.subshape1) << 16) ^ u64::from(manifold.subshape2);
     let feature = mixed(parts, mixed(subshapes, features(point.fid1, point.fid2)));
-    Meeting { spot: Spot { is_near: true, is_swapped, point: taken(place), plane, feature }, gap }
+    let spot = Spot { is_near: true, is_swapped, point: taken(place), plane, crossing: None, feature };
+    let edge = |side: usize, edge| seen[side].as_ref().and_then(|seen| edge_of(seen, edge));
+    if let [Some(first), Some(second)] = [edge(0, point.fid1), edge(1, point.fid2)] {
+        let edges = [own.transform_vector(first), its.transform_vector(second)];
+        return crossing(spot, edges, frames);
+    }
+    spot
 }
 
 fn features(first: PackedFeatureId, second: PackedFeatureId) -> u64 {
@@ -317,19 +346,25 @@ fn mixed(first: u64, second: u64) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
+/// The same spot between two edges, of the first and the second body in their frames; as it is where they are nearly
+/// parallel. Where exactly they cross [`Spot::anew`] says.
+fn crossing(spot: Spot, edges: [Vector; 2], [with_point, with_plane]: [&ParryPose; 2]) -> Spot {
+    let [own, other] = if spot.is_swapped { [edges[1], edges[0]] } else { edges };
+    let own_before = with_plane.inverse_transform_vector(with_point.transform_vector(own));
+    if own_before.cross(other).length() < CROSSES {
+        return spot;
+    }
+    let [own, own_before, other] = [own, own_before, other].map(taken);
+    Spot { crossing: Some(Crossing { own, own_before, other, gap_before: 0.0 }), ..spot }
+}
+
 /// Keeps the first of those that are at one place and press the same way: parts of one shape share corners.
 fn drop_repeated(found: &mut Vec<Meeting>, poses: [&Pose; 2]) {
-    let world = |meeting: &Meeting| {
-        let spot = &meeting.spot;
-        let [with_point, with_plane] = if spot.is_swapped { [poses[1], poses[0]] } else { poses };
-        let sign = if spot.is_swapped { -1.0 } else { 1.0 };
-        (with_point.point(spot.point), with_plane.rotation * spot.plane.normal * sign)
-    };
     let mut kept = 0;
     for index in 0..found.len() {
-        let (place, normal) = world(&found[index]);
+        let (place, normal) = found[index].spot.in_world(poses);
         let is_new = found[..kept].iter().all(|other| {
-            let (there, other_normal) = world(other);
+            let (there, other_normal) = other.spot.in_world(poses);
             let apart = there - place;
             (apart - normal * normal.dot(apart)).length() > SAME || normal.dot(other_normal) < 0.99
         });

@@ -3,6 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::operation::Emergency;
 use crate::spec::RampShape;
 
 /// A change of velocity and the steady motion after it, until the next ramp.
@@ -33,6 +34,8 @@ pub struct Order {
     pub braking: f64,
     /// Least and largest position, infinite where there is no limit [m or rad].
     pub range: [f64; 2],
+    /// How it stops in an emergency.
+    pub emergency: Emergency,
 }
 
 /// A change of velocity that is asked for takes no less than this [s]: a controller that hardly changes anything
@@ -99,10 +102,9 @@ pub struct Timeline {
     /// What of that the last step knew [N].
     #[serde(default)]
     noticed: Option<f64>,
-    /// Acceleration with which it stops in an emergency [m/s² or rad/s²], once a program moves it and no longer the
-    /// plan.
+    /// How it stops in an emergency, once a program moves it and no longer the plan.
     #[serde(default)]
-    commanded: Option<f64>,
+    commanded: Option<Emergency>,
 }
 
 impl Timeline {
@@ -116,6 +118,14 @@ impl Timeline {
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
         Self { start, ramps: Vec::with_capacity(ramps), braked: None, noticed: None, commanded: None }
+    }
+
+    /// Stops in an emergency from `at` [s] on.
+    pub fn stop(&mut self, at: f64, how: &Emergency) {
+        self.change(at, 0.0, how.acceleration, RampShape::Linear);
+        if let Some(brake) = how.brake {
+            self.brake(at, brake);
+        }
     }
 
     /// Throws in a brake of the given capacity [N] at the time `at` [s]; it holds until the drive moves again.
@@ -192,8 +202,8 @@ impl Timeline {
         self.ramp(at + ramp + cruise, ramp, 0.0, shape)
     }
 
-    /// With which acceleration it stops in an emergency [m/s² or rad/s²], where a program moves it and not the plan.
-    pub fn commanded(&self) -> Option<f64> {
+    /// How it stops in an emergency, where a program moves it and not the plan.
+    pub fn commanded(&self) -> Option<Emergency> {
         self.commanded
     }
 
@@ -203,11 +213,11 @@ impl Timeline {
     /// The fastest that it may become, from a velocity u with acceleration a, so that braking with b ends within a
     /// room r is v with `(v² − u²)/2a + v²/2b = r`.
     pub fn command(&mut self, at: f64, order: &Order) {
-        self.commanded = Some(order.braking);
+        self.commanded = Some(order.emergency);
         // A program may ask for thousands of changes: what is over is not carried along.
         let over = self.ramps.partition_point(|ramp| ramp.at < at).saturating_sub(1);
         self.ramps.drain(..over);
-        let Order { velocity, acceleration: a, braking: b, range } = *order;
+        let Order { velocity, acceleration: a, braking: b, range, .. } = *order;
         let Motion { position, velocity: now, .. } = self.motion(at);
         let side = if velocity == 0.0 { now.signum() } else { velocity.signum() };
         let rooms = [position - range[0], range[1] - position];
@@ -249,6 +259,8 @@ impl Timeline {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const EMERGENCY: Emergency = Emergency { acceleration: 0.3, brake: Some(7.0) };
 
     #[test]
     fn position_velocity_acceleration_are_consistent() {
@@ -307,7 +319,8 @@ mod tests {
     #[test]
     fn what_is_asked_for_replaces_what_was_said() {
         let free = [f64::NEG_INFINITY, f64::INFINITY];
-        let order = |velocity| Order { velocity, acceleration: 0.1, braking: 0.2, range: free };
+        let order =
+            |velocity| Order { velocity, acceleration: 0.1, braking: 0.2, range: free, emergency: EMERGENCY };
         let mut timeline = Timeline::new(1.0, 8);
         timeline.travel(0.0, 10.0, 0.5, 0.1, RampShape::Linear);
         timeline.brake(40.0, 5.0);
@@ -316,7 +329,7 @@ mod tests {
         let motion = timeline.motion(8.0);
         assert!((motion.position - 1.7).abs() < 1e-12 && (motion.velocity + 0.2).abs() < 1e-12);
         assert_eq!(timeline.next_break(8.0), f64::INFINITY);
-        assert_eq!((timeline.braked(50.0), timeline.commanded()), (None, Some(0.2)));
+        assert_eq!((timeline.braked(50.0), timeline.commanded()), (None, Some(EMERGENCY)));
         for k in 0..1000 {
             timeline.command(10.0 + 0.01 * f64::from(k), &order(0.01 * f64::from(k % 7)));
         }
@@ -328,7 +341,13 @@ mod tests {
     #[test]
     fn what_is_asked_for_ends_at_rest_at_the_end_of_the_range() {
         let range = [-2.0, 5.0];
-        let order = |velocity, acceleration| Order { velocity, acceleration, braking: 0.2, range };
+        let order = |velocity, acceleration| Order {
+            velocity,
+            acceleration,
+            braking: 0.2,
+            range,
+            emergency: EMERGENCY,
+        };
         // How it moves beforehand, for how long [s], and what is then asked for, with an acceleration.
         for (before, lasts, velocity, acceleration) in [
             (0.0, 1.0, 0.5, 0.1),
@@ -359,7 +378,8 @@ mod tests {
 
     #[test]
     fn at_the_end_of_the_range_it_stays_whatever_is_asked_for() {
-        let order = Order { velocity: 0.5, acceleration: 0.1, braking: 0.1, range: [0.0, 1.0] };
+        let order =
+            Order { velocity: 0.5, acceleration: 0.1, braking: 0.1, range: [0.0, 1.0], emergency: EMERGENCY };
         let mut timeline = Timeline::new(0.0, 8);
         for k in 0..400 {
             timeline.command(0.05 * f64::from(k), &order);

@@ -28,7 +28,7 @@ pub struct Move {
 }
 
 /// How a drive is stopped in an emergency.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Emergency {
     /// With which it is asked to stop [m/s² or rad/s²].
     pub acceleration: f64,
@@ -254,16 +254,12 @@ impl PlanState {
     fn stop(&mut self, plan: &Plan, at: f64, log: &mut EventLog) {
         log.push(at, EventKind::EmergencyStop, self.begun.saturating_sub(1));
         for timeline in &mut self.timelines {
-            if let Some(acceleration) = timeline.commanded() {
-                timeline.change(at, 0.0, acceleration, RampShape::Linear);
+            if let Some(how) = timeline.commanded() {
+                timeline.stop(at, &how);
             }
         }
         for (drive, how) in plan.stop.iter().flat_map(|stop| &stop.drives) {
-            let timeline = &mut self.timelines[*drive];
-            timeline.change(at, 0.0, how.acceleration, RampShape::Linear);
-            if let Some(brake) = how.brake {
-                timeline.brake(at, brake);
-            }
+            self.timelines[*drive].stop(at, how);
         }
         self.stopped = true;
     }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Method, SetupError, Simulation};
+use crate::build::plan::build_emergency;
 use crate::plan::Order;
 use crate::spec::CommandSpec;
 
@@ -46,8 +47,9 @@ impl Simulation {
             }
             let [least, most] = order.range;
             let range = [least.unwrap_or(f64::NEG_INFINITY), most.unwrap_or(f64::INFINITY)];
+            let emergency = build_emergency(&name, &order.emergency, &self.system.drives[drive])?;
             let (velocity, acceleration, braking) = (order.velocity, order.acceleration, order.braking);
-            orders.push((drive, Order { velocity, acceleration, braking, range }));
+            orders.push((drive, Order { velocity, acceleration, braking, range, emergency }));
         }
         let time = self.state.time;
         for (drive, order) in orders {

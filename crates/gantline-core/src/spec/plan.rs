@@ -280,4 +280,6 @@ pub struct OrderSpec {
     pub braking: f64,
     /// Least and largest position [m or rad]; none without limit.
     pub range: [Option<f64>; 2],
+    /// How it stops in an emergency.
+    pub emergency: EmergencySpec,
 }

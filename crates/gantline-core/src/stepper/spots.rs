@@ -22,7 +22,9 @@ use crate::tree::pose::Pose;
 pub const REACH: f64 = 0.2;
 /// Spots that have moved less, apart [m] and in the direction of their normals [rad], stay where they are.
 const STAYS: (f64, f64) = (1e-4, 1e-3);
-/// And whose depth changes by less than this [m].
+/// Edges that cross and have turned less since they were found stay [rad].
+const TURNED: f64 = 1e-4;
+/// Spots whose depth changes by less than this stay where they are [m].
 const SAME_DEPTH: f64 = 1e-7;
 /// A point of a body on a support stays the same within this [m].
 const STAYS_ON_PAD: f64 = 1e-3;
@@ -42,10 +44,6 @@ pub struct Followed {
     pub carrying: bool,
 }
 
-fn pose(kinematics: &Kinematics, body: Option<usize>) -> Pose {
-    body.map_or(Pose::IDENTITY, |body| kinematics.pose[body])
-}
-
 /// Finds all spots anew at the poses, but those on tops of supports whose row is `held`; `changed` hears of every one that
 /// is not where it was, with the index of its touch and what it was and is.
 pub fn find(
@@ -60,7 +58,7 @@ pub fn find(
         match finder {
             Finder::Pad(index, pad) => {
                 let AnyConstraint::Touch(touch) = &system.constraints[*index] else { continue };
-                let found = pad.spot(&pose(kinematics, touch.bodies[0]));
+                let found = pad.spot(kinematics.pose_of(touch.bodies[0]));
                 let spot = &mut spots[touch.spot];
                 let near = (spot.point - found.point).length() < STAYS_ON_PAD;
                 let stays = spot.is_near && (held(system.rows.first[*index]) || found.is_near && near);
@@ -71,15 +69,15 @@ pub fn find(
             }
             Finder::Pair { shapes, first, count } => {
                 let [one, other] = shapes.map(|shape| &system.shapes[shape]);
-                let poses = [one.body, other.body].map(|body| pose(kinematics, body));
-                one.shape.meet(&other.shape, [&poses[0], &poses[1]], REACH, &mut meetings);
+                let poses = [one.body, other.body].map(|body| kinematics.pose_of(body));
+                one.shape.meet(&other.shape, poses, REACH, &mut meetings);
                 let AnyConstraint::Touch(touch) = &system.constraints[*first] else { continue };
                 let own = &mut spots[touch.spot..touch.spot + count];
                 let holds = |is_first: bool, foot| {
-                    let (shape, pose) = if is_first { (one, &poses[0]) } else { (other, &poses[1]) };
+                    let (shape, pose) = if is_first { (one, poses[0]) } else { (other, poses[1]) };
                     shape.shape.holds(pose, foot)
                 };
-                assign([&poses[0], &poses[1]], own, &meetings, holds, |place, found| {
+                assign(poses, own, &meetings, holds, |place, found| {
                     if let AnyConstraint::Touch(touch) = &system.constraints[first + place] {
                         changed(touch, &found.0, &found.1);
                     }
@@ -87,20 +85,6 @@ pub fn find(
             }
         }
     }
-}
-
-/// Point and normal of a spot in the world, the normal towards the first body.
-fn in_world(spot: &Spot, poses: [&Pose; 2]) -> (DVec3, DVec3) {
-    let [with_point, with_plane] = if spot.is_swapped { [poses[1], poses[0]] } else { poses };
-    let sign = if spot.is_swapped { -1.0 } else { 1.0 };
-    (with_point.point(spot.point), with_plane.rotation * spot.plane.normal * sign)
-}
-
-/// How far a spot's point is above its plane [m].
-fn gap(spot: &Spot, poses: [&Pose; 2]) -> f64 {
-    let [with_point, with_plane] = if spot.is_swapped { [poses[1], poses[0]] } else { poses };
-    let local = with_plane.rotation.transpose() * (with_point.point(spot.point) - with_plane.position);
-    -spot.plane.depth(local)
 }
 
 /// Gives each meeting of two shapes a spot: its own, that of its place, or a free one, the nearest first; meetings
@@ -126,9 +110,9 @@ fn assign(
         if owner[slot].is_some() {
             continue;
         }
-        let (place, normal) = in_world(spot, poses);
+        let (place, normal) = spot.in_world(poses);
         let distance = |index: usize| {
-            let (there, other) = in_world(&meetings[index].spot, poses);
+            let (there, other) = meetings[index].spot.in_world(poses);
             let is_alike = !taken[index] && normal.dot(other) > 0.5;
             if is_alike { (there - place).length() } else { f64::INFINITY }
         };
@@ -140,9 +124,9 @@ fn assign(
     let mut kept = vec![false; spots.len()];
     for (slot, spot) in spots.iter().enumerate().filter(|(slot, spot)| spot.is_near && owner[*slot].is_none())
     {
-        let (place, normal) = in_world(spot, poses);
-        let is_alike = |meeting: &Meeting| normal.dot(in_world(&meeting.spot, poses).1) > ALIKE;
-        let apart = gap(spot, poses);
+        let (place, normal) = spot.in_world(poses);
+        let is_alike = |meeting: &Meeting| normal.dot(meeting.spot.in_world(poses).1) > ALIKE;
+        let apart = spot.gap(poses);
         let foot = if spot.is_swapped { place + normal * apart } else { place - normal * apart };
         kept[slot] = meetings.iter().any(is_alike) && apart < REACH && holds(spot.is_swapped, foot);
     }
@@ -153,10 +137,8 @@ fn assign(
         owner[slot] = Some(index);
     }
     for (slot, spot) in spots.iter_mut().enumerate() {
-        if kept[slot] {
-            continue;
-        }
-        let found = owner[slot].map_or_else(Spot::none, |index| meetings[index].spot);
+        let gone = if kept[slot] { spot.anew(poses) } else { Spot::none() };
+        let found = owner[slot].map_or(gone, |index| meetings[index].spot);
         if (!spot.is_near && !found.is_near) || stays(spot, &found, poses) {
             spot.feature = found.feature;
             continue;
@@ -168,12 +150,13 @@ fn assign(
 
 /// True where a spot that is found anew is where it was.
 fn stays(old: &Spot, new: &Spot, poses: [&Pose; 2]) -> bool {
-    if !old.is_near || !new.is_near || (gap(old, poses) - gap(new, poses)).abs() > SAME_DEPTH {
+    if !old.is_near || !new.is_near || (old.gap(poses) - new.gap(poses)).abs() > SAME_DEPTH {
         return false;
     }
-    let [(place, normal), (there, other)] = [old, new].map(|spot| in_world(spot, poses));
+    let [(place, normal), (there, other)] = [old, new].map(|spot| spot.in_world(poses));
     let apart = (there - place) - normal * normal.dot(there - place);
-    apart.length() < STAYS.0 && (normal - other).length() < STAYS.1
+    // A crossing goes along with its edges: where it was found tells how far it has come.
+    !old.has_run(new, STAYS.0, TURNED) && apart.length() < STAYS.0 && (normal - other).length() < STAYS.1
 }
 
 /// Lets the spots follow to the end of a step, where rows have the values `value`, at the state's time.
@@ -271,8 +254,8 @@ pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: 
         if near > most {
             continue;
         }
-        let poses = [one.body, other.body].map(|body| pose(kinematics, body));
-        let apart = one.shape.distance(&other.shape, [&poses[0], &poses[1]]);
+        let poses = [one.body, other.body].map(|body| kinematics.pose_of(body));
+        let apart = one.shape.distance(&other.shape, poses);
         most = most.min((apart - 0.5 * REACH).max(0.5 * REACH) / speed);
     }
     most

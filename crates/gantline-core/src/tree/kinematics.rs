@@ -99,6 +99,11 @@ impl Kinematics {
         body.map_or(local, |body| self.pose[body].point(local))
     }
 
+    /// Frame of a body, or of the world.
+    pub fn pose_of(&self, body: Option<usize>) -> &Pose {
+        body.map_or(&Pose::IDENTITY, |body| &self.pose[body])
+    }
+
     /// World direction of a vector given in a body's axes, or in the world's.
     pub fn turn(&self, body: Option<usize>, local: DVec3) -> DVec3 {
         body.map_or(local, |body| self.pose[body].rotation * local)
