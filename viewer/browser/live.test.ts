@@ -52,6 +52,7 @@ describe("a lift that runs", () => {
     });
     expect(last.tension).toBeCloseTo(ropes["sling.S1"]!.at(-1)!, -1);
     const recorded = paths["sling.S1"]![frames.length - 1]!.flat();
+    expect(last.path.length).toBe(recorded.length);
     for (const [place, part] of last.path.entries())
       expect(Math.abs(part - recorded[place]!)).toBeLessThan(1e-6);
     expect(await page.locator(".gl-slider").getAttribute("max")).toBe(String(found.end));

@@ -243,6 +243,7 @@ describe("the player", () => {
       return [...lift.nearest];
     });
     const recorded = points[time.findIndex((one) => Math.abs(one - 2) < 1e-9)]!.flat(2);
+    expect(nearest.length).toBe(recorded.length);
     for (const [place, part] of nearest.entries())
       expect(Math.abs(part - recorded[place]!)).toBeLessThan(1e-6);
     const label = page.locator(".gl-label-pair");
