@@ -31,7 +31,9 @@ export function expected(): Expected {
 export function start(): Promise<Browser> {
   // Without a sandbox since tests may run as root in a container; the pages are our own.
   const args = ["--no-sandbox", "--enable-unsafe-swiftshader"];
-  return chromium.launch({ executablePath: process.env.GANTLINE_CHROMIUM!, args });
+  // Where the locale is plain C it would not find a folder whose name is more than ASCII, that of downloads for one.
+  const env = { ...process.env, LC_ALL: "C.UTF-8" };
+  return chromium.launch({ executablePath: process.env.GANTLINE_CHROMIUM!, args, env });
 }
 
 export interface Opened {
