@@ -40,7 +40,7 @@ lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	npm --prefix viewer run check --silent
 
 bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
-	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check \
+	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check --no-user \
 		--require-hashes --only-binary :all: -r requirements/bench.txt \
 		|| echo "the other codes could not be installed: the race goes without those that are missing"
 	python -m benchmarks.race

@@ -7,8 +7,10 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# Without .venv, which make has on the path: its Python may be broken, and is made anew.
+PATH=${PATH//"$(pwd -P)/.venv/bin:"/}
 python=$(tools/prerequisites.sh)
-# The Python itself, not that of an environment which may be active, or of .venv, which may be made anew.
+# The Python itself, not that of an environment which may be active.
 python=$("$python" -c 'import sys; print(sys._base_executable)')
 
 # Two set-ups at a time would undo each other.
@@ -30,6 +32,8 @@ place() {
     "$python" -c 'import sys; print(sys.version, sys.base_prefix)'
 }
 
+tools_digest() { { place; cat requirements/uv.txt; } | digest; }
+
 packages_digest() { { place; cat requirements/uv.txt requirements/dev.txt; } | digest; }
 
 # All inputs of the compiled core.
@@ -38,7 +42,7 @@ core_digest() {
         place
         rustc --version --verbose
         printf '%s\n' "${RUSTFLAGS:-}"
-        find crates Cargo.toml Cargo.lock pyproject.toml -type f -print0 | sort -z | xargs -0 sha256sum
+        find crates Cargo.toml Cargo.lock pyproject.toml -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum
     } | digest
 }
 
@@ -63,7 +67,7 @@ install_uv() {
     say "uv, pinned, into .venv-tools"
     rm -rf .venv-tools
     "$python" -m venv .venv-tools
-    .venv-tools/bin/python -m pip install --quiet --disable-pip-version-check \
+    .venv-tools/bin/python -m pip install --quiet --disable-pip-version-check --no-user \
         --require-hashes --only-binary :all: -r requirements/uv.txt
 }
 
@@ -89,14 +93,16 @@ node_digest() { { pwd; node --version; cat viewer/package.json viewer/package-lo
 player_digest() {
     {
         node_digest
-        find viewer -path viewer/node_modules -prune -o -type f -print0 | sort -z | xargs -0 sha256sum
+        find viewer -path viewer/node_modules -prune -o -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum
         cat python/gantline/viewer/static/* 2>/dev/null | digest
     } | digest
 }
 
 install_node_packages() {
     say "locked npm packages into viewer/node_modules"
-    npm ci --prefix viewer --no-audit --no-fund --loglevel error
+    rm -f viewer/node_modules/.stamp-packages viewer/node_modules/.stamp-player
+    # What builds the player is for development, and left out where NODE_ENV says production.
+    npm ci --prefix viewer --include=dev --no-audit --no-fund --loglevel error
 }
 
 build_player() {
@@ -106,8 +112,8 @@ build_player() {
 
 packages=$(packages_digest)
 if ! fresh "$venv/.stamp-packages" "$packages"; then
-    fresh .venv-tools/.stamp "$(digest <requirements/uv.txt)" && [ -x "$uv" ] || install_uv
-    digest <requirements/uv.txt >.venv-tools/.stamp
+    fresh .venv-tools/.stamp "$(tools_digest)" && [ -x "$uv" ] || install_uv
+    tools_digest >.venv-tools/.stamp
     install_packages
     echo "$packages" >"$venv/.stamp-packages"
 fi
@@ -115,7 +121,8 @@ fi
 # Taken before the build, so that a source edited meanwhile is not taken for built.
 core=$(core_digest)
 if ! fresh "$venv/.stamp-core" "$core $(library_digest)"; then
-    build_core
+    # Without the lock: a cache of compilers may leave a server behind, which would hold it for good.
+    build_core 9>&-
     echo "$core $(library_digest)" >"$venv/.stamp-core"
 fi
 

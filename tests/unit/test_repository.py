@@ -88,7 +88,9 @@ def test_every_path_that_the_architecture_names_exists() -> None:
 
 @pytest.mark.parametrize("document", [*DOCUMENTS, "docs/**/*.md", "scenarios/*/README.md", "benchmarks/*.md"])
 def test_every_path_that_other_documents_name_exists(document: str) -> None:
-    for path in ROOT.glob(document):
+    found = list(ROOT.glob(document))
+    assert found
+    for path in found:
         assert missing_paths(named_paths(path.read_text(encoding="utf-8"), all_slashes=False)) == [], path
 
 

@@ -43,9 +43,9 @@ def locked_rig() -> dict[str, Any]:
 
 def test_an_ideal_equalizer_has_no_skew() -> None:
     """Every moving sheave bears 600 kN upright, so slings that slant carry more."""
-    for skew in skew_loads(at_rest(600e3 / COSINE)):
-        assert skew.factor == pytest.approx(1.0, abs=1e-12)
-        assert not skew.lengths_decide
+    found = skew_loads(at_rest(600e3 / COSINE))
+    assert [skew.factor for skew in found] == pytest.approx([1.0] * len(LUGS), abs=1e-12)
+    assert not any(skew.lengths_decide for skew in found)
 
 
 def test_losses_of_sheaves_are_skew() -> None:

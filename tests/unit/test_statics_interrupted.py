@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import threading
+import time
 from pathlib import Path
 
 import pytest
@@ -14,15 +16,25 @@ from gantline.statics import Statics
 LIFT = Path(__file__).resolve().parents[2] / "scenarios" / "floating_crane"
 
 
+def interrupt_a_search() -> None:
+    """Ctrl-C for the main thread once it searches: its innermost frame is the one that called the core."""
+    main = threading.main_thread().ident
+    assert main is not None
+    while sys._current_frames()[main].f_code is not Statics.equilibrium.__code__:
+        time.sleep(0.001)
+    time.sleep(0.02)  # from the call into the core
+    os.kill(os.getpid(), signal.SIGINT)
+
+
 def test_ctrl_c_ends_a_search_between_two_equilibria() -> None:
     """The search is not heard of before its end otherwise; what it belongs to can be asked again."""
     question = Statics(LIFT)
     # Where tests run in the background Python leaves Ctrl-C alone.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    interrupt = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
-    interrupt.start()
+    interrupt = threading.Thread(target=interrupt_a_search, daemon=True)
     try:
         with pytest.raises(KeyboardInterrupt):
+            interrupt.start()
             question.equilibrium()  # the end of the lift: a thousand equilibria and more
         interrupt.join()
     finally:

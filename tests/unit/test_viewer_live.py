@@ -8,6 +8,7 @@ import json
 import re
 import subprocess
 import threading
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -62,12 +63,13 @@ class Run:
         return up_to(self.recording, self.count)
 
     def is_looked_at(self) -> None:
-        """A first page comes, and gets what there is."""
+        """A first page comes, gets what there is, and has asked for more."""
         page = threading.Thread(target=self.view.first, daemon=True)
         page.start()
         while self.asked == 0:
             self.view.offer()
         assert ends(page)
+        assert self.view.since(0)
 
 
 def ends(thread: threading.Thread) -> bool:
@@ -128,6 +130,43 @@ def test_a_run_that_looks_costly_is_looked_at_less_often() -> None:
         run.now += 0.01
     # Offers are 10 ms apart, and a sum of them rounds.
     assert asked_at == pytest.approx([0.0, 1.2, 2.4], abs=0.011)
+
+
+def test_a_page_gets_the_first_samples_of_a_lift_that_is_long_in_beginning() -> None:
+    """Statics before the first step may take longer than the 3 s in which a page asks again."""
+    run, asked, found = Run(), threading.Event(), list[Recording]()
+
+    def clock() -> float:
+        now = run.now
+        asked.set()
+        return now
+
+    def look() -> None:
+        with suppress(ValueError):  # "the lift has not begun yet"
+            found.append(run.view.first())
+
+    run.view = LiveView(run.so_far, 40.0, clock)
+    page = threading.Thread(target=look, daemon=True)
+    page.start()
+    assert asked.wait(60.0)
+    run.now = 15.0
+    while run.asked == 0 and page.is_alive():
+        run.view.offer()
+    assert ends(page) and [len(one.time) for one in found] == [2]
+
+
+def test_the_end_waits_for_a_page_that_is_long_in_loading() -> None:
+    """A slow browser lays out the page of a quick lift for longer than the 3 s in which it asks again."""
+    run = Run()
+    run.view.finish(run.recording, "done")
+    run.view.first()
+    waiting = threading.Thread(target=run.view.wait_for_readers, args=(1e6,), daemon=True)
+    run.now = 8.0
+    waiting.start()
+    waiting.join(0.3)
+    assert waiting.is_alive()
+    assert told(run.view.since(401))[0]["live"]["status"] == "done"
+    assert ends(waiting)
 
 
 def test_nobody_comes_and_nothing_waits_longer_than_it_was_told() -> None:

@@ -31,7 +31,9 @@ export function expected(): Expected {
 export function start(): Promise<Browser> {
   // Without a sandbox since tests may run as root in a container; the pages are our own.
   const args = ["--no-sandbox", "--enable-unsafe-swiftshader"];
-  return chromium.launch({ executablePath: process.env.GANTLINE_CHROMIUM!, args });
+  // Where the locale is plain C it would not find a folder whose name is more than ASCII, that of downloads for one.
+  const env = { ...process.env, LC_ALL: "C.UTF-8" };
+  return chromium.launch({ executablePath: process.env.GANTLINE_CHROMIUM!, args, env });
 }
 
 export interface Opened {
@@ -72,7 +74,19 @@ export async function open(browser: Browser, file: string, wishes: Wishes = {}):
   });
   await page.goto(address + (wishes.hash ?? ""));
   await page.waitForSelector("html[data-ready]", { timeout: 40_000 });
+  // A page is ready before it has been laid out: its drawing gets its size, and the lift its time, in a frame.
+  await drawn(page);
   return { page, troubles };
+}
+
+/** For after each test: pages that stay open go on drawing, and make the tests that follow slower and slower. */
+export async function closePages(browser: Browser): Promise<void> {
+  for (const context of browser.contexts()) await context.close();
+}
+
+/** Two frames, so that what was to be drawn in the next one has been. */
+async function drawn(page: Page): Promise<void> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
 /** For `expect.poll`, on a machine that has much else to do. */
@@ -81,10 +95,7 @@ export const PATIENTLY = { timeout: 40_000 };
 /** What there is to see on a page once two looks, some frames apart, see the same. */
 export async function settled<Seen>(page: Page, look: () => Seen): Promise<Seen> {
   for (let before = ""; ; ) {
-    // Two frames, so that what was to be drawn in the next one has been.
-    await page.evaluate(
-      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
-    );
+    await drawn(page);
     await page.waitForTimeout(200);
     const seen = await page.evaluate(look);
     const now = JSON.stringify(seen);

@@ -16,6 +16,7 @@ from gantline.viewer.pack import pack
 
 _PATIENCE = 2.0  # s that an answer waits for something new
 _LONGEST_START = 20.0  # s that a page waits for the first samples
+_LOADING = 10.0  # s that a page may take to be made, sent and laid out before it asks for more
 _WATCHED = 3.0  # s after a question in which the next one is expected
 _SHARE = 0.2  # of the time of a run that showing it may take
 
@@ -41,7 +42,7 @@ class LiveView:
         self._latest: Recording | None = None
         self._status = "running"
         self._changed = threading.Condition()
-        self._asked_at: float | None = None
+        self._watched_until: float | None = None
         self._end_seen = False
         self._offered_at = 0.0
         self._cost = 0.0
@@ -71,10 +72,11 @@ class LiveView:
             ValueError: If nothing has been recorded in a while.
         """
         with self._changed:
-            self._asked_at = self._clock()
+            self._expect(_LONGEST_START)
             self._changed.wait_for(self._has_begun, _LONGEST_START)
             if self._latest is None:
                 raise ValueError("the lift has not begun yet; load this page again")
+            self._expect(_LOADING)
             return self._latest
 
     def since(self, samples: int) -> str:
@@ -84,10 +86,10 @@ class LiveView:
             samples: How many samples it has.
         """
         with self._changed:
-            self._asked_at = self._clock()
+            self._expect(_WATCHED)
             self._changed.wait_for(lambda: self._has_more(samples), _PATIENCE)
             latest, status = self._latest, self._status
-            self._asked_at = self._clock()
+            self._expect(_WATCHED)
         if latest is None or (status == "running" and len(latest.time) <= samples):
             return ""
         packed = pack(latest, since=min(samples, len(latest.time)))
@@ -106,7 +108,7 @@ class LiveView:
             start: How long a first page may take to come [s].
         """
         with self._changed:
-            self._changed.wait_for(lambda: self._asked_at is not None, start)
+            self._changed.wait_for(lambda: self._watched_until is not None, start)
             while not self._end_seen and self._is_watched(self._clock()):
                 self._changed.wait(_WATCHED)
 
@@ -115,8 +117,11 @@ class LiveView:
             self._latest, self._status = recording, status
             self._changed.notify_all()
 
+    def _expect(self, within: float) -> None:
+        self._watched_until = self._clock() + within
+
     def _is_watched(self, now: float) -> bool:
-        return self._asked_at is not None and now - self._asked_at < _WATCHED
+        return self._watched_until is not None and now < self._watched_until
 
     def _has_begun(self) -> bool:
         return self._latest is not None and (self._status != "running" or len(self._latest.time) > 1)
