@@ -1,9 +1,11 @@
 """What is asked of a lift that is not at rest was answered by a panic, by garbage, or by NaN.
 
 `Statics(lift).sensitivities()` as the first question ended in a panic of the core, `index out of bounds`,
-where `modes()` finds the end of the lift by itself. After an equilibrium that does not exist the same
-question gave derivatives about nowhere: a body in free fall answered to its mass by -9.81e6 m/kg. And an
-increment of NaN gave an equilibrium of NaN, about which the next question failed with a bare pair of texts.
+where `modes()` finds the end of the lift by itself. The guard was in Python alone, and the core went on to
+panic where it is asked without; now it answers with an error. After an equilibrium that does not exist the
+same question gave derivatives about nowhere: a body in free fall answered to its mass by -9.81e6 m/kg. And
+an increment of NaN gave an equilibrium of NaN, about which the next question failed with a bare pair of
+texts.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from __future__ import annotations
 import pytest
 
 import gantline
+from gantline import _core
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from lift_text import weight_on_a_rope
@@ -45,6 +48,17 @@ def test_what_is_asked_is_about_the_last_one() -> None:
             question.equilibrium()
         with pytest.raises(gantline.NoEquilibriumError, match="at t = 1 s: nothing holds it"):
             question.modes()
+
+
+def test_the_core_answers_about_no_equilibrium_with_an_error() -> None:
+    """Before the first question, and after one that had no answer."""
+    for text in (LIFT, FALLS):
+        core = _core.Statics(Statics(parse_scenario(text)).assembly.document_text())
+        if text == FALLS:
+            with pytest.raises(RuntimeError, match="it falls without end"):
+                core.settle()
+        with pytest.raises(RuntimeError, match="none has been found about which it could be asked"):
+            core.sensitivities([("mass", "weight")])
 
 
 @pytest.mark.parametrize("part", [float("nan"), float("inf")])

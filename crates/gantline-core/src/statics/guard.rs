@@ -2,9 +2,8 @@
 //!
 //! A moving sheave that is hauled up to the fixed ones cannot pass them, but the length of the rope knows nothing of
 //! that: beyond, the part would only point the other way. What shortens such a part too much in a step is braked by
-//! itself, by a number on its diagonal, so that the rest of the rig moves on.
+//! itself, by a number on its diagonal, so that the rest of the rig moves on. Here it is found how far it may go.
 
-use super::matrix::Matrix;
 use super::potential::Potential;
 use crate::constraint::AnyConstraint;
 use crate::rope::guide::Attachment;
@@ -13,6 +12,9 @@ use crate::tree::kinematics::Kinematics;
 
 /// Share of its length that a part keeps in a step.
 const KEPT: f64 = 0.3;
+/// The same where what shortens it is braked, and what is left at least of the way of that.
+const BRAKED: f64 = 0.5;
+const LEFT: f64 = 0.1;
 /// A part of this length is none any more [m].
 const NOTHING: f64 = 1e-3;
 
@@ -52,23 +54,25 @@ impl Guard {
         Self { parts }
     }
 
-    /// True where all parts keep enough of their length; else what shortens them is braked.
-    pub fn holds(
+    /// Writes into `brakes` the degrees of freedom that shorten parts too much on a step, each with the share of its way
+    /// that leaves enough.
+    pub fn look(
         &self,
         system: &System,
         (here, there): (&Potential, &Kinematics),
         step: &[f64],
-        (matrix, lambda): (&mut Matrix, f64),
-    ) -> bool {
-        let mut all = true;
+        brakes: &mut Vec<(usize, f64)>,
+    ) {
+        brakes.clear();
         let kinematics = &here.frame.kinematics;
         for Straight { rope, number, dofs } in &self.parts {
             let AnyConstraint::Rope(rope) = &system.constraints[*rope] else { continue };
             let part = &rope.route.parts[*number];
             let ([from, to], then) = (part.ends(kinematics), part.ends(there));
             let now = to - from;
+            let kept = now.dot(then[1] - then[0]);
             // Times its length; where that is nothing, nothing can be kept.
-            if now.dot(then[1] - then[0]) >= KEPT * now.length_squared() {
+            if kept >= KEPT * now.length_squared() {
                 continue;
             }
             let most = dofs.iter().map(|&(dof, sign)| {
@@ -79,11 +83,13 @@ impl Guard {
             // NaN, where there is nothing to locate, is left to the energy.
             let Some((dof, shortens)) = most.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
             if shortens < 0.0 {
-                all = false;
-                matrix.brake(dof, lambda);
+                let share = (1.0 - (BRAKED * now.length_squared() - kept) / -shortens).max(LEFT);
+                match brakes.iter_mut().find(|(other, _)| *other == dof) {
+                    Some((_, least)) => *least = least.min(share),
+                    None => brakes.push((dof, share)),
+                }
             }
         }
-        all
     }
 
     /// A rope of which a part has come to nothing [m].

@@ -23,9 +23,6 @@ use crate::system::System;
 use crate::tree::mass::MassMatrix;
 use crate::tree::tangent::DynamicsTangent;
 
-/// By how much a brake is strengthened where it was not enough.
-const STRONGER: f64 = 8.0;
-
 /// The matrix, its pattern and its factors.
 #[derive(Debug, Clone)]
 pub struct Matrix {
@@ -39,14 +36,12 @@ pub struct Matrix {
     /// K by slot.
     stiffness: Vec<f64>,
     gradient: Vec<f64>,
-    /// What the ropes that stretch put on the diagonal of every degree of freedom.
-    stretch: Vec<f64>,
     curvature: Vec<f64>,
     columns: Vec<DVec3>,
     right: Vec<f64>,
     solution: Vec<f64>,
     still: Vec<f64>,
-    /// What is added to the diagonal of every degree of freedom, see [`super::guard`].
+    /// What is added to the diagonal of every degree of freedom, see [`super::search`].
     pub extra: Vec<f64>,
     /// Factorisations made.
     pub factorisations: u64,
@@ -66,7 +61,6 @@ impl Matrix {
             mass: by_slot.clone(),
             stiffness: by_slot,
             gradient: vec![0.0; system.rows.dofs.len()],
-            stretch: vec![0.0; system.tree.velocities],
             curvature: vec![0.0; largest * largest],
             columns: vec![DVec3::ZERO; largest],
             right: vec![0.0; size],
@@ -87,13 +81,6 @@ impl Matrix {
         self.mass.fill(0.0);
         self.stiffness.fill(0.0);
         self.gradient.copy_from_slice(&here.frame.gradient);
-        self.stretch.fill(0.0);
-        for row in 0..system.rope_rows() {
-            let compliance = system.rows.laws[row].compliance();
-            for (dof, entry) in system.rows.entries(&self.gradient, row).filter(|_| compliance > 0.0) {
-                self.stretch[dof] += entry * entry / compliance;
-            }
-        }
         let turned = &self.dynamics.position;
         for bounds in mass.row_start.windows(2) {
             let (row, diagonal) = (bounds[0]..bounds[1], bounds[1] - 1 - bounds[0]);
@@ -207,21 +194,6 @@ impl Matrix {
             step[dof] = self.solution[index];
         }
         tension.copy_from_slice(&self.solution[free..]);
-    }
-
-    /// Puts on the diagonal of a degree of freedom what about halves its step, and more each time.
-    pub fn brake(&mut self, dof: usize, lambda: f64) {
-        self.extra[dof] = (STRONGER * self.extra[dof]).max(self.diagonal(dof, lambda));
-    }
-
-    /// Size of λM + ∂²V/∂q² on the diagonal of a free degree of freedom, with all ropes that stretch acting.
-    fn diagonal(&self, dof: usize, lambda: f64) -> f64 {
-        let unknown = self.layout.unknown[dof];
-        if unknown == NONE {
-            return 0.0;
-        }
-        let slot = self.slots.diagonal[unknown];
-        lambda * self.mass[slot] + self.stiffness[slot].abs() + self.stretch[dof]
     }
 
     /// ∂²V/∂q² of all free degrees of freedom as a dense matrix, with the rows that act condensed, and M likewise.

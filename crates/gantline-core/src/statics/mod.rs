@@ -82,6 +82,8 @@ pub struct Statics {
     asked: Vec<f64>,
     /// Where they are, which is not the same of motors that were too weak.
     places: Vec<f64>,
+    /// Whether what was looked for last is there.
+    is_found: bool,
     /// How much unstretched rope is in doubt that drums have wound since the equilibrium before [m].
     pub doubt: f64,
 }
@@ -95,6 +97,7 @@ impl Statics {
             pace: friction::Pace::default(),
             asked: Vec::new(),
             places: Vec::new(),
+            is_found: false,
             doubt: 0.0,
         }
     }
@@ -140,6 +143,7 @@ impl Statics {
 
     /// Moves `state` to the equilibrium downhill of it, with drives where it has them.
     fn balance(&mut self, system: &System, state: &mut State, losses: Losses) -> Result<(), NoEquilibrium> {
+        self.is_found = false;
         let before = std::mem::replace(&mut self.bearings, bearings(system, state, losses));
         self.slip_as(&before, losses.sheaves);
         self.hold_motors(system);
@@ -175,6 +179,7 @@ impl Statics {
         }
         self.drag_motors(system, state);
         self.store(system, state);
+        self.is_found = true;
         Ok(())
     }
 

@@ -67,14 +67,18 @@ impl Statics {
     /// Derivatives of the equilibrium in which `state` is since the last [`Statics::settle`], for every parameter.
     ///
     /// # Errors
-    /// [`NoEquilibrium`] where the tangent is singular, or a rope asked about is fed by a drum or a sheave with
-    /// losses: its length is then no number of the plan.
+    /// [`NoEquilibrium`] where none has been found, the tangent is singular, or a rope asked about is fed by a drum or a
+    /// sheave with losses: its length is then no number of the plan.
     pub fn sensitivities(
         &mut self,
         system: &System,
         state: &State,
         parameters: &[Parameter],
     ) -> Result<Vec<Sensitivity>, NoEquilibrium> {
+        if !self.is_found {
+            let cause = "none has been found about which it could be asked".to_owned();
+            return Err(NoEquilibrium { element: "the lift".to_owned(), cause });
+        }
         let Self { search, bearings, .. } = self;
         search.linearise(system, state);
         search.matrix.extra.fill(0.0);

@@ -107,6 +107,8 @@ pub struct Search {
     answer: (Vec<f64>, Vec<f64>),
     /// Degrees of freedom that would turn too far, and what holds them.
     held: Vec<(usize, f64)>,
+    /// Degrees of freedom that would shorten parts of ropes too much, and how much of their way is left.
+    brakes: Vec<(usize, f64)>,
     wraps: Vec<Winding>,
     coils: Vec<Coil>,
 }
@@ -132,6 +134,7 @@ impl Search {
             right: vec![0.0; rows],
             answer: (vec![0.0; size], vec![0.0; rows]),
             held: Vec::new(),
+            brakes: Vec::new(),
             wraps: vec![Winding::default(); system.sheaves.len()],
             coils: Vec::new(),
         }
@@ -205,7 +208,7 @@ impl Search {
         self.right.fill(0.0);
         let Self { matrix, force, right, step, tension, .. } = self;
         matrix.solve_roughly(force, right, step, tension);
-        self.is_near = self.is_passable(system, 0.0);
+        self.is_near = self.is_passable(system);
         self.there.evaluate(system, bearings, &Remembered::of(state));
         let is_better = self.there.residual(system) < 0.5 * self.here.residual(system);
         self.is_near &= is_better && self.there.energy.is_finite();
@@ -340,7 +343,7 @@ impl Search {
     }
 
     /// Poses at `there` = `here` ⊕ step; true where no part of a rope runs through its end on the way.
-    fn is_passable(&mut self, system: &System, lambda: f64) -> bool {
+    fn is_passable(&mut self, system: &System) -> bool {
         self.there.q.copy_from_slice(&self.here.q);
         system.tree.advance(&mut self.there.q, &self.step);
         // A drum that gives way lets go what lies on it, there and back alike.
@@ -350,7 +353,8 @@ impl Search {
         }
         self.there.place(system);
         let places = (&self.here, &self.there.frame.kinematics);
-        self.guard.holds(system, places, &self.step, (&mut self.matrix, lambda))
+        self.guard.look(system, places, &self.step, &mut self.brakes);
+        self.brakes.is_empty()
     }
 
     /// Adds to the step what the rows lack that follow it, since they are not as straight as the model has them, and
@@ -373,14 +377,14 @@ impl Search {
         for (step, first) in self.step.iter_mut().zip(&first) {
             *step += first;
         }
-        let passable = self.is_passable(system, 0.0);
+        let passable = self.is_passable(system);
         self.there.evaluate(system, bearings, &Remembered::of(state));
         let corrected = self.gained();
         if passable && corrected > gained {
             return corrected;
         }
         self.step = first;
-        self.is_passable(system, 0.0);
+        self.is_passable(system);
         self.there.evaluate(system, bearings, &Remembered::of(state));
         gained
     }

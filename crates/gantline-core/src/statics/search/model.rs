@@ -44,11 +44,26 @@ impl Search {
             if !held {
                 falls = true;
                 *lambda = (SLOWER * *lambda).max(1e-3 * FIRST);
-            } else if self.is_passable(system, *lambda) {
+            } else if self.is_passable(system) {
                 return Some(self.promised(system, bearings, *lambda));
+            } else {
+                self.brake();
             }
         }
         None
+    }
+
+    /// What shortens parts of ropes too much is braked by a number on its diagonal. The others go on as they like, which
+    /// may be all that moves it: how far it gives way to a force tells what leaves the wanted share of its way.
+    fn brake(&mut self) {
+        let Self { matrix, force, right, answer, brakes, .. } = self;
+        right.fill(0.0);
+        for &(dof, share) in brakes.iter() {
+            force.fill(0.0);
+            force[dof] = 1.0;
+            matrix.solve_roughly(force, right, &mut answer.0, &mut answer.1);
+            matrix.extra[dof] += (1.0 / share - 1.0) / answer.0[dof];
+        }
     }
 
     /// What would turn too far turns as far as it may, by a number on its diagonal, and all else follows: one solution
@@ -148,6 +163,16 @@ impl Search {
                 level + share * bend + pulls.sum::<f64>()
             };
             let share = lowest(slope);
+            if share == 0.0 {
+                // The model is smooth: that is its least place, to rounding, and rows that give way at next to nothing
+                // are beyond their bounds on one side or the other.
+                self.step.copy_from_slice(&at);
+                for (row, bearing) in bearings.iter().enumerate() {
+                    (self.tension[row], _, self.acts[row]) = bearing.at(reached[row]);
+                    self.known[row] = self.tension[row];
+                }
+                return true;
+            }
             let forward =
                 |from: &mut [f64], way: &[f64]| from.iter_mut().zip(way).for_each(|(x, d)| *x += share * d);
             forward(&mut at, &way);
