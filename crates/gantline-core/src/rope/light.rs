@@ -22,6 +22,8 @@
 //! Tensions on both sides of a sheave come to nothing together, so a rope is slack as a whole, and then as loose
 //! everywhere.
 
+use std::ops::Range;
+
 /// Rounds in which all sheaves that are wrong change at once.
 const ROUNDS: usize = 16;
 /// Rounds, if that did not end, in which those change that slip towards the start, each after all others have settled.
@@ -114,8 +116,7 @@ impl Division {
             return;
         }
         for _ in 0..ROUNDS {
-            let forward = self.turn_over(spans, 1, &may);
-            if !self.turn_over(spans, -1, &may) && !forward {
+            if !self.turn_over(spans, |_| true, &may) {
                 return;
             }
             self.share(spans);
@@ -123,12 +124,12 @@ impl Division {
         for _ in 0..NESTED_ROUNDS {
             // Each of these rounds settles at least one sheave for good.
             for _ in 0..=self.passed.len() {
-                if !self.turn_over(spans, 1, &may) {
+                if !self.turn_over(spans, |way| way > 0, &may) {
                     break;
                 }
                 self.share(spans);
             }
-            if !self.turn_over(spans, -1, &may) {
+            if !self.turn_over(spans, |way| way < 0, &may) {
                 return;
             }
             self.share(spans);
@@ -136,62 +137,68 @@ impl Division {
         self.tension.fill(f64::NAN);
     }
 
-    /// Lets the sheaves that slip this way hold where rope runs against them, and those that hold slip where they
-    /// cannot; true where any changed.
-    fn turn_over(&mut self, spans: Spans, way: i8, may: impl Fn(usize, i8) -> bool) -> bool {
+    /// Lets the sheaves that slip one of these ways hold where rope runs against them, and those that hold slip where
+    /// they cannot; true where any changed.
+    fn turn_over(
+        &mut self,
+        spans: Spans,
+        is_asked: impl Fn(i8) -> bool,
+        may: impl Fn(usize, i8) -> bool,
+    ) -> bool {
         let mut any = false;
-        for (sheave, slip) in self.slips.way.iter_mut().enumerate() {
-            let (mut low, mut high) = (self.tension[sheave], self.tension[sheave + 1]);
-            if way < 0 {
-                (low, high) = (high, low);
-            }
-            let turned = if *slip == way {
-                (f64::from(way) * self.passed[sheave] < -NOTHING).then_some(0)
-            } else {
-                let beyond = high - spans.ratio[sheave] * low;
-                let slips = *slip == 0 && beyond > ROUNDING * (high.abs() + low.abs()) && may(sheave, way);
-                slips.then_some(way)
+        let sides = self.tension.windows(2).zip(spans.ratio);
+        let sheaves = self.slips.way.iter_mut().zip(&self.passed).zip(sides);
+        for (sheave, ((slip, passed), (sides, ratio))) in sheaves.enumerate() {
+            let slips = |low: f64, high: f64| high - ratio * low > ROUNDING * (high.abs() + low.abs());
+            *slip = match *slip {
+                0 if is_asked(1) && slips(sides[0], sides[1]) && may(sheave, 1) => 1,
+                0 if is_asked(-1) && slips(sides[1], sides[0]) && may(sheave, -1) => -1,
+                way if is_asked(way) && f64::from(way) * passed < -NOTHING => 0,
+                _ => continue,
             };
-            if let Some(turned) = turned {
-                *slip = turned;
-                any = true;
-            }
+            any = true;
         }
         any
     }
 
     /// Tensions, and what passes, with the sheaves slipping as they do.
     pub fn share(&mut self, spans: Spans) {
-        let mut first = 0;
-        self.weight[0] = 1.0;
-        for sheave in 0..self.passed.len() {
-            self.weight[sheave + 1] = match self.slips.step(sheave, spans.ratio[sheave]) {
-                Some(step) => self.weight[sheave] * step,
+        let (mut first, mut weight, mut long, mut soft) = (0, 1.0, 0.0, 0.0);
+        let sheaves = spans.ratio.len();
+        let rope = spans.stretch.iter().zip(spans.compliance);
+        for (sheave, ((stretch, compliance), ratio)) in rope.zip(spans.ratio).enumerate() {
+            self.weight[sheave] = weight;
+            long += stretch;
+            soft += weight * compliance;
+            match self.slips.step(sheave, *ratio) {
+                Some(step) => weight *= step,
                 None => {
-                    self.passed[sheave] = 0.0;
-                    self.share_row(spans, first, sheave + 1);
-                    first = sheave + 1;
-                    1.0
+                    self.share_row(spans, first..sheave + 1, long / soft);
+                    (first, weight, long, soft) = (sheave + 1, 1.0, 0.0, 0.0);
                 }
-            };
+            }
         }
-        self.share_row(spans, first, self.tension.len());
+        self.weight[sheaves] = weight;
+        let common = (long + spans.stretch[sheaves]) / (soft + weight * spans.compliance[sheaves]);
+        self.share_row(spans, first..sheaves + 1, common);
     }
 
-    /// The same for the spans from `first` to before `end`, between which all sheaves slip.
-    fn share_row(&mut self, spans: Spans, first: usize, end: usize) {
-        let (stretch, compliance) = (&spans.stretch[first..end], &spans.compliance[first..end]);
-        let weight = &self.weight[first..end];
-        let long: f64 = stretch.iter().sum();
-        let soft: f64 = weight.iter().zip(compliance).map(|(weight, compliance)| weight * compliance).sum();
-        let common = long / soft;
-        let tensions = self.tension[first..end].iter_mut().zip(weight);
+    /// The same for spans between which all sheaves slip, by the tension that the weights are shares of.
+    fn share_row(&mut self, spans: Spans, row: Range<usize>, common: f64) {
+        let last = row.end - 1;
+        let tensions = self.tension[row.clone()].iter_mut().zip(&self.weight[row.clone()]);
         tensions.for_each(|(tension, weight)| *tension = weight * common);
-        let mut passed = 0.0;
-        let rope = self.tension[first..end].iter().zip(compliance).zip(stretch);
-        for (out, ((tension, compliance), stretch)) in self.passed[first..end - 1].iter_mut().zip(rope) {
-            passed += compliance * tension - stretch;
-            *out = passed;
+        let own = spans.compliance[row.clone()].iter().zip(&spans.stretch[row.clone()]);
+        let mut so_far = 0.0;
+        for (passed, (tension, (compliance, stretch))) in
+            self.passed[row.start..last].iter_mut().zip(self.tension[row].iter().zip(own))
+        {
+            so_far += compliance * tension - stretch;
+            *passed = so_far;
+        }
+        // Where the rope goes on, a sheave holds.
+        if let Some(passed) = self.passed.get_mut(last) {
+            *passed = 0.0;
         }
     }
 

@@ -85,7 +85,8 @@ impl NewtonEuler {
 
     /// Motion of every body from that of its parent, and in `wrenches` what it needs by itself.
     pub fn forward(&mut self, tree: &Tree, kinematics: &Kinematics, v: &[f64], rate: Option<&[f64]>) {
-        for (index, body) in tree.bodies.iter().enumerate() {
+        for &index in &tree.moving {
+            let body = &tree.bodies[index];
             let (mut twist, mut acceleration) = match body.parent {
                 Some(parent) => {
                     carried(&self.twists[parent], &self.accelerations[parent], kinematics.arm[index])
@@ -129,7 +130,9 @@ impl NewtonEuler {
     /// Sums the wrenches up the tree: every body's becomes what its joint has to transmit, and `out` its share along
     /// the degrees of freedom.
     pub fn backward(&mut self, tree: &Tree, kinematics: &Kinematics, out: &mut [f64]) {
-        for (index, body) in tree.bodies.iter().enumerate().rev() {
+        out.fill(0.0);
+        for &index in tree.moving.iter().rev() {
+            let body = &tree.bodies[index];
             let wrench = self.wrenches[index];
             let dofs = body.dofs();
             let columns = kinematics.columns[dofs.clone()].iter().zip(&tree.motions[dofs.clone()]);

@@ -24,7 +24,8 @@ pub fn power(
     changes: &mut [Twist],
 ) -> f64 {
     let mut power = 0.0;
-    for (index, body) in tree.bodies.iter().enumerate() {
+    for &index in &tree.moving {
+        let body = &tree.bodies[index];
         let (twist, own) = (twists[index], drift[index]);
         let still = || (Twist::default(), Twist::default(), Twist::default(), DVec3::ZERO);
         let (above, carried, change, arm) = body.parent.map_or_else(still, |parent| {

@@ -48,8 +48,9 @@ impl Kinematics {
     /// Room for `tree`.
     pub fn new(tree: &Tree) -> Self {
         Self {
-            pose: vec![Pose::IDENTITY; tree.bodies.len()],
-            centre_of_gravity: vec![DVec3::ZERO; tree.bodies.len()],
+            // Those that do not move stay there.
+            pose: tree.bodies.iter().map(|body| body.placement).collect(),
+            centre_of_gravity: tree.bodies.iter().map(|body| body.placement.position).collect(),
             arm: vec![DVec3::ZERO; tree.bodies.len()],
             lever: vec![DVec3::ZERO; tree.bodies.len()],
             columns: vec![Column::default(); tree.velocities],
@@ -74,7 +75,8 @@ impl Kinematics {
         self.time = time;
         self.q.clear();
         self.q.extend_from_slice(q);
-        for (index, body) in tree.bodies.iter().enumerate() {
+        for &index in &tree.moving {
+            let body = &tree.bodies[index];
             let (above, below) = self.pose.split_at_mut(index);
             let pose = &mut below[0];
             match body.parent {
@@ -140,7 +142,8 @@ impl Kinematics {
 
     /// Velocities of all bodies under the velocity coordinates `v`.
     pub fn twists(&self, tree: &Tree, v: &[f64], twists: &mut [Twist]) {
-        for (index, body) in tree.bodies.iter().enumerate() {
+        for &index in &tree.moving {
+            let body = &tree.bodies[index];
             let mut twist = body.parent.map_or_else(Twist::default, |parent| {
                 let above = twists[parent];
                 Twist { angular: above.angular, linear: above.linear + above.angular.cross(self.arm[index]) }

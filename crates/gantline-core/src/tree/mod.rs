@@ -79,6 +79,8 @@ pub struct Tree {
     pub motions: Vec<Motion>,
     /// True for bodies whose mass is all at their origin, without inertia: nothing about them turns.
     pub is_point: Vec<bool>,
+    /// All bodies but those that are no more than the name of a flow: without mass, at rest on the world, nothing on them.
+    pub moving: Vec<usize>,
     /// For every degree of freedom the body whose joint has it.
     pub owner: Vec<usize>,
     /// For every body the degrees of freedom that move it, ascending.
@@ -123,6 +125,12 @@ impl Tree {
                 above = bodies[body].parent;
             }
         }
+        let is_moving = |&index: &usize| {
+            let body: &Body = &bodies[index];
+            let is_bare = body.parent.is_none() && body.mass == 0.0 && is_point[index];
+            body.joint.moves_body() || !is_bare || subtree[index].len() > 1
+        };
+        let moving = (0..bodies.len()).filter(is_moving).collect();
         let damping = vec![0.0; velocities];
         let (armature, inertia_scale) = (vec![0.0; velocities], vec![1.0; velocities]);
         Self {
@@ -134,6 +142,7 @@ impl Tree {
             velocities,
             motions,
             is_point,
+            moving,
             owner,
             support,
             subtree,

@@ -98,7 +98,7 @@ impl DynamicsTangent {
                 self.inertia[index] = rotation * body.inertia * rotation.transpose();
             }
         }
-        for dof in 0..tree.velocities {
+        for dof in tree.moving.iter().flat_map(|&index| tree.bodies[index].dofs()) {
             let [position, velocity] = place.seeds(dof);
             self.sweep(&place, dof, &position);
             collect(&place, dof, &self.wrench, Some(dynamics), &mut self.position);

@@ -77,7 +77,7 @@ impl Span {
             return Stretch { unstretched, value: length - unstretched, scale: 1.0, supply: -1.0 };
         }
         let unstretched = self.unstretched(q);
-        let scale = self.scale(q);
+        let scale = (self.length / unstretched).sqrt();
         let excess = length - unstretched;
         let supply = -scale * (1.0 + 0.5 * excess / unstretched);
         Stretch { unstretched, value: excess * scale, scale, supply }

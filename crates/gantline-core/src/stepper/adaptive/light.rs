@@ -20,6 +20,7 @@ use super::Adaptive;
 use super::evaluation::Evaluation;
 use super::point::Point;
 use crate::constraint::rope::Rope;
+use crate::constraint::rope::span::Stretch;
 use crate::constraint::{AnyConstraint, Moving};
 use crate::rope::coil::Coil;
 use crate::rope::light::{Division, Slips, Spans};
@@ -264,34 +265,37 @@ impl Evaluation {
     ) {
         // ℓ T/(EA + T) = x + s_j − s_{j−1}, x = ℓ − L̂, linearised about what the tensions would be if nothing passed.
         let (rows, stiffness) = (light.rows.clone(), rope.material.axial_stiffness);
-        let mut stretch = 0.0;
-        for ((span, row), tension) in rope.spans[spans].iter().zip(rows.clone()).zip(&mut lies.tension) {
+        let length = &self.frame.value[rows.clone()];
+        let known = &mut self.known[rows.clone()];
+        let mut excess = 0.0;
+        let starts = length.iter().zip(&mut *known).zip(&mut lies.tension);
+        for (span, ((length, known), tension)) in rope.spans[spans].iter().zip(starts) {
             let unstretched = span.unstretched(&self.q);
-            self.known[row] = self.frame.value[row] - unstretched;
-            stretch += self.known[row];
-            *tension = stiffness * self.known[row] / unstretched;
+            *known = length - unstretched;
+            excess += *known;
+            *tension = stiffness * *known / unstretched;
         }
         if !is_frozen {
-            lies.slips.is_loose = stretch <= 0.0;
+            lies.slips.is_loose = excess <= 0.0;
         }
+        let (stretch, compliance) = (&mut self.stretch[rows.clone()], &mut self.compliance[rows.clone()]);
+        let tried = &mut self.tried[rows];
         for _ in 0..STEPS {
-            for (&tension, row) in lies.tension.iter().zip(rows.clone()) {
-                let (length, share) = (self.frame.value[row], tension / (stiffness + tension));
-                self.compliance[row] = length * (1.0 - share) * (1.0 - share) / stiffness;
-                self.stretch[row] = self.known[row] - length * share * share;
-                self.tried[row] = tension;
+            tried.copy_from_slice(&lies.tension);
+            let linear = stretch.iter_mut().zip(&mut *compliance);
+            let about = length.iter().zip(&*known).zip(&*tried);
+            for ((stretch, compliance), ((length, known), tension)) in linear.zip(about) {
+                let share = tension / (stiffness + tension);
+                *compliance = length * (1.0 - share) * (1.0 - share) / stiffness;
+                *stretch = known - length * share * share;
             }
-            let given = Spans {
-                ratio: &light.ratio,
-                stretch: &self.stretch[rows.clone()],
-                compliance: &self.compliance[rows.clone()],
-            };
+            let given = Spans { ratio: &light.ratio, stretch, compliance };
             if is_frozen {
                 lies.share(given)
             } else {
                 lies.divide(given)
             }
-            let changes = lies.tension.iter().zip(&self.tried[rows.clone()]);
+            let changes = lies.tension.iter().zip(&*tried);
             let change = changes.fold(0.0_f64, |most, (now, tried)| most.max((now - tried).abs()));
             if change <= CLOSE * stiffness {
                 break;
@@ -317,19 +321,23 @@ impl Evaluation {
         for &dof in &light.dofs {
             self.v[dof] = 0.0;
         }
-        for ((span, row), answer) in rope.spans[spans].iter().zip(rows.clone()).zip(&mut both.answers) {
-            let unstretched = span.unstretched(&self.q);
-            let scale = span.scale(&self.q);
-            let strain = self.frame.value[row] / unstretched - 1.0;
-            let supply = scale * (1.0 + 0.5 * strain);
-            *answer = [scale, supply, unstretched];
+        let spans = &rope.spans[spans];
+        for ((span, row), answer) in spans.iter().zip(rows.clone()).zip(&mut both.answers) {
+            let Stretch { unstretched, scale, supply, .. } = span.stretch(&self.q, self.frame.value[row]);
+            *answer = [scale, -supply, unstretched];
+            self.stretch[row] = -scale * self.rate[row] / supply;
+            self.compliance[row] = -system.rows.laws[row].compliance() / (scale * supply);
+        }
+        // What else feeds the rope does so at its ends.
+        for place in [0, spans.len() - 1] {
+            let (span, row) = (&spans[place], rows.start + place);
+            let strain = self.frame.value[row] / both.answers[place][2] - 1.0;
             let outside = if modes[row].carries() { strain.max(0.0) } else { 0.0 };
             let coils = span.feeds.iter().filter_map(|feed| Some((feed.coil?, feed.dof)));
             let let_go = coils.map(|(coil, dof)| {
                 feeding(&system.coils[coil], &wound[coil], &self.q, outside).1 * self.v[dof]
             });
-            self.stretch[row] = scale * self.rate[row] / supply - span.speed(&self.v) - let_go.sum::<f64>();
-            self.compliance[row] = system.rows.laws[row].compliance() / (scale * supply);
+            self.stretch[row] -= span.speed(&self.v) + let_go.sum::<f64>();
         }
         let Light { lies, runs, moving, .. } = both;
         let given = Spans {
