@@ -88,7 +88,8 @@ impl Explicit {
         }
         if !system.tree.forces.is_empty() {
             return Some(
-                "the integrator explicit knows no water, no wind and no catenaries; use adaptive or del".to_owned(),
+                "the integrator explicit knows no water, no wind and no catenaries; use adaptive or del"
+                    .to_owned(),
             );
         }
         if !system.cuts.is_empty() || !system.fragile.is_empty() {
