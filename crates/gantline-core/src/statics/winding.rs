@@ -38,10 +38,13 @@ pub fn asked(system: &System, state: &State) -> Vec<f64> {
     timelines.map(|timeline| timeline.motion(state.time).position).collect()
 }
 
-/// The rope on drums was wound with the strain that it has now, or under what was given.
+/// The rope on drums was wound with the strain that it has now, or under what was given. What a motor or brake that gave
+/// way has let go on the way there stays outside.
 pub fn lay(system: &System, state: &mut State, frame: &Frame) {
     for ((coil, place), passing) in state.coils.iter_mut().zip(&system.coils).zip(&frame.passing) {
         coil.laid = place.laid_under.map_or(passing.outside, |tension| tension / place.stiffness);
+        coil.bring_to(place.wound(&state.q), coil.laid);
+        coil.let_go = state.q[place.supply];
     }
 }
 
