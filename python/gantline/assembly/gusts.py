@@ -16,7 +16,7 @@ from gantline.assembly.parts import Json
 from gantline.scenario import Scenario
 from gantline.scenario.stream import Wind
 
-__all__ = ["RISE_TIME", "gusts", "wind_of_limit", "wind_rig"]
+__all__ = ["gusts", "wind_of_limit", "wind_rig"]
 
 Array = npt.NDArray[np.float64]
 
@@ -31,7 +31,7 @@ _FINE = 1000
 #: Constant of Euler and Mascheroni.
 _EULER = 0.5772156649015329
 #: Gusts grow over so long, about one swing of a load on its falls [s].
-RISE_TIME = 20.0
+_RISE_TIME = 20.0
 
 
 @dataclass(frozen=True)
@@ -76,10 +76,12 @@ def _deviation(wind: Wind) -> float:
 
 
 def _gust_speed(wind: Wind) -> float:
+    """Speed of gusts as given, or as turbulence makes it; of steady wind its speed [m/s]."""
     if wind.gusts is None:
         return wind.speed
-    highest = _regular(wind.speed, wind.gusts.length, _FINE).highest_mean
-    return wind.gusts.speed or wind.speed + _deviation(wind) * highest
+    if wind.gusts.speed is not None:
+        return wind.gusts.speed
+    return wind.speed + _deviation(wind) * _regular(wind.speed, wind.gusts.length, _FINE).highest_mean
 
 
 def gusts(wind: Wind) -> Json:
@@ -101,7 +103,7 @@ def gusts(wind: Wind) -> Json:
         }
         for frequency in regular.frequency.tolist()
     ]
-    return {"components": components, "rise_time": RISE_TIME}
+    return {"components": components, "rise_time": _RISE_TIME}
 
 
 def wind_of_limit(scenario: Scenario) -> float | None:
