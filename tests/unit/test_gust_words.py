@@ -7,9 +7,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import gantline
 from gantline.assembly import assemble
+from gantline.cli.app import app
+from gantline.cli.hold_points import hold_points
 from gantline.cli.summary import heading
 from gantline.plot.traces import attitude as picture
 from gantline.report.attitude import attitude
@@ -19,6 +22,7 @@ from gantline.report.subject import Subject
 from gantline.results import Recording
 from gantline.results.rig import Rig
 from gantline.scenario import ScenarioError, load_scenario, shipped
+from gantline.statics import Statics
 from gantline.viewer.curves import curves
 from json_lift import plain_lift
 from lift_text import spoiled
@@ -112,6 +116,22 @@ def test_what_results_say(swung: Recording) -> None:
     figure = picture(swung)
     assert figure is not None
     assert "Wind [m/s]" in [panel.get_ylabel() for panel in figure.axes]
+
+
+def test_at_rest_the_wind_is_steady(swung: Recording, tmp_path: Path) -> None:
+    """Statics say that they leave gusts out, and have no speed of a gust at that time of the plan."""
+    path = tmp_path / "lift.yaml"
+    path.write_text(str(swung.attributes["scenario"]), encoding="utf-8")
+    rest = Statics(path).equilibrium(20.0).recording
+    assert "wind_at_load" not in rest and rest.rig.time_to_average == 0.0
+    found = CliRunner().invoke(app, ["statics", str(path), "--time", "20 s"]).output
+    assert "Wind: 8.0 m/s towards 0 deg\n" in found and "Steady wind: without its gusts" in found
+
+
+def test_readings_of_a_moment_are_as_gusts_have_them(swung: Recording) -> None:
+    """A hold point is one moment."""
+    heads = [line for line in hold_points(swung) if line.startswith("At the end of 'look round'")]
+    assert [head.endswith("s, as gusts have it then") for head in heads] == [True]
 
 
 def test_quiet_windows_average_over_gusts(swung: Recording, tmp_path: Path) -> None:

@@ -6,13 +6,14 @@ n S(n)/σ² = 6.8 x (1 + 10.2 x)^(−5/3) with x = n L/U, n in hertz: EN 1991-1-
 from __future__ import annotations
 
 import math
-import random
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.assembly.parts import Json
+from gantline.assembly.trains import Train
+from gantline.hydro.waves import Components, phases
 from gantline.scenario import Scenario
 from gantline.scenario.stream import Wind
 
@@ -91,19 +92,10 @@ def gusts(wind: Wind) -> Json:
     """
     given = wind.gusts
     assert given is not None  # asked for by who has looked
-    regular, lots = _regular(wind.speed, given.length, given.components), random.Random(f"{given.seed}/wind")
-    amplitude = regular.amplitude * _deviation(wind)
-    x, y = math.cos(wind.direction) / wind.speed, math.sin(wind.direction) / wind.speed
-    components = [
-        {
-            "frequency": frequency,
-            "wave_number": [frequency * x, frequency * y],
-            "amplitude": amplitude,
-            "phase": 2 * math.pi * lots.random(),
-        }
-        for frequency in regular.frequency.tolist()
-    ]
-    return {"components": components, "rise_time": _RISE_TIME}
+    regular, count = _regular(wind.speed, given.length, given.components), given.components
+    amplitude = np.full(count, regular.amplitude * _deviation(wind))
+    record = Components(regular.frequency, amplitude, phases(count, f"{given.seed}/wind"), wind.direction)
+    return {"components": Train.of(record, regular.frequency / wind.speed).document, "rise_time": _RISE_TIME}
 
 
 def wind_of_limit(scenario: Scenario) -> float | None:

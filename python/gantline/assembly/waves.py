@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +10,7 @@ import numpy.typing as npt
 from gantline.assembly.databases import from_database
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import about_axis, rotation_matrix
+from gantline.assembly.trains import Train
 from gantline.hydro.database import DatabaseError, HydrodynamicDatabase
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
@@ -40,30 +40,6 @@ _OTHER_PERIOD = 0.25
 _OTHER_LENGTH = 0.05
 
 
-@dataclass(frozen=True)
-class _Train:
-    """Waves of one name.
-
-    Attributes:
-        waves: what they are made of.
-        numbers: k of each, world x and y (n, 2) [rad/m].
-    """
-
-    waves: Components
-    numbers: Array
-
-    @property
-    def document(self) -> list[Json]:
-        """As the core reads them."""
-        waves = self.waves
-        columns = (waves.frequency, self.numbers, waves.amplitude, waves.phase)
-        keys = ("frequency", "wave_number", "amplitude", "phase")
-        return [
-            dict(zip(keys, wave, strict=True))
-            for wave in zip(*(column.tolist() for column in columns), strict=True)
-        ]
-
-
 def add_waves(parts: Parts, scenario: Scenario) -> None:
     """Add the sea, and to each vessel the force of its waves; warn of waves that do nothing.
 
@@ -85,11 +61,10 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     parts.warnings += _idle(scenario, moved) + _steep(scenario)
 
 
-def _train(scenario: Scenario, name: str, given: WaveTrain) -> _Train:
+def _train(scenario: Scenario, name: str, given: WaveTrain) -> Train:
     waves = _components(name, given)
     depth = (scenario.water or Water()).depth
-    towards = np.array([math.cos(waves.direction), math.sin(waves.direction)])
-    return _Train(waves, np.outer(wave_number(waves.frequency, scenario.simulation.gravity, depth), towards))
+    return Train.of(waves, wave_number(waves.frequency, scenario.simulation.gravity, depth))
 
 
 def _components(name: str, train: WaveTrain) -> Components:
@@ -106,7 +81,7 @@ def _components(name: str, train: WaveTrain) -> Components:
     )
 
 
-def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, _Train]) -> Json:
+def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]) -> Json:
     """What all waves do to a vessel, world axes, phases from the world's origin."""
     given = vessel.wave_forces
     assert given is not None

@@ -18,6 +18,9 @@ _OF_HOOKS = ("hook_load", "hoist_load", "crane_radius")
 def hold_points(recording: Recording) -> list[str]:
     """What is read off at the end of every step that holds or reports, and what hangs in hooks then."""
     lines: list[str] = []
+    wind = recording.rig.wind
+    by = [name for name, it in (("waves", recording.rig.sea), ("gusts", wind and wind.gusts)) if it]
+    moment = f", as {' and '.join(by)} have it then" if by else ""
     for point in held(recording):
         sample = int(np.argmax(point.at))
         readings = hook_readings(recording, point.at)
@@ -26,7 +29,6 @@ def hold_points(recording: Recording) -> list[str]:
         measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in asked}
         rows = [(measure.replace("_", " "), text) for measure, text in measured.items() if text]
         if rows or readings or point.step.report:
-            moment = ", as waves have it then" if recording.rig.sea else ""
             lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}{moment}", rows)
             lines += _hooks(readings)
     return lines

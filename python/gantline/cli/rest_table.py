@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 from gantline.checks import Check, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
-from gantline.cli.lift import still_water
+from gantline.cli.lift import left_out
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table
 from gantline.results import series
@@ -18,8 +17,7 @@ from gantline.study.state import State, values_of
 
 def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
     """The lift, whether it is stable, and what is left out."""
-    rig = replace(question.rig, sea=None)
-    lines = [*heading(rig), *weights(rig), *still_water(question.scenario)]
+    lines = [*heading(question.rig), *weights(question.rig), *left_out(question.scenario)]
     if rest.is_stable:
         state = "stable"
     else:

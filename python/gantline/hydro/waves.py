@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["Components", "jonswap", "regular", "sea", "wave_number"]
+__all__ = ["Components", "jonswap", "phases", "regular", "sea", "wave_number"]
 
 Array = npt.NDArray[np.float64]
 
@@ -24,11 +24,11 @@ _FROM, _TO, _POINTS = 0.2, 40.0, 20_001
 
 @dataclass(frozen=True)
 class Components:
-    """Regular waves that run in one direction.
+    """Regular waves that run in one direction, or gusts.
 
     Attributes:
         frequency: ω (n,) [rad/s].
-        amplitude: a (n,) [m].
+        amplitude: a (n,) [m, of gusts m/s].
         phase: ε (n,) [rad].
         direction: from world x towards y [rad].
     """
@@ -116,7 +116,11 @@ def sea(
     below = np.concatenate([[0.0], np.cumsum(np.diff(grid) * (density[1:] + density[:-1]) / 2)])
     middles = (np.arange(count) + 0.5) / count
     frequency = np.interp(middles, below / below[-1], grid)
-    lots = random.Random(seed)
-    phase = np.array([2 * math.pi * lots.random() for _ in range(count)])
     amplitude = np.full(count, significant_height / 4 * math.sqrt(2 / count))
-    return Components(frequency, amplitude, phase, direction)
+    return Components(frequency, amplitude, phases(count, seed), direction)
+
+
+def phases(count: int, seed: str) -> Array:
+    """Phases by lot (count,) [rad], from 0 to 2π; another seed gives others."""
+    lots = random.Random(seed)
+    return np.array([2 * math.pi * lots.random() for _ in range(count)])

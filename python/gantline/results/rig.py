@@ -296,6 +296,14 @@ class Rig(FromJson):
         return next((e for e in self.equalizers if sling.rope in e.slings), None)
 
 
+def at_rest(rig: Mapping[str, Any]) -> dict[str, Any]:
+    """The JSON of the same lift in still water and steady wind, which is what statics knows of it."""
+    found = {key: value for key, value in rig.items() if key != "sea"}
+    if wind := rig.get("wind"):
+        found["wind"] = {key: wind[key] for key in ("speed", "direction")}
+    return found
+
+
 def _ratings(document: Mapping[str, Any]) -> tuple[Rating, ...]:
     """Rated capacities; in recordings that have none of their own those of the hooks."""
     if "ratings" in document:

@@ -7,9 +7,9 @@
 - *quiet window*: the end of the recording over which static values are means. It begins when the last drive
   has come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the end. Where
   the loads do not end clear it is the last earlier time that they hung still: clear, all drives at rest, for
-  5 s or more. In waves it takes three of their longest periods in place of 5 s, if that is more. The mean is
-  weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift or lower it. The
-  window of an equilibrium is its last sample, whether the loads are clear or not.
+  5 s or more. In waves it takes three of their longest periods in place of 5 s, if that is more, in gusts
+  20 s. The mean is weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift
+  or lower it. The window of an equilibrium is its last sample, whether the loads are clear or not.
 - *quiet windows*: that, and all earlier times that the loads hung still.
 """
 

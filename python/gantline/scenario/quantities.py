@@ -392,6 +392,8 @@ Margins = Annotated[tuple[float, float, float], ListOf(Quantity("length", "not_n
 Velocity = Annotated[tuple[float, float, float], ListOf(Quantity("speed"), 3)]
 AngularVelocity = Annotated[tuple[float, float, float], ListOf(Quantity("angular_speed"), 3)]
 Lengths = Annotated[tuple[float, ...], ListOf(Quantity("length"))]
+Components = Annotated[int, Number(least=10, most=1000, whole=True)]
+Seed = Annotated[int, Number(least=0, most=2**31, whole=True)]
 Flag = Annotated[bool, Truth()]
 Name = Annotated[str, NameText()]
 Names = Annotated[tuple[str, ...], ListOf(NameText(), scalar=True)]

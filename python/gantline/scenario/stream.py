@@ -10,11 +10,13 @@ from pydantic import Discriminator, Field, Tag
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
     Angle,
+    Components,
     Number,
     Position,
     PositiveLength,
     PositiveSpeed,
     Quantity,
+    Seed,
     WordOr,
     refuse,
 )
@@ -86,12 +88,8 @@ class Gusts(Element):
         None, description="Instead: standard deviation of the speed over its mean, up to 50 %."
     )
     length: PositiveLength = Field(150.0, description="Of the eddies along the wind; 150 m if not given.")
-    components: Annotated[int, Number(least=10, most=1000, whole=True)] = Field(
-        100, description="Regular gusts that they are made of."
-    )
-    seed: Annotated[int, Number(least=0, most=2**31, whole=True)] = Field(
-        1, description="Another number is another record of the same wind."
-    )
+    components: Components = Field(100, description="Regular gusts that they are made of.")
+    seed: Seed = Field(1, description="Another number is another record of the same wind.")
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:

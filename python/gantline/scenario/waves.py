@@ -9,9 +9,11 @@ from pydantic import Field
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
     Angle,
+    Components,
     Number,
     PositiveLength,
     PositiveTime,
+    Seed,
     refuse,
 )
 from gantline.scenario.tree import MapNode
@@ -37,12 +39,8 @@ class WaveTrain(Element):
     peak_enhancement: Annotated[float, Number(least=1.0, most=7.0)] = Field(
         3.3, description="γ of its JONSWAP spectrum; 1 is a fully developed sea (Pierson, Moskowitz)."
     )
-    components: Annotated[int, Number(least=10, most=1000, whole=True)] = Field(
-        100, description="Regular waves that a sea is made of."
-    )
-    seed: Annotated[int, Number(least=0, most=2**31, whole=True)] = Field(
-        1, description="Another number is another record of the same sea."
-    )
+    components: Components = Field(100, description="Regular waves that a sea is made of.")
+    seed: Seed = Field(1, description="Another number is another record of the same sea.")
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:

@@ -14,7 +14,7 @@ from gantline.assembly import assemble
 from gantline.assembly.origin import refused
 from gantline.results.derive import recording_of
 from gantline.results.recording import Recording
-from gantline.results.rig import Rig
+from gantline.results.rig import Rig, at_rest
 from gantline.scenario import Scenario, load_scenario
 from gantline.statics.answers import (
     KINDS,
@@ -61,8 +61,8 @@ class Statics:
 
     @property
     def rig(self) -> Rig:
-        """Who carries whom."""
-        return Rig.from_json(self.assembly.rig)
+        """Who carries whom, in still water and steady wind."""
+        return Rig.from_json(at_rest(self.assembly.rig))
 
     def equilibrium(
         self,
@@ -305,12 +305,11 @@ class Statics:
         return [*slings, *((kind, load.body) for load in rig.loads for kind in kinds)]
 
     def _recording(self, status: str) -> Recording:
-        # At rest the water is still: freeboard is not against a wave that passes at that time of the plan.
-        rig = {key: value for key, value in self.assembly.rig.items() if key != "sea"}
+        # Freeboard is not against a wave that passes at that time of the plan, nor wind a gust.
         return recording_of(
             self._core.columns(),
             self._core.names(),
-            rig,
+            at_rest(self.assembly.rig),
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,
