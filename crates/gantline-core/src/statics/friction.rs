@@ -11,55 +11,93 @@ use crate::system::System;
 /// What holds less than this share of its bound holds whatever the bound's last digits are.
 const WELL_WITHIN: f64 = 1.0 - 1e-9;
 
-/// What is left of the error of what contacts hold, as a share of the largest bound: ten times what a search leaves.
+/// What is left of the error of what contacts hold, as a share of the largest bound; where no search can tell, as a share of the
+/// largest force: ten times what a search leaves.
 const LEFT: f64 = 1e-8;
-/// Smallest and largest share of a change that is followed.
-const SHARES: [f64; 2] = [1.0 / 16.0, 3.0];
+/// Smallest and largest share of a change that is followed, and that of one which makes itself larger.
+const SHARES: [f64; 2] = [1.0 / 4096.0, 3.0];
+const RUNAWAY: f64 = 1.0 / 16.0;
 
-/// How fast what contacts hold follows what presses. Corners answer to each other and may take turns: of a change that
-/// they ask for again and again the share is followed that would have settled the last one (Aitken's relaxation).
+/// What a tangential row was taken to hold while its contact pressed [N].
+#[derive(Debug, Clone, Copy)]
+struct Asked {
+    /// That.
+    held: f64,
+    /// The change that it asked for then.
+    change: f64,
+    /// How far it goes back if the contact comes off.
+    back: f64,
+}
+
+/// How fast what contacts hold follows what presses. Corners answer to each other and may take turns: of the changes that
+/// they ask for the share is followed that would have settled all since they pressed last (Aitken's relaxation).
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pace {
     share: f64,
-    /// Changes asked for in this round and in the one before, by tangential row [N].
-    asked: [Vec<f64>; 2],
+    /// Of what is asked for, what is taken to be wrong: the share too, where that is known.
+    doubt: f64,
+    /// In this round, by tangential row; none where nothing presses, which tells nothing.
+    now: Vec<Option<Asked>>,
+    /// When its contact pressed last.
+    pressed: Vec<Option<Asked>>,
 }
 
 impl Pace {
     /// Begins anew, with so many tangential rows.
     pub(super) fn begin(&mut self, rows: usize) {
-        self.share = 1.0;
-        for asked in &mut self.asked {
+        (self.share, self.doubt) = (1.0, 1.0);
+        for asked in [&mut self.now, &mut self.pressed] {
             asked.clear();
-            asked.resize(rows, 0.0);
+            asked.resize(rows, None);
         }
     }
 
     /// The tangential row, among all, that asks for the largest change.
     pub(super) fn worst(&self) -> usize {
-        let [now, _] = &self.asked;
-        (0..now.len()).max_by(|&a, &b| now[a].abs().total_cmp(&now[b].abs())).unwrap_or(0)
+        let change = |row: usize| self.now[row].map_or(0.0, |asked| asked.change.abs());
+        (0..self.now.len()).max_by(|&a, &b| change(a).total_cmp(&change(b))).unwrap_or(0)
     }
 
-    /// What is asked for in the round under way.
-    fn asked(&mut self) -> &mut [f64] {
-        &mut self.asked[0]
+    /// Notes what a row was taken to hold and the change that it asks for.
+    fn note(&mut self, row: usize, held: f64, change: f64) {
+        self.now[row] = Some(Asked { held, change, back: held });
     }
 
-    /// Ends a round: the share of what it asked for that is followed.
-    fn share(&mut self) -> f64 {
-        let [now, before] = &self.asked;
+    /// Finds the share of what is asked for in this round that is followed.
+    fn set_share(&mut self) {
         let (mut along, mut size) = (0.0, 0.0);
-        for (now, before) in now.iter().zip(before) {
-            along += before * (before - now);
-            size += (before - now).powi(2);
+        for (now, before) in self.now.iter().zip(&self.pressed) {
+            if let (Some(now), Some(before)) = (now, before)
+                && before.change != 0.0
+            {
+                let less = before.change - now.change;
+                along += (now.held - before.held) * less;
+                size += less * less;
+            }
         }
-        if size > 0.0 && before.iter().any(|change| *change != 0.0) {
-            self.share = (self.share * along / size).clamp(SHARES[0], SHARES[1]);
+        if size > 0.0 {
+            let share = along / size;
+            self.share = if share > 0.0 { share.clamp(SHARES[0], SHARES[1]) } else { RUNAWAY };
+            self.doubt = if share > 0.0 { self.share.min(1.0) } else { 1.0 };
         }
-        let [now, before] = &mut self.asked;
-        before.copy_from_slice(now);
-        self.share
+    }
+
+    /// What a row that was taken to hold `known` is taken to hold in the next round [N]. One whose contact has come off
+    /// under it goes half way back to where it pressed and asked for more, again and again less far; else it holds
+    /// nothing.
+    fn next(&mut self, row: usize, known: f64) -> f64 {
+        match (self.now[row], &mut self.pressed[row]) {
+            (Some(now), pressed) => {
+                *pressed = Some(now);
+                known + self.share * now.change
+            }
+            (None, Some(before)) if before.change * (known - before.held) > 0.0 => {
+                let half = 0.5 * (known + before.back);
+                before.back *= 0.5;
+                half
+            }
+            _ => 0.0,
+        }
     }
 }
 
@@ -82,8 +120,15 @@ impl Statics {
         }
     }
 
-    /// Sets what friction holds by the forces found; true where that was right before.
-    pub(super) fn follow_friction(&mut self, system: &System, state: &State, losses: Losses) -> bool {
+    /// Sets what friction holds by the forces found; true where that was right before. `stays`: no search could better the
+    /// balance after it was set last.
+    pub(super) fn follow_friction(
+        &mut self,
+        system: &System,
+        state: &State,
+        losses: Losses,
+        stays: bool,
+    ) -> bool {
         let sheaves = match losses.sheaves {
             Sheaves::Ideal => 0.0,
             Sheaves::Slip(sign) => self.follow_sheaves(system, state, Some(sign)),
@@ -91,7 +136,7 @@ impl Statics {
         };
         let contacts = match losses.contacts {
             Contacts::Free => 0.0,
-            contacts => self.follow_contacts(system, contacts),
+            contacts => self.follow_contacts(system, contacts, stays),
         };
         sheaves <= LOSS_LEFT && contacts <= LEFT
     }
@@ -124,51 +169,68 @@ impl Statics {
         most
     }
 
-    /// Contacts that have slid, or hold; by how much the largest was wrong, as a share of the largest bound.
-    fn follow_contacts(&mut self, system: &System, contacts: Contacts) -> f64 {
+    /// Contacts that have slid, or hold; by how much the largest was wrong, as a share of the largest bound, or of the
+    /// largest force where the search `stays`.
+    fn follow_contacts(&mut self, system: &System, contacts: Contacts, stays: bool) -> f64 {
+        let tension = &self.search.here.tension;
         let (mut most, mut largest) = (0.0_f64, f64::MIN_POSITIVE);
+        self.pace.now.fill(None);
         for (rows, index) in system.friction.chunks_exact(2).zip((0..).step_by(2)) {
-            let asked = &mut self.pace.asked()[index..index + 2];
-            asked.fill(0.0);
             let Law::Friction { coefficient, normal, .. } = system.rows.laws[rows[0]] else { continue };
-            let tension = &self.search.here.tension;
+            let presses = tension[normal] > 0.0;
             let bound = coefficient * tension[normal].max(0.0);
             largest = largest.max(bound);
             if let Contacts::Slid(direction) = contacts {
                 let AnyConstraint::Contact(contact) = system.constraint_of_row(rows[0]) else { continue };
                 let way = contact.plane.tangents.map(|tangent| tangent.dot(direction));
                 let size = way[0].hypot(way[1]);
-                for ((&row, part), asked) in rows.iter().zip(way).zip(asked) {
+                for ((&row, part), index) in rows.iter().zip(way).zip(index..) {
                     let wanted = if size > 0.0 { bound * part / size } else { 0.0 };
                     if let Part::Resist(known) = self.bearings[row].part {
-                        *asked = wanted - known;
-                        most = most.max(asked.abs());
+                        most = most.max((wanted - known).abs());
+                        if presses {
+                            self.pace.note(index, known, wanted - known);
+                        }
                     }
                 }
             } else {
                 let known = if let Part::Stick(known) = self.bearings[rows[0]].part { known } else { 0.0 };
-                most = most.max(wrong(known, bound, tension[rows[0]].hypot(tension[rows[1]])));
-                if known.is_finite() {
-                    asked[0] = bound - known;
-                } else {
-                    self.bearings[rows[0]].part = Part::Stick(bound);
+                let force = tension[rows[0]].hypot(tension[rows[1]]);
+                most = most.max(wrong(known, bound, force));
+                // What it did not need to hold makes no difference.
+                let held = if known > force { force.max(bound.min(known)) } else { known };
+                if let Part::Stick(known) = &mut self.bearings[rows[0]].part {
+                    *known = held;
+                }
+                if presses {
+                    self.pace.note(index, held, bound - held);
                 }
             }
         }
-        let share = self.pace.share();
-        for (rows, asked) in system.friction.chunks_exact(2).zip(self.pace.asked().chunks_exact(2)) {
-            for (&row, asked) in rows.iter().zip(asked) {
+        if stays {
+            // That tells nothing of how the changes asked for answer to those made.
+            largest = tension.iter().fold(largest, |most, tension| most.max(tension.abs()));
+        } else {
+            self.pace.set_share();
+        }
+        self.follow_at_pace(system, contacts);
+        self.pace.doubt * most / largest
+    }
+
+    /// Lets what contacts hold follow what they ask for.
+    fn follow_at_pace(&mut self, system: &System, contacts: Contacts) {
+        for (rows, index) in system.friction.chunks_exact(2).zip((0..).step_by(2)) {
+            for (&row, index) in rows.iter().zip(index..) {
                 if let Part::Resist(known) = &mut self.bearings[row].part {
-                    *known += share * asked;
+                    *known = self.pace.next(index, *known);
                 }
             }
             if contacts == Contacts::Held {
                 let known = if let Part::Stick(known) = self.bearings[rows[0]].part { known } else { 0.0 };
-                let bound = known + share * asked[0];
+                let bound = self.pace.next(index, known);
                 let parts = if bound > 0.0 { [Part::Stick(bound), Part::Across] } else { [Part::Off; 2] };
                 (self.bearings[rows[0]].part, self.bearings[rows[1]].part) = (parts[0], parts[1]);
             }
         }
-        most / largest
     }
 }

@@ -149,10 +149,12 @@ impl Statics {
         self.hold_motors(system);
         self.pace.begin(system.friction.len());
         for round in 1.. {
+            let steps = self.search.effort.steps;
             let descended = self.search.descend(system, state, &mut self.bearings);
             descended.map_err(|stuck| self.explain(system, stuck, losses))?;
+            let stays = self.search.effort.steps == steps;
             let lengths = self.move_multipliers();
-            if lengths <= LENGTH_LEFT && self.follow_friction(system, state, losses) {
+            if lengths <= LENGTH_LEFT && self.follow_friction(system, state, losses, stays) {
                 break;
             }
             let (element, cause) = if lengths > LENGTH_LEFT && round == ROUNDS {
