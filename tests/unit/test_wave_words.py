@@ -62,7 +62,11 @@ def test_what_is_told(tmp_path: Path) -> None:
     assert warnings_of(tmp_path, SWELL) == ""
     steep = {**SWELL, "significant_height": "3 m", "peak_period": "5 s"}
     found = warnings_of(tmp_path, steep)
-    assert "swell is steeper than seas are: 3 m at a peak of 5 s" in found
+    assert "swell is steeper than seas are: 3 m at a peak of 5 s, more than 1/15 of its length" in found
+    # 1/15 at 8 s and 1/25 at 15 s, linear between: 1/19.4 of 224.8 m, 11.56 m, at 12 s.
+    long = {**SWELL, "significant_height": "11.7 m", "peak_period": "12 s"}
+    assert "11.7 m at a peak of 12 s, more than 1/19.4 of its length" in warnings_of(tmp_path, long)
+    assert "steeper" not in warnings_of(tmp_path, {**long, "significant_height": "11.4 m"})
     # The file's water is that of 9 s, its shortest waves of 2.09 s.
     assert "added_mass of barge is that of motions of 9 s; the waves have 5 s" in found
     short = {**SWELL, "significant_height": "0.2 m", "peak_period": "4 s"}

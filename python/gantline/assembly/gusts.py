@@ -23,7 +23,7 @@ Array = npt.NDArray[np.float64]
 
 #: What makes a mean over ten minutes, and what a load answers as a whole [s]: gusts are between.
 _SLOWEST, _FASTEST = 600.0, 2.0
-#: Gusts are means over so long [s]: EN 1991-1-4 and ISO 4302 alike.
+#: Gusts are means over so long [s], as of cranes: ISO 4302.
 _OF_GUST = 3.0
 #: In Kaimal's form (EN 1991-1-4, B.1).
 _IN_FORM = 10.2

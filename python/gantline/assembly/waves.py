@@ -32,8 +32,9 @@ _PERIODS_TO_GROW = 3.0
 _MOST_UNKNOWN = 0.2
 #: The same that goes without saying.
 _SILENT = 0.05
-#: A sea is no steeper, height over length in deep water by the peak: DNV-RP-C205, 3.5.5.
-_STEEPEST = 1.0 / 15.0
+#: A sea is no steeper, height over length in deep water by the peak; linear between these peaks [s]: DNV-RP-C205,
+#: 3.5.4.
+_STEEPEST = ((8.0, 15.0), (1.0 / 15.0, 1.0 / 25.0))
 #: Added mass and damping of another period than the waves' by more than this share are doubtful.
 _OTHER_PERIOD = 0.25
 #: Waves that are longer or shorter by another depth by more than this share are doubtful.
@@ -212,9 +213,10 @@ def _steep(scenario: Scenario) -> list[str]:
     found = []
     for name, train in (scenario.waves or {}).items():
         length = scenario.simulation.gravity * train.main_period**2 / (2 * math.pi)
-        if train.significant_height is not None and train.significant_height > _STEEPEST * length:
+        steepest = float(np.interp(train.main_period, *_STEEPEST))
+        if train.significant_height is not None and train.significant_height > steepest * length:
             found.append(
                 f"{name} is steeper than seas are: {train.significant_height:g} m at a peak of "
-                f"{train.main_period:g} s, more than 1/15 of its length (DNV-RP-C205)"
+                f"{train.main_period:g} s, more than 1/{1 / steepest:.3g} of its length (DNV-RP-C205, 3.5.4)"
             )
     return found

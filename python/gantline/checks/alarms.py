@@ -26,7 +26,7 @@ _ASIDE = 0.02
 
 
 def _side_lead(recording: Recording) -> float:
-    """Angle at which falls pull a boom aside more than lattice booms are tested for [rad]."""
+    """Angle at which falls pull a boom aside more than lattice booms are made for [rad]."""
     return max([math.atan(_ASIDE), *_of_charts(recording, "side_lead")])
 
 
@@ -41,11 +41,11 @@ def _of_charts(recording: Recording, key: str) -> list[float]:
 
 
 FALLS = Alarm(_falls, "more than 3 % of what hangs pulls sideways; plausible, no document")
-SIDE_LEAD = Alarm(_side_lead, "lattice booms are tested with 2 % of what hangs sideways: SAE J987")
+SIDE_LEAD = Alarm(_side_lead, "lattice booms are made for 2 % of what is rated sideways, wind included: SAE J1093, J987")
 TIPPING = Alarm(lambda _: 0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1")
 SLING_ANGLE = Alarm(lambda _: math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
-SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5")
-ROPE_FACTOR = Alarm(lambda _: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1")
+SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
+ROPE_FACTOR = Alarm(lambda _: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
 HOOK_DYNAMICS = Alarm(lambda _: 1.3, "more comes of snatching a load; plausible, no document")
-SHEAVE_BENDING = Alarm(lambda _: 11.2, "drums of the lightest duty, group M1: ISO 4308-1")
+SHEAVE_BENDING = Alarm(lambda _: 11.2, "drums of the lightest duty, group M1: ISO 4308-1:2003")
 TILT = Alarm(lambda _: math.radians(5.0), "loose things on a load begin to move; plausible, no document")

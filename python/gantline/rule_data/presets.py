@@ -157,7 +157,7 @@ def _nd(place: str, column: Sequence[tuple[float, float, float]]) -> Preset:
     return Preset(
         title=f"0027/ND, marine lifting, {place}",
         factors={
-            "skew_load_factor": Sourced(1.25, f"{_ND}, 5.6.12: four slings, matched pairs"),
+            "skew_load_factor": Sourced(1.25, f"{_ND}, 5.6.12: four slings in matched pairs, made to 2 d"),
             "load_factor": Sourced(1.3, f"{_ND}, 7.4.1"),
             "consequence_factor": Sourced(1.3, f"{_ND}, 7.5.1"),
             "material_factor": Sourced(1.5, f"{_ND}, 7.10.1: steel rope, certified"),
@@ -181,7 +181,7 @@ def _example() -> Preset:
         title="A yard's own rule, for example",
         factors={
             "dynamic_amplification_factor": plausible(1.05),
-            "skew_load_factor": Sourced(1.25, f"{_ND}, 5.6.12: four slings, matched pairs"),
+            "skew_load_factor": Sourced(1.25, f"{_ND}, 5.6.12: four slings in matched pairs, made to 2 d"),
         },
         limits={
             "hook_dynamic_factor": plausible(1.10),

@@ -74,7 +74,7 @@ plan:
 
 rules:                               # factors on loads and strengths; each of your own goes before the preset
   preset: nd_0027_onshore
-  termination_factor: 1.12           # steel ferrules
+  termination_factor: 1.12           # steel ferrules; aluminium 2.0
 
 limits:                              # example figures; name the rule and edition that you work to
   rule: example
