@@ -32,8 +32,8 @@ _PERIODS_TO_GROW = 3.0
 _MOST_UNKNOWN = 0.2
 #: The same that goes without saying.
 _SILENT = 0.05
-#: A sea is no steeper, height over length in deep water by the peak; linear between these peaks [s]: DNV-RP-C205,
-#: 3.5.4.
+#: A sea is no steeper, height over length in deep water by the peak, linear between these peaks [s]:
+#: DNV-RP-C205, 3.5.4.
 _STEEPEST = ((8.0, 15.0), (1.0 / 15.0, 1.0 / 25.0))
 #: Added mass and damping of another period than the waves' by more than this share are doubtful.
 _OTHER_PERIOD = 0.25

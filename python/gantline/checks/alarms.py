@@ -41,7 +41,9 @@ def _of_charts(recording: Recording, key: str) -> list[float]:
 
 
 FALLS = Alarm(_falls, "more than 3 % of what hangs pulls sideways; plausible, no document")
-SIDE_LEAD = Alarm(_side_lead, "lattice booms are made for 2 % of what is rated sideways, wind included: SAE J1093, J987")
+SIDE_LEAD = Alarm(
+    _side_lead, "lattice booms are made for 2 % of what is rated sideways, wind included: SAE J1093, J987"
+)
 TIPPING = Alarm(lambda _: 0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1")
 SLING_ANGLE = Alarm(lambda _: math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
 SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")

@@ -234,8 +234,8 @@ class Rules(Element):
     wear_factor: _Factor | None = Field(None, description="On rope forces.")
     termination_factor: _Factor | None = Field(
         None,
-        description="On rope forces for their end terminations, unless bending takes more; 0027/ND, 7.7.1: steel "
-        "ferrule 1.12, aluminium ferrule 2.0.",
+        description="On rope forces for their end terminations, unless bending takes more; 0027/ND, "
+        "7.7.1: steel ferrule 1.12, aluminium ferrule 2.0.",
     )
     least_safety_factor: _Factor | None = Field(
         None, description="Least product of load, consequence and material factor."
