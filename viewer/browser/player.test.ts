@@ -247,7 +247,7 @@ describe("the player", () => {
     for (const [place, part] of nearest.entries())
       expect(Math.abs(part - recorded[place]!)).toBeLessThan(1e-6);
     const label = page.locator(".gl-label-pair");
-    await expect.poll(() => label.textContent(), PATIENTLY).toBe("2.50 m");
+    await expect.poll(() => label.textContent(), PATIENTLY).toBe("2.50 m < 3 m");
     await expect.poll(() => label.getAttribute("data-close"), PATIENTLY).toBe(""); // 3 m are asked for
     await page.getByRole("button", { name: "Distances" }).click();
     await label.waitFor({ state: "hidden" });
@@ -267,7 +267,7 @@ describe("the player", () => {
       const { session, player } = globalThis.gantlinePage!;
       if (!player!.stage!.world.isCheap)
         [...document.querySelectorAll<HTMLButtonElement>(".gl-chip")]
-          .find((one) => one.textContent === "Lines")!
+          .find((one) => one.textContent === "Thin ropes")!
           .click();
       session.play();
     });

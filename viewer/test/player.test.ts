@@ -237,9 +237,9 @@ describe("drawing", () => {
     const drawn = new Clearances(lift, [1, 1, 1]);
     const { lines } = drawn;
     const palette = paletteOf("light");
-    const colour = () => [0, 1, 2].map((part) => lines.geometry.attributes.color!.array[part]!);
+    const colour = () => [0, 1, 2].map((part) => lines.geometry.attributes.instanceColorStart!.array[part]!);
     drawn.update(palette);
-    expect([...lines.geometry.attributes.position!.array]).toEqual([0, 1, 2, 3, 1, 2]);
+    expect([...lines.geometry.attributes.instanceStart!.array]).toEqual([0, 1, 2, 3, 1, 2]);
     const usual = colour();
     tooClose = true;
     drawn.update(palette);
