@@ -152,6 +152,10 @@ describe("the player", () => {
     await page.keyboard.press("ArrowDown");
     const { ropes } = await page.evaluate(() => globalThis.gantlinePage!.session.lift.header);
     expect(await page.locator(".gl-pinned-name").textContent()).toContain(ropes[1]!.name);
+    // Letting go of the rope leaves the keys where they can go on.
+    await page.getByRole("button", { name: "Let go of this rope" }).focus();
+    await page.keyboard.press("Enter");
+    expect(await page.evaluate(() => document.activeElement!.getAttribute("aria-label"))).toBe("Pin a rope");
     // Every control can be reached and says what it is.
     const nameless = await page.evaluate(
       () =>

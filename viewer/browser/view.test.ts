@@ -149,7 +149,18 @@ describe("on a small screen", () => {
     expect(await page.evaluate(() => document.scrollingElement!.scrollWidth)).toBe(width);
   });
 
-  it.each([360, 390])("the bar of an upright phone takes three lines: %i pixels", async (width) => {
+  it("a drawing that fills a phone on its side keeps most of it where a rope is pinned", async () => {
+    const { page } = await open(browser, "report.html", { width: 844, height: 390, hash: "#pin=sling.S1" });
+    await page.getByRole("button", { name: "Full screen" }).click();
+    const stage = await settled(
+      page,
+      () => document.querySelector(".gl-player:fullscreen .gl-stage")?.getBoundingClientRect().height ?? 0,
+    );
+    expect(stage).toBeGreaterThan(0.6 * 390);
+    expect(await page.locator(".gl-pinned-value").isVisible()).toBe(true);
+  });
+
+  it.each([360, 390, 418])("the bar of an upright phone takes three lines: %i pixels", async (width) => {
     const { page } = await open(browser, "report.html", { width, height: 740 });
     const lines = await settled(page, () => [
       ...new Set(
@@ -160,5 +171,7 @@ describe("on a small screen", () => {
       ),
     ]);
     expect(lines.length).toBe(3);
+    const cut = await page.locator(".gl-clock").evaluate((one) => one.scrollWidth - one.clientWidth);
+    expect(cut).toBe(0);
   });
 });

@@ -12,17 +12,23 @@ export class Pinned {
   private chart: Chart | null = null;
   private text = "";
 
-  constructor(private readonly session: Session) {
+  constructor(
+    private readonly session: Session,
+    /** What takes the keys when it goes; else they would be lost. */
+    private readonly heir: HTMLElement,
+  ) {
     session.on("pin", () => this.show());
     session.on("time", () => this.showValue());
   }
 
   private show(): void {
     const rope = this.session.lift.header.ropes.find((one) => one.name === this.session.pinned);
+    const hasKeys = this.root.contains(document.activeElement);
     this.root.hidden = !rope;
     this.chart?.remove();
     this.chart = null;
     this.root.replaceChildren();
+    if (hasKeys) this.heir.focus({ preventScroll: true });
     if (!rope) return;
     const lug = this.session.lift.header.lugs.find((one) => one.rope === rope.name);
     const close = button("Let go of this rope", ICONS.close, () => this.session.pin(null));
@@ -38,7 +44,7 @@ export class Pinned {
       element("span", { class: "gl-quiet" }, about),
       close,
     );
-    const holder = element("div");
+    const holder = element("div", { class: "gl-pinned-plot" });
     this.root.append(head, holder);
     const spec = {
       title: `Tension of ${rope.name}`,

@@ -24,14 +24,15 @@ export class Player {
     root.classList.add("gl-player");
     this.stage = this.makeStage();
     const bar = new Bar(session);
-    bar.root.append(this.pinMenu());
+    const menu = this.pinMenu();
+    bar.root.append(menu);
     bar.root.append(button("Copy a link to what is shown", ICONS.link, () => void this.copyLink()));
     if (this.stage) bar.root.append(button("Save a picture (P)", ICONS.save, () => this.savePicture()));
     // Some phones, and frames in other pages, do not let it.
     if (document.fullscreenEnabled)
       bar.root.append(button("Full screen", ICONS.full, () => this.fullScreen()));
     bar.root.append(this.said);
-    root.append(bar.root, new Pinned(session).root);
+    root.append(bar.root, new Pinned(session, menu).root);
     root.addEventListener("keydown", (event) => this.onKey(event));
     this.restore(parse(location.hash));
     globalThis.addEventListener("hashchange", () => this.restore(parse(location.hash)));
