@@ -1,6 +1,6 @@
 /** The drawing with what lies on it: views, legend, names, switches; it draws when something has changed. */
 
-import { shown } from "../chart/scale";
+import { forceText, shown } from "../chart/scale";
 import { element, set } from "../dom";
 import { Pace } from "../pace";
 import { Cameras, type View } from "../scene/cameras";
@@ -150,9 +150,9 @@ export class Stage {
     const half = element("span", {});
     const whole = element("span", {});
     const show = () => {
-      const most = this.session.lift.largestTension / 1e3;
-      half.textContent = shown(most / 2, 0);
-      whole.textContent = `${shown(most, 0)} kN`;
+      const most = this.session.lift.largestTension;
+      half.textContent = forceText(most / 2, most).replace(/ .*/, "");
+      whole.textContent = forceText(most, most);
     };
     show();
     this.session.on("data", show);

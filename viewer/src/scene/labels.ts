@@ -1,5 +1,6 @@
 /** Names beside what they name, as text above the drawing. */
 
+import { forceText } from "../chart/scale";
 import type { Lift } from "../data/lift";
 import { element, set } from "../dom";
 import { TOUCHING } from "./clearances";
@@ -134,7 +135,7 @@ export class Labels {
     }
     const tension = label.rope >= 0 ? this.lift.tensions[label.rope]! : -1;
     if (!hasValues || tension < 0) return "";
-    return tension > 0 ? ` ${Math.round(tension / 1e3)} kN` : " slack";
+    return tension > 0 ? ` ${forceText(tension, this.lift.largestTension)}` : " slack";
   }
 
   private pointOf(index: number, width: number, height: number): [number, number] | null {
