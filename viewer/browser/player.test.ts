@@ -152,6 +152,10 @@ describe("the player", () => {
     await page.keyboard.press("ArrowDown");
     const { ropes } = await page.evaluate(() => globalThis.gantlinePage!.session.lift.header);
     expect(await page.locator(".gl-pinned-name").textContent()).toContain(ropes[1]!.name);
+    // Letting go of the rope leaves the keys where they can go on.
+    await page.getByRole("button", { name: "Let go of this rope" }).focus();
+    await page.keyboard.press("Enter");
+    expect(await page.evaluate(() => document.activeElement!.getAttribute("aria-label"))).toBe("Pin a rope");
     // Every control can be reached and says what it is.
     const nameless = await page.evaluate(
       () =>
@@ -247,7 +251,7 @@ describe("the player", () => {
     for (const [place, part] of nearest.entries())
       expect(Math.abs(part - recorded[place]!)).toBeLessThan(1e-6);
     const label = page.locator(".gl-label-pair");
-    await expect.poll(() => label.textContent(), PATIENTLY).toBe("2.50 m");
+    await expect.poll(() => label.textContent(), PATIENTLY).toBe("2.50 m < 3 m");
     await expect.poll(() => label.getAttribute("data-close"), PATIENTLY).toBe(""); // 3 m are asked for
     await page.getByRole("button", { name: "Distances" }).click();
     await label.waitFor({ state: "hidden" });
@@ -267,7 +271,7 @@ describe("the player", () => {
       const { session, player } = globalThis.gantlinePage!;
       if (!player!.stage!.world.isCheap)
         [...document.querySelectorAll<HTMLButtonElement>(".gl-chip")]
-          .find((one) => one.textContent === "Lines")!
+          .find((one) => one.textContent === "Thin ropes")!
           .click();
       session.play();
     });

@@ -1,6 +1,10 @@
 /** Light or dark, and the colours of each for what is drawn by the graphics card. */
 
 export interface Palette {
+  /**
+   * From no tension to the largest: a quarter of it makes a difference to people who see no red, no green or no blue,
+   * and all of it stands out from ground and sky.
+   */
   ramp: readonly [number, number, number][];
   slack: [number, number, number];
   load: number;
@@ -29,13 +33,13 @@ export interface Palette {
 
 const LIGHT: Palette = {
   ramp: [
-    [0.42, 0.68, 0.84],
-    [0.2, 0.45, 0.72],
-    [0.48, 0.32, 0.64],
-    [0.8, 0.27, 0.42],
-    [0.9, 0.4, 0.1],
+    [0.22, 0.5, 0.88],
+    [0.16, 0.3, 0.7],
+    [0.4, 0.14, 0.48],
+    [0.74, 0.12, 0.27],
+    [0.79, 0.4, 0.02],
   ],
-  slack: [0.6, 0.63, 0.66],
+  slack: [0.49, 0.51, 0.53],
   load: 0xdfe5ea,
   frame: 0xf2c14e,
   sheave: 0x8d9aa6,
@@ -49,7 +53,7 @@ const LIGHT: Palette = {
   contact: 0x12805c,
   clearance: 0x0b7285,
   tooClose: 0xd6221f,
-  water: 0x5f9fc4,
+  water: 0x8fbcd8,
   shadow: 0x22303c,
   pinned: 0x111820,
   lug: 0x5d6b78,
@@ -58,13 +62,13 @@ const LIGHT: Palette = {
 
 const DARK: Palette = {
   ramp: [
-    [0.45, 0.72, 0.9],
-    [0.36, 0.6, 0.95],
-    [0.68, 0.54, 0.93],
-    [0.95, 0.5, 0.62],
-    [1.0, 0.63, 0.3],
+    [0.42, 0.83, 0.9],
+    [0.5, 0.68, 0.99],
+    [0.57, 0.46, 0.92],
+    [1.0, 0.38, 0.6],
+    [0.98, 0.71, 0.2],
   ],
-  slack: [0.46, 0.5, 0.54],
+  slack: [0.47, 0.48, 0.46],
   load: 0x55636f,
   frame: 0xb08a2c,
   sheave: 0x75828e,
@@ -121,8 +125,10 @@ export function rampInto(palette: Palette, share: number, out: Float32Array, at:
 
 /** The ramp as a gradient of CSS, from left to right. */
 export function rampGradient(palette: Palette): string {
-  const stops = palette.ramp.map(
-    (colour) => `rgb(${colour.map((part) => Math.round(255 * part)).join(" ")})`,
-  );
-  return `linear-gradient(to right, ${stops.join(", ")})`;
+  return `linear-gradient(to right, ${palette.ramp.map(cssColour).join(", ")})`;
+}
+
+/** A colour of three parts from 0 to 1, as CSS has it. */
+export function cssColour(colour: readonly number[]): string {
+  return `rgb(${colour.map((part) => Math.round(255 * part)).join(" ")})`;
 }

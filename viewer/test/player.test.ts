@@ -9,7 +9,7 @@ import {
   Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
-import { shown, ticksOf, verticalScale } from "../src/chart/scale";
+import { forceText, shown, ticksOf, verticalScale } from "../src/chart/scale";
 import type { Vector } from "../src/data/format";
 import type { Lift } from "../src/data/lift";
 import { Pace } from "../src/pace";
@@ -56,6 +56,15 @@ describe("axes", () => {
     expect(shown(-1.25, 1)).toBe("−1.3");
     expect(shown(-0.001, 1)).toBe("0.0");
     expect(shown(Number.NaN, 1)).toBe("–");
+  });
+
+  it("write forces with a unit that shows them", () => {
+    expect(forceText(124_400, 249_000)).toBe("124 kN");
+    expect(forceText(124_400, 249_000, 1)).toBe("124.4 kN");
+    expect(forceText(500, 45_000)).toBe("0.5 kN");
+    expect(forceText(1500, 3000)).toBe("1.50 kN");
+    // The rope of the smallest scenario had a scale from 0 to 0 kN.
+    expect(forceText(99.92, 99.92)).toBe("99.9 N");
   });
 });
 
@@ -237,9 +246,9 @@ describe("drawing", () => {
     const drawn = new Clearances(lift, [1, 1, 1]);
     const { lines } = drawn;
     const palette = paletteOf("light");
-    const colour = () => [0, 1, 2].map((part) => lines.geometry.attributes.color!.array[part]!);
+    const colour = () => [0, 1, 2].map((part) => lines.geometry.attributes.instanceColorStart!.array[part]!);
     drawn.update(palette);
-    expect([...lines.geometry.attributes.position!.array]).toEqual([0, 1, 2, 3, 1, 2]);
+    expect([...lines.geometry.attributes.instanceStart!.array]).toEqual([0, 1, 2, 3, 1, 2]);
     const usual = colour();
     tooClose = true;
     drawn.update(palette);

@@ -50,3 +50,13 @@ export function shown(value: number, digits: number): string {
 export function digitsOf(unit: string): number {
   return { kN: 1, m: 3, deg: 2, "%": 1, MJ: 3, "": 2 }[unit] ?? 2;
 }
+
+/**
+ * A force as people read it, with its unit: in N where the largest one [N] is less than 1 kN, with three digits of the
+ * largest, or more.
+ */
+export function forceText(force: number, largest: number, more = 0): string {
+  const unit = largest < 1e3 ? 1 : 1e3;
+  const digits = largest < 10 * unit ? 2 : largest < 100 * unit ? 1 : 0;
+  return `${shown(force / unit, digits + more)} ${unit === 1 ? "N" : "kN"}`;
+}

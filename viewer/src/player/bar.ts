@@ -40,7 +40,8 @@ export class Bar {
       if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End")
         event.preventDefault();
     });
-    this.speed = element("select", { class: "gl-select", "aria-label": "Speed, of real time" });
+    const speed = "Speed, of real time";
+    this.speed = element("select", { class: "gl-select", "aria-label": speed, title: speed });
     for (const speed of SPEEDS) this.speed.append(element("option", { value: speed }, `${speed}×`));
     this.speed.addEventListener("change", () => session.setSpeed(Number(this.speed.value)));
     this.loop = button("Play again and again", ICONS.loop, () => session.setLoop(!session.loop));

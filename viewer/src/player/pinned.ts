@@ -1,7 +1,7 @@
 /** What the pinned rope carries: now, at most, of its strength, and its curve. */
 
 import { Chart } from "../chart/chart";
-import { shown } from "../chart/scale";
+import { forceText, shown } from "../chart/scale";
 import { element, ICONS } from "../dom";
 import { button } from "./bar";
 import type { Session } from "./session";
@@ -12,24 +12,30 @@ export class Pinned {
   private chart: Chart | null = null;
   private text = "";
 
-  constructor(private readonly session: Session) {
+  constructor(
+    private readonly session: Session,
+    /** What takes the keys when it goes; else they would be lost. */
+    private readonly heir: HTMLElement,
+  ) {
     session.on("pin", () => this.show());
     session.on("time", () => this.showValue());
   }
 
   private show(): void {
     const rope = this.session.lift.header.ropes.find((one) => one.name === this.session.pinned);
+    const hasKeys = this.root.contains(document.activeElement);
     this.root.hidden = !rope;
     this.chart?.remove();
     this.chart = null;
     this.root.replaceChildren();
+    if (hasKeys) this.heir.focus({ preventScroll: true });
     if (!rope) return;
     const lug = this.session.lift.header.lugs.find((one) => one.rope === rope.name);
     const close = button("Let go of this rope", ICONS.close, () => this.session.pin(null));
     const share = rope.strength
       ? `, ${shown((100 * rope.peak) / rope.strength, 1)} % of its minimum breaking force`
       : "";
-    const about = `at most ${shown(rope.peak / 1e3, 1)} kN at ${shown(rope.peakTime, 2)} s${share}`;
+    const about = `at most ${forceText(rope.peak, rope.peak, 1)} at ${shown(rope.peakTime, 2)} s${share}`;
     const head = element(
       "div",
       { class: "gl-pinned-head" },
@@ -38,7 +44,7 @@ export class Pinned {
       element("span", { class: "gl-quiet" }, about),
       close,
     );
-    const holder = element("div");
+    const holder = element("div", { class: "gl-pinned-plot" });
     this.root.append(head, holder);
     const spec = {
       title: `Tension of ${rope.name}`,
@@ -56,7 +62,9 @@ export class Pinned {
     const { lift, pinned, time } = this.session;
     const curve = lift.group("tension").find((one) => one.entry.name === pinned);
     if (!curve) return;
-    const text = `${shown(curve.at(time), 1)} kN`;
+    // As far as its peak is told; the curve is in kN.
+    const { peak } = lift.header.ropes.find((one) => one.name === pinned)!;
+    const text = forceText(1e3 * curve.at(time), peak, 1);
     if (text === this.text) return;
     this.text = text;
     this.value.textContent = text;

@@ -24,14 +24,15 @@ export class Player {
     root.classList.add("gl-player");
     this.stage = this.makeStage();
     const bar = new Bar(session);
-    bar.root.append(this.pinMenu());
+    const menu = this.pinMenu();
+    bar.root.append(menu);
     bar.root.append(button("Copy a link to what is shown", ICONS.link, () => void this.copyLink()));
     if (this.stage) bar.root.append(button("Save a picture (P)", ICONS.save, () => this.savePicture()));
-    bar.root.append(
-      button("Full screen", ICONS.full, () => this.fullScreen()),
-      this.said,
-    );
-    root.append(bar.root, new Pinned(session).root);
+    // Some phones, and frames in other pages, do not let it.
+    if (document.fullscreenEnabled)
+      bar.root.append(button("Full screen", ICONS.full, () => this.fullScreen()));
+    bar.root.append(this.said);
+    root.append(bar.root, new Pinned(session, menu).root);
     root.addEventListener("keydown", (event) => this.onKey(event));
     this.restore(parse(location.hash));
     globalThis.addEventListener("hashchange", () => this.restore(parse(location.hash)));
@@ -54,7 +55,7 @@ export class Player {
 
   /** The rope to pin, for those who do not click. */
   private pinMenu(): HTMLSelectElement {
-    const menu = element("select", { class: "gl-select", "aria-label": "Pin a rope" });
+    const menu = element("select", { class: "gl-select gl-pin", "aria-label": "Pin a rope" });
     menu.append(element("option", { value: "" }, "pin a rope"));
     for (const rope of this.session.lift.header.ropes)
       menu.append(element("option", { value: rope.name }, rope.name));
@@ -108,7 +109,9 @@ export class Player {
     return {
       time: session.time,
       speed: session.speed,
-      ...(stage ? { view: stage.cameras.view, camera: stage.cameras.state() } : {}),
+      ...(stage ? { view: stage.cameras.view } : {}),
+      // Where nobody has moved the camera, it is fitted to whatever the drawing measures there.
+      ...(stage?.cameras.isMoved ? { camera: stage.cameras.state() } : {}),
       ...(session.pinned ? { pinned: session.pinned } : {}),
       ...(isZoomed ? { span: session.span } : {}),
     };
@@ -117,9 +120,10 @@ export class Player {
   private restore(shown: Shown): void {
     const { session, stage } = this;
     if (shown.speed !== undefined) session.setSpeed(shown.speed);
-    if (shown.view !== undefined) stage?.showView(shown.view);
-    if (shown.camera !== undefined) stage?.cameras.restore(shown.camera);
+    // First the time: a camera that follows a body is where the body is then.
     if (shown.time !== undefined) session.seek(shown.time);
+    if (shown.view !== undefined) stage?.showView(shown.view);
+    if (shown.camera !== undefined) stage?.look(shown.camera);
     if (shown.span !== undefined) session.show(...shown.span);
     if (shown.pinned !== undefined) session.pin(shown.pinned);
   }
@@ -167,6 +171,6 @@ export class Player {
 
   private fullScreen(): void {
     if (document.fullscreenElement) void document.exitFullscreen();
-    else void this.root.requestFullscreen?.().catch(() => {});
+    else void this.root.requestFullscreen().catch(() => {});
   }
 }

@@ -1,14 +1,15 @@
 /** The drawing with what lies on it: views, legend, names, switches; it draws when something has changed. */
 
-import { shown } from "../chart/scale";
+import { forceText, shown } from "../chart/scale";
 import { element, set } from "../dom";
 import { Pace } from "../pace";
 import { Cameras, type View } from "../scene/cameras";
+import { type Room, roomsBetween } from "../scene/fit";
 import { Labels } from "../scene/labels";
 import { ropeAt } from "../scene/picking";
 import type { Box } from "../scene/settle";
 import { World } from "../scene/world";
-import { currentTheme, onTheme, paletteOf, rampGradient, type Theme } from "../theme";
+import { cssColour, currentTheme, onTheme, paletteOf, rampGradient, type Theme } from "../theme";
 import { onPaper } from "./paper";
 import type { Session } from "./session";
 
@@ -36,6 +37,7 @@ export class Stage {
   private readonly labels: Labels;
   private readonly views = new Map<View, HTMLButtonElement>();
   private readonly ramp = element("div", { class: "gl-ramp" });
+  private readonly slack = element("span", { class: "gl-slack-line" });
   private readonly step = element("div", { class: "gl-step-now" });
   private readonly cheapSign: HTMLButtonElement;
   private needsDrawing = true;
@@ -62,7 +64,7 @@ export class Stage {
     this.cameras = new Cameras(this.world, lift, this.canvas, () => this.redraw());
     this.labels = new Labels(lift, this.world);
     this.cheapSign = this.toggle(
-      "Lines",
+      "Thin ropes",
       "Thin ropes while something moves, faster to draw",
       this.world.isCheap,
       (on) => this.setCheap(on),
@@ -71,6 +73,7 @@ export class Stage {
     const paint = (theme: Theme) => {
       this.world.setPalette(paletteOf(theme));
       this.ramp.style.background = rampGradient(paletteOf(theme));
+      this.slack.style.borderColor = cssColour(paletteOf(theme).slack);
       this.redraw();
     };
     const copy = onPaper(this.canvas, {
@@ -84,7 +87,6 @@ export class Stage {
     set(this.canvas, { tabindex: 0 });
     onTheme(paint);
     new ResizeObserver(() => this.fit()).observe(this.root);
-    this.fit();
     this.showView("orbit");
     this.listen();
     requestAnimationFrame((now) => this.tick(now));
@@ -96,10 +98,27 @@ export class Stage {
   }
 
   showView(view: View): void {
-    this.cameras.show(view);
+    // Views follow bodies, which are where they are at the time that is shown.
+    this.session.lift.seek(this.session.time);
+    this.cameras.show(view, this.rooms());
     for (const [name, button] of this.views)
       set(button, { "aria-pressed": String(name === this.cameras.view) });
     this.redraw();
+  }
+
+  /** Look from where somebody else has looked, at the time that is shown. */
+  look(camera: number[]): void {
+    this.session.lift.seek(this.session.time);
+    this.cameras.restore(camera);
+  }
+
+  /** What is free of the drawing. */
+  private rooms(): Room[] {
+    const boxes = this.reserved.map((box, index) =>
+      // The name of a step may become long.
+      this.overlays[index] === this.step ? { ...box, x: this.width / 2, width: this.width } : box,
+    );
+    return roomsBetween(boxes, this.width, this.height);
   }
 
   /** A picture of what is drawn now, as PNG. */
@@ -131,13 +150,13 @@ export class Stage {
     const half = element("span", {});
     const whole = element("span", {});
     const show = () => {
-      const most = this.session.lift.largestTension / 1e3;
-      half.textContent = shown(most / 2, 0);
-      whole.textContent = `${shown(most, 0)} kN`;
+      const most = this.session.lift.largestTension;
+      half.textContent = forceText(most / 2, most).replace(/ .*/, "");
+      whole.textContent = forceText(most, most);
     };
     show();
     this.session.on("data", show);
-    const slack = element("div", { class: "gl-slack" }, element("span", { class: "gl-slack-line" }), "slack");
+    const slack = element("div", { class: "gl-slack" }, this.slack, "slack");
     return element(
       "div",
       { class: "gl-ramp-box" },
@@ -190,17 +209,20 @@ export class Stage {
   private setCheap(isCheap: boolean): void {
     this.world.setCheap(isCheap);
     set(this.cheapSign, { "aria-pressed": String(isCheap) });
-    this.fit();
+    this.redraw();
   }
 
   private fit(): void {
-    this.width = Math.max(1, this.root.clientWidth);
-    this.height = Math.max(1, this.root.clientHeight);
+    const { clientWidth, clientHeight } = this.root;
+    // It has no size before it is in the page, nor where it is hidden.
+    if (clientWidth === 0 || clientHeight === 0) return;
+    [this.width, this.height] = [clientWidth, clientHeight];
     // Names with values need room.
     this.withValues = this.width >= 560;
     this.world.resize(this.width, this.height);
     this.reserve();
-    this.redraw();
+    if (this.cameras.isMoved) this.redraw();
+    else this.showView(this.cameras.view);
   }
 
   private reserve(): void {

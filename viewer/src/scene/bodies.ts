@@ -24,7 +24,7 @@ import type { Body } from "../data/format";
 import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
 import { type Clipping, insideOf, outsideOf } from "./ground";
-import { geometryOf, hookGeometry, hullOf, plainSheaveGeometry, sheaveGeometry } from "./solids";
+import { geometryOf, hookGeometry, hullOf, plainSheaveGeometry, SIGN, sheaveGeometry } from "./solids";
 
 const MANY_LUGS = 40; // from which each is drawn with few triangles
 const CREASE = 25; // degrees between faces from which an edge is drawn
@@ -129,7 +129,7 @@ export class Bodies {
 
   private shapeOf(body: Body): BufferGeometry | null {
     if (body.shape) return geometryOf(body.shape, this.lift);
-    if (body.kind === "hook") return hookGeometry().scale(...cube(0.055 * this.size));
+    if (body.kind === "hook") return hookGeometry().scale(...cube(SIGN * this.size));
     const hasSheave = this.lift.header.sheaves.some(
       (sheave) => this.lift.header.bodies[sheave.body] === body,
     );

@@ -1,12 +1,25 @@
 /** Views of the lift: freely turned, from the side, from above, at the hook, at the load. */
 
-import { type PerspectiveCamera, Vector3 } from "three";
+import { type PerspectiveCamera, Quaternion, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Lift } from "../data/lift";
+import { lensFrom, placeFor, type Room, WHOLE } from "./fit";
+import { cornersOf, SIGN_HIGH } from "./solids";
 import type { World } from "./world";
 
 export const VIEWS = ["orbit", "side", "top", "hook", "load"] as const;
 export type View = (typeof VIEWS)[number];
+
+const NEAREST = 0.05; // of the size of the scene, which every view stays away
+
+/** From where each looks, towards the camera. */
+const WAYS: Record<View, Vector3> = {
+  orbit: new Vector3(-0.62, -1, 0.3),
+  side: new Vector3(0, -1, 0.0001),
+  top: new Vector3(0, -0.0001, 1),
+  hook: new Vector3(-0.6, -1, 0.12),
+  load: new Vector3(-0.6, -1, 0.45),
+};
 
 export function isView(text: string): text is View {
   return (VIEWS as readonly string[]).includes(text);
@@ -14,6 +27,9 @@ export function isView(text: string): text is View {
 
 export class Cameras {
   view: View = "orbit";
+  /** Whether the camera is no longer where its view puts it. */
+  isMoved = false;
+  private isHeld = false;
   private readonly controls: OrbitControls;
   private readonly camera: PerspectiveCamera;
   private readonly followed = new Vector3();
@@ -28,13 +44,18 @@ export class Cameras {
     this.controls = new OrbitControls(world.camera, element);
     this.controls.enableDamping = false;
     this.controls.zoomSpeed = 0.8;
-    this.controls.addEventListener("change", onChange);
+    this.controls.addEventListener("start", () => (this.isHeld = true));
+    this.controls.addEventListener("end", () => (this.isHeld = false));
+    this.controls.addEventListener("change", () => {
+      this.isMoved ||= this.isHeld;
+      onChange();
+    });
     // A page must scroll under a wheel or a finger that only passes by.
     this.controls.enableZoom = false;
     element.addEventListener("focusin", () => (this.controls.enableZoom = true));
     element.addEventListener("pointerdown", () => (this.controls.enableZoom = true));
     element.addEventListener("pointerleave", () => (this.controls.enableZoom = false));
-    element.style.touchAction = "pan-y";
+    element.style.touchAction = ""; // as the style sheet has it
   }
 
   /** Which views this lift has. */
@@ -42,37 +63,46 @@ export class Cameras {
     return VIEWS.filter((view) => (view === "hook" || view === "load" ? this.bodyOf(view) >= 0 : true));
   }
 
-  show(view: View): void {
+  /** Show a view, as large as the rooms of the drawing let it be. */
+  show(view: View, rooms: readonly Room[] = [WHOLE]): void {
     this.view = this.available().includes(view) ? view : "orbit";
-    const { size, low, high } = this.world.extent;
+    this.isMoved = false;
     const target = new Vector3();
-    const way = new Vector3();
-    let reach = size;
     const body = this.bodyOf(this.view);
-    if (body >= 0) {
-      this.place(body, target);
-      this.followed.copy(target);
-      way.set(-0.6, -1, this.view === "hook" ? 0.12 : 0.45);
-      reach = this.view === "hook" ? 0.5 * size : 0.75 * size;
-      if (this.view === "hook") target.z -= 0.12 * size;
-    } else if (this.view === "side") way.set(0, -1, 0.0001);
-    else if (this.view === "top") way.set(0, -0.0001, 1);
-    else way.set(-0.62, -1, 0.3);
-    if (body < 0) {
-      const spans = [high[0] - low[0], high[1] - low[1], high[2] - low[2]] as const;
-      const wide =
-        this.view === "side" ? spans[0] : this.view === "top" ? spans[0] : Math.hypot(spans[0], spans[1]);
-      const tall = this.view === "top" ? spans[1] : this.view === "side" ? spans[2] : spans[2] + 0.25 * wide;
-      const half = Math.tan((this.camera.fov * Math.PI) / 360);
-      const deep = this.view === "top" ? spans[2] / 2 : spans[1] / 2;
-      // A narrow drawing has its buttons above the lift, not beside it.
-      const room = this.camera.aspect < 1 ? 1.4 : 1.04;
-      reach = room * Math.max(tall / 2 / half, wide / 2 / half / this.camera.aspect) + deep;
-      target.set(0, 0, 0);
-    }
-    this.controls.target.copy(target);
-    this.camera.position.copy(target).addScaledVector(way.normalize(), reach);
+    if (body >= 0) this.followed.copy(this.place(body, target));
+    const lens = lensFrom(WAYS[this.view], this.camera.fov, this.camera.aspect);
+    const points = this.pointsOf(this.view, body);
+    // The nearest of the places that the rooms lead to has the largest picture.
+    const places = rooms.map((room) => placeFor(points, lens, room, NEAREST * this.world.extent.size));
+    const out = (place: Vector3) => place.clone().sub(target).dot(lens.back);
+    const place = places.reduce((best, one) => (out(one) < out(best) ? one : best));
+    this.camera.position.copy(place);
+    // It turns about what it looks at.
+    this.controls.target.copy(place).addScaledVector(lens.back, -out(place));
     this.controls.update();
+  }
+
+  /** What a view has to hold, x y z after each other, about the middle of the scene. */
+  private pointsOf(view: View, body: number): ArrayLike<number> {
+    const { size, points } = this.world.extent;
+    if (body < 0) return points;
+    const { x, y, z } = this.followed;
+    const around = (low: number, wide: number, high: number) =>
+      [-1, 1].flatMap((side) => [
+        ...[x + side * wide * size, y, z + low * size],
+        ...[x, y + side * wide * size, z + high * size],
+      ]);
+    // A hook with what hangs from it, a load with its lugs.
+    if (view === "hook") return around(-0.22, 0.1, SIGN_HIGH);
+    const { shape, cog } = this.lift.header.bodies[body]!;
+    const corners = shape ? cornersOf(shape, this.lift) : [];
+    const [, , , w, i, j, k] = this.lift.poses.subarray(7 * body, 7 * body + 7);
+    const turn = new Quaternion(i, j, k, w);
+    const middle = new Vector3(...cog);
+    const held = around(-0.1, 0.1, 0.1);
+    for (let at = 0; at < corners.length; at += 3)
+      held.push(...CORNER.fromArray(corners, at).sub(middle).applyQuaternion(turn).add(this.followed));
+    return held;
   }
 
   /** Move along with the body that is looked at. */
@@ -89,6 +119,7 @@ export class Cameras {
 
   /** Turn, or come nearer, by keys. */
   nudge(turn: number, lift: number, zoom: number): void {
+    this.isMoved = true;
     const out = this.camera.position.clone().sub(this.controls.target);
     const reach = out.length() * zoom;
     const around = Math.atan2(out.y, out.x) + turn;
@@ -108,6 +139,9 @@ export class Cameras {
 
   restore(state: number[]): void {
     if (state.length !== 6 || state.some((part) => !Number.isFinite(part))) return;
+    this.isMoved = true;
+    const body = this.bodyOf(this.view);
+    if (body >= 0) this.place(body, this.followed);
     this.camera.position.fromArray(state, 0);
     this.controls.target.fromArray(state, 3);
     this.controls.update();
@@ -124,3 +158,5 @@ export class Cameras {
     return out.set(this.lift.poses[at]! - ox, this.lift.poses[at + 1]! - oy, this.lift.poses[at + 2]! - oz);
   }
 }
+
+const CORNER = new Vector3();

@@ -1,21 +1,19 @@
 /** Smallest distances of watched pairs: a line from each side to the other, in a warning colour where it is too short. */
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Color,
-  DynamicDrawUsage,
-  LineBasicMaterial,
-  LineSegments,
-} from "three";
+import { Color } from "three";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
 
 /** Shorter lines cannot be seen [m]: the pair touches, or there is no distance any more. */
 export const TOUCHING = 1e-3;
 
+const WIDTH = 1.8; // pixels
+
 export class Clearances {
-  readonly lines: LineSegments;
+  readonly lines: LineSegments2;
   private readonly places: Float32Array;
   private readonly colours: Float32Array;
 
@@ -23,14 +21,21 @@ export class Clearances {
     private readonly lift: Lift,
     private readonly origin: readonly [number, number, number],
   ) {
-    this.places = new Float32Array(lift.nearest.length);
-    this.colours = new Float32Array(lift.nearest.length);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(this.places, 3).setUsage(DynamicDrawUsage));
-    geometry.setAttribute("color", new BufferAttribute(this.colours, 3).setUsage(DynamicDrawUsage));
+    // A geometry without any piece has no middle.
+    this.places = new Float32Array(Math.max(6, lift.nearest.length));
+    this.colours = new Float32Array(this.places.length);
+    const geometry = new LineSegmentsGeometry();
+    geometry.setPositions(this.places);
+    geometry.setColors(this.colours);
+    geometry.instanceCount = lift.nearest.length / 6;
     // It is seen through what it is the distance of.
-    const material = new LineBasicMaterial({ vertexColors: true, depthTest: false, transparent: true });
-    this.lines = new LineSegments(geometry, material);
+    const material = new LineMaterial({
+      linewidth: WIDTH,
+      vertexColors: true,
+      depthTest: false,
+      transparent: true,
+    });
+    this.lines = new LineSegments2(geometry, material);
     this.lines.frustumCulled = false;
     this.lines.renderOrder = 2;
   }
@@ -43,7 +48,8 @@ export class Clearances {
       COLOUR.set(this.lift.isTooClose(pair) ? palette.tooClose : palette.clearance);
       for (let end = 0; end < 2; end++) COLOUR.toArray(this.colours, 6 * pair + 3 * end);
     }
-    for (const name of ["position", "color"]) this.lines.geometry.attributes[name]!.needsUpdate = true;
+    for (const name of ["instanceStart", "instanceColorStart"])
+      this.lines.geometry.attributes[name]!.needsUpdate = true;
   }
 }
 

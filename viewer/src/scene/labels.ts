@@ -1,9 +1,11 @@
 /** Names beside what they name, as text above the drawing. */
 
+import { forceText } from "../chart/scale";
 import type { Lift } from "../data/lift";
 import { element, set } from "../dom";
 import { TOUCHING } from "./clearances";
 import { type Box, settle } from "./settle";
+import { cornersOf, SIGN_WIDE } from "./solids";
 import type { World } from "./world";
 
 /** Slings up to which each has its name; more of them would hide the lift. */
@@ -14,7 +16,7 @@ const MOST_PAIRS = 8;
 const LINE = 16; // pixels, as `.gl-label` has it
 const PADDING = 10; // pixels, left and right together
 const MOST_WIDE = 190; // pixels, from which a name is cut short
-const BESIDE = 12; // pixels from a hook to its name
+const BESIDE = 4; // pixels from a hook to its name
 /** Slings of which less is seen have no name: it would cover them [pixels]. */
 const SHORT = 48;
 
@@ -25,6 +27,8 @@ interface Label {
   rope: number;
   body: number;
   pair: number;
+  /** From the middle of a hook to its side [m]. */
+  aside: number;
   text: string;
   /** Where it is, as a style; empty while it is hidden. */
   way: string;
@@ -62,9 +66,18 @@ export class Labels {
   private add(name: string, kind: string, of: Partial<Pick<Label, "rope" | "body" | "pair">>): void {
     const value = element("span", { class: "gl-label-value" });
     const root = element("div", { class: kind }, name, value);
-    this.labels.push({ root, value, name, rope: -1, body: -1, pair: -1, text: "", way: "", ...of });
+    const aside = this.asideOf(of.body ?? -1);
+    this.labels.push({ root, value, name, rope: -1, body: -1, pair: -1, aside, text: "", way: "", ...of });
     root.hidden = true;
     this.root.append(root);
+  }
+
+  private asideOf(index: number): number {
+    const body = this.lift.header.bodies[index];
+    if (body?.kind !== "hook") return 0;
+    if (!body.shape) return SIGN_WIDE * this.world.extent.size;
+    const corners = cornersOf(body.shape, this.lift);
+    return Math.hypot(corners[21]! - corners[0]!, corners[22]! - corners[1]!) / 2;
   }
 
   /** Put every name where it belongs now; `reserved` is taken by buttons and legend. */
@@ -103,8 +116,10 @@ export class Labels {
     if (!place) return null;
     const wide = PADDING + (this.ruler?.measureText(label.name + text).width ?? 0);
     const box = { x: place[0], y: place[1], width: Math.min(MOST_WIDE, wide), height: LINE };
-    if (label.body >= 0 && this.lift.header.bodies[label.body]!.kind === "hook") {
-      const aside = BESIDE + box.width / 2;
+    if (label.aside > 0) {
+      const at = 7 * label.body;
+      const [x, y, z] = this.lift.poses.subarray(at, at + 3);
+      const aside = BESIDE + label.aside * this.world.scaleAt(x!, y!, z!, height) + box.width / 2;
       box.x += box.x + aside + box.width / 2 < width ? aside : -aside;
     }
     return box;
@@ -112,12 +127,15 @@ export class Labels {
 
   private textOf(label: Label, hasValues: boolean): string {
     if (label.pair >= 0) {
-      set(label.root, { "data-close": this.lift.isTooClose(label.pair) ? "" : undefined });
-      return `${this.lift.distance(label.pair).toFixed(2)} m`;
+      const isTooClose = this.lift.isTooClose(label.pair);
+      set(label.root, { "data-close": isTooClose ? "" : undefined });
+      const distance = `${this.lift.distance(label.pair).toFixed(2)} m`;
+      // Its colour alone would not tell everybody.
+      return isTooClose ? `${distance} < ${this.lift.header.pairs[label.pair]!.smallest} m` : distance;
     }
     const tension = label.rope >= 0 ? this.lift.tensions[label.rope]! : -1;
     if (!hasValues || tension < 0) return "";
-    return tension > 0 ? ` ${Math.round(tension / 1e3)} kN` : " slack";
+    return tension > 0 ? ` ${forceText(tension, this.lift.largestTension)}` : " slack";
   }
 
   private pointOf(index: number, width: number, height: number): [number, number] | null {

@@ -16,6 +16,12 @@ import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js
 import type { Box, Shape } from "../data/format";
 import type { Lift } from "../data/lift";
 
+/** Height of the sign for a hook without a size, and of its top over where it bears, of the size of the scene. */
+export const SIGN = 0.055;
+export const SIGN_HIGH = 1.05 * SIGN;
+/** Half its width. */
+export const SIGN_WIDE = 0.21 * SIGN;
+
 /** Geometry of a shape in the frame of its body. */
 export function geometryOf(shape: Shape, lift: Lift): BufferGeometry {
   if (shape.type === "box") return boxGeometry(shape);

@@ -18,7 +18,7 @@ import { Bodies } from "./bodies";
 import { Clearances } from "./clearances";
 import { Ground, holesUnder } from "./ground";
 import { Ropes } from "./ropes";
-import { cornersOf } from "./solids";
+import { cornersOf, SIGN_HIGH } from "./solids";
 import { Structures } from "./structures";
 
 /** Pixels of the drawing for one of the page, along each side, while something moves and each costs much. */
@@ -32,6 +32,8 @@ export interface Extent {
   size: number;
   low: [number, number, number];
   high: [number, number, number];
+  /** Outermost places of what is drawn, x y z after each other, about the middle. */
+  points: Float32Array;
 }
 
 export class World {
@@ -171,6 +173,13 @@ export class World {
     if (POINT.z > 1) return null;
     return [((POINT.x + 1) / 2) * width, ((1 - POINT.y) / 2) * height];
   }
+
+  /** Pixels that a metre across takes at a place. */
+  scaleAt(x: number, y: number, z: number, height: number): number {
+    const [ox, oy, oz] = this.extent.middle;
+    const { z: away } = POINT.set(x - ox, y - oy, z - oz).applyMatrix4(this.camera.matrixWorldInverse);
+    return height / 2 / Math.tan((this.camera.fov * Math.PI) / 360) / Math.max(-away, this.camera.near);
+  }
 }
 
 const POINT = new Vector3();
@@ -180,8 +189,11 @@ const TURN = new Quaternion();
 export function extentOf(lift: Lift): Extent {
   const low: [number, number, number] = [1e9, 1e9, 1e9];
   const high: [number, number, number] = [-1e9, -1e9, -1e9];
+  const held: number[] = [];
+  const hooks: number[] = [];
   const hold = (x: number, y: number, z: number) => {
     const point = [x, y, z];
+    held.push(x, y, z);
     for (let axis = 0; axis < 3; axis++) {
       low[axis] = Math.min(low[axis]!, point[axis]!);
       high[axis] = Math.max(high[axis]!, point[axis]!);
@@ -206,22 +218,30 @@ export function extentOf(lift: Lift): Extent {
         );
         hold(POINT.x + pose[0]!, POINT.y + pose[1]!, POINT.z + pose[2]!);
       }
+      const { kind, shape } = lift.header.bodies[index]!;
+      if (kind === "hook" && !shape) hooks.push(pose[0]!, pose[1]!, pose[2]!);
     });
   }
   lift.seek(lift.begin);
-  if (low[0] > high[0]) return { middle: [0, 0, 0], size: 10, low: [-5, -5, -5], high: [5, 5, 5] };
+  if (low[0] > high[0]) {
+    const points = new Float32Array([-5, -5, -5, 5, 5, 5]);
+    return { middle: [0, 0, 0], size: 10, low: [-5, -5, -5], high: [5, 5, 5], points };
+  }
   if (lift.header.water !== null) low[2] = Math.min(low[2], lift.header.water);
   else if (lift.header.ground !== null) {
     low[2] = Math.max(low[2], lift.header.ground);
     for (const hole of holesUnder(lift.header, low, high)) low[2] = Math.min(low[2], hole.floor);
   }
   const middle = low.map((value, axis) => (value + high[axis]!) / 2) as [number, number, number];
-  return {
-    middle,
-    size: Math.max(Math.hypot(...low.map((value, axis) => high[axis]! - value)), 1),
-    low,
-    high,
-  };
+  const size = Math.max(Math.hypot(...low.map((value, axis) => high[axis]! - value)), 1);
+  // Hooks without a size are drawn as signs, which stand higher than where they bear.
+  for (let at = 0; at < hooks.length; at += 3)
+    held.push(hooks[at]!, hooks[at + 1]!, hooks[at + 2]! + SIGN_HIGH * size);
+  const points = Float32Array.from(
+    held,
+    (value, place) => (place % 3 === 2 ? Math.max(value, low[2]) : value) - middle[place % 3]!,
+  );
+  return { middle, size, low, high, points };
 }
 
 /** The longest side of any load [m]; without end where none has a shape. */
