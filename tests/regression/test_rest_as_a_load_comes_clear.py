@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from gantline.scenario import parse_scenario
-from gantline.statics import Statics
+from gantline.statics import Losses, Statics
 
 SCENARIO = Path(__file__).parents[2] / "scenarios" / "spreader_bar" / "scenario.yaml"
 HANGS = 450e3
@@ -25,7 +25,7 @@ HANGS = 450e3
     ("speed", "at", "time", "losses"),
     [(4.0, "", 30.0, "held"), (4.0, ", at: [0 m, 0 m, 1.75 m]", 30.0, "none"), (8.0, "", 100.0, "held")],
 )
-def test_it_hangs_edge_on_to_the_wind(speed: float, at: str, time: float, losses: str) -> None:
+def test_it_hangs_edge_on_to_the_wind(speed: float, at: str, time: float, losses: Losses) -> None:
     """One area, beside the centre of gravity, and nothing that holds the load against turning: it turns until
     the wind finds no area, and the slings of the bar, now across the wind, hang straight. Forces balance to
     1e-9 of what hangs, and their ways are differences of places of 10 m, which leaves 1e-7. Near edge-on the
