@@ -13,6 +13,7 @@ import pytest
 from gantline import simulate
 from gantline.scenario import ScenarioError, parse_scenario
 from lift_text import changed
+from mechanics import G
 
 LIFT = """\
 format: 1
@@ -43,7 +44,7 @@ plan:
 def test_plan_waits_for_the_deck_to_be_clear() -> None:
     """It comes clear when the slings are taut and stretched by W L/EA: 0.1 m + 25 mm at 0.05 m/s, 2.5 s."""
     recording = simulate(parse_scenario(LIFT))
-    stretch = 10e3 * 9.80665 * 5.0 / 20e6
+    stretch = 10e3 * G * 5.0 / 20e6
     start = 0.5 * 0.05 / 1.0  # half of the ramp to 0.05 m/s at 1 m/s² [s]
     lift_off = recording.metrics()["lift_off_time"]
     # The deck gives 0.25 mm to each corner; the load lags as it is pulled up.
