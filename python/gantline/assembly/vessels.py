@@ -213,7 +213,7 @@ def misplaced(document: Json, loads: Collection[str], at_start: Mapping[str, Seq
         at_start: Centres of gravity of bodies at the start of the run by their names, world axes [m].
     """
     sentences = []
-    for body in (one for one in document["bodies"] if one["name"] in loads):
+    for body in (one for one in document.get("bodies", ()) if one["name"] in loads):
         moved = _moved(body, at_start)
         way, lower = float(np.linalg.norm(moved)), -float(moved[2])
         if way > _ADRIFT:
