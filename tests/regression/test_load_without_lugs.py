@@ -48,6 +48,17 @@ def test_baskets_bear_it() -> None:
     assert rest.tension("east") == pytest.approx(tension, rel=1e-6)
 
 
+@pytest.mark.parametrize(("below", "is_stable"), [(0.052, True), (0.049, False)])
+def test_it_rolls(below: float, is_stable: bool) -> None:
+    """The hook is on an ellipse about the eyes: the load is lowest upright where c > a²/b, 0.25/4.975 m.
+
+    The axes are l = 5 m and b = √(l² - a²); from a centre of gravity c below the middle the hook is at the
+    distance squared l² sin² t + (b cos t + c)², which is largest at t = 0 while a² < b c.
+    """
+    text = LIFT.replace("0.5 m, 0.1 m]", f"0.5 m, {below} m]")
+    assert Statics(parse_scenario(text)).equilibrium().is_stable is is_stable
+
+
 def test_what_is_empty_may_be_left_out() -> None:
     """As the message says."""
     with pytest.raises(ScenarioError, match=r"load\.lugs: is empty; leave it out or fill it"):
