@@ -11,6 +11,9 @@ from gantline.units import format_quantity
 
 __all__ = ["hangs_from_the_start", "lift_off_in_words", "lift_off_time"]
 
+#: A load that is clear for good within this of when it first was has come off once [s].
+_AT_ONCE = 1.0
+
 
 def hangs_from_the_start(recording: Recording, load: Load) -> bool:
     """Whether a load hangs clear as the recording begins; one that is put down just there presses at once."""
@@ -56,6 +59,6 @@ def lift_off_in_words(recording: Recording, digits: int) -> str:
     names = {name for load in loads for name in (load.name, load.body, load.contact_group)}
     last = max((time for time, _, name in recording.events("lift_off") if name in names), default=first)
     words = f"at {format_quantity(first, 's', digits)}"
-    if last > first and series.is_clear(recording)[-1]:
+    if last > first + _AT_ONCE and series.is_clear(recording)[-1]:
         words += f", for good at {format_quantity(last, 's', digits)}"
     return words
