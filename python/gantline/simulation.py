@@ -14,7 +14,7 @@ from gantline import _core
 from gantline.assembly import assemble
 from gantline.assembly.commands import CommandError, command_of, commanded
 from gantline.assembly.origin import refused
-from gantline.assembly.vessels import adrift, vessel_hulls
+from gantline.assembly.vessels import adrift, misplaced, vessel_hulls
 from gantline.interrupt import noted_interrupt
 from gantline.overrides import is_number, overridden, with_adjusting_factor, with_locked_equalizers
 from gantline.results.clearances import clearance_events, contact_warnings
@@ -321,11 +321,13 @@ class Simulation:
         loads = {load.name: load.body for load in rig.loads}
         density = (self.scenario.water or Water()).density
         warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density)
-        if rig.vessels and len(columns["time"]):
+        if len(columns["time"]):
             at_start, turned = (
                 dict(zip(names["body"], columns[name][0], strict=True))
                 for name in ("body_position", "body_orientation")
             )
+            warnings += misplaced(self.assembly.document, loads.values(), at_start)
+        if rig.vessels and len(columns["time"]):
             afloat = [vessel.body for vessel in rig.vessels]
             warnings += adrift(self.assembly.document, afloat, at_start, turned)
             hulls = vessel_hulls(self.assembly.document, afloat)

@@ -54,10 +54,11 @@ def route_lengths(parts: Parts, route: Sequence[Json]) -> tuple[Array, Array]:
     return np.array(straight), np.array([circle.arc() for circle in circles])
 
 
-def level_distance(parts: Parts, route: Sequence[Json]) -> float:
-    """How far the ends of a route are apart sideways at the start, whatever their heights [m]."""
+def end_to_end(parts: Parts, route: Sequence[Json]) -> Array:
+    """From the first end of a route to its last at the start, world axes (3,) [m]."""
     first, last = _Circle(parts, route[0]), _Circle(parts, route[-1])
-    return float(np.hypot(*(last.arrival - first.departure)[:2]))
+    way: Array = last.arrival - first.departure
+    return way
 
 
 class _Circle:

@@ -22,6 +22,7 @@ __all__ = [
     "add_vessels",
     "adrift",
     "deck_edge",
+    "misplaced",
     "vessel_hull",
     "vessel_hulls",
     "vessel_rig",
@@ -31,7 +32,7 @@ __all__ = [
 
 #: A triangle of a hull is part of its deck where the cosine of its slope is more than this.
 _DECK = 0.5
-#: A vessel that the way to rest takes farther than this, in plan or in height, was not meant to go there [m].
+#: A vessel or load that the way to rest takes farther than this was not meant to go there [m].
 _ADRIFT = 1.0
 #: One whose heel and trim come out farther than this from those of the lift file was not meant so [rad]: the
 #: head of a boom is 1 m elsewhere then.
@@ -180,8 +181,7 @@ def adrift(
     sentences = []
     for body in (one for one in document["bodies"] if one["name"] in vessels):
         joint = body["joint"]
-        given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
-        moved = np.asarray(at_start[body["name"]]) - given
+        moved = _moved(body, at_start)
         way, higher = float(np.hypot(*moved[:2])), float(moved[2])
         if abs(higher) > _ADRIFT:
             towards = "higher" if higher > 0 else "deeper"
@@ -202,6 +202,35 @@ def adrift(
                 "and booms and hooks with it: there it rests; see heel, trim, its masses and tanks"
             )
     return sentences
+
+
+def misplaced(document: Json, loads: Collection[str], at_start: Mapping[str, Sequence[float]]) -> list[str]:
+    """A sentence for each load that a run begins with elsewhere than the lift file has it.
+
+    Args:
+        document: What has been assembled of the lift.
+        loads: Names of the bodies of its loads.
+        at_start: Centres of gravity of bodies at the start of the run by their names, world axes [m].
+    """
+    sentences = []
+    for body in (one for one in document.get("bodies", ()) if one["name"] in loads):
+        moved = _moved(body, at_start)
+        way, lower = float(np.linalg.norm(moved)), -float(moved[2])
+        if way > _ADRIFT:
+            of_that = f", {lower:.1f} m of that lower" if lower > 0.5 * way else ""
+            sentences.append(
+                f"{body['name']} starts {way:.1f} m from where the lift file has it{of_that}: "
+                "there it rests; see its position, what it shall stand on, hooks and slings"
+            )
+    return sentences
+
+
+def _moved(body: Json, at_start: Mapping[str, Sequence[float]]) -> Array:
+    """How far the centre of gravity of a free body is at the start from where its joint has it (3,) [m]."""
+    joint = body["joint"]
+    given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
+    moved: Array = np.asarray(at_start[body["name"]]) - given
+    return moved
 
 
 def vessel_hulls(document: Json, vessels: Collection[str]) -> dict[str, Array]:

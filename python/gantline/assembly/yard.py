@@ -10,7 +10,7 @@ import numpy as np
 from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
 from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
-from gantline.assembly.route import MOST_STRAIN, level_distance, route_length, too_far
+from gantline.assembly.route import MOST_STRAIN, end_to_end, route_length, too_far
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario
@@ -244,6 +244,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     """
     if scenario.load is None:
         return
+    below: dict[str, float] = {}  # slings whose upper end is below the lug that they hold, and by how much
     for sling in rigging.slings.values():
         route = sling_route(scenario, rigging, sling, lugs)
         distance = route_length(parts, route)
@@ -257,7 +258,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             sentence = f"the sling is {sling.length:g} m, but {apart} at the start"
             sentence += f": {too_far(distance, sling.length)}; " if may_stretch else "; "
             advice = "lower the hook or make the sling longer"
-            aside = level_distance(parts, route)
+            aside = float(np.hypot(*end_to_end(parts, route)[:2]))
             if sling.over is None and aside > sling.length:
                 sentence += f"{aside:.3f} m of that sideways, which no height of the hook makes up; "
                 advice = "put crane, boom or load elsewhere"
@@ -269,6 +270,16 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         if sling.weight.mass_per_length > 0:  # lumped where hook, sheaves and load are made
             parts.rope_mass[rope] = sling.weight.mass_per_length * sling.length, 0.0
         add_free_rope(parts, scenario, path, rope, sling.rope, sling.weight, sling.length, route)
+        if sling.over is None and sling.lugs and (rise := float(end_to_end(parts, route)[2])) > 0.0:
+            below[sling.name] = rise
+    if below:
+        deepest = max(below, key=lambda name: below[name])
+        more = f" and {len(below) - 1} more" if len(below) > 1 else ""
+        way = _way(scenario.load.name, rigging.slings[deepest])
+        parts.warnings.append(
+            f"sling {deepest}{more} cannot lift where this begins: {way} it goes {below[deepest]:.3g} m up; "
+            "the height of a hook is that of its bearing"
+        )
 
 
 def lower_end(scenario: Scenario, lugs: Mapping[str, Sequence[float]], end_of_sling: SlingEnd) -> Json:

@@ -10,6 +10,7 @@ from gantline.results.recording import Recording
 __all__ = [
     "FALLS",
     "HOOK_DYNAMICS",
+    "LUG_PLATE",
     "ROPE_FACTOR",
     "SHEAVE_BENDING",
     "SIDE_LEAD",
@@ -46,6 +47,9 @@ SIDE_LEAD = Alarm(
 )
 TIPPING = Alarm(lambda _: 0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1")
 SLING_ANGLE = Alarm(lambda _: math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
+LUG_PLATE = Alarm(
+    lambda _: math.radians(45.0), "more pulls across the plate than in its plane; plausible, no document"
+)
 SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
 ROPE_FACTOR = Alarm(lambda _: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
 HOOK_DYNAMICS = Alarm(lambda _: 1.3, "more comes of snatching a load; plausible, no document")

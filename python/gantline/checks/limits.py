@@ -26,6 +26,7 @@ from gantline.checks import (
 from gantline.checks.alarms import (
     FALLS,
     HOOK_DYNAMICS,
+    LUG_PLATE,
     ROPE_FACTOR,
     SHEAVE_BENDING,
     SIDE_LEAD,
@@ -381,6 +382,7 @@ LIMITS: dict[str, Measure] = {
         1,
         lugs.out_of_plane_angle,
         is_listed=True,
+        alarm=LUG_PLATE,
     ),
     "support_force_of_capacity": Measure(
         "largest force of a support / its capacity",

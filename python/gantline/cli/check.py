@@ -122,6 +122,7 @@ def _look_over(simulation: Simulation) -> None:
     typer.echo("\n".join([*heading(rig), *weights(rig), *ropes, *_rope_weights(rig), *_sheaves(rig)]))
     for warning in simulation.assembly.warnings:
         warn(warning)
+    _warn_of_time(simulation)
     nodes = sum(rope.nodes for rope in rig.ropes)
     numbers = {
         "bodies": len(document["bodies"]) - nodes - len(rig.sheaves) - len(rig.drums),
@@ -132,6 +133,18 @@ def _look_over(simulation: Simulation) -> None:
     }
     counts = ", ".join(f"{number} {what}" for what, number in numbers.items() if number)
     typer.echo(f"{simulation.scenario.source}: in order ({counts}; {simulation.duration:g} s to simulate)")
+
+
+def _warn_of_time(simulation: Simulation) -> None:
+    """Tell of a plan that cannot be over when the run ends."""
+    from gantline.scenario.plan_time import earliest_ends
+
+    plan = simulation.scenario.plan
+    ends = earliest_ends(plan)
+    late = [step.step for step, end in zip(plan, ends, strict=True) if end > simulation.duration]
+    if late:
+        least = f"the plan takes {max(ends):.0f} s at least; {simulation.duration:g} s are simulated"
+        warn(f"{least}, and end before '{late[0]}' does: make 'duration' longer")
 
 
 def _rope_weights(rig: Rig) -> list[str]:

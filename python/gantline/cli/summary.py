@@ -15,6 +15,7 @@ from gantline.cli.table import ABSENT, cut, pairs, show, table
 from gantline.cli.vessels import vessels
 from gantline.results import series
 from gantline.results.drift import load_drift
+from gantline.results.lift_off import lift_off_in_words
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
@@ -44,7 +45,7 @@ def summary(
     metrics = recording.metrics()
     parts = [
         heading(rig),
-        _loads(recording, metrics),
+        _loads(recording),
         cut(_slings(recording), _MOST_ROWS),
         _parted(recording),
         cut(_used(recording), _MOST_ROWS),
@@ -88,7 +89,7 @@ def weights(rig: Rig) -> list[str]:
     return lines
 
 
-def _loads(recording: Recording, metrics: dict[str, float]) -> list[str]:
+def _loads(recording: Recording) -> list[str]:
     rows: list[tuple[str, str]] = []
     for load in recording.rig.loads:
         tilt = series.peak(recording, recording.column("load_tilt", load.name))
@@ -109,10 +110,7 @@ def _loads(recording: Recording, metrics: dict[str, float]) -> list[str]:
         ]
     if not rows:
         return []
-    lift_off = metrics.get("lift_off_time")
-    # A load that hangs as the run begins leaves no support.
-    never = "clear from the start" if series.is_clear(recording)[0] else "never clear of a support"
-    rows.insert(0, ("lift-off", never if lift_off is None else f"at {show(lift_off, 's', 2)}"))
+    rows.insert(0, ("lift-off", lift_off_in_words(recording, 2)))
     return [*weights(recording.rig), *pairs("", rows)[1:]]
 
 

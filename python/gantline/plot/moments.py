@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.results import series
+from gantline.results.lift_off import lift_off_time
 from gantline.results.recording import Recording
 
 #: Most stages of a lift that one picture shows.
@@ -30,7 +31,7 @@ def moments(recording: Recording) -> list[tuple[str, int]]:
         peak = max(series.rope_peak(recording, rope) for rope in slings)[1]
         times = [
             ("slings taut", _all_taut(recording, slings, peak)),
-            ("lift-off", series.lift_off_time(recording)),
+            ("lift-off", lift_off_time(recording)),
             ("peak tension", peak),
         ]
     else:
@@ -56,7 +57,7 @@ def stages(recording: Recording) -> list[tuple[str, int]]:
     Returns:
         Name and sample of each; fewer than four where the plan does little after the load is clear.
     """
-    lift_off = series.lift_off_time(recording)
+    lift_off = lift_off_time(recording)
     known = [(name, sample) for name, sample in moments(recording) if name not in ("peak tension", "end")]
     after = [
         (f"end of '{name}'", _sample(recording, time))

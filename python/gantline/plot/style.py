@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from gantline.plot.timeline import LETTER, draw_strip, is_tall, strips_of
-from gantline.results import series
+from gantline.results.lift_off import lift_off_time
 from gantline.results.progress import unfinished
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
@@ -302,7 +302,7 @@ def colour(index: int) -> str:
 def _mark_lift_off(recordings: Mapping[str, Recording], panels: Sequence[Axes]) -> None:
     labels: dict[str, float] = {}
     for letter, recording in recordings.items():
-        time = series.lift_off_time(recording)
+        time = lift_off_time(recording)
         if time is None:
             continue
         for panel in panels:

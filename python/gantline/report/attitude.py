@@ -7,6 +7,7 @@ import numpy as np
 from gantline.report.subject import ABSENT, Subject, show
 from gantline.results import series
 from gantline.results.drift import load_drift
+from gantline.results.lift_off import lift_off_in_words
 from gantline.results.rig import Load
 
 
@@ -15,10 +16,8 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
     recording = subject.recording
     rows = _wind(subject)
     lift_off = subject.metrics.get("lift_off_time")
-    if lift_off is not None:
-        rows.append(("lift-off", f"at {show(lift_off, 's', 1)}"))
-    elif any(load.contacts for load in subject.rig.loads):
-        rows.append(("lift-off", "never clear of a support"))
+    if any(load.contacts for load in subject.rig.loads):
+        rows.append(("lift-off", lift_off_in_words(recording, 1)))
     for load in subject.rig.loads:
         rows += _of_load(subject, load, lift_off)
     rows += _clearance(subject)

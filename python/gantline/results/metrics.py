@@ -28,7 +28,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_pin_force` [N]: largest magnitude of the force on any locking pin at any sample
 - `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
 - `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
-- `lift_off_time` [s]: when the last contact force under the last load became zero
+- `lift_off_time` [s]: when the last contact force under the last load first became zero; absent where all
+  hang clear from the start
 - `peak_support_force.<support>` [N]: largest force of that support at any sample
 - `peak_support_force` [N]: the largest of them
 - `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample
@@ -84,6 +85,7 @@ from gantline.results import series
 from gantline.results.clearances import peak_support_force
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
+from gantline.results.lift_off import lift_off_time
 from gantline.results.parting import partings
 from gantline.results.rating import chart_used
 from gantline.results.recording import Recording
@@ -240,7 +242,7 @@ def _sheaves(recording: Recording) -> Iterator[_Metric]:
 
 
 def _loads(recording: Recording) -> Iterator[_Metric]:
-    yield "lift_off_time", series.lift_off_time(recording)
+    yield "lift_off_time", lift_off_time(recording)
     if not recording.rig.loads:
         return
     yield "final_load_transferred", float(recording["load_transferred"].values[-1].min())

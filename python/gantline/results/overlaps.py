@@ -86,6 +86,7 @@ _LOOKED_AT = {
         *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
         *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
         *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
+        *(("hull",), ("hull", "structure")),
     )
 }
 

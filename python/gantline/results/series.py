@@ -68,25 +68,6 @@ def load_yaw(recording: Recording, load: Load) -> FloatArray | None:
     return yaw
 
 
-def lift_off_time(recording: Recording) -> float | None:
-    """When the last load first came clear of its supports [s]; None if one never did or none stood on any."""
-    times = []
-    for load in recording.rig.loads:
-        if not load.contacts:
-            continue
-        names = {load.name, load.body, load.contact_group}
-        events = [time for time, _, name in recording.events("lift_off") if name in names]
-        supported = support_force(recording, load) > 0.0
-        freed = np.flatnonzero(supported[:-1] & ~supported[1:])
-        if events:
-            times.append(events[0])
-        elif freed.size:
-            times.append(float(recording.time[freed[0] + 1]))
-        else:
-            return None
-    return max(times, default=None)
-
-
 def trailing(mask: BoolArray) -> BoolArray:
     """The run of true values at the end of a mask."""
     false = np.flatnonzero(~mask)

@@ -9,6 +9,7 @@ from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.hooks import full_name
+from gantline.scenario.model import Scenario
 from gantline.scenario.movers import Mover, movers
 from gantline.scenario.steps import DrumStep, HoldStep, HookStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tanks import bodies_afloat
@@ -160,9 +161,10 @@ def _check_condition(findings: Findings, place: int, step: MovingStep | PumpStep
             found = f"'{line}' is not a mooring line; {nearest(line, lines)}"
             findings.add((*path, "mooring_tension", "line"), found)
         return
-    if scenario.load is None or (scenario.ground is None and not scenario.supports):
+    if not _may_stand(scenario):
         sentence = "this waits for a load to leave the ground"
-        findings.add(path, f"{sentence}; there is no 'load' on a 'ground' or on 'supports' in this file")
+        stands = "on a 'ground', on 'supports' or 'structures', or in 'body_contacts'"
+        findings.add(path, f"{sentence}; there is no 'load' {stands} in this file")
         return
     down = isinstance(step, (LowerStep, PayOutStep))
     up = isinstance(step, (HookStep, DrumStep)) and not down
@@ -172,6 +174,16 @@ def _check_condition(findings: Findings, place: int, step: MovingStep | PumpStep
     if up and condition.supports == "touched":
         sentence = "a load that is lifted does not come down on supports"
         findings.add(path, f"{sentence}; 'supports: clear' is right here")
+
+
+def _may_stand(scenario: Scenario) -> bool:
+    """Whether there is a load, and something that it may touch: a deck aboard is one of `body_contacts`."""
+    load, mechanics = scenario.load, scenario.mechanics
+    if load is None:
+        return False
+    contacts = (mechanics and mechanics.body_contacts) or {}
+    touched = any(load.name in contact.between for contact in contacts.values())
+    return touched or scenario.ground is not None or bool(scenario.supports or scenario.structures)
 
 
 def _check_hoist_load(findings: Findings, path: Path, text: str) -> None:

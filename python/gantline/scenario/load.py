@@ -199,7 +199,10 @@ class Load(Element):
     stands_on: Name | None = Field(
         None, description="What the load stands on at the start: 'ground', or a group of 'supports'."
     )
-    lugs: Named[Lug] = Field(description="Lifting lugs by name.")
+    lugs: Named[Lug] = Field(
+        default_factory=dict,
+        description="Lifting lugs by name; a load in baskets of `mechanics` may have none.",
+    )
     wind_areas: Named[StreamArea] | None = Field(None, description=WIND_SHOWN)
     current_areas: Named[StreamArea] | None = Field(None, description=CURRENT_SHOWN)
 

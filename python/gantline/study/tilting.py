@@ -34,6 +34,8 @@ _TO = 1e-3
 _FARTHEST = 10.0
 #: First shift that is tried [m].
 _FIRST = 0.1
+#: Of natural motions, as many times those known are asked for where they do not tell how a load tilts.
+_MORE = 4
 
 
 @dataclass(frozen=True)
@@ -102,7 +104,7 @@ def tilting_of(question: Statics, rest: Equilibrium, modes: Sequence[Mode]) -> l
     Args:
         question: The lift.
         rest: Its equilibrium found last.
-        modes: Its natural motions.
+        modes: Its slowest natural motions; where these do not tell how a load tilts, more are found.
     """
     clear = [
         load
@@ -143,7 +145,7 @@ def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: 
         soft=found[0],
         stiff=found[1],
         tilt_per_metre=(float(np.linalg.norm(turned[:, 0])), float(np.linalg.norm(turned[:, 1]))),
-        period=_period(rest, modes, load, soft),
+        period=_period(question, rest, modes, load, soft, float(values[order[0]])),
         period_on_lugs=(
             2 * math.pi * math.sqrt((about + mass * depth**2) / (load.weight * depth))
             if depth > 0.0
@@ -259,15 +261,26 @@ def _inertia(question: Statics, load: Load) -> Floats:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
-def _period(rest: Equilibrium, modes: Sequence[Mode], load: Load, axis: Floats) -> float | None:
-    """Of the motion with the largest part in the tilt that a moment makes, Σ θ²/ω² with xᵀ M x = 1."""
+def _period(
+    question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: Load, axis: Floats, compliance: float
+) -> float | None:
+    """Of the motion with the largest part in the tilt that a moment makes, Σ θ²/ω² with xᵀ M x = 1.
+
+    All parts together are the compliance, so it is known when no motion can have a larger one that is not
+    among `modes`; until then more are asked for. Slow ones may all be motions in which the load hardly tilts.
+    """
     place = list(rest.recording.coordinates["body"]).index(load.body)
-    parts = {
-        mode.period: float(mode.body_motion[place][3:5] @ axis) ** 2 / abs(mode.square)
-        for mode in modes
-        if mode.period is not None or mode.growth_time is not None
-    }
-    return max(parts, key=lambda period: parts[period], default=None)
+    while True:
+        tilting = [one for one in modes if one.period is not None or one.growth_time is not None]
+        parts = [float(one.body_motion[place][3:5] @ axis) ** 2 / one.square for one in tilting]
+        largest = max(range(len(parts)), key=lambda index: abs(parts[index]), default=None)
+        unseen = compliance - sum(parts)
+        if largest is not None and abs(parts[largest]) >= unseen:
+            return tilting[largest].period
+        more = question.modes(_MORE * max(len(modes), 1))
+        if len(more) <= len(modes):
+            return None if largest is None else tilting[largest].period
+        modes = more
 
 
 def _named(direction: Floats) -> tuple[float, float]:

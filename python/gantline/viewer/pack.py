@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
+from gantline.results.lift_off import lift_off_time
 from gantline.results.progress import stretches, unfinished
 from gantline.results.recording import Recording
 from gantline.results.surroundings import ground_of, structures_of, water_level
@@ -75,7 +76,7 @@ def pack(recording: Recording, *, since: int = 0) -> Packed:
     poses = {name: np.asarray(body["cog"]) for name, body in bodies.items()}
     turned = sheave_angles(recording, list(whole), sheaves, poses)[whole >= since]
     arrays.steps("sheave_angle", turned, 1e-4)
-    lift_off = series.lift_off_time(recording) if len(recording.time) else None
+    lift_off = lift_off_time(recording) if len(recording.time) else None
     header = {
         "format": 1,
         "title": recording.rig.title or recording.title,

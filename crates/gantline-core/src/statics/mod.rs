@@ -176,7 +176,7 @@ impl Statics {
             let cause = "it capsizes before it comes to rest".to_owned();
             return Err(NoEquilibrium { element: vessel.name.clone(), cause });
         }
-        if let Some(vessel) = system.vessels.iter().find(|vessel| is_under_water(system, vessel, pose)) {
+        if let Some(vessel) = self.sunk(system) {
             return Err(NoEquilibrium { element: vessel.name.clone(), cause: SINKS.to_owned() });
         }
         self.drag_motors(system, state);
@@ -258,6 +258,10 @@ impl Statics {
 
     fn explain(&self, system: &System, stuck: Stuck, losses: Losses) -> NoEquilibrium {
         let body = |index: usize| system.tree.bodies[index].name.clone();
+        // A hull that moorings and ropes cannot hold goes down without end, or until steps are too small.
+        if let (Stuck::NoStep(_), Some(vessel)) = (&stuck, self.sunk(system)) {
+            return NoEquilibrium { element: vessel.name.clone(), cause: SINKS.to_owned() };
+        }
         let (element, cause) = match stuck {
             Stuck::Falls(index) if floats(system, index) => (body(index), SINKS),
             Stuck::Falls(index) => (body(index), "nothing holds it, it falls without end"),
@@ -276,6 +280,12 @@ impl Statics {
             }
         };
         NoEquilibrium { element, cause: cause.to_owned() }
+    }
+
+    /// A vessel that has gone down where the search is.
+    fn sunk<'system>(&self, system: &'system System) -> Option<&'system Vessel> {
+        let pose = &self.search.here.frame.kinematics.pose;
+        system.vessels.iter().find(|vessel| is_under_water(system, vessel, pose))
     }
 
     /// Whether a stream pushes while contacts carry that friction does not hold.

@@ -1,0 +1,34 @@
+"""How long a plan takes at the least, by what it says itself."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
+
+__all__ = ["earliest_ends"]
+
+
+def earliest_ends(plan: Sequence[MovingStep | PumpStep | HoldStep]) -> list[float]:
+    """When each step of a plan can have ended at the earliest [s].
+
+    Ways and amounts count at full speed, without ramps; conditions as if they were met at once, and ways `to`
+    a place as if they were done.
+
+    Args:
+        plan: Its steps in order.
+    """
+    ends: list[float] = []
+    began = over = 0.0  # the step before, and all before
+    for step in plan:
+        if isinstance(step, HoldStep):
+            began = over
+            over += step.hold if isinstance(step.hold, float) else 0.0
+            ends.append(over)
+            continue
+        began = max(began if step.starts == "with_previous" else over, step.start_at or 0.0)
+        rate = step.rate if isinstance(step, PumpStep) else step.speed
+        stops = (getattr(step, key, None) or 0.0 for key in ("brake_from", "emergency_stop_at"))
+        ends.append(max(began + abs(step.by or 0.0) / rate, *stops))
+        over = max(over, ends[-1])
+    return ends
