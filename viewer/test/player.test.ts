@@ -328,7 +328,7 @@ describe("the room of a lift", () => {
     const lift = {
       header: {
         bodies: [],
-        ropes: [rope("rope", 0), rope("mooring", 2)],
+        ropes: [rope("rope", 0), rope("outer", 2)],
         water: null,
         ground: null,
         holes: [],

@@ -26,6 +26,7 @@ from gantline.assembly.scene import scene
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
 from gantline.assembly.streams import add_streams
 from gantline.assembly.supports import add_supports, removals
+from gantline.assembly.tag_lines import add_tag_lines
 from gantline.assembly.vessels import add_vessels, watch_vessels
 from gantline.assembly.water import add_water
 from gantline.assembly.waves import add_waves
@@ -94,6 +95,8 @@ def assemble(scenario: Scenario) -> Assembly:
     add_waves(parts, scenario)
     add_critical_damping(parts, scenario)
     add_moorings(parts, scenario)
+    if lifted is not None:
+        add_tag_lines(parts, scenario, lifted)
     watch_vessels(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.assembly.parts import Json, Parts, end, material
+from gantline.assembly.route import taut_length
 from gantline.scenario import Scenario
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.mooring import Fender, MooringLine, fender_contact, line_rope, line_weight
@@ -86,7 +87,7 @@ def _add_spring(parts: Parts, name: str, line: MooringLine, kind: RopeMaterial) 
     length = line.length
     if line.pretension is not None:
         chord = float(np.linalg.norm(parts.place(line.vessel, line.fairlead) - np.array(line.to)))
-        length = chord / (1 + line.pretension / kind.stiffness)
+        length = taut_length(chord, line.pretension, kind.stiffness)
     drum = (winch_flow(name), 1.0) if line.winch is not None else None
     route = [end(line.vessel, line.fairlead, drum), end(None, line.to)]
     parts.add_rope(line_rope(name), length, material(kind.stiffness, kind.damping_time), route)

@@ -13,6 +13,7 @@ __all__ = ["origin_of", "refused"]
 _PREFIXED = {
     "sling": "slings",
     "mooring": "mooring_lines",
+    "tag": "tag_lines",
     "fender": "fenders",
     "support": "supports",
     "hoist": "cranes",

@@ -21,6 +21,7 @@ from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks
 from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wrapped_sheaves
 from gantline.assembly.shapes import watch_name
 from gantline.assembly.supports import every_support, support_contact
+from gantline.assembly.tag_lines import tag_rig
 from gantline.assembly.vessels import vessel_rig
 from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
@@ -50,6 +51,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"wind": wind_rig(wind, parts.gusts)} if isinstance(wind := scenario.wind, Wind) else {}),
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
+        **tag_rig(scenario),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),
         **({"crawlers": crawlers} if (crawlers := crawler_rig(scenario, parts)) else {}),

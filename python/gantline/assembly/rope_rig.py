@@ -14,6 +14,7 @@ from gantline.scenario.mooring import line_rope
 from gantline.scenario.parting import partings
 from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rope_weight import RopeWeight, rope_weight
+from gantline.scenario.tag_line import tag_rope
 
 __all__ = ["drum_rig", "rope_kinds", "rope_rig", "sheaves_with_flow", "wrapped_sheaves"]
 
@@ -39,6 +40,8 @@ def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMate
         kind = (scenario.ropes or {})[line.rope]
         # A catenary's weight is its own; it is no body's mass.
         kinds[line_rope(name)] = kind, RopeWeight("none", 0.0, 0)
+    for name, tag in (scenario.tag_lines or {}).items():
+        kinds[tag_rope(name)] = (scenario.ropes or {})[tag.rope], RopeWeight("none", 0.0, 0)
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, rope in (plain or {}).items():
         kind = (scenario.ropes or {})[rope.rope]

@@ -11,7 +11,7 @@ import numpy as np
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array
 
-__all__ = ["MOST_STRAIN", "route_length", "route_lengths", "too_far"]
+__all__ = ["MOST_STRAIN", "route_length", "route_lengths", "taut_length", "too_far"]
 
 #: Rounds of going back and forth between two sheaves; each leaves of the error a share, radius by distance.
 _ROUNDS = 40
@@ -25,6 +25,11 @@ def too_far(distance: float, length: float) -> str:
     digits = max(2, 1 - math.floor(math.log10(max(100.0 * (strain - MOST_STRAIN), 1e-9))))
     stretched = f"{100.0 * strain:.{min(digits, 9)}f} %"
     return f"it would be stretched by {stretched}, and a start allows {100.0 * MOST_STRAIN:g} %"
+
+
+def taut_length(distance: float, tension: float, stiffness: float) -> float:
+    """Unstretched length [m] of a rope of the stiffness EA [N] that has a tension [N] over a distance [m]."""
+    return distance / (1.0 + tension / stiffness)
 
 
 def route_length(parts: Parts, route: Sequence[Json]) -> float:

@@ -86,12 +86,12 @@ class Snapshot:
     def extent(self) -> FloatArray:
         """All points that the drawing must hold [m], shape (points, 3).
 
-        Structures may reach out of it, and mooring lines, which go far beyond what is lifted.
+        Structures may reach out of it, and mooring and tag lines, which go far beyond what is lifted.
         """
         parts = [box.faces.reshape(-1, 3) for box in self.boxes]
         parts += [box.faces.reshape(-1, 3) for box in self.surroundings if box.kind == "support"]
         parts += [sheave.circle for sheave in self.sheaves]
-        parts += [rope.path for rope in self.ropes if rope.kind != "mooring"]
+        parts += [rope.path for rope in self.ropes if rope.kind != "outer"]
         parts += [point[None] for point in (*self.points.values(), *self.frame_origin.values())]
         return np.concatenate(parts)
 
@@ -168,7 +168,7 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
     if "rope_point" not in recording:
         return []
     kinds = {entry["name"]: entry.get("kind", "rope") for entry in scene.get("ropes", ())}
-    kinds |= {line.rope: "mooring" for line in recording.rig.mooring_lines}
+    kinds |= dict.fromkeys(recording.rig.outer_ropes, "outer")
     places = recording.points_of_ropes
     points = recording["rope_point"].values[sample]
     tension = recording["rope_tension"].values[sample]

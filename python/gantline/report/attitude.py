@@ -20,6 +20,7 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
         rows.append(("lift-off", lift_off_in_words(recording, 1)))
     for load in subject.rig.loads:
         rows += _of_load(subject, load, lift_off)
+    rows += _tag_lines(subject)
     rows += _clearance(subject)
     if recording.attributes.get("status") == "failed":
         rows.append(("the run failed", str((recording.attributes.get("failure") or {}).get("cause", ""))))
@@ -63,6 +64,15 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
         rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
     rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))
     return rows
+
+
+def _tag_lines(subject: Subject) -> list[tuple[str, str]]:
+    """What the tag lines pull with at most."""
+    pulls = [(*series.rope_peak(subject.recording, line.rope), line.name) for line in subject.rig.tag_lines]
+    if not pulls:
+        return []
+    force, time, name = max(pulls)
+    return [("largest pull of a tag line", f"{name} {show(force, 'kN', 1)} at {show(time, 's', 1)}")]
 
 
 def _swing_after_travel(subject: Subject, load: Load) -> float | None:

@@ -85,9 +85,7 @@ def sketches(subject: Subject) -> list[Sketch]:
     sample = len(recording.time) - 1
     solids = _solids(subject, scene, sample)
     ropes = _ropes(subject, sample)
-    # Mooring lines go far beyond what is lifted.
-    moorings = {line.rope for line in subject.rig.mooring_lines}
-    near = [path for name, path in ropes.items() if name not in moorings]
+    near = [path for name, path in ropes.items() if name not in subject.rig.outer_ropes]
     parts = [one for _, pieces in solids.values() for one in pieces] + near
     if not parts:
         return []
@@ -183,9 +181,8 @@ def _draw(
         style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
         marks += [Mark("area", style, drawn_path(outline(paper.place(points)))) for points in pieces]
     slings = {sling.rope for sling in subject.rig.slings}
-    moorings = {line.rope for line in subject.rig.mooring_lines}
     for name, path in ropes.items():
-        if name in moorings:
+        if name in subject.rig.outer_ropes:
             marks += paper.line(path, "sk-rope")
             continue
         if plan and slings and name not in slings:

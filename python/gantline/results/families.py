@@ -51,4 +51,5 @@ def _family_of(rig: Rig, finely: Sequence[str]) -> Mapping[str, str]:
     }
     luffing = {rope: named("luffing ropes", boom.name, "cranes") for boom in rig.booms for rope in boom.ropes}
     moorings = {line.rope: "mooring lines" for line in rig.mooring_lines}
-    return {**moorings, **luffing, **falls, **equalizing, **slings}
+    tags = {line.rope: "tag lines" for line in rig.tag_lines}
+    return {**tags, **moorings, **luffing, **falls, **equalizing, **slings}

@@ -89,7 +89,7 @@ BY_RIG: dict[str, _Names] = {
         *(rope.name for rope in rig.ropes),
         *(sling.rope for sling in rig.slings),
         *(rope for one in rig.equalizers for rope in (*one.slings, one.equalizing_rope) if rope),
-        *(line.rope for line in rig.mooring_lines),
+        *rig.outer_ropes,
         *(sheave.rope for sheave in rig.sheaves),
         *(sheave.rope for sheave in rig.wrapped_sheaves),
         *(rope for boom in rig.booms for rope in boom.ropes),

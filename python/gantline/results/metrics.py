@@ -54,6 +54,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_mooring_tension_of_breaking_force` [1]: largest of them over the minimum breaking force of its rope,
   where that is known
 - `final_mooring_tension.<line>` [N]: its tension at the last sample
+- `peak_tag_line_tension.<line>` [N]: largest tension of that tag line over all steps
 - `peak_fender_force.<fender>` [N]: largest force of that fender at any sample
 - `peak_fender_force_of_capacity` [1]: largest of them over the capacity of its fender, where that is known
 - `least_freeboard` [m]: least height of the deck edge and openings of any vessel above the water
@@ -124,6 +125,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         _supports,
         _vessels,
         _moorings,
+        _tag_lines,
         _hooks,
         _charts,
         _crawlers,
@@ -255,6 +257,11 @@ def _loads(recording: Recording) -> Iterator[_Metric]:
         if clear.any():
             drifts.append(float(load_drift(recording, load)[clear].max()))
     yield "peak_load_drift_when_clear", _largest(drifts)
+
+
+def _tag_lines(recording: Recording) -> Iterator[_Metric]:
+    for line in recording.rig.tag_lines:
+        yield f"peak_tag_line_tension.{line.name}", series.rope_peak(recording, line.rope)[0]
 
 
 def _moorings(recording: Recording) -> Iterator[_Metric]:

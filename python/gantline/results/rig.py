@@ -19,6 +19,7 @@ from gantline.results.moorings import Fender, MooringLine
 from gantline.results.rating_chart import RatingChart
 from gantline.results.sea import Sea
 from gantline.results.strength import Bend, Factor, FromJson, Lug, Rating, SideLoad, lugs_from_json
+from gantline.results.tag_lines import TagLine
 from gantline.results.vessels import Vessel
 from gantline.results.wind import Wind
 
@@ -162,13 +163,14 @@ class Rig(FromJson):
         vessels: Vessels.
         mooring_lines: Mooring lines.
         fenders: Fenders.
+        tag_lines: Tag lines of the loads.
         cranes: Goliath cranes, with what is particular to their hooks.
         booms: Booms, with what is particular to their hooks.
         crawlers: Crawler cranes, with what they stand on.
         equalizers: Equalizers of all hooks.
         spreaders: Bars, beams and frames between slings.
         slings: Slings of all hooks.
-        ropes: All ropes: equalizing ropes, slings, mooring lines, ropes of `mechanics`.
+        ropes: All ropes: equalizing ropes, slings, mooring lines, tag lines, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
         drums: Drums.
         wrapped_sheaves: Sheaves with true tangents.
@@ -199,6 +201,7 @@ class Rig(FromJson):
     vessels: Sequence[Vessel] = ()
     mooring_lines: Sequence[MooringLine] = ()
     fenders: Sequence[Fender] = ()
+    tag_lines: Sequence[TagLine] = ()
     cranes: Sequence[Crane] = ()
     booms: Sequence[Boom] = ()
     crawlers: Sequence[Crawler] = ()
@@ -234,6 +237,7 @@ class Rig(FromJson):
             "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
             "mooring_lines": tuple(MooringLine.from_json(d) for d in document.get("mooring_lines") or ()),
             "fenders": tuple(Fender.from_json(d) for d in document.get("fenders") or ()),
+            "tag_lines": tuple(TagLine.from_json(d) for d in document.get("tag_lines") or ()),
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
             "booms": tuple(Boom.from_json(d) for d in document.get("booms") or ()),
             "crawlers": tuple(Crawler.from_json(d) for d in document.get("crawlers") or ()),
@@ -290,6 +294,11 @@ class Rig(FromJson):
         """Minimum breaking force of the rope of that name [N]; None if it is not known."""
         one = self.rope(rope)
         return one.minimum_breaking_force if one is not None else None
+
+    @property
+    def outer_ropes(self) -> tuple[str, ...]:
+        """Ropes that go far beyond what is lifted: mooring and tag lines."""
+        return (*(line.rope for line in self.mooring_lines), *(line.rope for line in self.tag_lines))
 
     def equalizer_of(self, sling: Sling) -> Equalizer | None:
         """The equalizer from which a sling hangs, if any."""

@@ -12,6 +12,7 @@ from gantline.scenario.check_plan import check_plan
 from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.check_spreaders import check_spreaders
 from gantline.scenario.check_supports import check_supports
+from gantline.scenario.check_tag_lines import check_tag_lines
 from gantline.scenario.check_vessels import check_vessels
 from gantline.scenario.check_wind import check_wind
 from gantline.scenario.crane_parts import crane_parts
@@ -70,6 +71,7 @@ def check(scenario: Scenario) -> None:
     check_vessels(findings)
     check_wind(findings)
     check_moorings(findings)
+    check_tag_lines(findings)
     _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)
@@ -159,6 +161,7 @@ def _has_friction(scenario: Scenario) -> bool:
     """Whether a sheave has losses, a drum a brake, or a joint friction."""
     lines = (scenario.mooring_lines or {}).values()
     found = any(line.winch is not None and line.winch.capacity is not None for line in lines)
+    found |= any(line.pull is not None for line in (scenario.tag_lines or {}).values())
     for name, given in (scenario.equalizers or {}).items():
         for key in SHEAVES:
             words = [said for _, said in sheave_levels(scenario, name, key)]

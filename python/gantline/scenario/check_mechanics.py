@@ -31,7 +31,7 @@ from gantline.scenario.reeving import hoist_ropes
 from gantline.scenario.rope_weight import check_rope_weight
 from gantline.scenario.sheave import check_losses, sheave_losses
 
-__all__ = ["check_mechanics"]
+__all__ = ["check_mechanics", "yard_bodies"]
 
 _SMALLEST = 1e-9
 
@@ -39,7 +39,7 @@ _SMALLEST = 1e-9
 def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
     """Note everything that is wrong with `mechanics`."""
     scenario = findings.scenario
-    known = [*_yard_bodies(scenario), *mechanics.bodies]
+    known = [*yard_bodies(scenario), *mechanics.bodies]
     for name, body in mechanics.bodies.items():
         path: Path = ("mechanics", "bodies", name)
         _check_parent(findings, mechanics, name, body, known)
@@ -77,7 +77,7 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
         _check_direction(findings, (*path, "plane", "normal"), contact.plane.normal)
 
 
-def _yard_bodies(scenario: Scenario) -> list[str]:
+def yard_bodies(scenario: Scenario) -> list[str]:
     """Names of the bodies that the yard words make."""
     names = [*(scenario.vessels or {}), *scenario.hooks, *crane_bodies(scenario.cranes or {})]
     for name, equalizer in (scenario.equalizers or {}).items():

@@ -29,6 +29,7 @@ from gantline.scenario.spreader import Spreader
 from gantline.scenario.stream import Current, WindOfLift
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
+from gantline.scenario.tag_line import TagLine
 from gantline.scenario.tree import MapNode, line_of
 from gantline.scenario.vessel import Vessel
 from gantline.scenario.watch import Watch
@@ -105,6 +106,9 @@ class Scenario(Element):
     )
     spreaders: Named[Spreader] | None = Field(
         None, description="Bars, beams and frames between slings, by name."
+    )
+    tag_lines: Named[TagLine] | None = Field(
+        None, description="Thin ropes that keep the heading of the load, by name."
     )
     mooring_lines: Named[MooringLine] | None = Field(None, description="Lines that hold vessels, by name.")
     fenders: Named[Fender] | None = Field(None, description="Fenders between vessels and quays, by name.")

@@ -69,6 +69,8 @@ def partings(scenario: Scenario) -> dict[str, Parting]:
             found |= dict.fromkeys(placed.ropes, of_kind)
     for name, line in (scenario.mooring_lines or {}).items():
         found[f"mooring.{name}"] = Parting(breaking_force(kinds[line.rope], line.breaks_at), line.cut_at)
+    for name, tag in (scenario.tag_lines or {}).items():
+        found[f"tag.{name}"] = Parting(breaking_force(kinds[tag.rope], tag.breaks_at), tag.cut_at)
     mechanics = scenario.mechanics.ropes if scenario.mechanics is not None else None
     for name, plain in (mechanics or {}).items():
         found[name] = Parting(breaking_force(kinds[plain.rope], plain.breaks_at), plain.cut_at)
@@ -89,10 +91,10 @@ def check_partings(findings: Findings) -> None:
     for name, plain in mechanics.items():
         _check_force(findings, ("mechanics", "ropes", name), plain.rope, plain.breaks_at)
         _check_time(findings, ("mechanics", "ropes", name, "cut_at"), plain.cut_at)
-    for name, line in (scenario.mooring_lines or {}).items():
-        _check_force(findings, ("mooring_lines", name), line.rope, line.breaks_at)
-        _check_time(findings, ("mooring_lines", name, "cut_at"), line.cut_at)
-    moorings = [f"mooring.{name}" for name in scenario.mooring_lines or {}]
+    for section, lines in (("mooring_lines", scenario.mooring_lines), ("tag_lines", scenario.tag_lines)):
+        for name, line in (lines or {}).items():
+            _check_force(findings, (section, name), line.rope, line.breaks_at)
+            _check_time(findings, (section, name, "cut_at"), line.cut_at)
     equalizing = [f"{name}.equalizing" for name in scenario.equalizers or {}]
     hoisting = [
         rope
@@ -106,7 +108,8 @@ def check_partings(findings: Findings) -> None:
         *hoisting,
         *luffing,
         *(f"sling.{name}" for name in scenario.slings or {}),
-        *moorings,
+        *(f"mooring.{name}" for name in scenario.mooring_lines or {}),
+        *(f"tag.{name}" for name in scenario.tag_lines or {}),
         *mechanics,
     ]
     for place, step in enumerate(scenario.plan):

@@ -13,10 +13,9 @@ from gantline.scenario.tree import ListNode, MapNode, line_of
 
 __all__ = ["translate"]
 
-#: What people look for in a lift file and do not find there, and why.
-_TO_COME = {
+#: What people look for at another place of a lift file than where it is.
+_ELSEWHERE = {
     "gusts": "gusts belong to 'wind': {speed: 10 m/s, direction: 0 deg, gusts: {speed: 14 m/s}}",
-    "tag_lines": "a rope under 'mechanics' from the load to a winch or to the ground holds its heading",
 }
 #: Keys by other words, which are not written like them; the first that may stand there is meant.
 _MEANT = {
@@ -106,8 +105,8 @@ def _missing(key: str, node: Any) -> str:
 
 def _unknown_key(key: str, parent: Any) -> str:
     shown = shorten(key)
-    if key in _TO_COME:
-        return f"'{shown}' cannot be simulated yet: {_TO_COME[key]}"
+    if key in _ELSEWHERE:
+        return f"'{shown}' has another place: {_ELSEWHERE[key]}"
     if not isinstance(parent, MapNode) or not parent.allowed:
         return f"'{shown}' is not a key that is known here"
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)

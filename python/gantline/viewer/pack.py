@@ -146,7 +146,7 @@ def _ropes(recording: Recording, scene: Mapping[str, Any], at: Places) -> list[d
     if not names:
         return []
     kinds = {entry["name"]: str(entry.get("kind", "rope")) for entry in scene.get("ropes") or ()}
-    kinds |= {line.rope: "mooring" for line in recording.rig.mooring_lines}
+    kinds |= dict.fromkeys(recording.rig.outer_ropes, "outer")
     labels = {sling.rope: sling.name for sling in recording.rig.slings}
     found = []
     for name, length in zip(names, natural_lengths(recording, list(at)), strict=True):

@@ -30,7 +30,7 @@ export interface Sheave {
 export interface Rope {
   name: string;
   label: string;
-  /** `sling`, `equalizing`, `mooring` or `rope`. */
+  /** `sling`, `equalizing`, `outer` (mooring and tag lines) or `rope`. */
   kind: string;
   /** Its points among all points of the path. */
   first: number;

@@ -204,7 +204,7 @@ export function extentOf(lift: Lift): Extent {
   for (let part = 0; part <= 8; part++) {
     lift.seek(lift.frameTimes[Math.round((part / 8) * (count - 1))] ?? 0);
     for (const { kind, first, count } of lift.header.ropes) {
-      if (kind === "mooring") continue; // they go far beyond what is lifted
+      if (kind === "outer") continue; // they go far beyond what is lifted
       for (let at = 3 * first; at < 3 * (first + count); at += 3)
         hold(lift.path[at]!, lift.path[at + 1]!, lift.path[at + 2]!);
     }

@@ -36,6 +36,8 @@ use search::{Effort, Search, Stuck};
 
 /// What is left of the length of an inextensible rope [m].
 const LENGTH_LEFT: f64 = 1e-11;
+/// What is left in the end of the error of what motors and brakes of drums hold, relative to that.
+const DRUMS_LEFT: f64 = 1e-10;
 /// What is left of the force of a sheave that slips, relative to it.
 const LOSS_LEFT: f64 = 1e-12;
 /// Moves of multipliers, at most.
@@ -154,7 +156,11 @@ impl Statics {
             descended.map_err(|stuck| self.explain(system, stuck, losses))?;
             let stays = self.search.effort.steps == steps;
             let lengths = self.move_multipliers();
-            if lengths <= LENGTH_LEFT && self.follow_friction(system, state, losses, stays) {
+            let drums = self.follow_drums(system, state);
+            if lengths <= LENGTH_LEFT
+                && drums <= DRUMS_LEFT
+                && self.follow_friction(system, state, losses, stays)
+            {
                 break;
             }
             let (element, cause) = if lengths > LENGTH_LEFT && round == ROUNDS {

@@ -15,6 +15,7 @@
 use glam::DVec3;
 
 use crate::audit::gravity_energy;
+use crate::constraint::brake::Brake;
 use crate::constraint::{AnyConstraint, Law};
 use crate::force::{self, Energies};
 use crate::solver::complementarity::Mode;
@@ -215,6 +216,13 @@ fn contact_part(contacts: Contacts, number: usize, touches: bool) -> Part {
     }
 }
 
+/// What the brake or motor of this row holds at most [N, N m].
+pub fn capacity(system: &System, state: &State, row: usize, brake: &Brake) -> f64 {
+    let motor = system.motors.iter().find(|(other, _)| *other == row);
+    let braked = motor.and_then(|&(_, drive)| state.plan.timelines[drive].braked(state.time));
+    braked.unwrap_or(brake.capacity)
+}
+
 fn held(system: &System, state: &State, row: usize, sheaves: Sheaves) -> (Part, Option<Held>) {
     let position = |dof: usize| {
         let body = &system.tree.bodies[system.tree.owner[dof]];
@@ -225,10 +233,8 @@ fn held(system: &System, state: &State, row: usize, sheaves: Sheaves) -> (Part, 
             (Part::Hold(f64::INFINITY), Some(Held::here(position(pin.dof), None, &state.q)))
         }
         AnyConstraint::Brake(brake) => {
-            let motor = system.motors.iter().find(|(other, _)| *other == row);
-            let braked = motor.and_then(|&(_, drive)| state.plan.timelines[drive].braked(state.time));
             let part = match (brake.grip.is_none(), sheaves) {
-                (true, _) => Part::Hold(braked.unwrap_or(brake.capacity)),
+                (true, _) => Part::Hold(capacity(system, state, row, brake)),
                 // The groove grips, unless it is weaker than the bearing.
                 (false, _) if brake.spin.is_some() => Part::Hold(f64::INFINITY),
                 (false, Sheaves::Held) => Part::Hold(f64::INFINITY),

@@ -12,8 +12,9 @@
 //! between both strains does, the slack one being negative. Where it pays out, what comes off is known. The error is of
 //! second order in the change of the strain; |ΔW (1/(1 + ε₁) − 1/(1 + ε₀))| says how short a part has to be.
 
-use super::potential::Losses;
+use super::potential::{Losses, Part, capacity};
 use super::{NoEquilibrium, Rest, Statics};
+use crate::constraint::AnyConstraint;
 use crate::rope::coil::Coil;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -81,6 +82,35 @@ impl Statics {
         }
     }
 
+    /// Drums give way where their rims see what motors and brakes can hold: ρ T, of which the gradients of rows have
+    /// T (1 + ε/2) ρ/(1 + ε_d). The largest change, relative to what they hold.
+    pub(super) fn follow_drums(&mut self, system: &System, state: &State) -> f64 {
+        let here = &self.search.here;
+        let mut most = 0.0_f64;
+        for (row, bearing) in self.bearings.iter_mut().enumerate() {
+            let (AnyConstraint::Brake(brake), Part::Hold(known)) =
+                (system.constraint_of_row(row), &mut bearing.part)
+            else {
+                continue;
+            };
+            let coils = system.coils.iter().enumerate().filter(|(_, place)| place.dof == brake.dof);
+            let (mut rim, mut rows) = (0.0_f64, 0.0);
+            for (index, place) in coils {
+                let scale = span_of(system, place).map_or(1.0, |span| span.scale(&here.q));
+                let tension = here.tension[place.row];
+                rim += tension * scale * place.rate_at(&here.q);
+                rows -= tension * here.frame.passing[index].supply * here.frame.feeding[index];
+            }
+            if brake.grip.is_none() && brake.capacity.is_finite() {
+                let whole = capacity(system, state, row, brake);
+                let wanted = if rim == 0.0 { whole } else { whole * rows / rim };
+                most = most.max((wanted - *known).abs() / whole.max(f64::MIN_POSITIVE));
+                *known = wanted;
+            }
+        }
+        most
+    }
+
     /// From an equilibrium, or from where [`Statics::resume`] has been told, to the next one downhill of it, with drives
     /// as much further as their timelines say at the time of `state`; drums remember what they wind.
     ///
@@ -143,7 +173,8 @@ impl Statics {
     fn wind(&mut self, system: &System, state: &mut State, before: &Before) -> f64 {
         let mut most = 0.0_f64;
         self.doubt = 0.0;
-        for (index, place) in system.coils.iter().enumerate() {
+        let parted = |place: &CoilPlace| state.modes[place.row] == Mode::Parted;
+        for (index, place) in system.coils.iter().enumerate().filter(|(_, place)| !parted(place)) {
             let old = &before.coils[index];
             let strains = [before.strains[index], strain(system, place, &self.search.here.frame, state)];
             let share = share(strains);

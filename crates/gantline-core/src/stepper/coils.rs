@@ -80,7 +80,8 @@ impl Frame {
             let outside = if strained { strain.max(0.0) } else { 0.0 };
             let (passing, feeding) = feeding(place, coil, q, outside);
             self.passing[index] = Passing { outside, strain: passing, supply: -scale * (1.0 + 0.5 * strain) };
-            self.feeding[index] = feeding;
+            // A drum on which a parted rope ends goes on, and takes nothing from what is left between guides.
+            self.feeding[index] = if mode == Mode::Parted { 0.0 } else { feeding };
         }
     }
 

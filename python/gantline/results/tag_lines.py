@@ -1,0 +1,24 @@
+"""Tag lines in a recording."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gantline.results.strength import FromJson
+
+__all__ = ["TagLine"]
+
+
+@dataclass(frozen=True)
+class TagLine(FromJson):
+    """A tag line.
+
+    Attributes:
+        name: Its name in the lift file.
+        rope: Its name among the ropes of the recording.
+        pull: Tension that is kept in it [N]; None of one that is made fast.
+    """
+
+    name: str
+    rope: str
+    pull: float | None = None

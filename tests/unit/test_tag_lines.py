@@ -1,0 +1,100 @@
+"""Tag lines: what becomes of them in the document and on the first page, and messages on wrong ones."""
+
+from __future__ import annotations
+
+import pytest
+
+import gantline
+from gantline.assembly import assemble
+from gantline.report.attitude import attitude
+from gantline.report.subject import Subject
+from gantline.scenario import ScenarioError, parse_scenario
+from reference_lift import ROOT
+
+LIFT = (ROOT / "scenarios" / "spreader_bar" / "scenario.yaml").read_text()
+KIND = """ropes:
+  tag: {axial_stiffness: 150 kN, damping_time: 0.2 s, mass: none, minimum_breaking_force: 30 kN}
+"""
+WEST = "at: [-5.5 m, -2 m, 0.2 m], to: [-5.5 m, -27 m, 0 m], rope: tag, pull: 1 kN"
+
+
+def held(line: str = WEST) -> str:
+    """The scenario `spreader_bar` with a tag line."""
+    return LIFT.replace("ropes:\n", KIND, 1).replace("plan:\n", f"tag_lines:\n  west: {{{line}}}\nplan:\n", 1)
+
+
+def test_line_on_a_tugger() -> None:
+    """A rope on a flow whose motor hauls with the pull; half as long at first, as the run begins at rest."""
+    document = assemble(parse_scenario(held())).document
+    [rope] = [one for one in document["ropes"] if one["name"] == "tag.west"]
+    first, last = rope["route"]
+    # The centre of gravity is at (0.15, 0.05, 1.6) m of the load; what slings lump on it moves it.
+    assert first["body"] == "module"
+    assert first["at"] == pytest.approx([-5.65, -2.05, -1.4], abs=0.01)
+    assert (last["body"], last["drum"]["flow"]) == (None, "tag.west.tugger")
+    # The ends are (25² + 0.2²)^(1/2) m apart.
+    assert rope["length"] == pytest.approx(0.5 * (25.0**2 + 0.2**2) ** 0.5 / (1.0 + 1e3 / 150e3))
+    [flow] = [one for one in document["bodies"] if one["name"] == "tag.west.tugger"]
+    assert flow["joint"]["capacity"] == 1e3
+
+
+def test_cut_by_the_plan_and_told() -> None:
+    """The plan lets go of it by its name among ropes; the first page has its largest pull."""
+    text = held().replace("step: hoist, ", "step: hoist, cut: tag.west, ")
+    recording = gantline.simulate(parse_scenario(text.replace("duration: 120 s", "duration: 80 s")))
+    [(time, _, _)] = [event for event in recording.events("cut") if event[2] == "tag.west"]
+    tension = recording.column("rope_tension", "tag.west")
+    assert tension[recording.time < time].min() > 900.0
+    assert tension[recording.time > time].max() == 0.0
+    rows = dict(attitude(Subject(recording)))
+    assert rows["largest pull of a tag line"].startswith("west 1.0 kN at ")
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        (
+            WEST.replace(", pull: 1 kN", ""),
+            "a tag line has one of 'pull', 'length' and 'pretension'; found none",
+        ),
+        (f"{WEST}, length: 30 m", "one of 'pull', 'length' and 'pretension'; found 'pull' and 'length'"),
+        (
+            WEST.replace("pull: 1 kN", "length: 30 m, speed: 1 m/s"),
+            r"speed: 'speed' is of a line whose 'pull'",
+        ),
+        (f"{WEST}, held_by: barge", r"held_by: 'barge' is not a vessel, a part of a crane or a body"),
+        (f"{WEST}, held_by: module", "the load cannot hold its own tag line"),
+        (WEST.replace("rope: tag", "rope: tug"), r"rope: 'tug' is not a name of 'ropes'; did you mean 'tag'"),
+        (WEST.replace("1 kN", "30 kN"), r"pull: 30 kN are more than it holds, 30 kN; pull less"),
+        (WEST.replace("pull: 1 kN", "length: 24 m"), r"length: the line is 24 m, but its ends are 25.0008 m"),
+        (WEST.replace("[-5.5 m, -27 m, 0 m]", "[-5.5 m, -2 m, 0.2 m]"), r"to: is where it is made fast"),
+        (f"{WEST}, cut_at: 1000 s", r"cut_at: 1000 s is after the end of the lift"),
+        (WEST.replace("1 kN", "1 kg"), r"pull: "),
+    ],
+)
+def test_wrong_ones(line: str, message: str) -> None:
+    """One clear sentence each, with its line."""
+    with pytest.raises(ScenarioError, match=rf":\d+: tag_lines\.west.*{message}") as caught:
+        assemble(parse_scenario(held(line)))
+    assert len(caught.value.problems) == 1
+
+
+def test_needs_a_load_and_adaptive() -> None:
+    """Without a load there is nothing to hold; other methods know no motors of limited force."""
+    with pytest.raises(ScenarioError, match="there is no 'load' for tag lines to hold"):
+        parse_scenario(
+            "format: 1\nlift: {title: x}\nduration: 1 s\n" + KIND + f"tag_lines: {{west: {{{WEST}}}}}\n"
+            "mechanics: {bodies: {b: {joint: {type: free}, mass: 1 t}}}\n"
+        )
+    with pytest.raises(ScenarioError, match="'del' knows no friction of sheaves and joints and no brakes"):
+        parse_scenario(held() + "simulation: {integrator: del, step: 1 ms}\n")
+
+
+def test_name_that_is_taken() -> None:
+    """A rope of `mechanics` may not bear the name."""
+    text = held() + (
+        "mechanics: {ropes: {tag.west: {rope: tag, length: as_routed, "
+        "route: [{type: end, body: module}, {type: end, body: world}]}}}\n"
+    )
+    with pytest.raises(ScenarioError, match=r"'tag\.west' is already the name of a rope of 'mechanics'"):
+        parse_scenario(text)
