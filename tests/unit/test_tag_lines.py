@@ -68,6 +68,7 @@ def test_cut_by_the_plan_and_told() -> None:
         (WEST.replace("1 kN", "30 kN"), r"pull: 30 kN are more than it holds, 30 kN; pull less"),
         (WEST.replace("pull: 1 kN", "length: 24 m"), r"length: the line is 24 m, but its ends are 25.0008 m"),
         (WEST.replace("[-5.5 m, -27 m, 0 m]", "[-5.5 m, -2 m, 0.2 m]"), r"to: is where it is made fast"),
+        (f"{WEST}, winch: {{speed: 1 m/s, acceleration: 1 m/s^2}}", r"winch: a line whose 'pull' is kept"),
         (f"{WEST}, cut_at: 1000 s", r"cut_at: 1000 s is after the end of the lift"),
         (WEST.replace("1 kN", "1 kg"), r"pull: "),
     ],
@@ -88,6 +89,20 @@ def test_needs_a_load_and_adaptive() -> None:
         )
     with pytest.raises(ScenarioError, match="'del' knows no friction of sheaves and joints and no brakes"):
         parse_scenario(held() + "simulation: {integrator: del, step: 1 ms}\n")
+
+
+def test_steps_haul_lines_with_a_winch() -> None:
+    """By the name of the rope or of the line; one without a winch is told."""
+    made_fast = WEST.replace("pull: 1 kN", "length: as_routed")
+    step = "  - {step: turn, haul: west, by: 1 m, speed: 1 m/min}\n  - {step: take up slack"
+    text = held(made_fast).replace("  - {step: take up slack", step, 1)
+    with pytest.raises(ScenarioError, match=r":\d+: plan\[1\]\.haul: .*'tag\.west'.* no 'winch'"):
+        parse_scenario(text)
+    fast = f"{made_fast}, winch: {{speed: 1 m/s, acceleration: 1 m/s^2, capacity: 5 kN}}"
+    document = assemble(parse_scenario(text.replace(made_fast, fast))).document
+    [move] = document["plan"][0]["moves"]
+    assert move["drive"] == "tag.west.tugger.drive"
+    assert move["velocity"] == pytest.approx(-1.0 / 60.0)  # hauling takes line in
 
 
 def test_name_that_is_taken() -> None:

@@ -236,3 +236,51 @@ mechanics:
     # Stretched rope goes over the rim: 4 m, but for how the load leans.
     assert paid_out[-1] - paid_out[0] == pytest.approx(4.0, abs=0.1)
     assert recording.metrics()["peak_tag_line_tension.west"] == pytest.approx(PULL, abs=TUGGER * 0.3)
+
+
+def test_load_is_turned_by_two_winches() -> None:
+    """Hauled by 0.5 m at one end and veered at the other it rests where two springs are in balance.
+
+    Lines of 18 m run level along y from x = ±3 m. Of 0.5 m that go over a rim 0.5 m/(1 + ε) are unstretched.
+    """
+    tension, way = 2e3, 0.5
+    lines = "".join(
+        f"  {name}: {{at: [{x} m, 0 m, 1 m], to: [{x} m, 18 m, 3 m], rope: tag, "
+        f"pretension: {tension} N, "
+        "winch: {speed: 6 m/min, acceleration: 0.1 m/s^2}}\n"
+        for name, x in (("west", -3.0), ("east", 3.0))
+    )
+    plan = f"""
+plan:
+  - {{step: turn, haul: tag.west, by: {way} m, speed: 3 m/min}}
+  - {{step: turn the other end, veer: east, by: {way} m, speed: 3 m/min, starts: with_previous}}
+  - {{step: hold, hold: until_end}}
+"""
+    scenario = parse_scenario(lift(lines, start="rest", sling_ea=5e9) + plan, "x.yaml")
+    rest = Statics(scenario).equilibrium().recording
+    turned = load_yaw(rest, rest.rig.loads[0])
+    assert turned is not None
+    natural = 18.0 / (1.0 + tension / EA)
+
+    def pulls(y: Floats, shorter: float) -> list[tuple[Floats, Floats]]:
+        """Arms and forces of west, shorter by so much, and east."""
+        found = []
+        for x, length in ((-3.0, natural - shorter), (3.0, natural + shorter)):
+            arm = x * np.array([math.cos(y[2]), math.sin(y[2])])
+            way_there = np.array([x, 18.0]) - (y[:2] + arm)
+            now = float(np.linalg.norm(way_there))
+            found.append((arm, EA * (now / length - 1.0) * way_there / now))
+        return found
+
+    def missing(y: Floats, shorter: float) -> Floats:
+        """Forces in the plane and the moment. The sling stays in line with lug and centre of gravity."""
+        both = pulls(y, shorter)
+        force = sum((pull for _, pull in both), -MASS * G * y[:2] / (SLING + LUG))
+        return np.array([*force, sum(arm[0] * pull[1] - arm[1] * pull[0] for arm, pull in both)])
+
+    before = fsolve(missing, [0.0, 0.1, 0.0], args=(0.0,), xtol=1e-12)
+    strain = float(np.linalg.norm(pulls(before, 0.0)[0][1])) / EA
+    own = fsolve(missing, [0.0, 0.1, -0.1], args=(way / (1.0 + strain),), xtol=1e-12)
+    assert own[2] == pytest.approx(-way / 3.0, abs=0.01)
+    # The load is 4 mm higher as it swings aside by 0.1 m: less than 1e-4 of what the lines are stretched by.
+    assert turned[-1] - turned[0] == pytest.approx(own[2], abs=2e-5)

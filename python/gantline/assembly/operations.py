@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gantline.assembly.conditions import condition_of
-from gantline.assembly.moorings import winch_drive
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.plain import drum_drive
+from gantline.assembly.tag_lines import line_drive
 from gantline.assembly.water import pump_drive
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
@@ -112,8 +112,8 @@ def drives_of(one: Mover) -> list[str]:
         return [hoist_drive(one.name)]
     if one.kind == "boom":
         return [luff_drive(one.name)]
-    if one.kind == "mooring line":
-        return [winch_drive(one.name)]
+    if one.kind == "line":
+        return [line_drive(one.name)]
     return [drum_drive(one.name) if one.kind == "drum" else along_drive(one.name)]
 
 

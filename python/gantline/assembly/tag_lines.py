@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.moorings import winch_drive
 from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.route import MOST_STRAIN, taut_length, too_far
 from gantline.scenario import Scenario
@@ -12,7 +13,7 @@ from gantline.scenario.errors import PathPart
 from gantline.scenario.parting import partings
 from gantline.scenario.tag_line import TUGGER_MASS, TUGGER_SPEED, TagLine, tag_rope, tag_tugger
 
-__all__ = ["add_tag_lines", "tag_rig"]
+__all__ = ["add_tag_lines", "line_drive", "tag_rig"]
 
 #: Ends that are no farther apart are in one place [m]; a load that stands sinks in by less.
 _ONE_PLACE = 1e-3
@@ -52,9 +53,9 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
             raise scenario.start_error(
                 (*path, "to"), "is where it is made fast to the load; a line has two ends"
             )
-        drum = None
+        drum = (tag_tugger(name), 1.0) if line.pull is not None or line.winch is not None else None
         if line.pull is not None:
-            drum = (_add_tugger(parts, name, line, line.pull), 1.0)
+            _add_tugger(parts, name, line, line.pull)
             length = taut_length(chord, line.pull, kind.stiffness)
             length *= _HAULED if scenario.starts_at_rest else 1.0
         elif line.pretension is not None:
@@ -66,23 +67,37 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
                 raise scenario.start_error(
                     (*path, "length"), f"{sentence}: {too_far(chord, length)}; make it longer"
                 )
+        if line.winch is not None:
+            parts.add_drive(line_drive(tag_rope(name)))
+            motor = {} if line.winch.capacity is None else {"capacity": line.winch.capacity}
+            parts.add_flow(tag_tugger(name), TUGGER_MASS, drive=line_drive(tag_rope(name)), **motor)
         route = [end(scenario.load.name, at), end(holder, line.to, drum, laid_under=line.pull)]
         parts.add_rope(tag_rope(name), length, material(kind.stiffness, kind.damping_time), route)
 
 
-def _add_tugger(parts: Parts, name: str, line: TagLine, pull: float) -> str:
-    """Its flow, which hauls in all the time; the name of it."""
-    flow, drive = tag_tugger(name), f"{tag_tugger(name)}.drive"
+def _add_tugger(parts: Parts, name: str, line: TagLine, pull: float) -> None:
+    """Its flow, which hauls in all the time."""
+    drive = line_drive(tag_rope(name))
     speed = -(line.speed or TUGGER_SPEED)
     parts.add_drive(drive, [{"at": 0.0, "duration": _STARTS_IN, "velocity": speed, "shape": "linear"}])
-    parts.add_flow(flow, line.rotating_mass or TUGGER_MASS, drive=drive, capacity=pull)
-    return flow
+    parts.add_flow(tag_tugger(name), line.rotating_mass or TUGGER_MASS, drive=drive, capacity=pull)
+
+
+def line_drive(line: str) -> str:
+    """Name of the drive that moves a mooring line by its name, or a tag line by that of its rope."""
+    name = line.removeprefix(tag_rope(""))
+    return winch_drive(line) if name == line else f"{tag_tugger(name)}.drive"
 
 
 def tag_rig(scenario: Scenario) -> Json:
     """What results need to know of tag lines; nothing in a lift without."""
     lines = [
-        {"name": name, "rope": tag_rope(name), "pull": line.pull}
+        {
+            "name": name,
+            "rope": tag_rope(name),
+            "pull": line.pull,
+            "slipping_winch": tag_tugger(name) if line.winch is not None and line.winch.capacity else None,
+        }
         for name, line in (scenario.tag_lines or {}).items()
     ]
     return {"tag_lines": lines} if lines else {}

@@ -138,14 +138,16 @@ def fell_behind(recording: Recording) -> list[Check]:
 
 
 def ran_out(recording: Recording) -> list[Check]:
-    """A warning for each winch of `mechanics` or of a mooring line that slips for longer than a second.
+    """A warning for each winch of `mechanics` or of a line that slips for longer than a second.
 
     It says the longest time. One of constant tension is meant to; of any other nothing else says that what
     hangs on it has come down, or that its vessel was not hauled as far as the plan has it.
     """
     drums = [drum.name for drum in recording.rig.drums if drum.paid_out > 0.0]
     out_of = {name: recording.column("rope_paid_out", name) for name in drums}
-    winches = [line.slipping_winch for line in recording.rig.mooring_lines if line.slipping_winch is not None]
+    slipping = [line.slipping_winch for line in recording.rig.mooring_lines]
+    slipping += [line.slipping_winch for line in recording.rig.tag_lines]
+    winches = [name for name in slipping if name is not None]
     out_of |= {name: recording.column("joint_position", name) for name in winches}
     checks = []
     for name, paid_out in out_of.items():

@@ -17,8 +17,10 @@ class TagLine(FromJson):
         name: Its name in the lift file.
         rope: Its name among the ropes of the recording.
         pull: Tension that is kept in it [N]; None of one that is made fast.
+        slipping_winch: Joint of its winch if that has a capacity, at which it slips.
     """
 
     name: str
     rope: str
     pull: float | None = None
+    slipping_winch: str | None = None

@@ -161,7 +161,8 @@ def _has_friction(scenario: Scenario) -> bool:
     """Whether a sheave has losses, a drum a brake, or a joint friction."""
     lines = (scenario.mooring_lines or {}).values()
     found = any(line.winch is not None and line.winch.capacity is not None for line in lines)
-    found |= any(line.pull is not None for line in (scenario.tag_lines or {}).values())
+    tags = (scenario.tag_lines or {}).values()
+    found |= any(line.pull or (line.winch and line.winch.capacity) for line in tags)
     for name, given in (scenario.equalizers or {}).items():
         for key in SHEAVES:
             words = [said for _, said in sheave_levels(scenario, name, key)]

@@ -54,7 +54,7 @@ _ON_BED = 1e-3
 
 
 class Winch(Element):
-    """A winch on which a mooring line ends."""
+    """A winch on which a mooring line or a tag line ends."""
 
     what: ClassVar[str] = "a winch"
 
@@ -64,8 +64,8 @@ class Winch(Element):
     )
     capacity: PositiveForce | None = Field(
         None,
-        description="Largest pull, at which it slips: of lines of type 'spring' alone. Whatever it takes if "
-        "not given.",
+        description="Largest pull, at which it slips: of tag lines, and of mooring lines of type 'spring'. "
+        "Whatever it takes if not given.",
     )
 
 

@@ -1,4 +1,4 @@
-"""What steps of the plan can move: hooks, drums, trolleys, cranes, booms, winches of mooring lines."""
+"""What steps of the plan can move: hooks, drums, trolleys, cranes, booms, winches of lines."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from gantline.scenario.goliath import Goliath, Traverse
 from gantline.scenario.hooks import full_name, trolley_name
 from gantline.scenario.luffing import Luffing, LuffingGear
 from gantline.scenario.model import Scenario
+from gantline.scenario.mooring import MooringLine
 from gantline.scenario.steps import Kind, LuffStep
+from gantline.scenario.tag_line import TagLine, tag_rope
 
 __all__ = ["Mover", "boom_angles", "mover", "movers"]
 
@@ -46,12 +48,12 @@ class Mover:
 
 
 def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
-    """Everything of a kind by its full name; None for a drum or mooring line that nothing drives."""
+    """Everything of a kind by its full name; None for a drum or line that nothing drives."""
     if kind == "hook":
         return dict(_hooks(scenario))
     if kind == "drum":
         return _drums(scenario)
-    if kind == "mooring line":
+    if kind == "line":
         return _winches(scenario)
     found: dict[str, Mover | None] = {}
     if kind == "boom":
@@ -156,14 +158,16 @@ def _drums(scenario: Scenario) -> dict[str, Mover | None]:
 
 def _winches(scenario: Scenario) -> dict[str, Mover | None]:
     found: dict[str, Mover | None] = {}
-    for name, line in (scenario.mooring_lines or {}).items():
+    lines: dict[str, MooringLine | TagLine] = dict(scenario.mooring_lines or {})
+    lines |= {tag_rope(name): line for name, line in (scenario.tag_lines or {}).items()}
+    for name, line in lines.items():
         winch = line.winch
         if winch is None:
             found[name] = None
             continue
         found[name] = Mover(
             name=name,
-            kind="mooring line",
+            kind="line",
             speed=winch.speed,
             acceleration=winch.acceleration,
             capacity=winch.capacity is not None,

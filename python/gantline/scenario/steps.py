@@ -37,9 +37,9 @@ __all__ = [
     "HoldStep",
     "HookStep",
     "Kind",
+    "LineStep",
     "LowerStep",
     "LuffStep",
-    "MooringStep",
     "MovingStep",
     "PayOutStep",
     "PumpStep",
@@ -51,7 +51,7 @@ __all__ = [
     "VeerStep",
 ]
 
-Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper", "mooring line"]
+Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper", "line"]
 
 
 class _AnyStep(Element):
@@ -91,7 +91,7 @@ class _StartingStep(_AnyStep):
 
 
 class MovingStep(_StartingStep):
-    """A step that moves hooks, drums, trolleys, cranes, booms or mooring lines."""
+    """A step that moves hooks, drums, trolleys, cranes, booms or lines."""
 
     #: The key that says what is moved.
     verb: ClassVar[str]
@@ -318,31 +318,31 @@ class PumpStep(_StartingStep):
         return self
 
 
-class MooringStep(MovingStep):
-    """A step in which winches move mooring lines."""
+class LineStep(MovingStep):
+    """A step in which winches move mooring lines or tag lines."""
 
-    kind: ClassVar[Kind] = "mooring line"
+    kind: ClassVar[Kind] = "line"
 
     by: PositiveLength | None = Field(None, description="Length of line after which the winches are at rest.")
 
 
-class HaulStep(MooringStep):
-    """A step in which mooring lines are hauled in."""
+class HaulStep(LineStep):
+    """A step in which mooring lines or tag lines are hauled in."""
 
     what: ClassVar[str] = "a haul step"
 
-    haul: Names = Field(description="Mooring line or lines that are hauled in.")
+    haul: Names = Field(description="Mooring lines that are hauled in, or tag lines, like 'tag.west'.")
 
     verb: ClassVar[str] = "haul"
     direction: ClassVar[float] = -1.0
 
 
-class VeerStep(MooringStep):
-    """A step in which mooring lines are paid out."""
+class VeerStep(LineStep):
+    """A step in which mooring lines or tag lines are paid out."""
 
     what: ClassVar[str] = "a veer step"
 
-    veer: Names = Field(description="Mooring line or lines that are paid out.")
+    veer: Names = Field(description="Mooring lines that are paid out, or tag lines, like 'tag.west'.")
 
     verb: ClassVar[str] = "veer"
 

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
+from gantline.scenario.mooring import Winch
 from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Name,
@@ -62,6 +63,10 @@ class TagLine(Element):
     pretension: PositiveForce | None = Field(
         None, description="Tension of one made fast, the load where it is at the start; in place of 'length'."
     )
+    winch: Winch | None = Field(
+        None,
+        description="Winch at its end, by which steps haul and veer one with a length; none if not given.",
+    )
     breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
     cut_at: Time | None = Field(None, description=CUT_SHOWN)
 
@@ -75,6 +80,8 @@ class TagLine(Element):
         for key in ("speed", "rotating_mass"):
             if self.pull is None and getattr(self, key) is not None:
                 raise refuse(f"'{key}' is of a line whose 'pull' is kept; this one is made fast", key)
+        if self.pull is not None and self.winch is not None:
+            raise refuse("a line whose 'pull' is kept moves by itself; 'winch' goes with a length", "winch")
         return self
 
 
