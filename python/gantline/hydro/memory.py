@@ -47,7 +47,7 @@ _SMALL = 1e-3
 _POOR = 0.05
 #: The same from which on the file contradicts itself.
 _USELESS = 0.3
-#: Difference of matrices from their transposes from which on it is said, of the diagonal.
+#: Difference of matrices from their transposes from which on it is said, of the largest of the diagonal.
 _UNSYMMETRIC = 0.02
 
 
@@ -167,9 +167,9 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
             doubts.append(f"{database.source} does not say for which water; that of the lift is taken")
     if database.density is not None:
         scale = density / database.density
-    asymmetry = max(database.asymmetry)
+    asymmetry = max(map(_asymmetry, (database.added_mass, database.damping)))
     if asymmetry > _UNSYMMETRIC:
-        share = f"differ by up to {100 * asymmetry:.3g} % of the diagonal"
+        share = f"differ by up to {100 * asymmetry:.2g} % of the largest of the diagonal"
         doubts.append(f"{database.source}: pairs that are the same by nature {share}; their means are taken")
     added, damping = (
         scale * (values + values.transpose(0, 2, 1)) / 2 for values in (database.added_mass, database.damping)
@@ -195,6 +195,13 @@ def _check(database: HydrodynamicDatabase, frequency: Array) -> None:
     wanted = f"memory needs {_FEWEST} periods below two minutes, the longest {_SPAN:g} times the shortest"
     instead = "'added_mass' and 'water_damping' of one period do with less"
     raise DatabaseError(f"{database.source}: {given}; {wanted}; {instead}")
+
+
+def _asymmetry(matrices: Array) -> float:
+    """Largest difference from the transpose, of the largest that shifts and turns have at any frequency."""
+    largest = np.diagonal(matrices, axis1=1, axis2=2).max(axis=0)
+    scale = np.sqrt(np.repeat(np.maximum([largest[:3].max(), largest[3:].max()], 1e-300), 3))
+    return float(np.max(np.abs(matrices - matrices.transpose(0, 2, 1)) / np.outer(scale, scale)))
 
 
 def _judge(database: HydrodynamicDatabase, misfit: Misfit, doubts: list[str]) -> None:
