@@ -238,3 +238,39 @@ def test_it_never_gives_energy_in_the_whole(step: float | None) -> None:
     assert held.max() <= held[0] * (1 + 1e-9) + (0.0 if step is None else 0.02 * np.ptp(held))
     late = run.time > 150.0
     assert np.ptp(run.body("box")[late, 2]) < 1e-2
+
+
+def carried(*terms: tuple[complex, complex]) -> Json:
+    """The box on a guide that a drive moves upwards, within 2 s at 0.5 m/s."""
+    hull = box_hull([LENGTH, BREADTH, DEPTH])
+    lifted = body("guide", slider(position=0.0, drive="lift"), 1000.0)
+    box = body("box", slider(position=-DEPTH / 2), MASS, parent="guide")
+    added = np.zeros((6, 6))
+    added[2, 2] = ADDED
+    moving = {"type": "added_mass", "name": "added", "body": "box", "at": [0, 0, 0], "matrix": added.tolist()}
+    ramp = {"at": 0.0, "duration": 2.0, "velocity": 0.5, "shape": "linear"}
+    return document(
+        [lifted, box],
+        forces=[buoyancy("box", hull), moving, remembered(*(term(*one) for one in terms))],
+        drives=[{"name": "lift", "ramps": [ramp]}],
+    )
+
+
+def test_a_body_on_what_a_drive_moves() -> None:
+    """What water remembers is the whole motion of the box, the drive's share of it too: the guide has no hold
+    on the box, which stays where it floats, to 1e-7 m.
+    """
+    run = adaptive(carried(DECAYS, SWINGS), 8.0, position_tolerance=1e-9, sample_interval=0.5)
+    assert np.abs(run.body("box")[:, 2] + DEPTH / 2).max() < 1e-7
+    by_steps = simulate(carried(DECAYS, SWINGS), 8.0, step=0.01, sample_interval=0.5)
+    assert np.abs(by_steps.body("box")[:, 2] + DEPTH / 2).max() < 1e-3
+
+
+def test_statics_of_a_saved_run_are_at_rest() -> None:
+    """As if everything stopped there: waves that were made are gone, and the box comes to where it floats."""
+    settings = {"integrator": {"type": "adaptive"}, "duration": 3.0, "sample_interval": 1.0}
+    run = Simulation(json.dumps(guided(DECAYS, SWINGS)), json.dumps(settings))
+    run.run()
+    question = Statics(json.dumps(guided(DECAYS, SWINGS)))
+    question.settle_saved(run.save(), "none")
+    assert question.columns()["body_position"][-1, 0, 2] == pytest.approx(-DEPTH / 2, abs=1e-9)

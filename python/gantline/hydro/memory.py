@@ -21,7 +21,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import nnls
 
 from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
 
@@ -278,6 +277,8 @@ class _Fit:
 
     def _alone(self, own: Array, ratio: Array, motion: int) -> Array:
         """Strengths (j,) for one motion by itself."""
+        from scipy.optimize import nnls  # takes half a second to load
+
         matrix, right = self._system(own, ratio, (motion, motion))
         sizes = np.linalg.norm(matrix, axis=0)
         found, _ = nnls(matrix / sizes, right, maxiter=30 * len(own))
