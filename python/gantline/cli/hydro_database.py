@@ -90,8 +90,7 @@ def _report(found: HydrodynamicDatabase) -> list[str]:
 
 def _memory(found: HydrodynamicDatabase) -> str:
     """How well the file serves as `radiation` of a vessel."""
-    from gantline.hydro import DatabaseError
-    from gantline.hydro.memory import fit_memory
+    from gantline.hydro import DatabaseError, fit_memory
 
     try:
         misfit = fit_memory(found, found.density or 1.0).misfit
