@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import databases
+import waves
 from program import program
 
 
@@ -96,6 +97,9 @@ def test_a_database_is_shown_as_a_table_and_as_json(tmp_path: Path) -> None:
     assert result.returncode == 0, result.stderr
     assert "box1, from box.h5 (BEMIO); for water of 1 t/m³; about (1, 0, -2) m of the file" in result.stdout
     assert "displaces 77 m³; water 50 m deep; wave forces in 2 directions" in result.stdout
+    assert (
+        "for 'radiation', with memory: box.h5 (BEMIO): has 4 frequencies, periods from 6.283" in result.stdout
+    )
     # At infinity, then from short periods to long ones: heave 90 (2 − ω) t and 27 ω kN s/m.
     assert re.search(r"\n +0 +infinite +45 +200 +4500 *\n", result.stdout)
     assert re.search(r"\n +12\.566 +0\.5000 +135 +13\.5 +600 +60 +13500 +1350\n", result.stdout)
@@ -105,6 +109,15 @@ def test_a_database_is_shown_as_a_table_and_as_json(tmp_path: Path) -> None:
     assert found["damping"][1][2][4] == 0.0
     assert found["excitation_real"][0][1][2] == pytest.approx(1.2e6)
     assert found["density"] == 1000.0
+
+
+def test_how_well_a_database_serves_as_radiation(tmp_path: Path) -> None:
+    """What the fit leaves of damping and added mass, and where most."""
+    waves.database(tmp_path, waves.radiated)
+    result = hydro(tmp_path / "barge.nc")
+    assert result.returncode == 0, result.stderr
+    said = r"for 'radiation', with memory: the fit misses 0\.0\d+ % of the largest damping and 0\.0"
+    assert re.search(said, result.stdout), result.stdout
 
 
 @pytest.mark.parametrize(

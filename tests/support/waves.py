@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -10,12 +12,15 @@ import numpy as np
 import databases
 from afloat import BREADTH, DRAFT, KG, LENGTH, MASS, barge, lift_of, written
 from floating import SEA
+from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
 #: Frequencies of the file [rad/s] and directions that its waves run in, from x to y and on to -x.
 FREQUENCIES = np.linspace(0.2, 3.0, 57)
 DIRECTIONS = np.radians([0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0])
 G = 9.81
+#: Added mass and damping by frequencies.
+Water = Callable[[Any], tuple[Any, Any]]
 #: Added mass and damping about the middle of the waterline, at all frequencies alike: SI, symmetric, coupled.
 ADDED = np.diag([8e5, 5e6, 3e7, 1e9, 1.5e10, 4e9])
 ADDED[0, 4] = ADDED[4, 0] = -2e6
@@ -55,14 +60,35 @@ def _moment(wave: float, size: float) -> complex:
     return complex(1j * (np.sin(half) - half * np.cos(half)) / (half * wave))
 
 
-def database(folder: Path) -> str:
+def constant(frequencies: Any) -> tuple[Any, Any]:
+    """Added mass and damping that are alike at all frequencies (n, 6, 6)."""
+    alike = np.ones((len(frequencies), 1, 1))
+    return alike * ADDED, alike * DAMPING
+
+
+#: Oscillators C iω/(ω_j² − ω² + 2iζ_jω_jω) of a water with memory: ω_j, ζ_j, share of what they damp at most.
+OSCILLATORS = ((0.6, 0.35, 1.0), (0.95, 0.45, 0.8), (1.5, 0.5, 0.3))
+#: It couples surge with pitch and sway with roll.
+_COUPLED = DAMPING.copy()
+_COUPLED[0, 4] = _COUPLED[4, 0] = -0.3 * np.sqrt(DAMPING[0, 0] * DAMPING[4, 4])
+_COUPLED[1, 3] = _COUPLED[3, 1] = 0.4 * np.sqrt(DAMPING[1, 1] * DAMPING[3, 3])
+
+
+def radiated(frequencies: Any) -> tuple[Any, Any]:
+    """Added mass and damping of that water (n, 6, 6), `ADDED` at infinite frequency."""
+    s = 1j * np.asarray(frequencies)
+    parts = [share * 2 * z * w * s / (w * w + 2 * z * w * s + s * s) for w, z, share in OSCILLATORS]
+    answer = np.sum(parts, axis=0)[:, None, None] * _COUPLED
+    return ADDED + answer.imag / np.asarray(frequencies)[:, None, None], answer.real
+
+
+def database(folder: Path, water: Water = constant) -> str:
     """Name of the file, written beside a lift file."""
     order = np.argsort(databases.AXES)
     dims = ["omega", "radiating_dof", "influenced_dof"]
-    count = len(FREQUENCIES)
     turned = {
-        name: (dims, np.repeat(matrix[order][:, order][None], count, axis=0))
-        for name, matrix in (("added_mass", ADDED), ("radiation_damping", DAMPING))
+        name: (dims, matrix[:, order][:, :, order])
+        for name, matrix in zip(("added_mass", "radiation_damping"), water(FREQUENCIES), strict=True)
     }
     waves = np.array([[force_per_metre(w, b) for b in DIRECTIONS] for w in FREQUENCIES])[:, :, order]
     parts = np.stack([waves.real, waves.imag])
@@ -79,25 +105,47 @@ def database(folder: Path) -> str:
 
 
 def in_waves(folder: Path, waves: dict[str, Any], vessel: dict[str, Any] | None = None, **given: Any) -> Path:
-    """The lift file of the barge in waves."""
+    """The lift file of the barge in waves, in a water of constant added mass and damping."""
     about = [f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"]
     name = database(folder)
     by_file = {"database": name, "period": "9 s", "at": about}
     of_water = {"added_mass": by_file, "water_damping": by_file}
-    afloat = {**of_water, "wave_forces": {"database": name, "at": about}, **(vessel or {})}
+    return _in_waves(folder, waves, name, {**of_water, **(vessel or {})}, **given)
+
+
+def radiating(
+    folder: Path, waves: dict[str, Any], vessel: dict[str, Any] | None = None, **given: Any
+) -> Path:
+    """The same in a water that remembers."""
+    name = database(folder, radiated)
+    about = [f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"]
+    of_water = {"radiation": {"database": name, "at": about}}
+    return _in_waves(folder, waves, name, {**of_water, **(vessel or {})}, **given)
+
+
+def _in_waves(folder: Path, waves: dict[str, Any], name: str, vessel: dict[str, Any], **given: Any) -> Path:
+    about = [f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"]
+    afloat = {"wave_forces": {"database": name, "at": about}, **vessel} if waves else vessel
+    sea = {"waves": waves} if waves else {}
     radii = [f"{radius} m" for radius in RADII]
     return written(
-        folder, lift_of(barge(radii_of_gyration=radii, **afloat), waves=waves, start="as_given", **given)
+        folder, lift_of(barge(radii_of_gyration=radii, **afloat), start="as_given", **sea, **given)
     )
 
 
-def response(frequency: float, force: Any) -> Any:
+def response(frequency: float, force: Any, added: Any = ADDED, damping: Any = DAMPING) -> Any:
     """Motion of the barge about the middle of its waterline under a force there: (−ω²(M + A) − iωB + C)⁻¹ F.
 
     Args:
         frequency: ω [rad/s].
         force: complex (6,) [N, N m], vessel axes.
+        added, damping: A and B (6, 6) about there, SI units.
     """
+    return np.linalg.solve(impedance(frequency, added, damping), force)
+
+
+def impedance(frequency: float, added: Any = ADDED, damping: Any = DAMPING) -> Any:
+    """−ω²(M + A) − iωB + C of the barge about the middle of the waterline (6, 6), see `response`."""
     # c of the centre of gravity is (0, 0, KG − T).
     lever = np.array([[0.0, DRAFT - KG, 0.0], [KG - DRAFT, 0.0, 0.0], [0.0, 0.0, 0.0]])  # [c]×
     mass = np.zeros((6, 6))
@@ -107,8 +155,7 @@ def response(frequency: float, force: Any) -> Any:
     area, weight = LENGTH * BREADTH, MASS * G
     arms = -DRAFT / 2 - (KG - DRAFT) + np.array([BREADTH, LENGTH]) ** 2 / (12 * DRAFT)  # GM = KB − KG + BM
     stiffness = np.diag([0.0, 0.0, SEA * G * area, *(weight * arms), 0.0])
-    whole = -(frequency**2) * (mass + ADDED) - 1j * frequency * DAMPING + stiffness
-    return np.linalg.solve(whole, force)
+    return -(frequency**2) * (mass + added) - 1j * frequency * damping + stiffness
 
 
 def harmonic(time: FloatArray, value: FloatArray, frequency: float) -> complex:
@@ -117,3 +164,20 @@ def harmonic(time: FloatArray, value: FloatArray, frequency: float) -> complex:
     terms = np.stack([np.cos(phase), np.sin(phase), np.ones_like(time), time], axis=1)
     found = np.linalg.lstsq(terms, value, rcond=None)[0]
     return complex(found[0], found[1])
+
+
+def motion(run: Recording, frequency: float, heading: float = 0.0) -> Any:
+    """Complex amplitudes of the last ten periods about the middle of the waterline, vessel axes (6,)."""
+    late = run.time > run.time[-1] - 20 * np.pi / frequency + 1e-9
+    orientation = run.variables["body_orientation"].values[late, 0]
+    place = run.variables["body_position"].values[late, 0]
+    cos, sin = math.cos(heading), math.sin(heading)
+    # Small rotation vectors in vessel axes are twice the vector part of q₀⁻¹ q, q₀ the heading.
+    half = np.array([math.cos(heading / 2), math.sin(heading / 2)])
+    w, x, y, z = orientation.T
+    turned = 2 * np.array([half[0] * x + half[1] * y, half[0] * y - half[1] * x, half[0] * z - half[1] * w])
+    at_centre = np.array([cos * place[:, 0] + sin * place[:, 1], cos * place[:, 1] - sin * place[:, 0]])
+    lever = KG - DRAFT
+    shift = np.array([at_centre[0] - lever * turned[1], at_centre[1] + lever * turned[0], place[:, 2]])
+    every = np.concatenate([shift, turned])
+    return np.array([harmonic(run.time[late], one, frequency) for one in every])

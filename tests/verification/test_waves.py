@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import waves
-from afloat import DRAFT, KG, LENGTH, barge, lift_of, written
+from afloat import DRAFT, LENGTH, barge, lift_of, written
 from floating import SEA
 from gantline.hydro.database import read_database
 from gantline.hydro.waves import jonswap, sea, wave_number
@@ -24,23 +24,6 @@ LOW = {"height": "2 mm", "period": f"{PERIOD!r} s", "direction": "30 deg"}
 
 def last_periods(run: Recording, count: int) -> Any:
     return run.time > run.time[-1] - count * PERIOD + 1e-9
-
-
-def motion(run: Recording, heading: float = 0.0) -> Any:
-    """Complex amplitudes of the last ten periods about the middle of the waterline, vessel axes (6,)."""
-    late = last_periods(run, 10)
-    orientation = run.variables["body_orientation"].values[late, 0]
-    place = run.variables["body_position"].values[late, 0]
-    cos, sin = math.cos(heading), math.sin(heading)
-    # Small rotation vectors in vessel axes are twice the vector part of q₀⁻¹ q, q₀ the heading.
-    half = np.array([math.cos(heading / 2), math.sin(heading / 2)])
-    w, x, y, z = orientation.T
-    turned = 2 * np.array([half[0] * x + half[1] * y, half[0] * y - half[1] * x, half[0] * z - half[1] * w])
-    at_centre = np.array([cos * place[:, 0] + sin * place[:, 1], cos * place[:, 1] - sin * place[:, 0]])
-    lever = KG - DRAFT
-    shift = np.array([at_centre[0] - lever * turned[1], at_centre[1] + lever * turned[0], place[:, 2]])
-    every = np.concatenate([shift, turned])
-    return np.array([waves.harmonic(run.time[late], one, OMEGA) for one in every])
 
 
 @pytest.mark.parametrize("depth", [None, 5.0, 30.0, 1e4])
@@ -105,7 +88,7 @@ def test_steady_motion_in_a_regular_wave(tmp_path: Path, direction: float, headi
     along = OMEGA**2 / waves.G * (middle @ [math.cos(towards), math.sin(towards)])
     force = waves.force_per_metre(OMEGA, towards - by) * 1e-3 * np.exp(1j * along)
     expected = waves.response(OMEGA, force)
-    found = motion(run, by)
+    found = waves.motion(run, OMEGA, by)
     scale = np.repeat([np.abs(expected[:3]).max(), np.abs(expected[3:]).max()], 3)
     assert np.abs(found - expected) / scale == pytest.approx(np.zeros(6), abs=1e-5)
 

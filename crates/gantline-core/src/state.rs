@@ -39,6 +39,9 @@ pub struct State {
     pub spots: Vec<Spot>,
     /// What drums have wound, by [`crate::system::System::coils`].
     pub coils: Vec<Coil>,
+    /// What forces remember of the motion so far, see [`crate::force::memory`].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub past: Vec<f64>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.
     pub next_step: f64,
     /// True at the start and after a change that makes the accelerations jump.
@@ -71,6 +74,7 @@ impl State {
             seats,
             spots,
             coils,
+            past,
             next_step,
             restart,
             engaged,
@@ -91,6 +95,7 @@ impl State {
         self.memory.copy_from_slice(memory);
         self.seats.copy_from_slice(seats);
         self.spots.copy_from_slice(spots);
+        self.past.copy_from_slice(past);
         for (coil, other) in self.coils.iter_mut().zip(coils) {
             coil.copy_from(other);
         }

@@ -385,6 +385,7 @@ proptest! {
                 time: NOW,
                 q: &state.q,
                 v: &state.v,
+                past: &[],
             };
             let steady = Drag { gusts: None, ..drag.clone() };
             let still = Drag { stream: DVec3::ZERO, ..steady.clone() };
@@ -423,6 +424,7 @@ fn a_cube_half_in_water() {
         time: 0.0,
         q: &state.q,
         v: &still,
+        past: &[],
     };
     assert!((force.wrench(&at).force - DVec3::Z * 4e4).length() < 1e-9);
     // ρ g V times the depth of its centre, half a metre.

@@ -6,6 +6,7 @@ import numpy as np
 
 from gantline.assembly.hulls import afloat_path, box_mesh, hull_mesh
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.radiation import add_radiation
 from gantline.assembly.spatial import Array, inertia_list, inertia_matrix
 from gantline.assembly.water_matrix import water_matrix
 from gantline.scenario import Scenario
@@ -50,6 +51,7 @@ def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Wa
         parts.warnings += hull.doubts
         named = {"type": "buoyancy", "name": hull_name(name), "body": name}
         parts.forces.append({**named, **hull.document, **surface})
+    add_radiation(parts, scenario, name, body)
     for key in ("added_mass", "water_damping"):
         given: OfWater | None = getattr(body, key)
         if given is None:

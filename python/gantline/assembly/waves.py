@@ -179,6 +179,8 @@ def _unknown(train: Components, forces: Complex) -> float:
 
 def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[str]:
     """Sentences on water that is taken at a period which the waves have not, or not at all."""
+    if vessel.radiation is not None:
+        return []
     found = []
     periods = [train.main_period for train in (scenario.waves or {}).values()]
     for key in ("added_mass", "water_damping"):

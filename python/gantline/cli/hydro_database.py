@@ -81,10 +81,22 @@ def _report(found: HydrodynamicDatabase) -> list[str]:
     return [
         "; ".join(parts),
         symmetry,
+        _memory(found),
         "",
         "Added mass a and damping b",
         *table(tuple(head), cells, "r" * len(head)),
     ]
+
+
+def _memory(found: HydrodynamicDatabase) -> str:
+    """How well the file serves as `radiation` of a vessel."""
+    from gantline.hydro import DatabaseError, fit_memory
+
+    try:
+        misfit = fit_memory(found, found.density or 1.0).misfit
+    except DatabaseError as problem:
+        return f"for 'radiation', with memory: {problem}"
+    return f"for 'radiation', with memory: the fit misses {misfit.in_words}"
 
 
 def _cells(mass: npt.NDArray[np.float64], damping: npt.NDArray[np.float64] | None) -> list[str]:

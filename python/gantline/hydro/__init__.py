@@ -10,6 +10,7 @@ from gantline.hydro.database import DATABASE_FORMATS, DatabaseError, Hydrodynami
 from gantline.hydro.floating import CannotFloatError, Floating, float_free
 from gantline.hydro.hull import Closure, Hull
 from gantline.hydro.hydrostatics import Hydrostatics, hydrostatics
+from gantline.hydro.memory import Memory, Misfit, fit_memory
 from gantline.hydro.mesh_file import HullError, read_hull
 from gantline.hydro.righting import RightingArms, righting_arms
 from gantline.hydro.shapes import box_hull, raked_barge, wigley_hull
@@ -26,9 +27,12 @@ __all__ = [
     "HullError",
     "HydrodynamicDatabase",
     "Hydrostatics",
+    "Memory",
+    "Misfit",
     "RightingArms",
     "Tank",
     "box_hull",
+    "fit_memory",
     "float_free",
     "free_surface_correction",
     "hydrostatics",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -36,6 +36,7 @@ __all__ = [
     "Extent",
     "HullShape",
     "OfWater",
+    "Radiation",
     "Water",
     "WaterDamping",
     "WaveForces",
@@ -214,6 +215,18 @@ class WaterDamping(OfWater):
         return [getattr(self, motion) for motion in MOTIONS]
 
 
+class Radiation(Element):
+    """Added mass and damping of all frequencies: waves that a body makes push it until they are gone."""
+
+    what: ClassVar[str] = "radiation"
+
+    database: Text = Field(
+        description="Hydrodynamic database beside the lift file, of many periods: .nc, .h5, .dhyd or .hyd."
+    )
+    at: Position = Field(description="Where its reference point is in the body's axes.")
+    body: Text | None = Field(None, description="Body of the database, where it has several.")
+
+
 class WaveForces(Element):
     """What waves do to a vessel, by a hydrodynamic database."""
 
@@ -263,9 +276,23 @@ class Afloat(Element):
     hull: HullShape | None = Field(None, description="What of it displaces water; nothing if not given.")
     added_mass: AddedMass | None = Field(None, description="Water that moves along with it.")
     water_damping: WaterDamping | None = Field(None, description="What water resists its motion with.")
+    radiation: Radiation | None = Field(
+        None, description="Added mass and damping of all frequencies, with memory, in place of 'added_mass'."
+    )
     tanks: Named[BallastTank] | None = Field(None, description="Tanks with liquid in it, by name.")
     wind_areas: Named[StreamArea] | None = Field(None, description=WIND_SHOWN)
     current_areas: Named[StreamArea] | None = Field(None, description=CURRENT_SHOWN)
+
+    @model_validator(mode="after")
+    def _radiates_once(self) -> Self:
+        if self.radiation is None:
+            return self
+        if self.added_mass is not None:
+            raise refuse("'radiation' holds the added mass of all frequencies; leave one out", "added_mass")
+        if self.water_damping is not None and self.water_damping.database is not None:
+            sentence = "'radiation' holds the damping of all frequencies; leave the 'database' out"
+            raise refuse(f"{sentence}: what stands here comes on top", "water_damping")
+        return self
 
     @property
     def floats_freely(self) -> bool:

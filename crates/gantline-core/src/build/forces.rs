@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::memory::build_memory;
 use super::moorings::build_mooring;
 use super::trains::build_wave;
 use super::{BuildError, error, finite, positive};
@@ -30,7 +31,16 @@ pub(super) fn build_forces(
     tree: &Tree,
     trains: [&Arc<Trains>; 2],
 ) -> Result<Vec<AnyForce>, BuildError> {
-    spec.forces.iter().map(|given| build_force(given, spec, tree, trains)).collect()
+    let mut forces: Vec<AnyForce> =
+        spec.forces.iter().map(|given| build_force(given, spec, tree, trains)).collect::<Result<_, _>>()?;
+    let mut first = 0;
+    for force in &mut forces {
+        if let AnyForce::Memory(memory) = force {
+            memory.first = first;
+            first = memory.states().end;
+        }
+    }
+    Ok(forces)
 }
 
 fn build_force(
@@ -53,6 +63,9 @@ fn build_force(
         }
         ForceSpec::Wave { body, at, phasors, .. } => {
             AnyForce::Wave(build_wave(name, find(body)?, *at, phasors, sea)?)
+        }
+        ForceSpec::Memory { body, at, terms, .. } => {
+            AnyForce::Memory(build_memory(name, find(body)?, *at, terms)?)
         }
         ForceSpec::Buoyancy { body, vertices, triangles, density, level, .. } => {
             positive(name, "the density of its water", *density)?;
@@ -170,7 +183,7 @@ fn build_mesh(name: &str, vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Re
 }
 
 /// No eigenvalue of the symmetric part may be below zero: the water would drive the body.
-fn check_matrix(name: &str, what: &str, rows: &[[f64; 6]; 6]) -> Result<(), BuildError> {
+pub(super) fn check_matrix(name: &str, what: &str, rows: &[[f64; 6]; 6]) -> Result<(), BuildError> {
     finite(name, what, rows.as_flattened())?;
     // LDLᵀ by elimination, scaled by the diagonal.
     let scale: [f64; 6] = std::array::from_fn(|k| rows[k][k].max(0.0).sqrt());

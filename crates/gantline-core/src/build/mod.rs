@@ -6,6 +6,7 @@ mod coils;
 mod conditions;
 mod forces;
 mod light;
+mod memory;
 mod moorings;
 pub(crate) mod plan;
 mod ropes;

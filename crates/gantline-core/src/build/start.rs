@@ -4,7 +4,7 @@ use super::{BuildError, error};
 use crate::audit::{Ledger, Stored, elastic_energy, gravity_energy};
 use crate::constraint::Law;
 use crate::contact::spot::Spot;
-use crate::force;
+use crate::force::{self, memory};
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;
@@ -89,6 +89,7 @@ fn without_forces(
         seats,
         spots,
         coils: vec![Coil::new(0.0); system.coils.len()],
+        past: vec![0.0; memory::states(&system.tree)],
         next_step: 0.0,
         restart: true,
         engaged: false,

@@ -11,6 +11,7 @@
 pub mod added_mass;
 pub mod buoyancy;
 pub mod drag;
+pub mod memory;
 pub mod mooring;
 pub mod square;
 pub mod tank;
@@ -26,6 +27,7 @@ use crate::tree::pose::Pose;
 use added_mass::AddedMass;
 use buoyancy::Buoyancy;
 use drag::Drag;
+use memory::{Memory, memories};
 use mooring::Mooring;
 use square::Square;
 use tank::Tank;
@@ -48,6 +50,8 @@ pub struct At<'a> {
     pub q: &'a [f64],
     /// Its velocity coordinates.
     pub v: &'a [f64],
+    /// What forces remember of the motion so far, see [`memory`].
+    pub past: &'a [f64],
 }
 
 /// Derivatives of a wrench, seen from the body: force and moment over linear and angular motion, world axes.
@@ -147,6 +151,8 @@ pub enum AnyForce {
     AddedMass(AddedMass),
     /// Resistance of water or air.
     Drag(Drag),
+    /// Waves that the body has made.
+    Memory(Memory),
     /// A liquid in a tank.
     Tank(Box<Tank>),
     /// A mooring line.
@@ -163,6 +169,7 @@ impl std::ops::Deref for AnyForce {
             Self::Buoyancy(buoyancy) => &**buoyancy,
             Self::AddedMass(added) => added,
             Self::Drag(drag) => drag,
+            Self::Memory(memory) => memory,
             Self::Tank(tank) => &**tank,
             Self::Mooring(mooring) => &**mooring,
             Self::Wave(wave) => wave,
@@ -203,8 +210,8 @@ pub fn twist_of(tree: &Tree, kinematics: &Kinematics, body: usize, v: &[f64]) ->
 /// Where the body of a force is, and how it moves under the velocity coordinates `v`; not accelerated.
 fn under<'a>(tree: &Tree, kinematics: &'a Kinematics, body: usize, v: &'a [f64]) -> At<'a> {
     let (twist, rate) = (twist_of(tree, kinematics, body, v), Twist::default());
-    let Kinematics { pose, q, time, .. } = kinematics;
-    At { pose: &pose[body], twist, rate, gravity: tree.gravity, time: *time, q, v }
+    let Kinematics { pose, q, time, past, .. } = kinematics;
+    At { pose: &pose[body], twist, rate, gravity: tree.gravity, time: *time, q, v, past }
 }
 
 /// True where wind or current blows on a body.
@@ -233,7 +240,7 @@ pub fn wave_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
 }
 
 /// Sets `out` to what fluids resist the velocity coordinates `v` with, along every degree of freedom; at rest that is the
-/// opposite of what wind, current and waves push with.
+/// opposite of what wind, current and waves push with, and waves that bodies have made.
 pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f64]) {
     out.fill(0.0);
     for drag in drags(tree) {
@@ -241,6 +248,9 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
     }
     for wave in waves(tree) {
         take(tree, kinematics, wave.body, wave.wrench(&under(tree, kinematics, wave.body, v)), out);
+    }
+    for memory in memories(tree) {
+        take(tree, kinematics, memory.body, memory.wrench(&under(tree, kinematics, memory.body, v)), out);
     }
 }
 

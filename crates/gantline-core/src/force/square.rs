@@ -37,6 +37,12 @@ impl Square {
         Self { linear: part(0, 0), cross: part(0, 3), back: part(3, 0), angular: part(3, 3) }
     }
 
+    /// The opposite way of [`Square::from_rows`].
+    pub fn rows(&self) -> [[f64; 6]; 6] {
+        let parts = [[self.linear, self.cross], [self.back, self.angular]];
+        std::array::from_fn(|i| std::array::from_fn(|j| parts[i / 3][j / 3].col(j % 3)[i % 3]))
+    }
+
     /// The wrench of a motion.
     #[inline]
     pub fn times(&self, motion: &Twist) -> Wrench {
@@ -61,6 +67,14 @@ impl Square {
         let back = self.back + arm * self.linear;
         let angular = self.angular - self.back * arm + arm * self.cross - arm * self.linear * arm;
         Self { linear: self.linear, cross, back, angular }
+    }
+
+    /// Adds `scale` times another.
+    pub fn add(&mut self, scale: f64, other: &Self) {
+        self.linear += other.linear * scale;
+        self.cross += other.cross * scale;
+        self.back += other.back * scale;
+        self.angular += other.angular * scale;
     }
 
     /// The opposite.

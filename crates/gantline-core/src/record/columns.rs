@@ -95,6 +95,8 @@ impl Columns {
             let seats = &samples.seats[index * sheaves..][..sheaves];
             let spots = &samples.spots[index * spots..][..spots];
             sampled.kinematics.update(&system.tree, q, samples.time[index]);
+            let states = sampled.kinematics.past.len();
+            sampled.kinematics.past.copy_from_slice(&samples.past[index * states..][..states]);
             sampled.mark_parted(system, samples.time[index]);
             sampled.add_rows(system, samples.time[index], [q, tension], (seats, spots), &mut columns);
             sampled.add_moorings(system, v, &mut columns);

@@ -26,6 +26,16 @@ pub struct Sample {
     pub acceleration: Vec<f64>,
     /// Force of every row [N].
     pub tension: Vec<f64>,
+    /// What forces remember, as [`State::past`].
+    pub past: Vec<f64>,
+}
+
+impl Sample {
+    /// That of a state as it is.
+    pub fn of(state: &State) -> Self {
+        let State { q, v, acceleration, tension, past, .. } = state.clone();
+        Self { q, v, acceleration, tension, past }
+    }
 }
 
 /// Samples taken so far. Shapes are (samples, …) in row-major order.
@@ -41,6 +51,9 @@ pub struct Samples {
     pub acceleration: Vec<f64>,
     /// (row) force [N].
     pub tension: Vec<f64>,
+    /// (number) what forces remember, as [`State::past`].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub past: Vec<f64>,
     /// (sheave) how ropes lie on sheaves with true tangents.
     pub seats: Vec<Seat>,
     /// (spot) where bodies may touch.
@@ -63,9 +76,15 @@ const MOST_ROOM: usize = 1 << 24;
 impl Samples {
     /// Room for `count` samples of `state`, so that a run need not move them as it goes.
     pub fn with_room(state: &State, count: f64) -> Self {
-        let State { q, v, tension, seats, spots, .. } = state;
-        let width =
-            q.len() + 2 * v.len() + tension.len() + 2 * seats.len() + 16 * spots.len() + KINDS.len() + 2;
+        let State { q, v, tension, past, seats, spots, .. } = state;
+        let width = q.len()
+            + 2 * v.len()
+            + tension.len()
+            + past.len()
+            + 2 * seats.len()
+            + 16 * spots.len()
+            + KINDS.len()
+            + 2;
         let count = (count as usize).saturating_add(1).min(MOST_ROOM / width);
         let room = |width: usize| Vec::with_capacity(count * width);
         Self {
@@ -76,6 +95,7 @@ impl Samples {
             v: room(v.len()),
             acceleration: room(v.len()),
             tension: room(tension.len()),
+            past: room(past.len()),
             energy: room(KINDS.len()),
             complementarity_residual: room(1),
             ..Self::default()
@@ -84,8 +104,7 @@ impl Samples {
 
     /// Adds a state as it is, as a sample at `time` [s].
     pub fn push_state(&mut self, system: &System, time: f64, state: &State) {
-        let State { q, v, acceleration, tension, .. } = state.clone();
-        self.push(time, &Sample { q, v, acceleration, tension }, state, 0.0);
+        self.push(time, &Sample::of(state), state, 0.0);
         let adjusted = system.adjusters.iter().flat_map(|adjuster| &adjuster.rows);
         self.lengthening.extend(adjusted.map(|&row| state.memory[row]));
         self.energy.extend(state.ledger.values());
@@ -97,6 +116,7 @@ impl Samples {
         self.v.extend_from_slice(&sample.v);
         self.acceleration.extend_from_slice(&sample.acceleration);
         self.tension.extend_from_slice(&sample.tension);
+        self.past.extend_from_slice(&sample.past);
         self.seats.extend_from_slice(&by.seats);
         self.spots.extend_from_slice(&by.spots);
         self.complementarity_residual.push(residual);
@@ -164,9 +184,8 @@ pub struct Recorder {
 impl Recorder {
     /// A recorder for runs of `system` that pass through states like `state`.
     pub fn new(system: &System, state: &State, interval: f64) -> Self {
-        let State { q, v, acceleration, tension, .. } = state.clone();
         let adjusted = system.adjusters.iter().flat_map(|adjuster| adjuster.rows.iter().copied()).collect();
-        Self { interval, sample: Sample { q, v, acceleration, tension }, adjusted }
+        Self { interval, sample: Sample::of(state), adjusted }
     }
 
     /// Takes all samples that are due up to the end of the step. `motion` gives the sample at a share of the step.

@@ -52,6 +52,17 @@ pub enum ForceSpec {
         #[serde(default)]
         gusty: bool,
     },
+    /// Waves that the body has made: −∫ K(s) ν(t − s) ds with K(s) = Re Σ R exp(ps).
+    Memory {
+        /// Unique name.
+        name: String,
+        /// Body that it acts on.
+        body: String,
+        /// Point that K is about [m], body frame.
+        at: [f64; 3],
+        /// Terms of K.
+        terms: Vec<TermSpec>,
+    },
     /// A liquid in a tank. Its mass is the body's, at the centre that the liquid has with the body upright, unless it
     /// is pumped.
     Tank {
@@ -85,6 +96,18 @@ pub enum ForceSpec {
         /// y, z [N m], world axes.
         phasors: Vec<[[f64; 2]; 6]>,
     },
+}
+
+/// A decaying term R exp(ps).
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TermSpec {
+    /// p [1/s], real and imaginary part.
+    pub pole: [f64; 2],
+    /// Real part of R [N/m, N, N m], symmetric.
+    pub real: [[f64; 6]; 6],
+    /// Imaginary part of R, symmetric.
+    pub imaginary: [[f64; 6]; 6],
 }
 
 /// Waves or gusts: what they are made of.
@@ -167,6 +190,7 @@ impl ForceSpec {
             Self::Buoyancy { name, .. }
             | Self::AddedMass { name, .. }
             | Self::Drag { name, .. }
+            | Self::Memory { name, .. }
             | Self::Tank { name, .. }
             | Self::Wave { name, .. } => name,
             Self::Mooring(line) => &line.name,

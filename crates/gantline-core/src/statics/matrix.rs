@@ -14,6 +14,7 @@ use glam::DVec3;
 
 use super::potential::{Bearing, Potential};
 use crate::constraint::Placed;
+use crate::force::memory::{form, memories};
 use crate::solver::layout::{Layout, NONE};
 use crate::solver::ldl::Ldl;
 use crate::solver::slots::Slots;
@@ -33,6 +34,8 @@ pub struct Matrix {
     slots: Slots,
     /// M by slot.
     mass: Vec<f64>,
+    /// The same with the added mass of infinite frequency.
+    fast: Vec<f64>,
     /// K by slot.
     stiffness: Vec<f64>,
     gradient: Vec<f64>,
@@ -59,6 +62,7 @@ impl Matrix {
         Self {
             dynamics: DynamicsTangent::new(&system.tree, &MassMatrix::new(&system.tree)),
             mass: by_slot.clone(),
+            fast: by_slot.clone(),
             stiffness: by_slot,
             gradient: vec![0.0; system.rows.dofs.len()],
             curvature: vec![0.0; largest * largest],
@@ -95,6 +99,7 @@ impl Matrix {
                 }
             }
         }
+        self.fast.copy_from_slice(&self.mass);
         let mut cursor = 0;
         let (kinematics, feeding) = (&here.frame.kinematics, here.frame.feeding.as_slice());
         let Remembered { seats, spots, .. } = *by;
@@ -123,6 +128,27 @@ impl Matrix {
                 for ((&slot, one), other) in slots.iter().zip(row).zip(block[j..].iter().step_by(size)) {
                     if let Some(stiffness) = self.stiffness.get_mut(slot) {
                         *stiffness += 0.5 * tension * (one + other);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Puts the added mass at the frequency `omega` [rad/s] into M, where water remembers ([`crate::force::memory`]); none is
+    /// infinite frequency.
+    pub fn take_water(&mut self, system: &System, here: &Potential, omega: Option<f64>) {
+        self.mass.copy_from_slice(&self.fast);
+        let Some(omega) = omega else { return };
+        let tree = &system.tree;
+        for memory in memories(tree) {
+            let change = memory.at_frequency(omega)[1].rows();
+            let columns = memory.columns(tree, &here.frame.kinematics);
+            let support = &tree.support[memory.body];
+            for (index, &row) in support.iter().enumerate() {
+                for (other, &dof) in support[..=index].iter().enumerate() {
+                    let slot = self.slots.mass[here.frame.mass.slot(row, dof)];
+                    if let Some(mass) = self.mass.get_mut(slot) {
+                        *mass += form(&change, &columns[index], &columns[other]);
                     }
                 }
             }

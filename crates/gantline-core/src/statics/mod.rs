@@ -228,6 +228,7 @@ impl Statics {
     fn store(&mut self, system: &System, state: &mut State) {
         state.v.fill(0.0);
         state.acceleration.fill(0.0);
+        state.past.fill(0.0);
         state.bias.fill(0.0);
         state.tension.copy_from_slice(&self.search.here.tension);
         state.trial.copy_from_slice(&self.search.here.tension);

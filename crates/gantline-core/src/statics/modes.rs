@@ -6,16 +6,21 @@
 //!
 //! K = ∂²V/∂q² with geometric stiffness and gravity, rows that act condensed; rows without compliance hold their
 //! direction. D holds joint damping, linear resistance of water and τ/ε of rows. ζ is that of a mode by itself, as usual where damping is light:
-//! what couples modes through D is left out.
+//! what couples modes through D is left out. Water that remembers has the M and D of the mode's own frequency,
+//! A(ω) and B(ω).
 
 use super::eigen::{Square, vibrations};
 use super::{Part, Statics};
+use crate::force::memory::{self, memories};
 use crate::state::State;
 use crate::system::System;
 
 /// From so many degrees of freedom on modes are found one by one, where no more than the `FEW`th part is asked for.
 const LARGE: usize = 120;
 const FEW: usize = 8;
+/// Where water remembers: rounds in which a mode finds its own frequency, and the share to which it does.
+const ROUNDS: usize = 50;
+const SAME: f64 = 1e-10;
 
 /// A mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,24 +37,46 @@ pub struct Mode {
 
 impl Statics {
     /// The `count` slowest modes about the equilibrium in which `state` is since the last [`Statics::settle`], slowest
-    /// first; all without a count. A few of a large lift are found by [`super::lowest`], all else by dense matrices.
+    /// first; all without a count. A few of a large lift are found by [`super::lowest`], all else by dense matrices. Where
+    /// water remembers, each has the added mass and the damping of its own frequency.
     pub fn modes(&mut self, system: &System, state: &State, count: Option<usize>) -> Vec<Mode> {
         let size = self.search.matrix.layout.free.len();
         let count = count.unwrap_or(size).min(size);
-        if size >= LARGE && FEW * count <= size {
-            self.search.linearise(system, state);
-            if let Some(found) = self.lowest(system, count) {
-                return found.into_iter().map(|(square, shape)| self.mode(system, square, shape)).collect();
+        self.search.linearise(system, state);
+        let mut found = self.slowest(system, count);
+        if memories(&system.tree).next().is_some() {
+            for place in 0..found.len() {
+                let mut omega = f64::NAN;
+                for _ in 0..ROUNDS {
+                    let last = std::mem::replace(&mut omega, found[place].0.max(0.0).sqrt());
+                    if (omega - last).abs() <= SAME * omega {
+                        break;
+                    }
+                    self.search.matrix.take_water(system, &self.search.here, Some(omega));
+                    if let Some(own) = self.slowest(system, count).into_iter().nth(place) {
+                        found[place] = own;
+                    }
+                }
             }
+            self.search.matrix.take_water(system, &self.search.here, None);
         }
-        let mut modes = self.all_modes(system, state);
-        modes.truncate(count);
-        modes
+        found.into_iter().map(|(square, shape)| self.mode(system, square, shape)).collect()
+    }
+
+    /// The slowest modes, ω² and x.
+    fn slowest(&mut self, system: &System, count: usize) -> Vec<(f64, Vec<f64>)> {
+        let size = self.search.matrix.layout.free.len();
+        let is_few = size >= LARGE && FEW * count <= size;
+        if let Some(found) = is_few.then(|| self.lowest(system, count)).flatten() {
+            return found;
+        }
+        let mut found = self.all_modes(system);
+        found.truncate(count);
+        found
     }
 
     /// All modes, by dense matrices.
-    pub(super) fn all_modes(&mut self, system: &System, state: &State) -> Vec<Mode> {
-        self.search.linearise(system, state);
+    pub(super) fn all_modes(&self, system: &System) -> Vec<(f64, Vec<f64>)> {
         let (follows, matrix) = (&self.search.here.follows, &self.search.matrix);
         let size = matrix.layout.free.len();
         let (mass, stiffness) = matrix.dense(system, &self.bearings, follows);
@@ -69,7 +96,7 @@ impl Statics {
             shape
         };
         let found = squares.into_iter().zip(shapes);
-        found.map(|(square, free)| self.mode(system, square, whole(free))).collect()
+        found.map(|(square, free)| (square, whole(free))).collect()
     }
 
     fn mode(&self, system: &System, square: f64, mut shape: Vec<f64>) -> Mode {
@@ -78,6 +105,8 @@ impl Statics {
         let joints = shape.iter().zip(&system.tree.damping);
         let mut damping: f64 = joints.map(|(entry, damping)| damping * entry * entry).sum();
         damping += self.search.matrix.resistance(system, &shape);
+        let kinematics = &self.search.here.frame.kinematics;
+        damping += memory::resistance(&system.tree, kinematics, square.max(0.0).sqrt(), &shape);
         let mut tension = vec![0.0; system.rows.count()];
         for (row, bearing) in self.bearings.iter().enumerate() {
             if self.search.here.follows[row] && bearing.part == Part::Pull && !bearing.is_rigid {

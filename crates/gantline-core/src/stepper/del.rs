@@ -26,6 +26,10 @@
 //! q₊ = q ⊕ h v₊
 //! ```
 //!
+//! c has the force of what water remembers ([`crate::force::memory`]) at the start of the step, as of springs. It goes on by
+//! the trapezoidal rule with the step's velocity, z₊ = z + h (p (z + z₊)/2 + ν(v₊)), ν being the mean of both ends: what
+//! the force then takes along the mean velocity of two steps is never negative in the whole, where K is passive.
+//!
 //! α, between ¼ and 1, damps K only where the step cannot follow ([`crate::solver::stiffness`]). c is taken at (v + v₊)/2, so a body that turns freely keeps its energy and angular momentum. With
 //! `paper`, K = 0; with constant M, D = 0, τ = 0 and all rows acting that is eq. (15) to the letter.
 
@@ -34,7 +38,7 @@ use super::frame::Frame;
 use super::{StepError, StepReport, adjust, coils, parting, pinning, removing, seats, spots};
 use crate::clock::Stage;
 use crate::event::EventLog;
-use crate::force;
+use crate::force::{self, memory};
 use crate::record::Sample;
 use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
@@ -241,10 +245,12 @@ impl Del {
         system.tree.advance(&mut state.q, &self.increment);
         state.steps += 1;
         state.time = end;
+        memory::set_out(&system.tree, &frame.kinematics, (&self.v, h), &mut state.past);
         flows::set_driven(system, state);
         coils::remember(system, state, frame);
         coils::turn(system, state);
         frame.update(system, state);
+        memory::arrive(&system.tree, &mut frame.kinematics, (&self.v, h), &mut state.past);
         if !system.sheaves.is_empty() {
             let mut values = frame.value.iter().zip(&state.modes);
             if let Some(row) = values.position(|(value, mode)| !value.is_finite() && *mode != Mode::Parted) {

@@ -278,6 +278,7 @@ pub fn interpolate(
     if share >= 1.0 {
         sample.q.copy_from_slice(&after.q);
         sample.tension.copy_from_slice(&after.tension);
+        sample.past.copy_from_slice(&after.past);
         return;
     }
     for (increment, velocity) in increment.iter_mut().zip(&after.v) {
@@ -291,6 +292,10 @@ pub fn interpolate(
     let forces = before.tension.iter().zip(&after.tension);
     for (tension, (before, after)) in sample.tension.iter_mut().zip(forces) {
         *tension = before + share * (after - before);
+    }
+    let states = before.past.iter().zip(&after.past);
+    for (past, (before, after)) in sample.past.iter_mut().zip(states) {
+        *past = before + share * (after - before);
     }
 }
 

@@ -84,6 +84,7 @@ impl Frame {
     /// Evaluates poses and rows, not the mass matrix.
     fn update_rows(&mut self, system: &System, state: &State) {
         let q = &state.q;
+        self.kinematics.past.copy_from_slice(&state.past);
         system.clock.time(Stage::Kinematics, || self.kinematics.update(&system.tree, q, state.time));
         system.clock.time(Stage::Assembly, || self.rows(system, q, &Remembered::of(state)));
     }

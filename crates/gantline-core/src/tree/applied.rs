@@ -30,8 +30,8 @@ impl NewtonEuler {
     /// Place and motion of a body at the last update.
     pub fn at<'a>(&'a self, tree: &Tree, kinematics: &'a Kinematics, body: usize) -> At<'a> {
         let (twist, rate) = (self.twists[body], self.accelerations[body]);
-        let Kinematics { pose, q, time, .. } = kinematics;
-        At { pose: &pose[body], twist, rate, gravity: tree.gravity, time: *time, q, v: &self.v }
+        let Kinematics { pose, q, time, past, .. } = kinematics;
+        At { pose: &pose[body], twist, rate, gravity: tree.gravity, time: *time, q, v: &self.v, past }
     }
 }
 
@@ -75,24 +75,7 @@ impl DynamicsTangent {
             self.velocity.add(place, (flow, flow), -feeding.flow[1]);
         }
         for &dof in &tree.support[body] {
-            let top = tree.owner[dof];
-            let own = kinematics.columns[dof];
-            let [shifted, sped] = place.seeds(dof);
-            let (spin, mut rate) = self.carried(place, (top, body), &shifted);
-            let arm = kinematics.pose[body].position - kinematics.pose[top].position;
-            let mut velocity = Twist { angular: spin, linear: spin.cross(arm) };
-            match tree.motions[dof] {
-                Motion::Shift => {
-                    let above =
-                        tree.bodies[top].parent.map_or(Twist::default(), |parent| dynamics.twists[parent]);
-                    velocity.linear += above.angular.cross(own.linear);
-                }
-                Motion::Turn => {
-                    velocity.linear -= own.angular.cross(dynamics.twists[top].linear);
-                    // Gravity does not turn along: seen from the body it seems to.
-                    rate.linear -= own.angular.cross(tree.gravity);
-                }
-            }
+            let [(velocity, rate), (sped, speeding)] = self.seen(place, (dof, body));
             let moved = column(tree, kinematics, dof, body);
             let parts = [
                 tangent.place.times(&moved),
@@ -104,19 +87,55 @@ impl DynamicsTangent {
                 let change = work(&moved, &feeding.body[0]) + work(&velocity, &feeding.body[1]);
                 self.position.add(place, (flow, dof), -change);
             }
-
-            let (spin, rate) = self.carried(place, (top, body), &sped);
-            let linear = match tree.motions[dof] {
-                Motion::Shift => own.linear,
-                Motion::Turn => spin.cross(arm),
-            };
-            let velocity = Twist { angular: spin, linear };
-            let parts = [tangent.velocity.times(&velocity), tangent.acceleration.times(&rate)];
+            let parts = [tangent.velocity.times(&sped), tangent.acceleration.times(&speeding)];
             self.velocity.take(place, (dof, body), &parts);
             if let Some((flow, feeding)) = feeding {
-                self.velocity.add(place, (flow, dof), -work(&velocity, &feeding.body[1]));
+                self.velocity.add(place, (flow, dof), -work(&sped, &feeding.body[1]));
             }
         }
+    }
+
+    /// Changes of velocity and acceleration of a body, as seen from it, over the position and over the velocity of a
+    /// degree of freedom that moves it; gravity does not turn along.
+    fn seen(&mut self, place: &Place, (dof, body): (usize, usize)) -> [(Twist, Twist); 2] {
+        let Place { tree, kinematics, dynamics, .. } = *place;
+        let top = tree.owner[dof];
+        let own = kinematics.columns[dof];
+        let [shifted, sped] = place.seeds(dof);
+        let (spin, mut rate) = self.carried(place, (top, body), &shifted);
+        let arm = kinematics.pose[body].position - kinematics.pose[top].position;
+        let mut velocity = Twist { angular: spin, linear: spin.cross(arm) };
+        match tree.motions[dof] {
+            Motion::Shift => {
+                let above =
+                    tree.bodies[top].parent.map_or(Twist::default(), |parent| dynamics.twists[parent]);
+                velocity.linear += above.angular.cross(own.linear);
+            }
+            Motion::Turn => {
+                velocity.linear -= own.angular.cross(dynamics.twists[top].linear);
+                // Gravity does not turn along: seen from the body it seems to.
+                rate.linear -= own.angular.cross(tree.gravity);
+            }
+        }
+        let (spin, speeding) = self.carried(place, (top, body), &sped);
+        let linear = match tree.motions[dof] {
+            Motion::Shift => own.linear,
+            Motion::Turn => spin.cross(arm),
+        };
+        [(velocity, rate), (Twist { angular: spin, linear }, speeding)]
+    }
+
+    /// Changes of the velocity of a body as seen from it over the position and over the velocity of a degree of freedom
+    /// that moves it.
+    pub fn of_motion(
+        &mut self,
+        tree: &Tree,
+        (kinematics, mass, dynamics): (&Kinematics, &MassMatrix, &NewtonEuler),
+        v: &[f64],
+        dof: (usize, usize),
+    ) -> [Twist; 2] {
+        let place = Place { tree, kinematics, mass, dynamics, v };
+        self.seen(&place, dof).map(|(velocity, _)| velocity)
     }
 }
 

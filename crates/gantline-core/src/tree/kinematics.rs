@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::Tree;
 use super::joint::Column;
 use super::pose::Pose;
+use crate::force::memory;
 
 /// Motion of a body: angular velocity and velocity of its origin, world axes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -42,6 +43,8 @@ pub struct Kinematics {
     pub q: Vec<f64>,
     /// The time that it is at [s], which forces of waves depend on.
     pub time: f64,
+    /// What forces remember of the motion so far, see [`crate::force::memory`]; all zero at rest.
+    pub past: Vec<f64>,
 }
 
 impl Kinematics {
@@ -56,6 +59,7 @@ impl Kinematics {
             columns: vec![Column::default(); tree.velocities],
             q: vec![0.0; tree.positions],
             time: 0.0,
+            past: vec![0.0; memory::states(tree)],
         }
     }
 
@@ -68,6 +72,7 @@ impl Kinematics {
         self.columns.copy_from_slice(&other.columns);
         self.q.copy_from_slice(&other.q);
         self.time = other.time;
+        self.past.copy_from_slice(&other.past);
     }
 
     /// Evaluates everything at the configuration `q` and the time `time` [s].

@@ -215,10 +215,22 @@ class HydrodynamicDatabase:
             if difference[i, j] > _CONTRADICTS:
                 raise DatabaseError(f"{sentence}; another period may be better")
             doubts.append(f"{sentence}; their mean is taken")
-        return self._not_negative((matrix + matrix.T) / 2, what, doubts)
+        return self.not_negative((matrix + matrix.T) / 2, what, doubts)
 
-    def _not_negative(self, matrix: Array, what: str, doubts: list[str]) -> tuple[Array, list[str]]:
-        """Small negative eigenvalues, which a body would be driven by, set to zero and said."""
+    def not_negative(self, matrix: Array, what: str, doubts: list[str]) -> tuple[Array, list[str]]:
+        """A symmetric matrix with small negative eigenvalues, which a body would be driven by, set to zero.
+
+        Args:
+            matrix: (6, 6).
+            what: it is, in words.
+            doubts: sentences so far.
+
+        Returns:
+            the matrix; the sentences, with one on this where it is no rounding.
+
+        Raises:
+            DatabaseError: if they are not small.
+        """
         scale = _scale(matrix)
         values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
         least = float(values[0])

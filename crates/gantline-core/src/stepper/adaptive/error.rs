@@ -8,6 +8,7 @@
 use super::Tolerance;
 use super::rodas::Rodas;
 use crate::constraint::Law;
+use crate::force::memory::memories;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::frame::Frame;
@@ -53,6 +54,15 @@ impl Weights {
         let supplies = system.coils.iter().zip(&error.phi[error.v.len()..]);
         for (_, supply) in supplies.filter(|(place, _)| idle(place.row)) {
             position = position.max(supply.abs() / tolerance.position);
+        }
+        // What water remembers counts as the way of its body that it is made of.
+        for memory in memories(&system.tree) {
+            let turns = system.tree.support[memory.body].iter().map(|&dof| self.arm[dof]);
+            let arm = turns.fold(1.0, f64::max);
+            let arms = [1.0, 1.0, 1.0, arm, arm, arm];
+            for (error, arm) in error.past[memory.states()].iter().zip(arms.iter().cycle()) {
+                position = position.max((error * arm).abs() / tolerance.position);
+            }
         }
         self.stiffness.fill(0.0);
         let (mut sum, mut count, mut largest) = (0.0, 0.0, 0.0_f64);

@@ -176,6 +176,7 @@ impl Evaluation {
             self.q.copy_from_slice(at.base);
             system.tree.advance(&mut self.q, at.phi);
             coils::place(system, at.coils, &mut self.q);
+            self.frame.kinematics.past.copy_from_slice(at.past);
             self.frame.kinematics.update(&system.tree, &self.q, at.schedule.time);
         });
     }

@@ -183,6 +183,7 @@ impl Adaptive {
         system.tree.advance(&mut sample.q, &self.point.phi);
         sample.v.copy_from_slice(&self.point.v);
         sample.acceleration.copy_from_slice(&self.point.a);
+        sample.past.copy_from_slice(&self.point.past);
         self.looks.sample(system, theta, &mut sample.tension);
     }
 
@@ -300,6 +301,7 @@ impl Adaptive {
         let (start, length) = (state.time, self.made * self.rodas.course.h);
         state.v.copy_from_slice(&self.end.v);
         state.acceleration.copy_from_slice(&self.end.a);
+        state.past.copy_from_slice(&self.end.past);
         state.time = stop.unwrap_or(start + length);
         state.steps += 1;
         for (tension, &row) in self.end.rigid.iter().zip(&system.rigid) {

@@ -54,6 +54,8 @@ pub struct Point<'a> {
     pub rigid: &'a [f64],
     /// α, how far anchors have slid [m], by [`System::friction`].
     pub anchor: &'a [f64],
+    /// What forces remember of the motion so far.
+    pub past: &'a [f64],
     /// How rope is divided over light sheaves.
     pub laying: Laying<'a>,
 }
@@ -61,7 +63,7 @@ pub struct Point<'a> {
 impl<'a> Point<'a> {
     /// At an increment from `state`, where a step starts, `elapsed` [s] later.
     pub fn of(state: &'a State, by: &'a Increment, elapsed: f64) -> Self {
-        let Increment { phi, v, a, rigid, anchor } = by;
+        let Increment { phi, v, a, rigid, anchor, past } = by;
         let State { q: base, memory, seats, spots, coils, .. } = state;
         Self {
             schedule: Schedule::after(state, elapsed),
@@ -75,6 +77,7 @@ impl<'a> Point<'a> {
             a,
             rigid,
             anchor,
+            past,
             laying: Laying::Anew,
         }
     }

@@ -26,6 +26,15 @@
 //! r_α = α̇ + Σ cᵢⱼ k^αⱼ/h            k^α = (κτ r_α + κ δu − ε y)/(κ + τ), δu at rest of the anchor
 //! ```
 //!
+//! Water that remembers ([`crate::force::memory`]) has the states z with ż = p z + ν(q, v), τ holding Jᵀ Re Σ R z. They
+//! are eliminated: the matrix has Jᵀ K̂ (∂ν/∂v + κ ∂ν/∂q P) in place of a damping, K̂ = κ Re Σ R (1 − κp)⁻¹, and
+//!
+//! ```text
+//! r_z = ż + Σ cᵢⱼ k^zⱼ/h           k^z = κ (1 − κp)⁻¹ (r_z + ∂ν/∂q k^φ + ∂ν/∂v k^v)
+//! ```
+//!
+//! whose part without x goes to the right side, −κ Jᵀ Re Σ R κ (1 − κp)⁻¹ (r_z − ∂ν/∂v r).
+//!
 //! Where waves push, τ depends on time too, and −κ h dᵢ ∂τ/∂t joins the first right side.
 //!
 //! The acceleration is never solved for: the residual of inverse dynamics takes its place, so a mass matrix
@@ -40,6 +49,7 @@ use super::tangent::rows::{brake_of, slip_weights};
 use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::force;
+use crate::force::memory::{self, memories};
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
@@ -60,6 +70,8 @@ pub struct Increment {
     pub rigid: Vec<f64>,
     /// α, by [`System::friction`].
     pub anchor: Vec<f64>,
+    /// z of all forces that remember.
+    pub past: Vec<f64>,
 }
 
 impl Increment {
@@ -73,6 +85,7 @@ impl Increment {
             a: vec![0.0; size],
             rigid,
             anchor,
+            past: vec![0.0; memory::states(&system.tree)],
         }
     }
 
@@ -82,6 +95,7 @@ impl Increment {
         self.a.copy_from_slice(&base.a);
         self.rigid.copy_from_slice(&base.rigid);
         self.anchor.copy_from_slice(&base.anchor);
+        self.past.copy_from_slice(&base.past);
         for (&weight, term) in weights.iter().zip(terms) {
             if weight != 0.0 {
                 add(&mut self.phi, weight, &term.phi);
@@ -89,6 +103,7 @@ impl Increment {
                 add(&mut self.a, weight, &term.a);
                 add(&mut self.rigid, weight, &term.rigid);
                 add(&mut self.anchor, weight, &term.anchor);
+                add(&mut self.past, weight, &term.past);
             }
         }
     }
@@ -105,7 +120,7 @@ fn add(out: &mut [f64], weight: f64, values: &[f64]) {
 pub struct Course {
     /// Length [s].
     pub h: f64,
-    /// v and a at the start; φ and α are 0.
+    /// v, a and z at the start; φ and α are 0.
     start: Increment,
     /// Motion at the end: φ, v, a.
     pub end: Increment,
@@ -137,6 +152,9 @@ impl Course {
         }
         for k in 0..out.anchor.len() {
             out.anchor[k] = mix(k, 0.0, &self.end.anchor, [&z1.anchor, &z2.anchor, &z3.anchor]);
+        }
+        for k in 0..out.past.len() {
+            out.past[k] = mix(k, self.start.past[k], &self.end.past, [&z1.past, &z2.past, &z3.past]);
         }
     }
 
@@ -180,6 +198,8 @@ pub struct Rodas {
     rho: Vec<f64>,
     /// r_α, by [`System::friction`].
     slid: Vec<f64>,
+    /// What is known of k^z.
+    recalled: Vec<f64>,
     sum: Vec<f64>,
     force: Vec<f64>,
     /// ∂τ/∂t at the start of the step, by waves alone; empty without any.
@@ -210,6 +230,7 @@ impl Rodas {
             r: vec![0.0; system.tree.increments()],
             rho: vec![0.0; size],
             slid: vec![0.0; system.friction.len()],
+            recalled: vec![0.0; memory::states(&system.tree)],
             sum: vec![0.0; size],
             force: vec![0.0; size],
             drift: if force::knows_time(&system.tree) { vec![0.0; size] } else { Vec::new() },
@@ -235,6 +256,7 @@ impl Rodas {
             a: &state.acceleration,
             rigid: &self.point.rigid,
             anchor: &self.none.anchor,
+            past: &state.past,
             laying: Laying::Anew,
         };
         self.here.all(system, &point, &state.modes);
@@ -262,6 +284,7 @@ impl Rodas {
         let kappa = GAMMA * h;
         self.course.start.v.copy_from_slice(&state.v);
         self.course.start.a.copy_from_slice(&state.acceleration);
+        self.course.start.past.copy_from_slice(&state.past);
         for (tension, &row) in self.course.start.rigid.iter_mut().zip(&system.rigid) {
             *tension = state.tension[row];
         }
@@ -277,6 +300,7 @@ impl Rodas {
                 self.stage.forces(system, &point, modes);
             }
             self.stage_sides(system, state, mass, stage, h);
+            self.recall(system, stage, h);
             system.clock.time(Stage::Solution, || self.matrix.solve(&self.force, &self.rows, &mut self.x));
             let k = &mut self.k[stage];
             self.matrix.spins.increments(kappa, &self.x, &mut k.phi);
@@ -290,6 +314,7 @@ impl Rodas {
             let Increment { phi, v, .. } = k;
             self.matrix.coils.increments(system, &self.here.frame, kappa, (phi, v, &self.r));
             self.slide(system, state, stage, kappa);
+            self.remember(system, stage, kappa);
         }
         self.finish(h);
         Ok(())
@@ -405,6 +430,43 @@ impl Rodas {
         }
     }
 
+    /// What is known of the increments of what water remembers before the motion of the stage is, and what that does to
+    /// the right side.
+    fn recall(&mut self, system: &System, stage: usize, h: f64) {
+        if self.recalled.is_empty() {
+            return;
+        }
+        let kappa = GAMMA * h;
+        let at = if stage == 0 { &self.here } else { &self.stage };
+        self.recalled.fill(0.0);
+        for (&weight, k) in C[stage].iter().zip(&self.k) {
+            add(&mut self.recalled, weight / h, &k.past);
+        }
+        for (memory, tangent) in memories(&system.tree).zip(&self.matrix.memories) {
+            let place = at.dynamics.at(&system.tree, &at.frame.kinematics, memory.body);
+            let (now, before) = (memory.motion(place.pose, &place.twist), tangent.motion(None, &self.r));
+            let motion = std::array::from_fn(|k| now[k] - before[k]);
+            memory.add_rate(&self.point.past, &motion, 1.0, &mut self.recalled);
+        }
+        let known = &mut self.k[stage].past;
+        for (known, rate) in known.iter_mut().zip(&mut self.recalled) {
+            *rate *= kappa;
+            *known = *rate;
+        }
+        for (memory, tangent) in memories(&system.tree).zip(&self.matrix.memories) {
+            memory.answer(kappa, &[0.0; 6], &mut self.recalled);
+            tangent.push(memory, &self.recalled, -kappa, &mut self.force);
+        }
+    }
+
+    /// The stage's increments of what water remembers.
+    fn remember(&mut self, system: &System, stage: usize, kappa: f64) {
+        let Increment { phi, past, .. } = &mut self.k[stage];
+        for (memory, tangent) in memories(&system.tree).zip(&self.matrix.memories) {
+            memory.answer(kappa, &tangent.motion(Some(phi), &self.x), past);
+        }
+    }
+
     fn finish(&mut self, h: f64) {
         let Course { h: length, end, error, dense, .. } = &mut self.course;
         *length = h;
@@ -427,6 +489,10 @@ impl Rodas {
             *end = self.point.anchor[index] + last.anchor[index];
         }
         error.anchor.copy_from_slice(&last.anchor);
+        for (end, (point, last)) in end.past.iter_mut().zip(self.point.past.iter().zip(&last.past)) {
+            *end = point + last;
+        }
+        error.past.copy_from_slice(&last.past);
         for (term, weights) in dense.iter_mut().zip(&H) {
             term.set(weights, &self.k, &self.none);
         }

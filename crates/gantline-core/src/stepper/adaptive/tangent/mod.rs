@@ -10,6 +10,7 @@
 //! rows say T = μ N d instead, d = T*/|T*|, with the anchor's own motion eliminated; an inextensible rope's G + κ γ_v + κ² γ_q P and 0, γ = G v̇ + Ġ v; a slack row is
 //! an identity row.
 
+pub mod memory;
 pub(super) mod rows;
 
 use glam::DVec3;
@@ -18,6 +19,7 @@ use super::evaluation::{Evaluation, pull_of};
 use super::places::{Block, Places};
 use super::spins::Spins;
 use crate::constraint::Placed;
+use crate::force::memory::memories;
 use crate::solver::complementarity::Mode;
 use crate::solver::layout::{Group, Layout};
 use crate::solver::ldu::Ldu;
@@ -27,6 +29,7 @@ use crate::stepper::coils::CoilTangent;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 use crate::tree::tangent::DynamicsTangent;
+use memory::MemoryTangent;
 use rows::brake_of;
 
 /// The matrix, with what is needed to make it anew for another step length.
@@ -38,6 +41,8 @@ pub struct TangentMatrix {
     pub spins: Spins,
     /// What drums do.
     pub coils: CoilTangent,
+    /// What water that remembers does.
+    pub memories: Vec<MemoryTangent>,
     ldu: Ldu,
     places: Places,
     dynamics: DynamicsTangent,
@@ -74,6 +79,7 @@ impl TangentMatrix {
         Self {
             spins: Spins::new(system, &places.joints),
             coils: CoilTangent::default(),
+            memories: MemoryTangent::all(system, &places),
             dynamics: DynamicsTangent::new(&system.tree, &MassMatrix::new(&system.tree)),
             inertia: by_place.clone(),
             damping: by_place.clone(),
@@ -118,6 +124,11 @@ impl TangentMatrix {
             if state.modes[row] == Mode::Acting && row < system.rope_rows() {
                 self.linearise_pull(system, state, row);
             }
+        }
+        for (memory, tangent) in memories(&system.tree).zip(&mut self.memories) {
+            let at = (kinematics, mass, &here.dynamics);
+            tangent.linearise((system, memory), at, &state.v, &mut self.dynamics);
+            tangent.note(&self.damping, &self.stiffness);
         }
     }
 
@@ -224,6 +235,12 @@ impl TangentMatrix {
         kappa: f64,
     ) -> Result<(), ZeroPivot> {
         self.spins.update(&state.v, kappa);
+        for tangent in &self.memories {
+            tangent.clear(&mut self.damping, &mut self.stiffness);
+        }
+        for (memory, tangent) in memories(&system.tree).zip(&self.memories) {
+            tangent.add(memory, kappa, &mut self.damping, &mut self.stiffness);
+        }
         let square = kappa * kappa;
         let terms = self.inertia.iter().zip(&self.damping).zip(&self.stiffness);
         for (value, ((inertia, damping), stiffness)) in self.values.iter_mut().zip(terms) {
