@@ -35,11 +35,25 @@ def condition_of(
         segments = [[rope, part] for rope in hook.ropes for part in range(hook.reeving.parts_each)]
         # Of the hoist load the upper halves of the falls are no tension at the sheaves.
         above = falls_on_upper_sheaves(parts, scenario, hook) * scenario.simulation.gravity
+        gravity = scenario.simulation.gravity
         if reached.above is not None:
-            bound = max(reached.above - above, _LEAST)
+            bound = max(reached.above.newtons(gravity) - above, _LEAST)
             return {"type": "tension_above", "segments": segments, "bound": bound}
         assert reached.below is not None  # one of both is given
-        return {"type": "tension_below", "segments": segments, "bound": max(reached.below - above, 0.0)}
+        bound = max(reached.below.newtons(gravity) - above, 0.0)
+        return {"type": "tension_below", "segments": segments, "bound": bound}
+    if condition.slings is not None:
+        return _slings(rigging, condition)
+    if condition.load_tilt is not None:
+        assert scenario.load is not None  # checked when the file was read
+        tilt = condition.load_tilt
+        return {
+            "type": "attitude",
+            "body": scenario.load.name,
+            "angle": "tilt",
+            "above": tilt.above is not None,
+            "bound": tilt.below if tilt.above is None else tilt.above,
+        }
     if condition.tension_spread is not None:
         names = condition.of or tuple(rigging.equalizers)
         groups = [
@@ -71,9 +85,11 @@ def condition_of(
     if condition.mooring_tension is not None:
         wanted = condition.mooring_tension
         segments = [[line_rope(wanted.line), 0]]
+        gravity = scenario.simulation.gravity
         if wanted.above is not None:
-            return {"type": "tension_above", "segments": segments, "bound": wanted.above}
-        return {"type": "tension_below", "segments": segments, "bound": wanted.below}
+            return {"type": "tension_above", "segments": segments, "bound": wanted.above.newtons(gravity)}
+        assert wanted.below is not None  # one of both is given
+        return {"type": "tension_below", "segments": segments, "bound": wanted.below.newtons(gravity)}
     assert scenario.load is not None  # checked when the file was read
     group = scenario.load.name
     if condition.load_transferred is not None:
@@ -82,6 +98,15 @@ def condition_of(
             return {"type": "load_returned", "group": group, "weight": weight, "at_most": share}
         return {"type": "load_transferred", "group": group, "weight": weight, "at_least": share}
     return {"type": "clear" if condition.supports == "clear" else "touched", "group": group}
+
+
+def _slings(rigging: Rigging, condition: Condition) -> Json:
+    """All of some slings are slack, or each of them carries."""
+    ropes = list(condition.of) or [f"sling.{name}" for name in rigging.slings]
+    if condition.slings == "slack":
+        return {"type": "tension_below", "segments": [[rope, 0] for rope in ropes], "bound": 0.0}
+    # (max - min)/mean of n tensions is n at most, so that only their being taut is asked for.
+    return {"type": "spread", "groups": [ropes], "at_most": float(len(ropes))}
 
 
 def _falls(hook: Hook) -> list[list[str | list[float]]]:

@@ -1,4 +1,4 @@
-"""Ropes that break or are cut, in the ropes and steps of the document."""
+"""Ropes that break, are cut or are taken off, in the ropes and steps of the document."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ __all__ = ["add_partings"]
 
 
 def add_partings(parts: Parts, scenario: Scenario) -> None:
-    """Tell the ropes, and the steps of the plan, which break or are cut.
+    """Tell the ropes, and the steps of the plan, which break, are cut or taken off.
 
-    Of a rope with nodes every piece breaks by itself; it is cut at its first end.
+    Of a rope with nodes every piece breaks by itself; it is cut, or taken off, at its first end.
 
     Args:
         parts: the system with all its ropes and its plan.
@@ -28,8 +28,9 @@ def add_partings(parts: Parts, scenario: Scenario) -> None:
         if parting.cut_at is not None:
             pieces[0]["cut_at"] = parting.cut_at
     for given, step in zip(scenario.plan, parts.plan, strict=True):
-        if given.cut:
-            step["cuts"] = [name if name in lines else _pieces(parts, name)[0]["name"] for name in given.cut]
+        for key, names in (("cuts", given.cut), ("detaches", given.detach)):
+            if names:
+                step[key] = [name if name in lines else _pieces(parts, name)[0]["name"] for name in names]
 
 
 def _pieces(parts: Parts, name: str) -> list[Json]:

@@ -12,6 +12,7 @@ from gantline.checks.forces import NO_STATIC, kilonewton
 from gantline.checks.measure import Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
+from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
 from gantline.results.variable import BoolArray
@@ -33,6 +34,37 @@ def idle(recording: Recording) -> list[Check]:
         return []
     remark = f"slack over the whole lift: {named(slack)}"
     return [Check("slings_carry", Verdict.WARNING, "every sling carries at some time", remark=remark)]
+
+
+def taken_off(recording: Recording) -> list[Check]:
+    """A check for each rope that a step takes off: nobody gets a shackle out of one that carries.
+
+    It has failed where more than a hundredth of the largest tension up to then is left. The simulation goes
+    on without the rope all the same.
+    """
+    checks = []
+    for one in partings(recording):
+        if one.kind != "detached":
+            continue
+        before = recording.column("rope_tension", one.rope)[recording.time <= one.time]
+        limit = _NOTHING * float(before.max(initial=0.0))
+        carried = f"it carried {format_quantity(one.tension, 'kN', 1)}"
+        right = "let its hook down until it is slack, and some decimetres more"
+        failed = one.tension > limit
+        check = Check(
+            "detached_slack",
+            Verdict.FAILED if failed else Verdict.OK,
+            "tension of a sling that is taken off, of which 1 % of its largest may be left",
+            value=one.tension,
+            limit=limit,
+            unit="kN",
+            digits=1,
+            element=one.rope,
+            time=one.time,
+            remark=f"{carried}; {right}" if failed else "",
+        )
+        checks.append(check)
+    return checks
 
 
 def sling_tension(recording: Recording, during: BoolArray) -> Iterator[Finding]:

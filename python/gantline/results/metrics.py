@@ -32,7 +32,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   hang clear from the start
 - `peak_support_force.<support>` [N]: largest force of that support at any sample
 - `peak_support_force` [N]: the largest of them
-- `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample
+- `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample of its steps
 - `static_hook_load`, `peak_hook_load` [N]: hook load, the largest over the hooks
 - `static_hoist_load`, `peak_hoist_load` [N]: hook load with hook block and hanging falls, the largest over
   the hooks
@@ -82,7 +82,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
-from gantline.results.clearances import peak_support_force
+from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.lift_off import lift_off_time
@@ -153,7 +153,7 @@ def _ropes(recording: Recording) -> Iterator[_Metric]:
 
 
 def _parted(recording: Recording) -> Iterator[_Metric]:
-    parted = partings(recording)
+    parted = [one for one in partings(recording) if one.kind != "detached"]
     if parted:
         yield "parted_ropes", float(len(parted))
     for one in parted:
@@ -168,7 +168,8 @@ def _supports(recording: Recording) -> Iterator[_Metric]:
     peaks = [peak_support_force(recording, support.name)[0] for support in rig.supports]
     yield "peak_support_force", _largest(peaks)
     for watch in rig.watches:
-        yield f"smallest_clearance.{watch.name}", float(recording.column("clearance", watch.name).min())
+        distance = recording.column("clearance", watch.name)[watched_during(recording, watch)]
+        yield f"smallest_clearance.{watch.name}", float(distance.min()) if distance.size else None
 
 
 def _vessels(recording: Recording) -> Iterator[_Metric]:

@@ -21,7 +21,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import partings
+from gantline.results.parting import PARTING, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes, heading, tilt
@@ -112,7 +112,7 @@ def quiet_windows(recording: Recording) -> list[BoolArray]:
         return [last_sample(recording)]
     clear = is_clear(recording)
     for time, kind, _ in recording.events():
-        if kind in ("cut", "broken"):
+        if kind in PARTING:
             clear[np.searchsorted(recording.time, time) :][:1] = False
     last = trailing(clear)
     earlier = []
