@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 import gantline
 from gantline.checks import Verdict, check_recording
 from gantline.cli.summary import summary
+from gantline.plot.traces import attitude as plot_attitude
 from gantline.report.attitude import attitude
 from gantline.report.first_page import FirstPage
 from gantline.report.subject import Subject
@@ -36,15 +38,15 @@ plan:
   - {{step: end, hold: 20 s{require}}}
 """
     text = hooked_lift(HOOKS, LUGS, SLINGS, mass=MASS, position=(0.0, 0.0, 6.0), more=plan)
-    text = text.replace("duration: 10 s", "duration: 90 s").replace("as_given", "rest")
+    text = text.replace("duration: 10 s", "duration: 150 s").replace("as_given", "rest")
     return gantline.simulate(parse_scenario(text))
 
 
 def test_hooks_of_a_turned_load_are_told_in_place_of_its_drift() -> None:
     """Slings that lean by b pull with H = m g/2 tan b on lugs at different heights, and so shift the shares.
 
-    The centre of gravity is in the middle of the line of lugs, tilted by t = asin(5/8): m g/2 (1 + tan b tan t)
-    in the upper hook, the end of the turn; m g/2 in the lower one, its start.
+    The centre of gravity is in the middle between the lugs, whose line tilts by t = asin(5/8):
+    m g/2 (1 + tan b tan t) in the upper hook, the end of the turn; m g/2 in the lower one, its start.
     """
     recording = turned(5.0)
     rows = attitude(Subject(recording))
@@ -83,3 +85,17 @@ def test_a_plan_that_asks_for_the_tilt_is_not_warned_of_it(is_meant: bool) -> No
     assert len(warned) == (not is_meant)
     for text in warned:
         assert ", past 5.00" in text and "lift file" not in text
+
+
+def test_a_load_that_is_upended_has_no_heading() -> None:
+    """Its x axis passes 80 deg over level, from where on curves of its heading went round for 1200 deg."""
+    level, upended = (turned(height) for height in (1.0, 12.0))
+    assert "Heading [deg]" in labels(level)
+    assert np.degrees(upended.column("load_tilt", "load")).max() > 80.0
+    assert "Heading [deg]" not in labels(upended)
+
+
+def labels(recording: Recording) -> list[str]:
+    figure = plot_attitude(recording)
+    assert figure is not None
+    return [panel.get_ylabel() for panel in figure.axes]

@@ -313,6 +313,10 @@ def _equalised_below(scenario: Scenario) -> Json:
     return {} if bound is None else {"equalised_below": bound}
 
 
+#: Keys of a step by which ropes and supports go as it begins.
+_PARTS = ("cut", "detach", "remove_supports")
+
+
 def _step(scenario: Scenario, step: Any) -> Json:
     kind = "hold" if isinstance(step, HoldStep) else step.verb
     require = {}
@@ -333,6 +337,7 @@ def _step(scenario: Scenario, step: Any) -> Json:
         "speed": step.speed if isinstance(step, MovingStep) else None,
         "pull_pins": list(step.pull_pins),
         "put_in_pins": list(step.put_in_pins),
+        **{key: list(names) for key in _PARTS if (names := getattr(step, key))},
         **({"turns": True} if _turns(step) else {}),
     }
 

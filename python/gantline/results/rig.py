@@ -134,6 +134,9 @@ class Step(FromJson):
         report: Quantities to be read off at its end.
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
         tanks: Tanks that it pumps.
+        cut: Ropes that are cut as it begins.
+        detach: Slings and ropes that are taken off then.
+        remove_supports: Supports, or groups of them, that are taken away then.
         turns: Whether it waits for, or asks for, a tilt of the load above some angle.
         speed: Of what it moves [m/s]; None of a step that moves nothing along.
         pull_pins: Equalizers or moving sheaves whose locking pins are pulled as it begins.
@@ -150,6 +153,9 @@ class Step(FromJson):
     report: Sequence[str] = ()
     require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     tanks: Sequence[str] = ()
+    cut: Sequence[str] = ()
+    detach: Sequence[str] = ()
+    remove_supports: Sequence[str] = ()
     turns: bool = False
 
 
