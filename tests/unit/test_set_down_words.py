@@ -88,11 +88,17 @@ def test_supports_are_read_at_hold_points() -> None:
 
 def test_the_first_page_says_what_is_taken_off() -> None:
     text = hooked_lift(HOOKS, LUGS, SLINGS, mass=MASS, position=(0.0, 0.0, 2.0), more=FEET)
+    text = text.replace("duration: 10 s", "duration: 60 s").replace("as_given", "rest")
     subject = Subject(gantline.simulate(parse_scenario(text)))
-    steps = FirstPage().content(subject)["steps"]["rows"]
+    content = FirstPage().content(subject)
+    steps = content["steps"]["rows"]
     assert [one["does"] for one in steps] == [
         "lower 6 m/min",
         "lower 0.6 m/min",
         "lower 6 m/min",
         "take off S1, S2",
     ]
+    # As planned, and not as a rope that breaks.
+    assert [(one["gone"].split()[0], one["is_parted"]) for one in content["slings"]] == [
+        ("detached", False)
+    ] * 2
