@@ -7,6 +7,7 @@ import pytest
 import gantline
 from gantline.assembly import assemble
 from gantline.cli.hold_points import hold_points
+from gantline.plot.moments import moments, stages
 from gantline.report.first_page import FirstPage
 from gantline.report.subject import Subject
 from gantline.scenario import ScenarioError, parse_scenario
@@ -102,3 +103,18 @@ def test_the_first_page_says_what_is_taken_off() -> None:
     assert [(one["gone"].split()[0], one["is_parted"]) for one in content["slings"]] == [
         ("detached", False)
     ] * 2
+
+
+def test_pictures_show_where_a_load_that_hangs_is_set_down() -> None:
+    text = hooked_lift(HOOKS, LUGS, SLINGS, mass=MASS, position=(0.0, 0.0, 2.0), more=FEET)
+    text = text.replace("duration: 10 s", "duration: 60 s").replace("as_given", "rest")
+    recording = gantline.simulate(parse_scenario(text))
+    names = [name for name, _ in moments(recording)]
+    assert names[0] == "start" and names[-1] == "end" and "set-down" in names
+    shown = stages(recording)
+    assert [name for name, _ in shown if name.startswith("end of")] == [
+        "end of 'down'",
+        "end of 'set down'",
+        "end of 'further'",
+    ]
+    assert [sample for _, sample in shown] == sorted(sample for _, sample in shown)
