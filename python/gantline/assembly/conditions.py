@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.assembly.parting import pieces_of
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import below_pin, falls_on_upper_sheaves, reeved_hooks, upper_sheaves
 from gantline.scenario import Rigging, Scenario
@@ -43,7 +44,7 @@ def condition_of(
         bound = max(reached.below.newtons(gravity) - above, 0.0)
         return {"type": "tension_below", "segments": segments, "bound": bound}
     if condition.slings is not None:
-        return _slings(rigging, condition)
+        return _slings(scenario, rigging, parts, condition)
     if condition.load_tilt is not None:
         assert scenario.load is not None  # checked when the file was read
         tilt = condition.load_tilt
@@ -57,7 +58,7 @@ def condition_of(
     if condition.tension_spread is not None:
         names = condition.of or tuple(rigging.equalizers)
         groups = [
-            [f"sling.{one.name}" for one in rigging.slings.values() if one.equalizer == name]
+            [_upper(parts, f"sling.{one.name}") for one in rigging.slings.values() if one.equalizer == name]
             for name in names
         ]
         groups = [group for group in groups if group]
@@ -100,11 +101,23 @@ def condition_of(
     return {"type": "clear" if condition.supports == "clear" else "touched", "group": group}
 
 
-def _slings(rigging: Rigging, condition: Condition) -> Json:
-    """All of some slings are slack, or each of them carries."""
-    ropes = list(condition.of) or [f"sling.{name}" for name in rigging.slings]
+def _upper(parts: Parts, rope: str) -> str:
+    """The piece of a rope of the document at its first end; the rope itself where it has no nodes."""
+    return str(pieces_of(parts, rope)[0]["name"])
+
+
+def _slings(scenario: Scenario, rigging: Rigging, parts: Parts, condition: Condition) -> Json:
+    """All of some slings are slack, or each of them carries.
+
+    One that hangs by its own distributed weight is slack where no more than that pulls at its upper end.
+    """
+    names = [name.removeprefix("sling.") for name in condition.of] or list(rigging.slings)
+    slings = [rigging.slings[name] for name in names]
+    ropes = [_upper(parts, f"sling.{name}") for name in names]
     if condition.slings == "slack":
-        return {"type": "tension_below", "segments": [[rope, 0] for rope in ropes], "bound": 0.0}
+        hanging = sum(one.weight.mass_per_length * one.length for one in slings if one.weight.nodes)
+        bound = float(hanging * scenario.simulation.gravity)
+        return {"type": "tension_below", "segments": [[rope, 0] for rope in ropes], "bound": bound}
     # (max - min)/mean of n tensions is n at most, so that only their being taut is asked for.
     return {"type": "spread", "groups": [ropes], "at_most": float(len(ropes))}
 

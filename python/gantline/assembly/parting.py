@@ -6,7 +6,7 @@ from gantline.assembly.parts import Json, Parts
 from gantline.scenario import Scenario
 from gantline.scenario.parting import partings
 
-__all__ = ["add_partings"]
+__all__ = ["add_partings", "pieces_of"]
 
 
 def add_partings(parts: Parts, scenario: Scenario) -> None:
@@ -22,7 +22,7 @@ def add_partings(parts: Parts, scenario: Scenario) -> None:
     for name, parting in partings(scenario).items():
         if name in lines:
             continue  # they have been told
-        pieces = _pieces(parts, name)
+        pieces = pieces_of(parts, name)
         for piece in pieces if parting.breaks_at is not None else ():
             piece["breaking_force"] = parting.breaks_at
         if parting.cut_at is not None:
@@ -30,8 +30,9 @@ def add_partings(parts: Parts, scenario: Scenario) -> None:
     for given, step in zip(scenario.plan, parts.plan, strict=True):
         for key, names in (("cuts", given.cut), ("detaches", given.detach)):
             if names:
-                step[key] = [name if name in lines else _pieces(parts, name)[0]["name"] for name in names]
+                step[key] = [name if name in lines else pieces_of(parts, name)[0]["name"] for name in names]
 
 
-def _pieces(parts: Parts, name: str) -> list[Json]:
+def pieces_of(parts: Parts, name: str) -> list[Json]:
+    """A rope of the document, or the pieces between its nodes, from its first end on."""
     return [rope for rope in parts.ropes if rope["name"] == name or rope["name"].startswith(f"{name}/")]
