@@ -72,7 +72,8 @@ def test_a_slack_sling_is_taken_off_and_the_load_hangs_on_the_other() -> None:
     upward = recording.column("rope_tension", "sling.S1")[late]
     assert upward.mean() == pytest.approx(MASS * G, rel=0.03)
     (check,) = (one for one in check_recording(recording) if one.name == "detached_slack")
-    assert (check.verdict, check.value) == (Verdict.OK, 0.0)
+    assert (check.verdict, check.remark) == (Verdict.OK, "it carried 0.0 kN")
+    assert recording.metrics()["detaching_tension.sling.S2"] == 0.0
     assert "parted_ropes" not in recording.metrics()
     assert recording.metrics()["energy_remainder"] < 1e-5
 
@@ -82,7 +83,9 @@ def test_a_sling_that_still_carries_is_told() -> None:
     recording = run("  - {step: wait, hold: 1 s}\n  - {step: off, hold: 0.1 s, detach: sling.S2}\n")
     (check,) = (one for one in check_recording(recording) if one.name == "detached_slack")
     assert check.verdict is Verdict.FAILED
-    assert check.value == pytest.approx(MASS * G / 2, rel=1e-4)
+    assert check.utilisation is None and check.remark.startswith("it carried 981.0 kN; let its hook down")
+    carried = recording.metrics()["detaching_tension.sling.S2"]
+    assert carried == pytest.approx(MASS * G / 2, rel=1e-4)
     lost = recording.column("energy", "parting")[-1]
     assert lost == pytest.approx((MASS * G / 2) ** 2 * LENGTH / (2 * EA), rel=1e-3)
 

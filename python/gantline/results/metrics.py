@@ -15,6 +15,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `parted_ropes` [1]: how many ropes were cut or broke; absent where none did, as the next two
 - `parting_time.<rope>` [s]: when that rope parted
 - `parting_tension.<rope>` [N]: what it carried then
+- `detaching_tension.<rope>` [N]: what a rope still carried as a step took it off
 - `static_sling_tension.<sling rope>` [N]: its static tension
 - `skew_load_factor` [1]: largest static force of a sling over its force with perfect lengths, as
   `gantline.results.skew` defines it
@@ -153,12 +154,16 @@ def _ropes(recording: Recording) -> Iterator[_Metric]:
 
 
 def _parted(recording: Recording) -> Iterator[_Metric]:
-    parted = [one for one in partings(recording) if one.kind != "detached"]
+    gone = partings(recording)
+    parted = [one for one in gone if one.kind != "detached"]
     if parted:
         yield "parted_ropes", float(len(parted))
     for one in parted:
         yield f"parting_time.{one.rope}", one.time
         yield f"parting_tension.{one.rope}", one.tension
+    for one in gone:
+        if one.kind == "detached":
+            yield f"detaching_tension.{one.rope}", one.tension
 
 
 def _supports(recording: Recording) -> Iterator[_Metric]:
