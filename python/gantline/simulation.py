@@ -163,8 +163,10 @@ class Simulation:
 
     @cached_property
     def _slings(self) -> list[tuple[str, int]]:
-        """Name of every sling, and the place of its rope among all ropes."""
-        places = {rope: index for index, rope in enumerate(self._core.names()["rope"])}
+        """Name of every sling, and the place of its rope among all, of one with nodes of its upper piece."""
+        places: dict[str, int] = {}
+        for index, rope in enumerate(self._core.names()["rope"]):
+            places.setdefault(rope.partition("/")[0], index)
         return [(sling["name"], places[sling["rope"]]) for sling in self.assembly.rig.get("slings", ())]
 
     def run(self, *, until: float | None = None, on_progress: Progress | None = None) -> Recording:

@@ -18,7 +18,7 @@ from gantline.scenario import parse_scenario
 def lift(group: str, heading: float = 0.0, low: float = 40.0) -> str:
     """A module on the ground at (2, 1) m, supports in the yard, and a dock that begins `low` m along x."""
     dock = f"structures: {{dock: {{type: dock, x: [{low} m, 90 m], y: [-50 m, 50 m], floor: -9 m}}}}\n"
-    supports = f"supports: {{stools: {{under: module, height: 1 m, {group}}}}}\n"
+    supports = f"supports: {{stools: {{under: module, height: 50 mm, {group}}}}}\n"
     text = LIFT.replace("load:\n", f"{dock}{supports}load:\n", 1)
     stands = "  stands_on: ground\n"
     return text.replace(stands, f"{stands}  position: [2 m, 1 m, 0 m]\n  heading: {heading} deg\n")

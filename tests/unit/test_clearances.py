@@ -108,3 +108,23 @@ def test_peaks_and_metrics() -> None:
     assert metrics["peak_support_force"] == 120e3
     assert metrics["peak_support_force.support.keel.2"] == pytest.approx(20e3)
     assert metrics["smallest_clearance.hull - wall"] == 1.0
+
+
+def test_a_pair_counts_between_its_steps() -> None:
+    """Close from 1.5 s to 3.5 s; watched from 2 s to 3 s it is so as its step begins, and stays so."""
+    watch = {"name": "hull - wall", "between": ["hull", "wall"], "smallest": 2.0, "from_step": "over"}
+    names = {**NAMES, "event_kind": ["step_begin", "step_end"], "event_name": ["over", "over"]}
+    given = {**columns(), "event_time": np.array([2.0, 3.0])}
+    rig = Rig.from_json({"watches": [{**watch, "to_step": "over"}]})
+    found, told = clearance_events(rig, given, names)
+    assert [(time, kind) for time, kind in zip(found["event_time"], told["event_kind"], strict=True)] == [
+        (2.0, "step_begin"),
+        (2.0, "too_close"),
+        (3.0, "step_end"),
+    ]
+    assert contact_warnings(rig, given, names) == [
+        "hull comes within 1.00 m of wall at 2.00 s, below 2 m from 2.00 s on"
+    ]
+    not_begun = Rig.from_json({"watches": [{**watch, "from_step": "later"}]})
+    assert clearance_events(not_begun, given, names) == (given, names)
+    assert contact_warnings(not_begun, given, names) == []

@@ -197,6 +197,8 @@ describe("a lift", () => {
     expect(lift.isTooClose(0)).toBe(false);
     lift.seek(2);
     expect(lift.isTooClose(0)).toBe(true);
+    lift.header.pairs[0]!.span = [0, 1];
+    expect(lift.isTooClose(0)).toBe(false);
   });
 
   it("goes on with what is recorded later, whatever its steps", () => {

@@ -342,7 +342,9 @@ impl Simulation {
 
     fn subject(&self, event: &Event) -> String {
         match event.kind {
-            EventKind::Cut | EventKind::Broken => self.system.rope_name(event.subject).to_owned(),
+            EventKind::Cut | EventKind::Broken | EventKind::Detached => {
+                self.system.rope_name(event.subject).to_owned()
+            }
             EventKind::Taut
             | EventKind::Slack
             | EventKind::Stick

@@ -12,6 +12,7 @@ from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.doubtful_gear import doubtful_gear
+from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.moorings import add_moorings
@@ -122,6 +123,7 @@ def assemble(scenario: Scenario) -> Assembly:
         warnings=(
             *(() if lifted is None else lifted.body.warnings),
             *parts.warnings,
+            *doubtful_waits(parts, scenario),
             *doubtful_cranes(scenario),
             *doubtful_gear(scenario, rigging),
         ),

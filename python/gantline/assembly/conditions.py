@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.assembly.parting import pieces_of
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import below_pin, falls_on_upper_sheaves, reeved_hooks, upper_sheaves
 from gantline.scenario import Rigging, Scenario
@@ -35,15 +36,29 @@ def condition_of(
         segments = [[rope, part] for rope in hook.ropes for part in range(hook.reeving.parts_each)]
         # Of the hoist load the upper halves of the falls are no tension at the sheaves.
         above = falls_on_upper_sheaves(parts, scenario, hook) * scenario.simulation.gravity
+        gravity = scenario.simulation.gravity
         if reached.above is not None:
-            bound = max(reached.above - above, _LEAST)
+            bound = max(reached.above.newtons(gravity) - above, _LEAST)
             return {"type": "tension_above", "segments": segments, "bound": bound}
         assert reached.below is not None  # one of both is given
-        return {"type": "tension_below", "segments": segments, "bound": max(reached.below - above, 0.0)}
+        bound = max(reached.below.newtons(gravity) - above, 0.0)
+        return {"type": "tension_below", "segments": segments, "bound": bound}
+    if condition.slings is not None:
+        return _slings(scenario, rigging, parts, condition)
+    if condition.load_tilt is not None:
+        assert scenario.load is not None  # checked when the file was read
+        tilt = condition.load_tilt
+        return {
+            "type": "attitude",
+            "body": scenario.load.name,
+            "angle": "tilt",
+            "above": tilt.above is not None,
+            "bound": tilt.below if tilt.above is None else tilt.above,
+        }
     if condition.tension_spread is not None:
         names = condition.of or tuple(rigging.equalizers)
         groups = [
-            [f"sling.{one.name}" for one in rigging.slings.values() if one.equalizer == name]
+            [_upper(parts, f"sling.{one.name}") for one in rigging.slings.values() if one.equalizer == name]
             for name in names
         ]
         groups = [group for group in groups if group]
@@ -71,9 +86,11 @@ def condition_of(
     if condition.mooring_tension is not None:
         wanted = condition.mooring_tension
         segments = [[line_rope(wanted.line), 0]]
+        gravity = scenario.simulation.gravity
         if wanted.above is not None:
-            return {"type": "tension_above", "segments": segments, "bound": wanted.above}
-        return {"type": "tension_below", "segments": segments, "bound": wanted.below}
+            return {"type": "tension_above", "segments": segments, "bound": wanted.above.newtons(gravity)}
+        assert wanted.below is not None  # one of both is given
+        return {"type": "tension_below", "segments": segments, "bound": wanted.below.newtons(gravity)}
     assert scenario.load is not None  # checked when the file was read
     group = scenario.load.name
     if condition.load_transferred is not None:
@@ -82,6 +99,27 @@ def condition_of(
             return {"type": "load_returned", "group": group, "weight": weight, "at_most": share}
         return {"type": "load_transferred", "group": group, "weight": weight, "at_least": share}
     return {"type": "clear" if condition.supports == "clear" else "touched", "group": group}
+
+
+def _upper(parts: Parts, rope: str) -> str:
+    """The piece of a rope of the document at its first end; the rope itself where it has no nodes."""
+    return str(pieces_of(parts, rope)[0]["name"])
+
+
+def _slings(scenario: Scenario, rigging: Rigging, parts: Parts, condition: Condition) -> Json:
+    """All of some slings are slack, or each of them carries.
+
+    One that hangs by its own distributed weight is slack where no more than that pulls at its upper end.
+    """
+    names = [name.removeprefix("sling.") for name in condition.of] or list(rigging.slings)
+    slings = [rigging.slings[name] for name in names]
+    ropes = [_upper(parts, f"sling.{name}") for name in names]
+    if condition.slings == "slack":
+        hanging = sum(one.weight.mass_per_length * one.length for one in slings if one.weight.nodes)
+        bound = float(hanging * scenario.simulation.gravity)
+        return {"type": "tension_below", "segments": [[rope, 0] for rope in ropes], "bound": bound}
+    # (max - min)/mean of n tensions is n at most, so that only their being taut is asked for.
+    return {"type": "spread", "groups": [ropes], "at_most": float(len(ropes))}
 
 
 def _falls(hook: Hook) -> list[list[str | list[float]]]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.steps import LowerStep
 
 __all__ = ["doubtful_gear"]
 
@@ -38,7 +39,7 @@ def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[str]:
     light = [
         said for name, one in spreaders for said in _light(f"spreader {name}", one.mass, one.rated_capacity)
     ]
-    return [*gear, *_frames(rigging), *light, *_rough(scenario)]
+    return [*gear, *_frames(rigging), *light, *_rough(scenario), *_smooth(scenario)]
 
 
 def _ropes(scenario: Scenario) -> Iterator[str]:
@@ -116,6 +117,18 @@ def _rough(scenario: Scenario) -> Iterator[str]:
         if friction is not None and friction > _ROUGHEST:
             usual = f"0.1 to 1 is usual; '{friction:g} %' is {friction / 100.0:g}"
             yield f"the coefficient of friction of {place} is {friction:g}; {usual}"
+
+
+def _smooth(scenario: Scenario) -> Iterator[str]:
+    """A sentence for each group of supports that a load comes down on, if nothing says their friction."""
+    load = scenario.load
+    if load is None or not any(isinstance(step, LowerStep) for step in scenario.plan):
+        return
+    for name, group in (scenario.supports or {}).items():
+        own = (*(group.each or {}).values(), *(group.places or {}).values())
+        if name != load.stands_on and all(one.friction is None for one in (group, *own)):
+            slides = "a load that is set down there slides on as on ice"
+            yield f"nothing says the friction of supports {name}: {slides}; 0.1 to 1 is usual"
 
 
 def _force(force: float) -> str:

@@ -87,7 +87,12 @@ def _supports_and_watches(scenario: Scenario) -> Json:
         for group, support in every_support(scenario)
     ]
     watches = [
-        {"name": watch_name(watch), "between": list(watch.between), "smallest": watch.smallest}
+        {
+            "name": watch_name(watch),
+            "between": list(watch.between),
+            "smallest": watch.smallest,
+            **{key: step for key in ("from_step", "to_step") if (step := getattr(watch, key)) is not None},
+        }
         for watch in scenario.watch
     ]
     contacts = (scenario.mechanics and scenario.mechanics.body_contacts) or {}
@@ -310,6 +315,10 @@ def _equalised_below(scenario: Scenario) -> Json:
     return {} if bound is None else {"equalised_below": bound}
 
 
+#: Keys of a step by which ropes and supports go as it begins.
+_PARTS = ("cut", "detach", "remove_supports")
+
+
 def _step(scenario: Scenario, step: Any) -> Json:
     kind = "hold" if isinstance(step, HoldStep) else step.verb
     require = {}
@@ -330,7 +339,18 @@ def _step(scenario: Scenario, step: Any) -> Json:
         "speed": step.speed if isinstance(step, MovingStep) else None,
         "pull_pins": list(step.pull_pins),
         "put_in_pins": list(step.put_in_pins),
+        **{key: list(names) for key in _PARTS if (names := getattr(step, key))},
+        **({"turns": True} if _turns(step) else {}),
     }
+
+
+def _turns(step: Any) -> bool:
+    """Whether a step waits for, or asks for, a tilt of the load above some angle."""
+    waits = step.until is not None and step.until.load_tilt is not None
+    asked = step.require.load_tilt if step.require is not None else None
+    return (waits and step.until.load_tilt.above is not None) or (
+        asked is not None and asked.relation == "above"
+    )
 
 
 def _held_until(step: HoldStep) -> str:

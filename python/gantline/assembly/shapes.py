@@ -252,8 +252,9 @@ def add_watches(parts: Parts, scenario: Scenario, diameters: Mapping[str, float 
 
 
 def watch_name(watch: Watch) -> str:
-    """Name of a pair that is watched."""
-    return " - ".join(watch.between)
+    """Name of a pair that is watched, with the steps over which it is."""
+    ends = (("from", watch.from_step), ("to", watch.to_step))
+    return " ".join([" - ".join(watch.between), *(f"{word} '{step}'" for word, step in ends if step)])
 
 
 def _ropes(parts: Parts, name: str) -> list[str]:

@@ -31,6 +31,11 @@ def _side_lead(recording: Recording) -> float:
     return max([math.atan(_ASIDE), *_of_charts(recording, "side_lead")])
 
 
+def _tilt(recording: Recording) -> float:
+    """Tilt at which loose things begin to move [rad]; none where the plan turns its load on purpose."""
+    return math.inf if any(step.turns for step in recording.rig.plan) else math.radians(5.0)
+
+
 def _falls(recording: Recording) -> float:
     """Angle of falls from plumb at which nobody lifts by intention [rad]."""
     return max([_OUT_OF_PLUMB, *_of_charts(recording, "off_lead"), *_of_charts(recording, "side_lead")])
@@ -54,4 +59,4 @@ SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5, of the body of a sl
 ROPE_FACTOR = Alarm(lambda _: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
 HOOK_DYNAMICS = Alarm(lambda _: 1.3, "more comes of snatching a load; plausible, no document")
 SHEAVE_BENDING = Alarm(lambda _: 11.2, "drums of the lightest duty, group M1: ISO 4308-1:2003")
-TILT = Alarm(lambda _: math.radians(5.0), "loose things on a load begin to move; plausible, no document")
+TILT = Alarm(_tilt, "loose things on a load begin to move; plausible, no document")

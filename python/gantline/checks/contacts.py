@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from gantline.checks.measure import Finding, Missing, extreme
 from gantline.results import series
+from gantline.results.clearances import watched_during
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
@@ -30,7 +31,10 @@ def clearance_margin(recording: Recording, during: BoolArray) -> Iterator[Findin
     if not recording.rig.watches and not series.is_equilibrium(recording):
         yield from (Missing(load.name, _UNWATCHED) for load in recording.rig.loads)
     for watch in recording.rig.watches:
+        inside = during & watched_during(recording, watch)
+        if during.any() and not inside.any():
+            yield Missing(watch.name, "none of its steps is looked at")
         distance = recording.column("clearance", watch.name)
-        for found in extreme(recording, distance - watch.smallest, during, watch.name, smallest=True):
+        for found in extreme(recording, distance - watch.smallest, inside, watch.name, smallest=True):
             apart = found.value + watch.smallest
             yield replace(found, formula=f"{apart:.3f} m - {watch.smallest:g} m")

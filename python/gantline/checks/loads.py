@@ -13,16 +13,34 @@ from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.through import Through, slings_through_loads
 from gantline.results.tilting import loose_tilt
+from gantline.results.upending import is_turned
 from gantline.results.variable import BoolArray
+
+#: Of loads that are turned as nothing says they should be.
+_SAY_SO = (
+    "a step with 'until: {load_tilt: {above: 89 deg}}', or 'require: {load_tilt: above 85 deg}', "
+    "says that the load is turned on purpose"
+)
 
 
 def tilt(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Angle of a load's own z axis from plumb."""
     for load in recording.rig.loads:
         yield from extreme(recording, recording.column("load_tilt", load.name), during, load.name)
+        if (
+            is_turned(recording, load)
+            and "load_tilt" not in recording.rig.limits
+            and not _is_meant(recording)
+        ):
+            yield Caution(_SAY_SO)
         loose = loose_tilt(recording, load)
         if loose is not None:
             yield Caution(str(loose))
+
+
+def _is_meant(recording: Recording) -> bool:
+    """Whether a step of the plan says that the load is turned."""
+    return any(step.turns for step in recording.rig.plan)
 
 
 def yaw(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -16,7 +16,7 @@ from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
-from gantline.checks.slings import idle
+from gantline.checks.slings import idle, taken_off
 from gantline.results import progress, series
 from gantline.results.parting import Parting, partings
 from gantline.results.recording import Recording
@@ -41,11 +41,11 @@ def check_recording(recording: Recording) -> list[Check]:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
-        that let its load go; a warning or a failure for each pair that is drawn in one place; and a warning
-        for each hoist that fell behind and each winch that slipped, where slings never carried or run
-        through a load, where a hook holds a frame upright, where the recording has warnings of its own,
-        where steps moved nothing, where a load came down while it was taken along or came down hard, and
-        where a run lifts nothing or ends before its plan.
+        that let its load go; one for each rope that was taken off; a warning or a failure for each
+        pair that is drawn in one place; and a warning for each hoist that fell behind and each winch that
+        slipped, where slings never carried or run through a load, where a hook holds a frame upright, where
+        the recording has warnings of its own, where steps moved nothing, where a load came down while it was
+        taken along or came down hard, and where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -62,8 +62,8 @@ def check_recording(recording: Recording) -> list[Check]:
         if key not in LIMITS
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
-    every = whole + unknown + steps + [_parted(parting) for parting in partings(recording)]
-    every += fell_behind(recording) + ran_out(recording) + idle(recording)
+    every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind != "detached"]
+    every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
     every += (
         run_through(recording)
         + run_into(recording)

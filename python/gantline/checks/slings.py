@@ -12,6 +12,7 @@ from gantline.checks.forces import NO_STATIC, kilonewton
 from gantline.checks.measure import Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
+from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
 from gantline.results.variable import BoolArray
@@ -33,6 +34,32 @@ def idle(recording: Recording) -> list[Check]:
         return []
     remark = f"slack over the whole lift: {named(slack)}"
     return [Check("slings_carry", Verdict.WARNING, "every sling carries at some time", remark=remark)]
+
+
+def taken_off(recording: Recording) -> list[Check]:
+    """A check for each rope that a step takes off: nobody gets a shackle out of one that carries.
+
+    It has failed where more than a hundredth of the largest tension up to then is left. The simulation goes
+    on without the rope all the same. What is left of a tension is no share of a limit that a lift comes near.
+    """
+    checks = []
+    for one in partings(recording):
+        if one.kind != "detached":
+            continue
+        before = recording.column("rope_tension", one.rope)[recording.time <= one.time]
+        failed = one.tension > _NOTHING * float(before.max(initial=0.0))
+        carried = f"it carried {format_quantity(one.tension, 'kN', 1)}"
+        right = "let its hook down until it is slack, and some decimetres more"
+        check = Check(
+            "detached_slack",
+            Verdict.FAILED if failed else Verdict.OK,
+            "a sling that is taken off is slack: 1 % of its largest tension may be left",
+            element=one.rope,
+            time=one.time,
+            remark=f"{carried}; {right}" if failed else carried,
+        )
+        checks.append(check)
+    return checks
 
 
 def sling_tension(recording: Recording, during: BoolArray) -> Iterator[Finding]:

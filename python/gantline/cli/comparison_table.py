@@ -94,7 +94,7 @@ def _verdicts(verdicts: tuple[str, str]) -> list[str]:
 
 
 def _parted(comparison: Comparison) -> list[str]:
-    """Ropes that were cut or broke in A or in B."""
+    """Ropes that were cut, broke or were taken off in A or in B."""
     rows = [
         (letter, one.rope, one.kind, show(one.time, "s", 3), show(one.tension, "kN", 1))
         for letter, parted in zip("AB", comparison.parted, strict=True)

@@ -14,6 +14,9 @@ from gantline.results.recording import Recording
 #: What stands in the table of hooks.
 _OF_HOOKS = ("hook_load", "hoist_load", "crane_radius")
 
+#: Of a measure that nothing of a lift has.
+_NOTHING = "nothing in this lift has one"
+
 
 def hold_points(recording: Recording) -> list[str]:
     """What is read off at the end of every step that holds or reports, and what hangs in hooks then."""
@@ -27,7 +30,7 @@ def hold_points(recording: Recording) -> list[str]:
         # The table of hooks has it beside all that belongs to it.
         asked = [measure for measure in point.step.report if not (readings and measure in _OF_HOOKS)]
         measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in asked}
-        rows = [(measure.replace("_", " "), text) for measure, text in measured.items() if text]
+        rows = [(measure.replace("_", " "), text or _NOTHING) for measure, text in measured.items()]
         if rows or readings or point.step.report:
             lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}{moment}", rows)
             lines += _hooks(readings)
@@ -78,6 +81,12 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
         "load_tilt": ("load_tilt", "deg", 2, {load.name: load.name for load in rig.loads}),
         "load_transferred": ("load_transferred", "%", 1, {load.name: load.name for load in rig.loads}),
         "load_swing": ("load_swing", "m", 3, {load.name: load.name for load in rig.loads if hooks}),
+        "support_force": (
+            "contact_force",
+            "kN",
+            0,
+            {one.name.removeprefix("support."): one.name for one in rig.supports},
+        ),
         "hook_height": ("hook_height", "m", 3, hooks),
         "falls_out_of_plumb": ("falls_out_of_plumb", "deg", 3, hooks),
         "off_lead": ("off_lead", "deg", 3, at_booms),

@@ -20,6 +20,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
+from gantline.results.upending import is_turned, turning_in_words
 
 #: Slings that are listed one by one; the report and the recording have all of them.
 _MOST_ROWS = 40
@@ -94,24 +95,26 @@ def _loads(recording: Recording) -> list[str]:
     for load in recording.rig.loads:
         tilt = series.peak(recording, recording.column("load_tilt", load.name))
         transferred = recording.column("load_transferred", load.name)
-        clear = series.load_is_clear(recording, load)
         place = recording.column("body_position", load.body)
-        drift = load_drift(recording, load)
         rise = float(place[-1, 2] - place[0, 2])
         rows += [
             ("load transferred", f"{show(float(transferred[-1]), '%', 1)} at the end"),
             ("tilt", f"{show(tilt[0], 'deg', 2)} at most, at {show(tilt[1], 's', 2)}" if tilt else ABSENT),
             *_yaw(recording, load),
-            (
-                "drift when clear",
-                f"{show(float(drift[clear].max()), 'm', 3)} at most" if clear.any() else ABSENT,
-            ),
+            *(turning_in_words(recording, load) if is_turned(recording, load) else _drift(recording, load)),
             ("height above start", f"{show(rise, 'm', 3)} at the end"),
         ]
     if not rows:
         return []
     rows.insert(0, ("lift-off", lift_off_in_words(recording, 2)))
     return [*weights(recording.rig), *pairs("", rows)[1:]]
+
+
+def _drift(recording: Recording, load: Load) -> list[tuple[str, str]]:
+    """How far a load comes off its way as it hangs."""
+    clear = series.load_is_clear(recording, load)
+    most = show(float(load_drift(recording, load)[clear].max()), "m", 3) if clear.any() else None
+    return [("drift when clear", ABSENT if most is None else f"{most} at most")]
 
 
 def _yaw(recording: Recording, load: Load) -> list[tuple[str, str]]:
@@ -148,7 +151,7 @@ def _slings(recording: Recording) -> list[str]:
 
 
 def _parted(recording: Recording) -> list[str]:
-    """Ropes that were cut or broke."""
+    """Ropes that were cut, broke or were taken off."""
     rows = [
         (
             one.rope,

@@ -27,11 +27,12 @@ from gantline.plot.style import (
     shortened,
     widen,
 )
+from gantline.results import series
 from gantline.results.common_time import CommonTime
 from gantline.results.comparison import Comparison, ForceComparison, MotionComparison
 from gantline.results.drift import load_drift
 from gantline.results.recording import Recording
-from gantline.results.rotation import heading, tilt
+from gantline.results.rotation import tilt
 from gantline.results.variable import FloatArray
 
 _T = TypeVar("_T")
@@ -195,7 +196,7 @@ def _tilt(recording: Recording, body: str) -> FloatArray:
 
 
 def _heading(recording: Recording, body: str) -> FloatArray:
-    degrees: FloatArray = np.degrees(np.unwrap(heading(recording.column("body_orientation", body))))
+    degrees: FloatArray = np.degrees(series.body_heading(recording, body))
     return degrees
 
 

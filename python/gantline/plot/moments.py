@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.results import series
-from gantline.results.lift_off import lift_off_time
+from gantline.results.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.recording import Recording
 
 #: Most stages of a lift that one picture shows.
@@ -14,6 +14,8 @@ _STAGES = 6
 
 def moments(recording: Recording) -> list[tuple[str, int]]:
     """Name and sample of each moment in order: start, slings taut, lift-off, peak, end.
+
+    A load that hangs from the start on has no lift-off, but may have a set-down.
 
     A system without slings is shown at start and end and twice between. Moments that fall on one sample are
     shown once.
@@ -32,6 +34,7 @@ def moments(recording: Recording) -> list[tuple[str, int]]:
         times = [
             ("slings taut", _all_taut(recording, slings, peak)),
             ("lift-off", lift_off_time(recording)),
+            ("set-down", _set_down(recording)),
             ("peak tension", peak),
         ]
     else:
@@ -47,7 +50,7 @@ def moments(recording: Recording) -> list[tuple[str, int]]:
 
 
 def stages(recording: Recording) -> list[tuple[str, int]]:
-    """Up to six stages: start, slings taut, lift-off, ends of the last steps that move something.
+    """Up to six stages: start, slings taut, lift-off or set-down, ends of the last steps that move something.
 
     Steps side by side are one stage, under the name of the first of them.
 
@@ -57,14 +60,29 @@ def stages(recording: Recording) -> list[tuple[str, int]]:
     Returns:
         Name and sample of each; fewer than four where the plan does little after the load is clear.
     """
-    lift_off = lift_off_time(recording)
+    clear_from = 0.0 if _hang(recording) else lift_off_time(recording)
     known = [(name, sample) for name, sample in moments(recording) if name not in ("peak tension", "end")]
     after = [
         (f"end of '{name}'", _sample(recording, time))
         for time, name in _motions(recording)
-        if lift_off is not None and time > lift_off
+        if clear_from is not None and time > clear_from
     ]
-    return known + after[-(_STAGES - len(known)) :]
+    shown = known + after[-(_STAGES - len(known)) :]
+    # A set-down may come after the ends of some steps, which all others come before.
+    return sorted(shown, key=lambda one: one[1])
+
+
+def _hang(recording: Recording) -> bool:
+    """Whether all loads hang as the recording begins."""
+    loads = recording.rig.loads
+    return bool(loads) and all(hangs_from_the_start(recording, load) for load in loads)
+
+
+def _set_down(recording: Recording) -> float | None:
+    """When loads that hang from the start on first stand [s]; None if they do not, or never do."""
+    return (
+        min((time for time, _, _ in recording.events("set_down")), default=None) if _hang(recording) else None
+    )
 
 
 def _motions(recording: Recording) -> list[tuple[float, str]]:

@@ -29,7 +29,6 @@ from gantline.results.drift import is_taken_along, load_drift
 from gantline.results.families import MOST, families
 from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
-from gantline.results.rotation import heading
 from gantline.results.variable import BoolArray, FloatArray
 
 
@@ -154,10 +153,9 @@ def attitude(recording: Recording) -> Figure | None:
         return None
     position = {load.name: recording.column("body_position", load.body) for load in loads}
     bodies = {load.name: load.body for load in loads} | {e.name: e.body for e in recording.rig.equalizers}
-    degrees = {
-        name: np.degrees(np.unwrap(heading(recording.column("body_orientation", body))))
-        for name, body in bodies.items()
-    }
+    every = {name: np.degrees(series.body_heading(recording, body)) for name, body in bodies.items()}
+    # What is upended has no heading.
+    degrees = {name: curve for name, curve in every.items() if np.isfinite(curve).all()}
     tilt = {load.name: np.degrees(recording.column("load_tilt", load.name)) for load in loads}
     height = {name: place[:, 2] - place[0, 2] for name, place in position.items()}
     drift = {load.name: load_drift(recording, load) for load in loads}
@@ -167,6 +165,7 @@ def attitude(recording: Recording) -> Figure | None:
         ("Height above\nstart [m]", height, 0.01),
         ("Drift off the\nplan's way [m]" if is_taken_along(recording.rig) else "Drift [m]", drift, 0.01),
     ]
+    rows = [row for row in rows if row[1]]
     if "wind_at_load" in recording:
         wind = {load.name: recording.column("wind_at_load", load.name) for load in loads}
         rows.append(("Wind [m/s]", wind, 1.0))

@@ -6,9 +6,11 @@ import numpy as np
 
 from gantline.report.subject import ABSENT, Subject, show
 from gantline.results import series
+from gantline.results.clearances import watched_during
 from gantline.results.drift import load_drift
 from gantline.results.lift_off import lift_off_in_words
 from gantline.results.rig import Load
+from gantline.results.upending import is_turned, turning_in_words
 
 
 def attitude(subject: Subject) -> list[tuple[str, str]]:
@@ -60,7 +62,9 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
     swing = _swing_after_travel(subject, load)
     if swing is not None:
         rows.append(("swing after the last traverse", show(swing, "m", 3)))
-    if clear.any():
+    if is_turned(recording, load):
+        rows += turning_in_words(recording, load)
+    elif clear.any():
         rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
     rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))
     return rows
@@ -94,7 +98,11 @@ def _clearance(subject: Subject) -> list[tuple[str, str]]:
     pairs = recording.coordinates.get("pair", ())
     if "clearance" not in recording or not pairs:
         return []
-    distance = recording["clearance"].values
+    watched = {watch.name: watched_during(recording, watch) for watch in subject.rig.watches}
+    during = np.stack([watched.get(name, np.ones(len(recording.time), bool)) for name in pairs], axis=1)
+    distance = np.where(during, recording["clearance"].values, np.inf)
+    if not np.isfinite(distance).any():
+        return []
     at, pair = np.unravel_index(int(np.argmin(distance)), distance.shape)
     time = float(recording.time[at])
     step = subject.step_at(time)

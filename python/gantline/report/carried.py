@@ -94,9 +94,11 @@ def _once_clear(subject: Subject, load: FloatArray) -> float | None:
 def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     """Slings in the order of the lift file; where there are too many, those that use most of their rope.
 
-    Slings that part come before all others.
+    Slings that break or are cut come before all others.
     """
-    parted = {one.rope: f"{one.kind} {show(one.time, 's', 1)}" for one in partings(subject.recording)}
+    every = {one.rope: one for one in partings(subject.recording)}
+    parted = {rope for rope, one in every.items() if one.kind != "detached"}
+    told = {rope: f"{one.kind} {show(one.time, 's', 1)}" for rope, one in every.items()}
 
     def used(sling: Sling) -> tuple[bool, float, float]:
         share = series.utilisation(subject.recording, sling.rope)
@@ -109,7 +111,11 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
         for name in ("shackle_load_of_working_load_limit", "lug_load_of_capacity", "lug_out_of_plane_angle")
     }
     return [
-        {**_sling(subject, one, *worst.values()), "parted": parted.get(one.rope, "")}
+        {
+            **_sling(subject, one, *worst.values()),
+            "gone": told.get(one.rope, ""),
+            "is_parted": one.rope in parted,
+        }
         for one in slings
         if one.name in kept
     ]

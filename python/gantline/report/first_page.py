@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from typing import Any
 
 import numpy as np
@@ -105,12 +106,13 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         check.name for check in checks if check.verdict is Verdict.NOT_CHECKED and not check.has_no_limit
     ]
     without = [check.name for check in checks if check.has_no_limit]
+    own = set(subject.rig.limits).difference(subject.rig.assumed_limits)
     return {
         "head": head,
         "tone": tone,
         "failed": [_failure(check) for check in failed[:_MOST_FAILED]],
         "failed_too": _named_failures(failed[_MOST_FAILED:]),
-        "warned": [_warning(check) for check in _foremost_warnings(checks)],
+        "warned": [_warning(check, own) for check in _foremost_warnings(checks)],
         "warnings": len(warned),
         # What failed is past its limit and has been told with its numbers.
         "nearest": [] if failed else foremost(compared)[:3],
@@ -151,10 +153,11 @@ def _foremost_warnings(checks: list[Check]) -> list[Check]:
     return [*past, *others][:_MOST_WARNINGS]
 
 
-def _warning(check: Check) -> dict[str, str]:
+def _warning(check: Check, own: Container[str]) -> dict[str, str]:
+    """A warning with what is past its limit; `own` are limits of the lift file."""
     share = check.utilisation
     value, limit = (typeset(check.shown(one)) for one in (check.value, check.limit))
-    past = f"{value}, past the {limit} of the lift file"
+    past = f"{value}, past the {limit} of the lift file" if check.name in own else f"{value}, past {limit}"
     text = "; ".join(
         part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
     )
@@ -235,15 +238,24 @@ def _is_hold_point(step: Step, last: Step) -> bool:
 
 
 def _does(step: Step) -> str:
-    """What a step does, at which speed, with which pins."""
+    """What a step does, at which speed, with which pins, and what goes as it begins."""
     speed = f" {60.0 * step.speed:.3g} m/min" if step.speed is not None and step.kind in _ALONG else ""
     pins = [
         f"{words} pins of {', '.join(names)}"
         for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))
         if names
     ]
+    gone = [
+        f"{words} {', '.join(name.removeprefix('sling.') for name in names)}"
+        for words, names in (
+            ("take off", step.detach),
+            ("cut", step.cut),
+            ("take away", step.remove_supports),
+        )
+        if names
+    ]
     verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
-    return "; ".join(part for part in (f"{verb}{speed}", *pins) if part)
+    return "; ".join(part for part in (f"{verb}{speed}", *pins, *gone) if part)
 
 
 def _requirement(key: str, bounds: Any) -> str:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, Watch
-from gantline.results.variable import FloatArray
+from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["clearance_events", "contact_warnings", "peak_support_force"]
+__all__ = ["clearance_events", "contact_warnings", "peak_support_force", "watched_during", "watched_span"]
 
 _Columns = Mapping[str, FloatArray]
 _Names = Mapping[str, Sequence[str]]
@@ -36,6 +37,34 @@ def clearance_events(
     return {**columns, "event_time": times}, {**names, "event_kind": kinds, "event_name": subjects}
 
 
+def watched_span(watch: Watch, events: Iterable[tuple[float, str, str]]) -> tuple[float, float]:
+    """From when to when a pair is held against its distance [s]; infinite where nothing says so.
+
+    Args:
+        watch: The pair.
+        events: Time [s], kind and name of each. A step that has not begun does so at infinity.
+    """
+    begin, end = (math.inf if watch.from_step else -math.inf), math.inf
+    for time, kind, name in events:
+        if kind == "step_begin" and name == watch.from_step:
+            begin = time
+        if kind == "step_end" and name == watch.to_step:
+            end = time
+    return begin, end
+
+
+def watched_during(recording: Recording, watch: Watch) -> BoolArray:
+    """Samples at which a pair is held against its distance, shape (time,)."""
+    begin, end = watched_span(watch, recording.events())
+    during: BoolArray = (recording.time >= begin) & (recording.time <= end)
+    return during
+
+
+def _span(watch: Watch, columns: _Columns, names: _Names) -> tuple[float, float]:
+    events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+    return watched_span(watch, events)
+
+
 def _margin(watch: Watch, columns: _Columns, names: _Names) -> FloatArray:
     """How much farther apart a pair is than it has to be (time,) [m]; rounding of a touch is none."""
     margin: FloatArray = columns["clearance"][:, list(names["pair"]).index(watch.name)] - watch.smallest
@@ -43,10 +72,12 @@ def _margin(watch: Watch, columns: _Columns, names: _Names) -> FloatArray:
 
 
 def _crossings(watch: Watch, columns: _Columns, names: _Names) -> Iterator[tuple[float, str, str]]:
-    time, margin = columns["time"], _margin(watch, columns, names)
+    begin, end = _span(watch, columns, names)
+    during = (columns["time"] >= begin) & (columns["time"] <= end)
+    time, margin = columns["time"][during], _margin(watch, columns, names)[during]
     close = _is_close(watch, margin)
     if len(time) and close[0]:
-        yield float(time[0]), "too_close", watch.name
+        yield float(max(time[0], begin)), "too_close", watch.name
     for at in np.flatnonzero(close[1:] != close[:-1]):
         before, after = margin[at], margin[at + 1]
         # Where ropes have parted there is no distance any more.
@@ -65,7 +96,9 @@ def contact_warnings(rig: Rig, columns: _Columns, names: _Names) -> list[str]:
     warnings = []
     time = columns["time"]
     for watch in rig.watches if len(time) else ():
-        margin = _margin(watch, columns, names)
+        begin, end = _span(watch, columns, names)
+        during = (time >= begin) & (time <= end)
+        margin = np.where(during, _margin(watch, columns, names), np.inf)
         close = _is_close(watch, margin)
         if not close.any():
             continue

@@ -120,7 +120,7 @@ class Comparison:
             nor equalizing rope), and, where neither has loads, `body`. Kinds without any are absent.
         only_b: The same for B.
         stability: How sound the runs of A and B were.
-        parted: Ropes of A and of B that were cut or broke.
+        parted: Ropes of A and of B that were cut, broke or were taken off.
     """
 
     a: Recording

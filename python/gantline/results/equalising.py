@@ -13,6 +13,7 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.gear import Equalizer
+from gantline.results.parting import PARTING
 from gantline.results.recording import Recording
 
 
@@ -68,7 +69,7 @@ def _taut_from(recording: Recording, rope: str) -> float | None:
     changes = [
         (time, kind)
         for time, kind, name in recording.events()
-        if name == rope and kind in ("taut", "slack", "cut", "broken")
+        if name == rope and kind in ("taut", "slack", *PARTING)
     ]
     if changes:
         time, kind = changes[-1]

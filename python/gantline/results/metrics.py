@@ -15,6 +15,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `parted_ropes` [1]: how many ropes were cut or broke; absent where none did, as the next two
 - `parting_time.<rope>` [s]: when that rope parted
 - `parting_tension.<rope>` [N]: what it carried then
+- `detaching_tension.<rope>` [N]: what a rope still carried as a step took it off
 - `static_sling_tension.<sling rope>` [N]: its static tension
 - `skew_load_factor` [1]: largest static force of a sling over its force with perfect lengths, as
   `gantline.results.skew` defines it
@@ -32,7 +33,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   hang clear from the start
 - `peak_support_force.<support>` [N]: largest force of that support at any sample
 - `peak_support_force` [N]: the largest of them
-- `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample
+- `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample of its steps
 - `static_hook_load`, `peak_hook_load` [N]: hook load, the largest over the hooks
 - `static_hoist_load`, `peak_hoist_load` [N]: hook load with hook block and hanging falls, the largest over
   the hooks
@@ -83,7 +84,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
-from gantline.results.clearances import peak_support_force
+from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.lift_off import lift_off_time
@@ -155,12 +156,16 @@ def _ropes(recording: Recording) -> Iterator[_Metric]:
 
 
 def _parted(recording: Recording) -> Iterator[_Metric]:
-    parted = partings(recording)
+    gone = partings(recording)
+    parted = [one for one in gone if one.kind != "detached"]
     if parted:
         yield "parted_ropes", float(len(parted))
     for one in parted:
         yield f"parting_time.{one.rope}", one.time
         yield f"parting_tension.{one.rope}", one.tension
+    for one in gone:
+        if one.kind == "detached":
+            yield f"detaching_tension.{one.rope}", one.tension
 
 
 def _supports(recording: Recording) -> Iterator[_Metric]:
@@ -170,7 +175,8 @@ def _supports(recording: Recording) -> Iterator[_Metric]:
     peaks = [peak_support_force(recording, support.name)[0] for support in rig.supports]
     yield "peak_support_force", _largest(peaks)
     for watch in rig.watches:
-        yield f"smallest_clearance.{watch.name}", float(recording.column("clearance", watch.name).min())
+        distance = recording.column("clearance", watch.name)[watched_during(recording, watch)]
+        yield f"smallest_clearance.{watch.name}", float(distance.min()) if distance.size else None
 
 
 def _vessels(recording: Recording) -> Iterator[_Metric]:

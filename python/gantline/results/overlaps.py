@@ -118,12 +118,15 @@ def overlaps(recording: Recording) -> list[Overlap]:
 
 
 def _is_looked_after(recording: Recording, one: str, other: str) -> bool:
-    """Whether the lift file watches a pair, or lets it touch."""
+    """Whether the lift file watches a pair over the whole lift, or lets it touch."""
 
     def stands_for(watched: str, name: str) -> bool:
         return name == watched or name.startswith(f"{watched}.")
 
-    given = [*(watch.between for watch in recording.rig.watches), *recording.rig.touching]
+    given = [
+        *(watch.between for watch in recording.rig.watches if watch.is_whole_lift),
+        *recording.rig.touching,
+    ]
     pairs = [pair for first, second in given for pair in ((first, second), (second, first))]
     return any(stands_for(first, one) and stands_for(second, other) for first, second in pairs)
 

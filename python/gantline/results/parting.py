@@ -1,4 +1,4 @@
-"""What parted and which stops were met, from the events of a recording."""
+"""What parted or was taken off and which stops were met, from the events of a recording."""
 
 from __future__ import annotations
 
@@ -9,20 +9,22 @@ import numpy as np
 
 from gantline.results.recording import Recording
 
+#: Kinds of events after which a rope carries nothing any more.
+PARTING = ("cut", "broken", "detached")
 #: A sample at the time of an event shows the rope before it parted; rounding of that time [s].
 _AT_ONCE = 1e-9
 
 
 @dataclass(frozen=True)
 class Parting:
-    """A rope that parted.
+    """A rope that parted or was taken off.
 
     Attributes:
         rope: Its name.
-        kind: `cut` or `broken`.
+        kind: `cut`, `broken`, or `detached`, as planned.
         time: When [s].
-        tension: What it carried: of a broken rope the tension at which it broke, of a cut one that of the
-            last sample before [N].
+        tension: What it carried: of a broken rope the tension at which it broke, of another that of
+            the last sample before [N].
     """
 
     rope: str
@@ -47,11 +49,11 @@ class Met:
 
 
 def partings(recording: Recording) -> list[Parting]:
-    """Ropes that parted, in order of time."""
+    """Ropes that parted or were taken off, in order of time."""
     found: dict[str, Parting] = {}
     breaks_at = {rope.name: rope.breaks_at for rope in recording.rig.ropes}
     for time, kind, rope in recording.events():
-        if kind not in ("cut", "broken") or rope in found:
+        if kind not in PARTING or rope in found:
             continue
         before = int(np.searchsorted(recording.time, time + _AT_ONCE, side="right")) - 1
         tension = float(recording.column("rope_tension", rope)[max(before, 0)])

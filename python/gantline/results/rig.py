@@ -92,11 +92,20 @@ class Watch(FromJson):
         name: Its name among the pairs of the recording.
         between: The two.
         smallest: Distance that they have to keep [m].
+        from_step: Step of the plan as which begins it counts; empty for the start.
+        to_step: Step of the plan with whose end it ceases to count; empty for the end.
     """
 
     name: str
     between: Sequence[str] = ("", "")
     smallest: float = 0.0
+    from_step: str = ""
+    to_step: str = ""
+
+    @property
+    def is_whole_lift(self) -> bool:
+        """Whether it counts from the start to the end."""
+        return not (self.from_step or self.to_step)
 
 
 @dataclass(frozen=True)
@@ -126,6 +135,10 @@ class Step(FromJson):
         report: Quantities to be read off at its end.
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
         tanks: Tanks that it pumps.
+        cut: Ropes that are cut as it begins.
+        detach: Slings and ropes that are taken off then.
+        remove_supports: Supports, or groups of them, that are taken away then.
+        turns: Whether it waits for, or asks for, a tilt of the load above some angle.
         speed: Of what it moves [m/s]; None of a step that moves nothing along.
         pull_pins: Equalizers or moving sheaves whose locking pins are pulled as it begins.
         put_in_pins: The same of those that are put in.
@@ -141,6 +154,10 @@ class Step(FromJson):
     report: Sequence[str] = ()
     require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     tanks: Sequence[str] = ()
+    cut: Sequence[str] = ()
+    detach: Sequence[str] = ()
+    remove_supports: Sequence[str] = ()
+    turns: bool = False
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import partings
+from gantline.results.parting import PARTING, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes, heading, tilt
@@ -60,12 +60,20 @@ def load_yaw(recording: Recording, load: Load) -> FloatArray | None:
     """Yaw of a load [rad], shape (time,); None if its x axis comes near plumb or its attitude is unknown."""
     if "body_orientation" not in recording or load.body not in recording.coordinates.get("body", ()):
         return None
-    orientation = recording.column("body_orientation", load.body)
-    if not len(orientation) or np.abs(axes(orientation)[:, 2, 0]).max() > math.sin(_STEEPEST):
+    turned = body_heading(recording, load.body)
+    if not len(turned) or np.isnan(turned).any():
         return None
-    turned = np.unwrap(heading(orientation))
     yaw: FloatArray = turned - turned[0]
     return yaw
+
+
+def body_heading(recording: Recording, body: str) -> FloatArray:
+    """Heading of a body without jumps [rad], shape (time,); NaN where its x axis comes near plumb."""
+    orientation = recording.column("body_orientation", body)
+    level = np.abs(axes(orientation)[:, 2, 0]) <= math.sin(_STEEPEST)
+    found = np.full(len(orientation), np.nan)
+    found[level] = np.unwrap(heading(orientation[level]))
+    return found
 
 
 def trailing(mask: BoolArray) -> BoolArray:
@@ -112,7 +120,7 @@ def quiet_windows(recording: Recording) -> list[BoolArray]:
         return [last_sample(recording)]
     clear = is_clear(recording)
     for time, kind, _ in recording.events():
-        if kind in ("cut", "broken"):
+        if kind in PARTING:
             clear[np.searchsorted(recording.time, time) :][:1] = False
     last = trailing(clear)
     earlier = []

@@ -63,7 +63,7 @@ def slings_through_loads(recording: Recording) -> list[Through]:
 
 def _is_watched(recording: Recording, load: str, rope: str) -> bool:
     names = {rope, "slings", "ropes"}
-    pairs = [set(watch.between) for watch in recording.rig.watches]
+    pairs = [set(watch.between) for watch in recording.rig.watches if watch.is_whole_lift]
     return any(load in pair and not names.isdisjoint(pair) for pair in pairs)
 
 

@@ -67,6 +67,7 @@ MEASURES = (
     "load_tilt",
     "load_transferred",
     "load_swing",
+    "support_force",
     "hook_height",
     "falls_out_of_plumb",
     "corner_load",

@@ -14,6 +14,7 @@ from gantline.scenario.check_spreaders import check_spreaders
 from gantline.scenario.check_supports import check_supports
 from gantline.scenario.check_tag_lines import check_tag_lines
 from gantline.scenario.check_vessels import check_vessels
+from gantline.scenario.check_watch import check_watches
 from gantline.scenario.check_wind import check_wind
 from gantline.scenario.crane_parts import crane_parts
 from gantline.scenario.errors import ScenarioError, nearest
@@ -75,6 +76,7 @@ def check(scenario: Scenario) -> None:
     _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)
+    check_watches(findings)
     check_supports(findings)
     _check_simulation(findings)
     findings.raise_any()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gantline.scenario.check_supports import check_places, top_of
+from gantline.scenario.check_supports import check_beside, check_places, top_of
 from gantline.scenario.check_wind import check_areas
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
@@ -39,6 +39,7 @@ def check_load(findings: Findings, load: Load) -> None:
             check_lug(findings, name, lug.at, _box_of(box))
     if box is not None:
         check_places(findings, *_box_of(box))
+        check_beside(findings, *_box_of(box))
     if isinstance(load.inertia, LoadInertia):
         check_inertia(findings, ("load", "inertia"), load.inertia)
     check_areas(findings, ("load",), load.wind_areas)

@@ -14,7 +14,7 @@ from gantline.scenario.movers import Mover, movers
 from gantline.scenario.steps import DrumStep, HoldStep, HookStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tanks import bodies_afloat
 
-__all__ = ["check_plan"]
+__all__ = ["check_plan", "place_of_step"]
 
 _ROUNDING = 1 + 1e-9
 #: What can be moved, and what it does, in the words of messages.
@@ -66,6 +66,18 @@ def check_plan(findings: Findings) -> None:
     if not findings.problems:
         check_contents(findings)
     _check_emergency_stop(findings)
+
+
+def place_of_step(findings: Findings, path: Path, name: str) -> int | None:
+    """Which step of the plan, from 0, a name means; None, with a note, where it means none or several."""
+    steps = [step.step for step in findings.scenario.plan]
+    if steps.count(name) == 1:
+        return steps.index(name)
+    if name in steps:
+        findings.add(path, f"'{name}' is the name of {steps.count(name)} steps; one is needed")
+    else:
+        findings.add(path, f"'{name}' is not a step of the plan; {nearest(name, steps)}")
+    return None
 
 
 def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
@@ -146,6 +158,13 @@ def _check_condition(findings: Findings, place: int, step: MovingStep | PumpStep
     if condition.tension_spread is not None:
         _check_spread(findings, path, condition)
         return
+    if condition.load_tilt is not None:
+        if findings.scenario.load is None:
+            findings.add(path, "this waits for a tilt of the load; there is no 'load' in this file")
+        return
+    if condition.slings is not None:
+        _check_slings(findings, path, condition)
+        return
     for key in ("heel", "trim"):
         reached = getattr(condition, key)
         if reached is not None:
@@ -219,6 +238,15 @@ def _check_falls(findings: Findings, path: Path, condition: Condition) -> None:
             )
 
 
+def _check_slings(findings: Findings, path: Path, condition: Condition) -> None:
+    slings = [f"sling.{name}" for name in findings.scenario.slings or {}]
+    if not slings:
+        findings.add(path, "this waits for slings; there are no 'slings' in this file")
+    for name in condition.of:
+        if name not in slings:
+            findings.add((*path, "of"), f"'{name}' is not a sling; {nearest(name, slings)}")
+
+
 def _check_spread(findings: Findings, path: Path, condition: Condition) -> None:
     equalizers = findings.scenario.equalizers or {}
     if not equalizers:
@@ -235,16 +263,11 @@ def _check_emergency_stop(findings: Findings) -> None:
     if stop is None:
         return
     path: Path = ("emergency_stop",)
-    steps = [step.step for step in scenario.plan]
     if stop.at is not None and stop.at > scenario.duration:
         sentence = f"{stop.at:g} s is after the end of the lift at {scenario.duration:g} s"
         findings.add((*path, "at"), f"{sentence}; make 'duration' longer or this time earlier")
-    if stop.in_step is not None and steps.count(stop.in_step) != 1:
-        if stop.in_step in steps:
-            sentence = f"'{stop.in_step}' is the name of {steps.count(stop.in_step)} steps; one is needed"
-        else:
-            sentence = f"'{stop.in_step}' is not a step of the plan; {nearest(stop.in_step, steps)}"
-        findings.add((*path, "in_step"), sentence)
+    if stop.in_step is not None:
+        place_of_step(findings, (*path, "in_step"), stop.in_step)
     moved = {
         name: one
         for step in scenario.plan

@@ -9,11 +9,13 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings
 from gantline.scenario.model import Scenario
 from gantline.scenario.structures import Dock, dock_of
-from gantline.scenario.supports import Supports, supports_of
+from gantline.scenario.supports import Support, Supports, supports_of
 
-__all__ = ["check_places", "check_supports", "foot_of", "top_of"]
+__all__ = ["check_beside", "check_places", "check_supports", "foot_of", "top_of"]
 
 _ROUNDING = 1e-9
+#: A top higher than this over the underside of a load is in the load and not under it [m].
+_INSIDE = 0.1
 
 
 def check_supports(findings: Findings) -> None:
@@ -83,16 +85,49 @@ def _check_group(findings: Findings, name: str, group: Supports) -> list[str]:
     return [one.name for one in supports]
 
 
+def _in_world(findings: Findings, group: Supports, one: Support) -> tuple[float, float]:
+    """Where the middle of a support is at the start [m]."""
+    load = findings.scenario.load
+    heading, from_x, from_y = group.heading, 0.0, 0.0
+    if load is not None and group.measured_from == "load":
+        heading, (from_x, from_y, _) = load.heading, load.position
+    cos, sin = math.cos(heading), math.sin(heading)
+    return from_x + cos * one.at[0] - sin * one.at[1], from_y + sin * one.at[0] + cos * one.at[1]
+
+
+def check_beside(findings: Findings, least: Sequence[float], most: Sequence[float]) -> None:
+    """Note supports inside a box of these least and largest x, y, z from the datum at the start [m].
+
+    A load that is set down on supports may be beside them before, and nothing but this says that it is not.
+    """
+    load = findings.scenario.load
+    if load is None:
+        return
+    for name, group in (findings.scenario.supports or {}).items():
+        foot = foot_of(findings.scenario, group)
+        cos, sin = math.cos(load.heading), math.sin(load.heading)
+        underside, top = (load.position[2] + end[2] for end in (least, most))
+        for one in supports_of(name, group):
+            level = foot + one.height
+            x, y = (at - of for at, of in zip(_in_world(findings, group, one), load.position, strict=False))
+            along, across = cos * x + sin * y, cos * y - sin * x
+            is_over = least[0] < along < most[0] and least[1] < across < most[1]
+            if is_over and foot < top and level > underside + _INSIDE:
+                sentence = f"'{one.name}' stands inside the load at the start: its top is at {level:g} m, the"
+                right = "move it to where the load comes down, or the load to where it starts"
+                findings.add(
+                    ("supports", name), f"{sentence} underside of the load at {underside:g} m; {right}"
+                )
+                break
+
+
 def _check_over_dock(findings: Findings, name: str, group: Supports) -> None:
     """Note a support whose middle is over the dock, where nothing says that its foot is on the floor."""
     load, dock = findings.scenario.load, dock_of(findings.scenario)
     if dock is None or load is None or group.foot is not None:
         return
-    is_on_load = group.measured_from == "load"
-    heading, from_x, from_y = (load.heading, *load.position[:2]) if is_on_load else (group.heading, 0.0, 0.0)
-    cos, sin = math.cos(heading), math.sin(heading)
     for one in supports_of(name, group):
-        x, y = from_x + cos * one.at[0] - sin * one.at[1], from_y + sin * one.at[0] + cos * one.at[1]
+        x, y = _in_world(findings, group, one)
         if dock.x[0] < x < dock.x[1] and dock.y[0] < y < dock.y[1]:
             sentence = f"'{one.name}' at ({x:.2f}, {y:.2f}) m is over the dock, and would stand on the air"
             right = f"'foot: {dock.floor:g} m' puts it onto the floor"

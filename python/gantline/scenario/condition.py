@@ -2,14 +2,76 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+import math
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal, NamedTuple
 
 from pydantic import Field, model_validator
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import PydanticCustomError
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import Angle, Name, Names, PositiveAngle, PositiveForce, Quantity, refuse
+from gantline.scenario.quantities import (
+    Angle,
+    Name,
+    Names,
+    NotNegativeAngle,
+    PositiveAngle,
+    Quantity,
+    Reader,
+    refuse,
+)
 
-__all__ = ["AngleReached", "Condition", "HoistLoadReached", "MooringTensionReached"]
+__all__ = [
+    "AngleReached",
+    "Condition",
+    "HoistLoadReached",
+    "MooringTensionReached",
+    "TiltReached",
+    "Weighing",
+]
+
+
+class Weighing(NamedTuple):
+    """A force as load indicators show it: in newtons, or as the mass that weighs as much.
+
+    Attributes:
+        force: The force [N]; 0 where a mass is said.
+        mass: The mass [kg]; 0 where a force is said.
+    """
+
+    force: float
+    mass: float
+
+    def newtons(self, gravity: float) -> float:
+        """The force [N] under a gravity [m/s^2]."""
+        return self.force + self.mass * gravity
+
+
+@dataclass(frozen=True)
+class WeighingReader(Reader):
+    """Reads ``400 kN``, and ``40 t`` as what that weighs."""
+
+    def read(self, value: object) -> Weighing:
+        """The force or the mass, above zero."""
+        force, mass = Quantity("force", "positive"), Quantity("mass", "positive")
+        try:
+            return Weighing(force.read(value), 0.0)
+        except PydanticCustomError as error:
+            refused = error.message()
+        try:
+            return Weighing(0.0, mass.read(value))
+        except PydanticCustomError as error:
+            if not error.message().endswith("'300 t' or '20 kg'"):
+                raise  # a mass that is none, such as '-40 t'
+        raise refuse(f"{refused}, or as the mass that weighs as much, like '40 t'")
+
+    def shown(self) -> JsonSchemaValue:
+        """A force or a mass."""
+        return {"anyOf": [Quantity(dimension).shown() for dimension in ("force", "mass")]}
+
+
+_Weighing = Annotated[Weighing, WeighingReader()]
 
 
 class HoistLoadReached(Element):
@@ -18,13 +80,37 @@ class HoistLoadReached(Element):
     what: ClassVar[str] = "hoist_load"
 
     hook: Name = Field(description="The hook.")
-    above: PositiveForce | None = Field(None, description="The step ends when the hoist load is above this.")
-    below: PositiveForce | None = Field(None, description="The step ends when the hoist load is below this.")
+    above: _Weighing | None = Field(
+        None,
+        description="The step ends when the hoist load is above this: a force, or a mass, as its weight.",
+    )
+    below: _Weighing | None = Field(
+        None,
+        description="The step ends when the hoist load is below this: a force, or a mass, as its weight.",
+    )
 
     @model_validator(mode="after")
     def _one_side(self) -> HoistLoadReached:
         if (self.above is None) == (self.below is None):
-            raise refuse("it has one of 'above' and 'below', such as {hook: U1, above: 400 kN}")
+            raise refuse("it has one of 'above' and 'below', such as {hook: U1, above: 40 t}")
+        return self
+
+
+class TiltReached(Element):
+    """A tilt of the load."""
+
+    what: ClassVar[str] = "load_tilt"
+
+    above: NotNegativeAngle | None = Field(None, description="The step ends when the tilt is above this.")
+    below: PositiveAngle | None = Field(None, description="The step ends when the tilt is below this.")
+
+    @model_validator(mode="after")
+    def _one_side(self) -> TiltReached:
+        if (self.above is None) == (self.below is None):
+            raise refuse("it has one of 'above' and 'below', such as {above: 89 deg}")
+        for key in ("above", "below"):
+            if (getattr(self, key) or 0.0) >= math.pi:
+                raise refuse("a load tilts by 180 deg at most, upside down; less than that is right", key)
         return self
 
 
@@ -50,8 +136,8 @@ class MooringTensionReached(Element):
     what: ClassVar[str] = "mooring_tension"
 
     line: Name = Field(description="The mooring line.")
-    above: PositiveForce | None = Field(None, description="The step ends when its tension is above this.")
-    below: PositiveForce | None = Field(None, description="The step ends when its tension is below this.")
+    above: _Weighing | None = Field(None, description="The step ends when its tension is above this.")
+    below: _Weighing | None = Field(None, description="The step ends when its tension is below this.")
 
     @model_validator(mode="after")
     def _one_side(self) -> MooringTensionReached:
@@ -78,6 +164,14 @@ class Condition(Element):
     tension_spread: Annotated[float, Quantity("ratio", "positive")] | None = Field(
         None, description="(max - min)/mean of the slings of every equalizer is below this, and all carry."
     )
+    load_tilt: TiltReached | None = Field(
+        None,
+        description="Tilt of the load, between its own z axis and plumb: 0 as it stands in the file, 90 deg "
+        "on its side.",
+    )
+    slings: Literal["slack", "taut"] | None = Field(
+        None, description="'slack': no sling of those under 'of' carries; 'taut': each of them does."
+    )
     heel: AngleReached | None = Field(None, description="Heel of a vessel, to starboard positive.")
     trim: AngleReached | None = Field(None, description="Trim of a vessel, by the stern positive.")
     falls_out_of_plumb: PositiveAngle | None = Field(
@@ -86,8 +180,8 @@ class Condition(Element):
     mooring_tension: MooringTensionReached | None = Field(None, description="Tension of a mooring line.")
     of: Names = Field(
         (),
-        description="tension_spread: equalizers that count; falls_out_of_plumb: hooks that count; all if not "
-        "given.",
+        description="tension_spread: equalizers that count; falls_out_of_plumb: hooks that count; slings: "
+        "slings that count, like 'sling.S1'; all if not given.",
     )
 
     @model_validator(mode="after")
@@ -96,13 +190,18 @@ class Condition(Element):
         if sum(getattr(self, way) is not None for way in ways) != 1:
             raise refuse(
                 "a step waits for one thing: 'load_transferred: 50 %', 'supports: clear', "
-                "'hoist_load: {hook: U1, above: 400 kN}', 'tension_spread: 5 %', "
-                "'trim: {vessel: barge, below: 0.1 deg}', 'falls_out_of_plumb: 0.5 deg' or "
-                "'mooring_tension: {line: bow.ps, above: 200 kN}'"
+                "'hoist_load: {hook: U1, above: 40 t}', 'load_tilt: {above: 89 deg}', 'slings: slack', "
+                "'tension_spread: 5 %', 'trim: {vessel: barge, below: 0.1 deg}', "
+                "'falls_out_of_plumb: 0.5 deg' or 'mooring_tension: {line: bow.ps, above: 200 kN}'"
             )
         if self.load_transferred is not None and self.load_transferred > 1:
             raise refuse(f"load_transferred is {self.load_transferred * 100:g} %; it can reach 100 % at most")
-        if self.of and self.tension_spread is None and self.falls_out_of_plumb is None:
+        if (
+            self.of
+            and self.tension_spread is None
+            and self.falls_out_of_plumb is None
+            and self.slings is None
+        ):
             sentence = "'of' stands without 'tension_spread', whose equalizers it names"
-            raise refuse(f"{sentence}, or 'falls_out_of_plumb', whose hooks", "of")
+            raise refuse(f"{sentence}, 'falls_out_of_plumb', whose hooks, or 'slings'", "of")
         return self

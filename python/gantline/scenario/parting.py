@@ -112,7 +112,18 @@ def check_partings(findings: Findings) -> None:
         *(f"tag.{name}" for name in scenario.tag_lines or {}),
         *mechanics,
     ]
+    loose = [name for name in known if name.startswith("sling.") or name in mechanics]
+    taken_off: set[str] = set()
     for place, step in enumerate(scenario.plan):
+        for rope in step.detach:
+            if rope not in known:
+                findings.add(("plan", place, "detach"), f"'{rope}' is not a rope; {nearest(rope, loose)}")
+            elif rope not in loose:
+                sentence = f"'{rope}' cannot be taken off; slings and ropes of 'mechanics' can"
+                findings.add(("plan", place, "detach"), f"{sentence}. 'cut' parts any rope")
+            elif rope in taken_off:
+                findings.add(("plan", place, "detach"), f"'{rope}' has been taken off already; once is right")
+            taken_off.add(rope)
         for rope in step.cut:
             if rope not in known:
                 findings.add(("plan", place, "cut"), f"'{rope}' is not a rope; {nearest(rope, known)}")

@@ -61,6 +61,11 @@ class _AnyStep(Element):
     )
     require: Require | None = Field(None, description="What has to hold at its end.")
     cut: Names = Field((), description="Rope or ropes that are cut as it begins, like 'sling.S1'.")
+    detach: Names = Field(
+        (),
+        description="Sling or slings that are taken off as it begins, like 'sling.S1', for good; they have "
+        "to be slack. Also ropes of 'mechanics'.",
+    )
     remove_supports: Names = Field(
         (),
         description="Supports that are taken away as it begins: a whole group, like 'keel_blocks', or one, "

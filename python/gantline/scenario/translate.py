@@ -22,14 +22,24 @@ _MEANT = {
     "capacity": ("rated_capacity", "working_load_limit"),
     "cog": ("centre_of_gravity",),
     "dimensions": ("shape",),
+    "disconnect": ("detach",),
+    "during": ("from_step",),
     "ea": ("axial_stiffness",),
+    "in_step": ("from_step",),
+    "inclination": ("load_tilt",),
     "location": ("position", "at"),
     "mass": ("weight",),
     "mbf": ("minimum_breaking_force",),
     "position": ("at",),
+    "pitch": ("load_tilt", "trim"),
     "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
     "size": ("shape",),
+    "slack": ("slings",),
     "stiffness": ("axial_stiffness", "stops"),
+    "take_off": ("detach",),
+    "taut": ("slings",),
+    "tilt": ("load_tilt",),
+    "unhook": ("detach",),
     "weight": ("mass",),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: off -->
@@ -100,7 +110,9 @@ def _missing(key: str, node: Any) -> str:
         return f"'{key}' is missing; a lift file begins with 'format: 1'"
     misspelt = closest(key, [name for name in node if name not in node.allowed])
     hint = f" (is '{shorten(misspelt)}' a misspelt '{key}'?)" if misspelt is not None else ""
-    return f"'{key}' is missing; {node.what or 'this mapping'} needs it{hint}"
+    what = node.what or "this mapping"
+    need = "need" if what.partition(" of ")[0].endswith("s") else "needs"
+    return f"'{key}' is missing; {what} {need} it{hint}"
 
 
 def _unknown_key(key: str, parent: Any) -> str:

@@ -1,4 +1,4 @@
-"""Distances that are watched over the whole lift."""
+"""Distances that are watched, over the whole lift or some steps of it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar
 from pydantic import Field
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import ListOf, NameText, NotNegativeLength
+from gantline.scenario.quantities import ListOf, NameText, NotNegativeLength, Text
 
 __all__ = ["Watch"]
 
@@ -31,4 +31,10 @@ class Watch(Element):
         1.0,
         description="Of ropes: what is left out at an end that is made fast on the other of the pair; 1 m if "
         "not given, since there every sling touches its load.",
+    )
+    from_step: Text | None = Field(
+        None, description="Step of the plan as which begins it counts; from the start if not given."
+    )
+    to_step: Text | None = Field(
+        None, description="Step of the plan with whose end it ceases to count; to the end if not given."
     )

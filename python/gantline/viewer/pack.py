@@ -15,9 +15,11 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
+from gantline.results.clearances import watched_span
 from gantline.results.lift_off import lift_off_time
 from gantline.results.progress import stretches, unfinished
 from gantline.results.recording import Recording
+from gantline.results.rig import Watch
 from gantline.results.surroundings import ground_of, structures_of, water_level
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
@@ -211,10 +213,21 @@ def _pairs(recording: Recording, at: Places, arrays: Arrays) -> list[dict[str, A
         return []
     points = recording["clearance_point"].values[at]
     arrays.steps("clearance_point", points, _MICROMETRE)
-    smallest = {watch.name: watch.smallest for watch in recording.rig.watches}
+    watches = {watch.name: watch for watch in recording.rig.watches}
     return [
-        {"name": name, "smallest": smallest.get(name, 0.0)} for name in recording.coordinates.get("pair", ())
+        _pair(recording, watches.get(name) or Watch(name)) for name in recording.coordinates.get("pair", ())
     ]
+
+
+def _pair(recording: Recording, watch: Watch) -> dict[str, Any]:
+    """What a pair has to keep, and from when to when where that is not all the time."""
+    pair: dict[str, Any] = {"name": watch.name, "smallest": watch.smallest}
+    if watch.from_step or watch.to_step:
+        last = float(recording.time[-1]) if len(recording.time) else 0.0
+        begin, end = watched_span(watch, recording.events())
+        # A span that ends before it begins: none of it has come yet.
+        pair["span"] = [max(begin, 0.0), min(end, last)] if begin <= last else [1.0, 0.0]
+    return pair
 
 
 def _surroundings(recording: Recording) -> dict[str, Any]:

@@ -64,10 +64,11 @@ export interface Hole {
   floor: number;
 }
 
-/** Two things whose distance is watched, and what it must not go below [m]. */
+/** Two things whose distance is watched, what it must not go below [m], and when, where that is not always [s]. */
 export interface Pair {
   name: string;
   smallest: number;
+  span?: [number, number];
 }
 
 /** What stands in the world: the eight corners of each of its boxes, z fastest; when it is taken away [s]. */

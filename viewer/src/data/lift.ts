@@ -163,7 +163,9 @@ export class Lift {
   }
 
   isTooClose(pair: number): boolean {
-    return this.clearanceCurves[pair]!.at(this.now) < this.header.pairs[pair]!.smallest;
+    const { smallest, span } = this.header.pairs[pair]!;
+    if (span !== undefined && (this.now < span[0] || this.now > span[1])) return false;
+    return this.clearanceCurves[pair]!.at(this.now) < smallest;
   }
 
   /** Whether a rope is drawn hanging: it carries nothing and is longer than its way. */

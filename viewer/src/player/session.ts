@@ -16,6 +16,7 @@ const NOTABLE = [
   "set_down",
   "cut",
   "broken",
+  "detached",
   "stop_hit",
   "pin_pulled",
   "pin_put_in",

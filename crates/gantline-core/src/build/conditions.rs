@@ -59,10 +59,7 @@ pub(super) fn build_condition(
                 return error(name, format!("there is no body `{body}`"));
             };
             if !(matches!(body.joint, Joint::Free(_)) && body.parent.is_none()) {
-                return error(
-                    name,
-                    format!("`{}` does not float freely, so it has no such angle", body.name),
-                );
+                return error(name, format!("`{}` does not move freely, so it has no such angle", body.name));
             }
             Ok(Condition::Attitude {
                 orientation: body.first_position + 3,

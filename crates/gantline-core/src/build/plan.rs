@@ -167,27 +167,28 @@ pub(super) fn build_fragile(spec: &SystemSpec) -> Result<Vec<(usize, f64)>, Buil
     Ok(fragile)
 }
 
-/// Ropes that are cut, at times and as steps of the plan begin.
+/// Ropes that are cut, at times and as steps of the plan begin, or taken off then.
 pub(super) fn build_cuts(spec: &SystemSpec) -> Result<Vec<Cut>, BuildError> {
     let mut cuts = Vec::new();
     for (rope, given) in spec.ropes.iter().enumerate() {
         if let Some(time) = given.cut_at {
             at_least_zero(&given.name, "the time at which it is cut", time)?;
-            cuts.push(Cut { rope, due: Due::At(time) });
+            cuts.push(Cut { rope, due: Due::At(time), is_detached: false });
         }
     }
     for (line, given) in spec.moorings().enumerate() {
         let rope = spec.ropes.len() + line;
-        cuts.extend(given.cut_at.map(|time| Cut { rope, due: Due::At(time) }));
+        cuts.extend(given.cut_at.map(|time| Cut { rope, due: Due::At(time), is_detached: false }));
     }
     for (index, step) in spec.plan.iter().enumerate() {
-        for name in &step.cuts {
+        let detached = step.detaches.iter().map(|name| (name, true));
+        for (name, is_detached) in step.cuts.iter().map(|name| (name, false)).chain(detached) {
             let ropes = spec.ropes.iter().map(|rope| &rope.name);
             let mut all = ropes.chain(spec.moorings().map(|line| &line.name));
             let Some(rope) = all.position(|rope| rope == name) else {
                 return error(&step.name, format!("there is no rope `{name}`"));
             };
-            cuts.push(Cut { rope, due: Due::Step(index) });
+            cuts.push(Cut { rope, due: Due::Step(index), is_detached });
         }
     }
     Ok(cuts)

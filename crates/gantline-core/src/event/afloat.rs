@@ -240,9 +240,13 @@ impl Lookout {
 /// What happened before a vessel capsized, as far as that may be why.
 fn story(system: &System, log: &EventLog, vessel: usize) -> String {
     let mut parts = Vec::new();
-    let parted = |event: &&super::Event| matches!(event.kind, EventKind::Cut | EventKind::Broken);
+    let parted = |event: &&super::Event| event.kind.parts_a_rope();
     if let Some(event) = log.events.iter().rfind(parted) {
-        let how = if event.kind == EventKind::Cut { "was cut" } else { "broke" };
+        let how = match event.kind {
+            EventKind::Cut => "was cut",
+            EventKind::Detached => "was taken off",
+            _ => "broke",
+        };
         parts.push(format!("{} {how} at {:.2} s", system.constraints[event.subject].name(), event.time));
     }
     let is_own = |event: &&super::Event| {

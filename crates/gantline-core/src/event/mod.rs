@@ -16,6 +16,8 @@ pub enum EventKind {
     Cut,
     /// A rope has reached its breaking force.
     Broken,
+    /// A rope has been taken off.
+    Detached,
     /// The last contact force of a load has become zero.
     LiftOff,
     /// A load that hung free touches again.
@@ -61,6 +63,11 @@ pub enum EventKind {
 }
 
 impl EventKind {
+    /// True where a rope carries nothing from then on.
+    pub fn parts_a_rope(self) -> bool {
+        matches!(self, Self::Cut | Self::Broken | Self::Detached)
+    }
+
     /// Name in recordings.
     pub fn name(self) -> &'static str {
         match self {
@@ -68,6 +75,7 @@ impl EventKind {
             Self::Slack => "slack",
             Self::Cut => "cut",
             Self::Broken => "broken",
+            Self::Detached => "detached",
             Self::LiftOff => "lift_off",
             Self::SetDown => "set_down",
             Self::Stick => "stick",

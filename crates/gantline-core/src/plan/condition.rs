@@ -90,7 +90,7 @@ pub enum Condition {
         /// Share.
         at_most: f64,
     },
-    /// The heel or the trim of a body that floats freely has come to a bound.
+    /// The heel, trim or tilt of a body that moves freely has come to a bound.
     Attitude {
         /// Where q has its orientation.
         orientation: usize,
@@ -132,6 +132,7 @@ impl Condition {
                 let found = match angle {
                     AttitudeSpec::Heel => turned.y_axis.z.atan2(turned.z_axis.z),
                     AttitudeSpec::Trim => turned.x_axis.z.asin(),
+                    AttitudeSpec::Tilt => turned.z_axis.truncate().length().atan2(turned.z_axis.z),
                 };
                 if *above { found >= *bound } else { found <= *bound }
             }
@@ -205,6 +206,12 @@ mod tests {
         let (heeled, trimmed) = (turned(DVec3::X, 0.03), turned(DVec3::Y, -0.03));
         assert!(holds(heeled, AttitudeSpec::Heel, true) && !holds(heeled, AttitudeSpec::Heel, false));
         assert!(holds(trimmed, AttitudeSpec::Trim, true) && !holds(trimmed, AttitudeSpec::Trim, false));
+        // Heel and trim alone are tilts of as much, whichever way.
+        for tilted in [heeled, trimmed] {
+            assert!(holds(tilted, AttitudeSpec::Tilt, true) && !holds(tilted, AttitudeSpec::Tilt, false));
+        }
+        assert!(!holds(turned(DVec3::Z, 1.0), AttitudeSpec::Tilt, true), "a heading is no tilt");
+        assert!(holds(turned(DVec3::X, 3.0), AttitudeSpec::Tilt, true), "upside down");
         assert!(holds(heeled, AttitudeSpec::Trim, false) && holds(trimmed, AttitudeSpec::Heel, false));
     }
 }

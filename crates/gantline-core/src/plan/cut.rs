@@ -1,4 +1,4 @@
-//! Ropes that are cut.
+//! Ropes that are cut, or taken off.
 
 use super::PlanState;
 
@@ -29,11 +29,13 @@ impl Due {
     }
 }
 
-/// A cut through a rope or mooring line.
+/// A cut through a rope or mooring line, or the end of one that is taken off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cut {
     /// Index of the rope; mooring lines count on from there.
     pub rope: usize,
     /// When.
     pub due: Due,
+    /// It is taken off, as planned, and not cut.
+    pub is_detached: bool,
 }

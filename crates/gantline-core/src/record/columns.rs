@@ -10,7 +10,7 @@ use crate::constraint::contact::Contact;
 use crate::constraint::rope::Rope;
 use crate::constraint::touch::Touch;
 use crate::contact::spot::Spot;
-use crate::event::{EventKind, EventLog};
+use crate::event::EventLog;
 use crate::rope::part::Straight;
 use crate::rope::seat::Seat;
 use crate::system::System;
@@ -70,8 +70,7 @@ pub struct Columns {
 impl Columns {
     /// The columns of `samples` of a run whose events are `log`.
     pub fn of(system: &System, samples: &Samples, log: &EventLog) -> Self {
-        let parted =
-            log.events.iter().filter(|event| matches!(event.kind, EventKind::Cut | EventKind::Broken));
+        let parted = log.events.iter().filter(|event| event.kind.parts_a_rope());
         let mut columns = Self::with_room(system, samples.time.len());
         let mut sampled = Sampled {
             kinematics: Kinematics::new(&system.tree),

@@ -59,6 +59,9 @@ pub struct StepSpec {
     /// Names of ropes that are cut as it begins.
     #[serde(default)]
     pub cuts: Vec<String>,
+    /// Names of ropes that are taken off as it begins, slack or not.
+    #[serde(default)]
+    pub detaches: Vec<String>,
     /// Names of supports that are taken away as it begins.
     #[serde(default)]
     pub removes: Vec<String>,
@@ -187,7 +190,7 @@ pub enum UntilSpec {
         /// Contact group.
         group: String,
     },
-    /// A body that floats freely is heeled or trimmed less, or more, than a bound.
+    /// A body that moves freely is heeled, trimmed or tilted less, or more, than a bound.
     Attitude {
         /// The body.
         body: String,
@@ -202,7 +205,7 @@ pub enum UntilSpec {
     EndOfRun {},
 }
 
-/// An angle of a body that floats.
+/// An angle of a body that moves freely.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AttitudeSpec {
@@ -210,6 +213,8 @@ pub enum AttitudeSpec {
     Heel,
     /// How far its x axis points upwards: by the stern positive.
     Trim,
+    /// Between its z axis and plumb, 0 to π.
+    Tilt,
 }
 
 /// An emergency stop of everything that the plan drives; no step begins or goes on after it.

@@ -1,4 +1,5 @@
-//! Ropes and mooring lines that part: cut at a time, or broken by their tension. From then on they carry nothing, for good.
+//! Ropes and mooring lines that part: cut at a time, taken off, or broken by their tension. From then on they carry
+//! nothing, for good.
 //!
 //! What a rope held is set free in itself, which is no part of the system: it is lost, and booked as `parting`.
 
@@ -14,12 +15,13 @@ use crate::system::System;
 /// Rounding of a tension that has reached the breaking force, relative to it.
 const ROUNDING: f64 = 1e-9;
 
-/// Cuts the ropes that are due before `to` [s]; true where any parted. `frame` belongs to the state.
+/// Cuts and takes off the ropes that are due before `to` [s]; true where any parted. `frame` belongs to the state.
 pub fn cut(system: &System, state: &mut State, frame: &mut Frame, to: f64, log: &mut EventLog) -> bool {
     let mut any = false;
     for cut in &system.cuts {
         if cut.due.is_before(to, &state.plan) && is_whole(system, state, cut.rope) {
-            log.push(moment(cut.due, state, log), EventKind::Cut, cut.rope);
+            let kind = if cut.is_detached { EventKind::Detached } else { EventKind::Cut };
+            log.push(moment(cut.due, state, log), kind, cut.rope);
             part(system, state, frame, cut.rope);
             any = true;
         }

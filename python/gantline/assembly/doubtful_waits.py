@@ -1,0 +1,67 @@
+"""Steps of the plan that wait for what cannot come: a hoist load beyond all weight, or less than the hook."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gantline.assembly.parts import Parts
+from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks
+from gantline.scenario import Scenario
+from gantline.scenario.condition import Weighing
+from gantline.scenario.hooks import full_name
+from gantline.scenario.steps import MovingStep
+from gantline.units import format_quantity
+
+__all__ = ["doubtful_waits"]
+
+
+def doubtful_waits(parts: Parts, scenario: Scenario) -> Iterator[str]:
+    """A sentence for each step whose hoist load cannot be reached by weight alone.
+
+    Nothing is said where something else may pull: bodies and ropes of `mechanics`, waves.
+
+    Args:
+        parts: The system with all its bodies and ropes.
+        scenario: The lift.
+    """
+    if scenario.mechanics is not None or scenario.waves:
+        return
+    gravity = scenario.simulation.gravity
+    for step in scenario.plan:
+        reached = step.until.hoist_load if step.until is not None else None
+        if reached is None:
+            continue
+        name = full_name(reached.hook, scenario.hooks) or ""
+        hook = next(one for one in reeved_hooks(scenario) if one.name == name)  # checked with the file
+        empty = parts.bodies[name]["mass"] + falls_on_upper_sheaves(parts, scenario, hook)
+        most = empty + _hangable(parts, scenario, name)
+        goes_on = "the step does not end by it" if isinstance(step, MovingStep) else "it is never met"
+        if reached.above is not None and reached.above.newtons(gravity) > most * gravity:
+            waits = f"waits for a hoist load above {_shown(reached.above)} at {reached.hook}"
+            weighs = f"all that can hang there weighs {_shown(_like(reached.above, most, gravity))}"
+            yield f"step '{step.step}' {waits}; {weighs} with hook block and falls, and {goes_on}"
+        if reached.below is not None and reached.below.newtons(gravity) < empty * gravity:
+            waits = f"waits for a hoist load below {_shown(reached.below)} at {reached.hook}"
+            weighs = f"hook block and falls alone weigh {_shown(_like(reached.below, empty, gravity))}"
+            yield f"step '{step.step}' {waits}; {weighs}, and {goes_on}"
+
+
+def _hangable(parts: Parts, scenario: Scenario, hook: str) -> float:
+    """Mass of all that is neither of a crane nor of a vessel: the load and its gear [kg]."""
+    fixed = (*(scenario.cranes or {}), *(scenario.vessels or {}))
+
+    def is_fixed(body: str) -> bool:
+        return body == hook or any(body == one or body.startswith((f"{one}.", f"{one}/")) for one in fixed)
+
+    return float(sum(body["mass"] for name, body in parts.bodies.items() if not is_fixed(name)))
+
+
+def _like(said: Weighing, mass: float, gravity: float) -> Weighing:
+    """What a mass weighs, said as something else is."""
+    return Weighing(0.0, mass) if said.mass else Weighing(mass * gravity, 0.0)
+
+
+def _shown(weighing: Weighing) -> str:
+    if weighing.mass:
+        return format_quantity(weighing.mass, "t", 1)
+    return format_quantity(weighing.force, "kN", 0)

@@ -1,0 +1,63 @@
+"""Figures of loads that are turned as they hang: upended, laid down or turned over.
+
+How far the centre of gravity of such a load goes aside says little, since the hooks take it along as it
+turns. What counts is how much each hook carries meanwhile, and at which tilt, and how far falls are from
+plumb.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.rig import Load
+from gantline.results.variable import FloatArray
+from gantline.units import format_quantity
+
+__all__ = ["TURNED_FROM", "is_turned", "turning_in_words"]
+
+#: Tilt of a hanging load from which it is turned on purpose [rad]; no load hangs so by mischance.
+TURNED_FROM = math.radians(30.0)
+#: Most hooks that are told one by one.
+_MOST_HOOKS = 4
+
+
+def is_turned(recording: Recording, load: Load) -> bool:
+    """Whether a load tilts by so much as it hangs clear that it is turned."""
+    clear = series.load_is_clear(recording, load)
+    return bool((recording.column("load_tilt", load.name)[clear] > TURNED_FROM).any())
+
+
+def turning_in_words(recording: Recording, load: Load) -> list[tuple[str, str]]:
+    """Largest hook loads and falls out of plumb of a load that is turned, while it is clear.
+
+    Args:
+        recording: The recording.
+        load: A load that comes clear.
+
+    Returns:
+        What, and how much, in words.
+    """
+    during = series.load_is_clear(recording, load)
+    tilt = recording.column("load_tilt", load.name)
+
+    def row(what: str, hook: str, values: FloatArray, unit: str, digits: int) -> tuple[str, str]:
+        at = int(np.argmax(np.where(during, values, -np.inf)))
+        most = f"{hook} {format_quantity(float(values[at]), unit, digits)} at most"
+        when = f"at {format_quantity(float(recording.time[at]), 's', 1)}"
+        return what, f"{most}, {when}, tilted by {format_quantity(float(tilt[at]), 'deg', 1)}"
+
+    hooks = recording.coordinates.get("hook", ())
+    rows = [
+        row("hook load when clear", hook, recording.column("hook_load", hook), "kN", 1)
+        for hook in (hooks if len(hooks) <= _MOST_HOOKS else ())
+    ]
+    crane_hooks = recording.coordinates.get("crane_hook", ())
+    aside = {hook: recording.column("falls_out_of_plumb", hook) for hook in crane_hooks}
+    if aside:
+        worst = max(aside, key=lambda hook: float(aside[hook][during].max()))
+        rows.append(row("falls out of plumb", worst, aside[worst], "deg", 2))
+    return rows
