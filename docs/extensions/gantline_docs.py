@@ -151,8 +151,16 @@ class ModuleText(SphinxDirective):
         return self.parse_text_to_nodes(text.partition("\n\n")[2])
 
 
+def keep_formulas_whole(_app: Sphinx, doctree: nodes.document, _page: str) -> None:
+    """Hand displayed formulas on as they stand: Sphinx puts rows into `split`, which takes no number."""
+    for formula in doctree.findall(nodes.math_block):
+        formula["no-wrap"] = True
+        formula.children = [nodes.Text(f"\\[{formula.astext()}\\]")]
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
+    app.connect("doctree-resolved", keep_formulas_whole)
     app.add_directive("lift-keys", LiftKeys)
     app.add_directive("rope-classes", RopeClasses)
     app.add_directive("module-text", ModuleText)
