@@ -58,7 +58,7 @@ napoleon_google_docstring = True
 napoleon_numpy_docstring = False
 
 html_theme = "furo"
-html_css_files = ["wide.css"]
+html_css_files = ["pages.css"]
 html_title = f"gantline {release}"
 html_copy_source = False
 html_show_sphinx = False
