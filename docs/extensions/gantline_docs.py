@@ -8,8 +8,10 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Iterator
 from importlib import import_module
+from itertools import filterfalse
 from typing import Any
 
 from docutils import nodes
@@ -23,6 +25,9 @@ Schema = dict[str, Any]
 
 #: Most words of a choice that a table writes out.
 MOST_WORDS = 8
+
+#: Most places of a list that a table writes out.
+MOST_PLACES = 3
 
 
 def written_out(schema: Any, shared: Schema) -> Any:
@@ -64,6 +69,13 @@ def kind_of(definition: Schema) -> str:
     return f"type: {constant}" if constant else definition["required"][-1]
 
 
+def is_zero(schema: Schema) -> bool:
+    """Whether this is the zero that may stand in place of any quantity, as a number or as a text."""
+    pattern = None if "examples" in schema else schema.get("pattern")
+    only_zero = pattern is not None and re.match(pattern, "0") and not re.match(pattern, "1")
+    return schema.get("const") == 0 or bool(only_zero)
+
+
 def written(schema: Schema) -> str:
     """How a value is written."""
     if "const" in schema:
@@ -79,11 +91,14 @@ def written(schema: Schema) -> str:
         inside = written(schema["items"]).strip("`")
         if inside in ("", "a text or name"):
             return "a list"
-        return f"`[{', '.join([inside] * schema.get('minItems', 1))}]`"
+        number = schema.get("minItems", 1)
+        if number > MOST_PLACES:
+            return f"a list of {number}, each {written(schema['items'])}"
+        return f"`[{', '.join([inside] * number)}]`"
     if schema.get("type") == "object":
         return "a mapping"
-    options = [written(option) for kind in ("anyOf", "oneOf") for option in schema.get(kind, [])]
-    options = [option for option in options if option and option != "`0`"]
+    given = [option for kind in ("anyOf", "oneOf") for option in schema.get(kind, [])]
+    options = [option for option in map(written, filterfalse(is_zero, given)) if option]
     if not options and "string" in schema.get("type", ""):
         return "a text or name"
     return " or ".join(dict.fromkeys(options))
