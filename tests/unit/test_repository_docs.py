@@ -36,7 +36,7 @@ def test_every_verb_and_option_is_documented() -> None:
 
 
 def test_the_tables_of_keys_say_how_quantities_are_written(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A zero without a unit, which any quantity may be, is left out; words and names stay."""
+    """A zero without a unit and numbers in quotes are left out of them; words and names stay."""
     pytest.importorskip("sphinx")
     monkeypatch.syspath_prepend(ROOT / "docs" / "extensions")
     tables = import_module("gantline_docs")
@@ -44,8 +44,9 @@ def test_the_tables_of_keys_say_how_quantities_are_written(monkeypatch: pytest.M
     written = {tuple(line.split(" | ")[0:3:2]) for line in text.splitlines() if line.startswith("| `")}
     assert ("| `duration`", "`40 s`") in written
     assert ("| `position`", "`[23 m, 23 m, 23 m]`") in written
-    assert ("| `turbulence`", "`5 %`") in written
+    assert ("| `turbulence`", "`5 %` or a number") in written
     assert ("| `corners`", "a text or name or a list") in written
+    assert ("| `seed`", "a number") in written
 
 
 def test_every_exit_code_is_documented() -> None:
