@@ -1,4 +1,4 @@
-"""Directives that take text from where it is kept, so it cannot go stale.
+"""Directives that take text from where it is kept, in every build anew, so it cannot go stale.
 
 `lift-keys`: all keys of a lift file as tables, made of the JSON Schema.
 `rope-classes`: the rope classes with their factors, as a table.
@@ -8,8 +8,10 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Iterator
 from importlib import import_module
+from itertools import filterfalse
 from typing import Any
 
 from docutils import nodes
@@ -23,6 +25,12 @@ Schema = dict[str, Any]
 
 #: Most words of a choice that a table writes out.
 MOST_WORDS = 8
+
+#: How values are written whose type says all.
+BY_TYPE = {"object": "a mapping", "integer": "a number", "number": "a number", "boolean": "`true` or `false`"}
+
+#: Most places of a list that a table writes out.
+MOST_PLACES = 3
 
 
 def written_out(schema: Any, shared: Schema) -> Any:
@@ -64,6 +72,13 @@ def kind_of(definition: Schema) -> str:
     return f"type: {constant}" if constant else definition["required"][-1]
 
 
+def goes_without_saying(schema: Schema) -> bool:
+    """Whether this is the zero that may stand in place of any quantity, or a number as a text."""
+    pattern = schema.get("pattern", "") if "examples" not in schema else ""
+    is_number = re.match(pattern, "0") or re.match(pattern, "1")
+    return schema.get("const") == 0 or bool(pattern and is_number and not re.match(pattern, "a"))
+
+
 def written(schema: Schema) -> str:
     """How a value is written."""
     if "const" in schema:
@@ -79,11 +94,14 @@ def written(schema: Schema) -> str:
         inside = written(schema["items"]).strip("`")
         if inside in ("", "a text or name"):
             return "a list"
-        return f"`[{', '.join([inside] * schema.get('minItems', 1))}]`"
-    if schema.get("type") == "object":
-        return "a mapping"
-    options = [written(option) for kind in ("anyOf", "oneOf") for option in schema.get(kind, [])]
-    options = [option for option in options if option and option != "`0`"]
+        number = schema.get("minItems", 1)
+        if number > MOST_PLACES:
+            return f"a list of {number}, each {written(schema['items'])}"
+        return f"`[{', '.join([inside] * number)}]`"
+    if (kind := str(schema.get("type"))) in BY_TYPE:
+        return BY_TYPE[kind]
+    given = [option for kind in ("anyOf", "oneOf") for option in schema.get(kind, [])]
+    options = [option for option in map(written, filterfalse(goes_without_saying, given)) if option]
     if not options and "string" in schema.get("type", ""):
         return "a text or name"
     return " or ".join(dict.fromkeys(options))
@@ -120,6 +138,7 @@ class LiftKeys(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """The tables."""
+        self.env.note_reread()
         text = "\n".join(sections(whole_schema()))
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
@@ -129,6 +148,7 @@ class RopeClasses(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """The table."""
+        self.env.note_reread()
         titles = ("construction", "or a designation", "W", "C", "K", "E [kN/mm²]", "factors from")
         head = f"| {' | '.join(titles)} |\n{'|---' * len(titles)}|\n"
         rows = [
@@ -147,12 +167,21 @@ class ModuleText(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """The docstring without its first sentence."""
+        self.env.note_reread()
         text = inspect.getdoc(import_module(self.arguments[0])) or ""
         return self.parse_text_to_nodes(text.partition("\n\n")[2])
 
 
+def keep_formulas_whole(_app: Sphinx, doctree: nodes.document, _page: str) -> None:
+    """Hand displayed formulas on as they stand: Sphinx puts rows into `split`, which takes no number."""
+    for formula in doctree.findall(nodes.math_block):
+        formula["no-wrap"] = True
+        formula.children = [nodes.Text(f"\\[{formula.astext()}\\]")]
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
+    app.connect("doctree-resolved", keep_formulas_whole)
     app.add_directive("lift-keys", LiftKeys)
     app.add_directive("rope-classes", RopeClasses)
     app.add_directive("module-text", ModuleText)

@@ -76,6 +76,7 @@ class TestCases(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """The tables."""
+        self.env.note_reread()
         modules = sorted((ROOT / self.arguments[0]).glob("test_*.py"))
         text = "\n".join(line for module in modules for line in cases(module))
         return self.parse_text_to_nodes(text, allow_section_headings=True)
@@ -86,6 +87,7 @@ class ScenarioFigures(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """The tables."""
+        self.env.note_reread()
         folders = sorted(path.parent for path in (ROOT / "scenarios").glob("*/expect.yaml"))
         text = "\n".join(line for folder in folders for line in figures(folder))
         return self.parse_text_to_nodes(text, allow_section_headings=True)

@@ -146,7 +146,7 @@ class Simulation:
 
     @property
     def ended(self) -> bool:
-        """True at the end of the lift, within rounding: sums of 0.1 s may never give its duration."""
+        """True at the end of the lift, within rounding, since sums of 0.1 s may never give its duration."""
         return self._core.ended()
 
     @property

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from gantline.plot import figures, save_pictures
-from gantline.plot.drawing import SIDE, TOP, draw, norm_of
+from gantline.plot.drawing import SIDE, TOP, beside, draw, equalizer, norm_of
 from gantline.plot.moments import moments
 from gantline.plot.scene import Box, snapshot
 from gantline.results.recording import Recording
@@ -230,6 +230,30 @@ def test_names_of_slings_stand_clear_of_ropes_and_centres(drawn: dict[str, Figur
             corners = TOP.project(rope.path)
             between = np.linspace(corners[:-1], corners[1:], 30).reshape(-1, 2)
             assert np.linalg.norm(between - place, axis=1).min() > 0.025 * width
+
+
+def test_a_label_stands_clear_with_its_whole_length() -> None:
+    """A line 0.8 to the right of a place and a point 0.5 to the left: a long name goes up and to the left."""
+    line = np.column_stack([np.full(81, 0.8), np.linspace(-4.0, 4.0, 81)])
+    taken = np.concatenate([line, [[-0.5, 0.0]]])
+    right, up = beside(np.zeros(2), 0.7, taken, 0.3, ((-5.0, 5.0), (-5.0, 5.0)))
+    assert right + 0.7 < 0.8 - 0.2, "its end stands clear of the line"
+    assert abs(up) > 0.2, "and the name of the point"
+    short, _ = beside(np.zeros(2), 0.0, taken, 0.3, ((-5.0, 5.0), (-5.0, 5.0)))
+    assert short > right, "a short one has room farther to the right"
+
+
+def test_times_of_an_equalizer_with_many_sheaves_are_rows() -> None:
+    """Side by side twenty sheaves would have a tenth of an inch each; a hundred none at all."""
+    recording = ringing_lift()
+    which = recording.rig.equalizers[0]
+    for sheaves, columns in ((5, len(moments(recording))), (20, 1)):
+        names = [*which.moving_sheaves, *(f"more.{n}" for n in range(sheaves - 5))]
+        figure = equalizer(recording, replace(which, moving_sheaves=names))
+        assert figure is not None
+        place = figure.axes[0].get_subplotspec()
+        assert place is not None and place.get_gridspec().ncols == columns
+    assert equalizer(recording, replace(which, moving_sheaves=[f"many.{n}" for n in range(100)])) is None
 
 
 def test_the_link_of_a_frame_that_leans_ends_in_the_middle_of_its_top() -> None:

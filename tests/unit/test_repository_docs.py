@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import ast
 import re
+from importlib import import_module
 from pathlib import Path
 
+import pytest
 import typer.main
 
 from gantline.cli import messages
@@ -31,6 +33,20 @@ def test_every_verb_and_option_is_documented() -> None:
             words += [name for name in names if name.startswith("-") and name not in {"-h", "--help"}]
     assert "--step" in words and "-o" in words
     assert [word for word in words if f"`{word}" not in text] == []
+
+
+def test_the_tables_of_keys_say_how_quantities_are_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A zero without a unit and numbers in quotes are left out of them; words and names stay."""
+    pytest.importorskip("sphinx")
+    monkeypatch.syspath_prepend(ROOT / "docs" / "extensions")
+    tables = import_module("gantline_docs")
+    text = "\n".join(tables.sections(tables.whole_schema()))
+    written = {tuple(line.split(" | ")[0:3:2]) for line in text.splitlines() if line.startswith("| `")}
+    assert ("| `duration`", "`40 s`") in written
+    assert ("| `position`", "`[23 m, 23 m, 23 m]`") in written
+    assert ("| `turbulence`", "`5 %` or a number") in written
+    assert ("| `corners`", "a text or name or a list") in written
+    assert ("| `seed`", "a number") in written
 
 
 def test_every_exit_code_is_documented() -> None:

@@ -62,7 +62,7 @@ RULES = [
         "load, or the kind of block: hook block, sheave block, keel block, ship block",
         anywhere(
             r"(hook|sheave|keel|ship|cad)[ _-]?blocks?|ShipBlock\w*|make_ship_block",
-            r"(code|sub|diagonal|matrix|dense|sparse|text|yaml|comment)[ _-]?blocks?",
+            r"(code|math|sub|diagonal|matrix|dense|sparse|text|yaml|comment)[ _-]?blocks?",
             r"block[ _](matri\w+|diagonal|principal|pivot\w*)",
             r"\d ?[x×] ?\d blocks?",
             r"sheaves? with (its )?block",

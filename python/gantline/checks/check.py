@@ -67,7 +67,7 @@ class Check:
 
     @property
     def has_no_limit(self) -> bool:
-        """Whether there is a value and nothing to hold it against: its verdict is `not checked`."""
+        """Whether there is a value and nothing to hold it against, so that its verdict is `not checked`."""
         return self.value is not None and self.limit is None
 
     @property

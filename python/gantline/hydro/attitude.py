@@ -47,7 +47,7 @@ class Attitude:
 
     @property
     def height(self) -> float:
-        """d: height of the vessel's origin above the water [m]."""
+        """Height d of the vessel's origin above the water [m]."""
         normal = self.normal
         return float(-normal[0] * self.middle - normal[2] * self.draft)
 

@@ -34,7 +34,7 @@ class RightingArms:
 
     @property
     def area(self) -> float:
-        """Area below the curve [m rad]: to small trim, the work of heeling over the weight."""
+        """Area below the curve [m rad], to small trim the work of heeling over the weight."""
         return float(np.trapezoid(self.arm, self.heel))
 
 

@@ -35,6 +35,9 @@ from gantline.results.surroundings import ground_of, water_level
 from gantline.results.variable import FloatArray
 
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
+_CHARACTER = 0.055  # inches along of a character of a name
+_MOST_IN_COLUMNS = 6  # moving sheaves of an equalizer whose times stand side by side; with more they are rows
+_MOST_DRAWN = 60  # moving sheaves of an equalizer: more could not be told from each other
 _MOST_LUGS = 10  # that are labelled one by one
 _LUGS_APART = 0.1  # of the width of a panel: nearer to each other their names would touch
 _LINES_REACH = 0.05  # of a panel's larger side: more than half the width of any line
@@ -136,9 +139,12 @@ def stages(recording: Recording) -> Figure | None:
 
 
 def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
-    """One equalizer close up, across its frame, at the same times; None if not drawn or without sheaves."""
+    """One equalizer close up, across its frame, at the same times.
+
+    None if it is not drawn, or has no sheaves or more than could be told from each other.
+    """
     shown = [(name, snapshot(recording, sample)) for name, sample in moments(recording)]
-    has_sheaves = which.moving_sheaves and which.mechanism == "sheaves"
+    has_sheaves = 0 < len(which.moving_sheaves) <= _MOST_DRAWN and which.mechanism == "sheaves"
     if not has_sheaves or which.name not in shown[0][1].frame_axes:
         return None
     norm = norm_of(shown)
@@ -152,7 +158,13 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
         for part in _of_equalizer(snap, which)
     ]
     window = window_of(np.concatenate(paths), below=1.2)
-    figure, (row,) = strip(recording, f"Equalizer {which.name}", len(shown), [window])
+    columns = len(shown) if len(which.moving_sheaves) <= _MOST_IN_COLUMNS else 1
+    titles = len(shown) // columns
+    room = {"scale": 10.0, "high": 14.0} if titles > 1 else {}
+    figure, rows = strip(
+        recording, f"Equalizer {which.name}", columns, [window] * titles, titles=titles, **room
+    )
+    row = [panel for panels in rows for panel in panels]
     for panel, view, origin, (name, snap) in zip(row, views, origins, shown, strict=True):
         panel.set_xlim(*(window[0] + origin[0]))
         panel.set_ylim(*(window[1] + origin[1]))
@@ -160,9 +172,11 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
         draw(panel, snap, view, norm, large=True)
         _title(panel, name, snap.time)
         _label_sheaves(panel, snap, view, which)
-    row[0].set_ylabel("seen across the frame\n(ticks: ends of stroke)", fontsize=7.5, color=QUIET)
+    rows[titles // 2][0].set_ylabel(
+        "seen across the frame\n(ticks: ends of stroke)", fontsize=7.5, color=QUIET
+    )
     scale_bar(row[-1])
-    tension_bar(figure, list(row), norm)
+    tension_bar(figure, row, norm)
     return figure
 
 
@@ -333,17 +347,26 @@ def _label_lugs(panel: Axes, recording: Recording, snap: Snapshot) -> None:
     centres = [TOP.project(centre)[None] for centre in snap.centres.values()]
     taken = np.concatenate([_densely(TOP.project(line)) for line in lines] + centres)
     width = float(np.ptp(panel.get_xlim()))
+    character = _CHARACTER * width / _inches(panel)
     for lug in snap.lugs.values():
         panel.plot(*TOP.project(lug), "o", color=INK, markersize=2.2, zorder=4)
     named = dict(snap.lugs)
     if len(named) > _MOST_LUGS or _nearest(named) < _LUGS_APART * width:
         named = _by_what_bears_them(recording, snap)
     for name, lug in named.items():
-        right, up = _beside(TOP.project(lug), taken, 0.05 * width, (panel.get_xlim(), panel.get_ylim()))
+        half = character * len(name) / 2
+        paper = (panel.get_xlim(), panel.get_ylim())
+        right, up = beside(TOP.project(lug), half, taken, 0.05 * width, paper)
         label = panel.text(right, up, name, fontsize=6.5, ha="center", va="center", zorder=5)
         label.set_path_effects([Stroke(linewidth=2.0, foreground="white"), Normal()])
-        along = np.linspace(-0.02, 0.02, 5)[:, None] * width * len(name) / 2
-        taken = np.concatenate([taken, (right, up) + along * (1.0, 0.0)])
+        taken = np.concatenate([taken, (right, up) + np.linspace(-half, half, 9)[:, None] * (1.0, 0.0)])
+
+
+def _inches(panel: Axes) -> float:
+    """How wide a panel of a strip is on paper."""
+    place, figure = panel.get_subplotspec(), panel.get_figure(root=True)
+    assert place is not None and figure is not None
+    return float(figure.get_size_inches()[0]) / place.get_gridspec().ncols
 
 
 def _nearest(lugs: Mapping[str, FloatArray]) -> float:
@@ -371,12 +394,13 @@ def _densely(path: FloatArray) -> FloatArray:
     return points
 
 
-def _beside(
-    place: FloatArray, taken: FloatArray, reach: float, paper: Sequence[tuple[float, float]]
+def beside(
+    place: FloatArray, half: float, taken: FloatArray, reach: float, paper: Sequence[tuple[float, float]]
 ) -> tuple[float, float]:
     """Where a label stands near a place on paper: as far off as it must for room, then where most room is.
 
-    What is not `taken` between the limits of the paper, along and up, is room; beyond them there is none.
+    What is not `taken` between the limits of the paper, along and up, is room; beyond them there is none. A
+    label reaches to `half` on either side of its middle.
     """
     places, rooms = np.empty((0, 2)), np.empty(0)
     least, most = (np.array(ends) for ends in zip(*paper, strict=True))
@@ -384,7 +408,9 @@ def _beside(
     for distance in (reach, 1.5 * reach, 2.0 * reach):
         places = place + distance * _AROUND
         # One place at a time: there are a hundred thousand points, and all at once would not fit the caches.
-        rooms = np.sqrt([np.min((along - x) ** 2 + (upwards - y) ** 2) for x, y in places])
+        rooms = np.sqrt(
+            [np.min(np.maximum(np.abs(along - x) - half, 0.0) ** 2 + (upwards - y) ** 2) for x, y in places]
+        )
         rooms = np.minimum(rooms, np.minimum(places - least, most - places).min(axis=1))
         if rooms.max() >= 0.8 * reach:
             break

@@ -47,17 +47,19 @@ def strip(
     windows: Sequence[FloatArray],
     *,
     scale: float = 2.2,
+    high: float = 8.2,
     titles: int = 1,
 ) -> tuple[Figure, list[list[Axes]]]:
     """A figure with a column for each moment and a row for each window, all to one scale.
 
-    A panel is `scale` inches wide, unless that makes the figure too high; `titles` rows have titles.
+    A panel is `scale` inches wide, unless that makes all rows together higher than `high` inches.
+    `titles` rows have titles.
     """
     width = float(np.ptp(windows[0][0]))
     heights = [float(np.ptp(window[1])) for window in windows]
-    scale = min(scale / width, 8.2 / sum(heights))
-    high = scale * sum(heights) + 1.25 + 0.22 * len(heights) + _TITLES * (titles - 1)
-    size = (max(6.0, scale * width * columns + 0.5), high)
+    scale = min(scale / width, high / sum(heights))
+    whole = scale * sum(heights) + 1.25 + 0.22 * len(heights) + _TITLES * (titles - 1)
+    size = (max(6.0, scale * width * columns + 0.5), whole)
     figure = Figure(figsize=size)
     figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.04, w_pad=0.03, hspace=0.01, wspace=0.01))
     most = int(size[0] / (12.0 * _BOLD)) - len(title)

@@ -81,7 +81,7 @@ class Recording:
 
     @cached_property
     def rig(self) -> Rig:
-        """What was lifted with what: loads, hooks, equalizers, slings, limits."""
+        """What was lifted with what (loads, hooks, equalizers, slings, limits)."""
         return Rig.from_json(self._attributes.get("rig", {}))
 
     def __reduce__(self) -> tuple[Any, ...]:
