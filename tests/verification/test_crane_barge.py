@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from gantline.hydro.database import read_database
+from gantline.hydro.memory import fit_memory
 from gantline.hydro.waves import sea
 from gantline.results.variable import FloatArray
 from gantline.simulation import simulate
@@ -44,10 +45,10 @@ def test_hook_load_in_swell() -> None:
     run = simulate(FOLDER, duration=150.0)
     database = read_database(FOLDER / "crane_barge.nc")
     towards = math.radians(150.0)
+    # How far that is from the file's is a matter of test_radiation.py.
+    water = fit_memory(database, SEA)
     waves = sea(0.8, 7.0, towards, enhancement=3.3, count=100, seed="1/swell")
     forces, _ = database.excitation_at(waves.frequency, towards, SEA)
-    added, _ = database.added_mass_at(7.0, SEA)
-    damping, _ = database.damping_at(7.0, SEA)
 
     # About the middle of the waterline, x forward.
     def about(x: float, z: float) -> tuple[float, float, float]:
@@ -73,6 +74,7 @@ def test_hook_load_in_swell() -> None:
     for omega, force, amplitude, phase in zip(
         waves.frequency, forces, waves.amplitude, waves.phase, strict=True
     ):
+        added, damping = water.added_mass(np.array([omega]))[0], water.damping(np.array([omega]))[0]
         whole = -(omega**2) * (inertia + added) - 1j * omega * damping + stiffness
         wave = amplitude * np.exp(1j * (phase + omega**2 / G * start))
         motion = np.linalg.solve(whole, force * wave)
