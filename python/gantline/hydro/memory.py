@@ -42,8 +42,8 @@ _SILENT = 1e-6
 #: Rounds of the fit of all motions together, before and after terms that add less are left out.
 _ROUNDS = (400, 400)
 _SMALL = 1e-3
-#: Misfit from which on it is said, of the largest damping or of the whole change of added mass; and the same of
-#: differences of matrices from their transposes, of the largest of the diagonal.
+#: Misfit from which on it is said, of the largest damping or of the whole change of added mass. So it is of
+#: what matrices differ by from their transposes, of the largest of the diagonal.
 _POOR = 0.05
 #: The same from which on the file contradicts itself.
 _USELESS = 0.3
