@@ -194,7 +194,8 @@ def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[str]:
             continue
         if all(abs(read / period - 1.0) > _OTHER_PERIOD for period in periods):
             shown = ", ".join(f"{period:g} s" for period in periods)
-            found.append(f"{key} of {name} is that of motions of {read:g} s; the waves have {shown}")
+            sentence = f"{key} of {name} is that of motions of {read:g} s; the waves have {shown}"
+            found.append(f"{sentence}; 'radiation' takes all periods")
     return found
 
 
