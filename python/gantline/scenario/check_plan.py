@@ -25,7 +25,7 @@ _WORDS = {
     "crane": ("crane that travels", "travel", "travel"),
     "boom": ("crane with 'luffing'", "luff", "luffing"),
     "upper": ("crane with 'slewing'", "slew", "slewing"),
-    "line": ("mooring line or tag line", "move", "winch"),
+    "line": ("mooring or tag line", "move", "winch"),
 }
 
 
