@@ -64,7 +64,12 @@ def test_the_balance_of_every_scenario_closes(name: str) -> None:
         # A slip that turns round within one step may give back a little of its own: by sheaves what their
         # friction does along the way by which positions may be wrong.
         turned = 1e-7 * scale + (POSITION * held_by_sheaves(recording) if kind == "friction" else 0.0)
-        assert np.diff(energy(recording, (kind,))).min() > -turned, f"{kind} was given back"
+        lost = energy(recording, (kind,))
+        if kind == "drag" and "radiation:" in str(recording.attributes["scenario"]):
+            # Waves that a vessel has made push it on for a while: water that remembers takes in the whole.
+            assert lost.min() >= 0.0
+            continue
+        assert np.diff(lost).min() > -turned, f"{kind} was given back"
 
 
 def test_the_remainder_of_the_reference_lift_falls_with_the_step() -> None:
