@@ -33,7 +33,10 @@ def test_the_sling_that_carries_most_is_told() -> None:
 
 @pytest.mark.parametrize("until", ["{tension_spread: 5 %}", "{slings: slack}"])
 def test_steps_wait_for_slings_with_nodes(until: str) -> None:
-    Simulation(parse_scenario(changed(HEAVY, ("start_at: 0 s, brake_from: 10 s", f"until: {until}"))))
+    """The core takes a condition on them that was refused, and the run goes on from its first moment."""
+    run = Simulation(parse_scenario(changed(HEAVY, ("start_at: 0 s, brake_from: 10 s", f"until: {until}"))))
+    run.advance_to(0.1)
+    assert run.time == pytest.approx(0.1)
 
 
 def test_a_sling_with_nodes_is_slack_where_its_own_weight_hangs() -> None:

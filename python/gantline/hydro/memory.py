@@ -42,11 +42,12 @@ _SILENT = 1e-6
 #: Rounds of the fit of all motions together, before and after terms that add less are left out.
 _ROUNDS = (400, 400)
 _SMALL = 1e-3
-#: Misfit from which on it is said, of the largest damping or of the whole change of added mass. So it is of
-#: what matrices differ by from their transposes, of the largest of the diagonal.
+#: Misfit from which on it is said: of the largest damping, or of the whole change of added mass.
 _POOR = 0.05
 #: The same from which on the file contradicts itself.
 _USELESS = 0.3
+#: Difference of matrices from their transposes from which on it is said, of the largest of the diagonal.
+_UNSYMMETRIC = 0.02
 
 
 @dataclass(frozen=True)
@@ -166,7 +167,7 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
     if database.density is not None:
         scale = density / database.density
     asymmetry = max(map(_asymmetry, (database.added_mass, database.damping)))
-    if asymmetry > _POOR:
+    if asymmetry > _UNSYMMETRIC:
         share = f"differ by up to {100 * asymmetry:.2g} % of the largest of the diagonal"
         doubts.append(f"{database.source}: pairs that are the same by nature {share}; their means are taken")
     added, damping = (
