@@ -55,9 +55,11 @@ def test_hooks_of_a_turned_load_are_told_in_place_of_its_drift() -> None:
     tilt = math.asin(5.0 / APART)
     lean = math.asin(APART * (1.0 - math.cos(tilt)) / 2.0 / 12.0)
     half = MASS * G / 2e3
-    assert float(loads[0][1]) == pytest.approx(half * (1.0 + math.tan(lean) * math.tan(tilt)), rel=0.01)
-    assert float(loads[1][1]) == pytest.approx(half, rel=0.02)  # 0.1 m/s^2 of half the load's other end
-    assert float(loads[0][-2]) == pytest.approx(math.degrees(tilt), abs=0.5)
+    # The largest is that of a load that still swings a little when the hook stands: 0.07 % and 0.2 deg here.
+    assert float(loads[0][1]) == pytest.approx(half * (1.0 + math.tan(lean) * math.tan(tilt)), rel=0.002)
+    assert float(loads[0][-2]) == pytest.approx(math.degrees(tilt), abs=0.25)
+    # Hoisting starts with 0.1 m/s^2, 1 % of g; what starts suddenly swings out to twice that.
+    assert half < float(loads[1][1]) < half * (1.0 + 2.0 * 0.1 / G)
     assert not any("drift when clear" in what for what, _ in rows)
     lines = summary(recording, check_recording(recording), lambda verdict: verdict.value)
     assert not any("drift when clear" in line for line in lines)

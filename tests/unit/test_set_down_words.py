@@ -81,7 +81,8 @@ def test_supports_are_read_at_hold_points() -> None:
         ("2.1", even + shift),
         ("2.2", even - shift),
     ):
-        assert forces[f"feet.{foot}"] == pytest.approx(max(force, 0.0), abs=0.02 * even)
+        # In whole kN, and 0.2 % from rest when it is read.
+        assert forces[f"feet.{foot}"] == pytest.approx(max(force, 0.0), abs=0.5 + 0.002 * even)
     assert any(
         line.split()[:2] == ["corner", "load"] and "nothing in this lift has one" in line for line in lines
     )
