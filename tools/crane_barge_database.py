@@ -14,8 +14,8 @@ import numpy as np
 import xarray as xr
 
 LENGTH, BREADTH, DRAFT = 90.0, 30.0, 3.0
-#: [s]; faces of 1.25 m by 0.75 m are an eleventh of the shortest wave. With 1.7 m by 1.5 m A and B of surge and
-#: pitch, equal by nature, differed by 3.5 % of the largest, now by 0.6 %.
+#: [s]; faces of 1.25 m by 0.75 m are an eleventh of the shortest wave. With 1.7 m by 1.5 m A and B of surge
+#: and pitch, equal by nature, differed by 3.5 % of the largest, now by 0.6 %.
 PERIODS = [*np.arange(3.0, 9.1, 0.5), 10.0, 11.0, 12.5, 14.5, 18.0, 25.0]
 FILE = Path(__file__).parents[1] / "scenarios" / "crane_barge_in_swell" / "crane_barge.nc"
 
