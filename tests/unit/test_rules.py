@@ -110,6 +110,12 @@ def test_lug_types() -> None:
     both = text.replace("type: P}", "type: P, main_plate: xz}")
     lug = rig(LIMITS, both)["loads"][0]["lugs"]["L3"]
     assert (lug["capacity"], lug["main_plate_normal"]) == (50e3 * 9.81, [0.0, 1.0, 0.0])
+    oblique = text.replace("main_plate: yz", "main_plate: {turned: 30 deg}")
+    oblique = oblique.replace("3 m], capacity", "3 m], main_plate: {normal: [0, 3, -4]}, capacity", 1)
+    lugs = rig(LIMITS, oblique)["loads"][0]["lugs"]
+    # (cos 30, sin 30, 0) lies in it.
+    assert lugs["L3"]["main_plate_normal"] == pytest.approx([-0.5, math.sqrt(0.75), 0.0], abs=1e-15)
+    assert lugs["L1"]["main_plate_normal"] == pytest.approx([0.0, 0.6, -0.8], abs=1e-15)
 
 
 def test_rated_capacities_of_hooks_and_their_groups() -> None:

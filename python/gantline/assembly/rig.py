@@ -27,7 +27,7 @@ from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.bounds import Bound
 from gantline.scenario.gear import Shackle
-from gantline.scenario.load import PLATE_NORMALS, Lug
+from gantline.scenario.lug import Lug
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
@@ -147,7 +147,7 @@ def _lug(scenario: Scenario, lug: Lug, at: Sequence[float]) -> Json:
     kind = lug.or_of((scenario.lug_types or {}).get(lug.type or ""))
     return {
         "at": list(at),
-        "main_plate_normal": list(PLATE_NORMALS[kind.main_plate or "xz"]),
+        "main_plate_normal": list(kind.main_plate_normal),
         "capacity": _force(scenario, kind.capacity),
     }
 

@@ -6,7 +6,8 @@ from gantline.scenario.check_supports import check_beside, check_places, top_of
 from gantline.scenario.check_wind import check_areas
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
-from gantline.scenario.load import Load, LoadInertia, Lug
+from gantline.scenario.load import Load, LoadInertia
+from gantline.scenario.lug import Lug
 
 __all__ = [
     "Extent",

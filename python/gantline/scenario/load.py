@@ -7,6 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Discriminator, Field, Tag
 
 from gantline.scenario.base import Element, Named
+from gantline.scenario.lug import Lug
 from gantline.scenario.quantities import (
     Angle,
     Inertia,
@@ -27,14 +28,7 @@ from gantline.scenario.quantities import (
 from gantline.scenario.stream import CURRENT_SHOWN, WIND_SHOWN, StreamArea
 from gantline.scenario.tree import MapNode
 
-__all__ = ["CentreOfGravity", "Load", "LoadInertia", "Lug", "LugType", "Outfitting", "Shape", "Weight"]
-
-#: Directions that span the main plate of a lug, and the normal to them on the load.
-PLATE_NORMALS: dict[str, tuple[float, float, float]] = {
-    "xz": (0.0, 1.0, 0.0),
-    "yz": (1.0, 0.0, 0.0),
-    "xy": (0.0, 0.0, 1.0),
-}
+__all__ = ["CentreOfGravity", "Load", "LoadInertia", "Outfitting", "Shape", "Weight"]
 
 
 class Shape(Element):
@@ -130,34 +124,6 @@ class Outfitting(Element):
     at: Position = Field(
         description="Position of its centre of gravity from the datum, along the load's axes."
     )
-
-
-class LugType(Element):
-    """What several lugs have in common."""
-
-    what: ClassVar[str] = "a lug type"
-
-    main_plate: Literal["xz", "yz", "xy"] | None = Field(
-        None, description="Plane of the lug's main plate; xz if nothing says so."
-    )
-    capacity: PositiveMass | None = Field(None, description="Capacity in the plane of the main plate.")
-
-    def or_of(self, kind: LugType | None) -> LugType:
-        """The same, with what is not said here taken from a type."""
-        plate = self.main_plate or (kind.main_plate if kind is not None else None)
-        capacity = self.capacity
-        if capacity is None and kind is not None:
-            capacity = kind.capacity
-        return LugType.model_construct(main_plate=plate or "xz", capacity=capacity)
-
-
-class Lug(LugType):
-    """A lifting lug."""
-
-    what: ClassVar[str] = "a lug"
-
-    type: Name | None = Field(None, description="A name of 'lug_types' that gives what is not said here.")
-    at: Position = Field(description="Position of the hole from the datum, along the load's axes.")
 
 
 def _inertia_kind(value: Any) -> str:

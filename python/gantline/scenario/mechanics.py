@@ -16,6 +16,7 @@ from gantline.scenario.quantities import (
     AngularSpeed,
     AngularVelocity,
     Damping,
+    Direction,
     Flag,
     Inertia,
     Length,
@@ -24,7 +25,6 @@ from gantline.scenario.quantities import (
     Name,
     NameText,
     NotNegativeForce,
-    Number,
     Position,
     PositiveLength,
     PositiveRotationalStiffness,
@@ -71,7 +71,6 @@ __all__ = [
     "SliderStops",
 ]
 
-Direction = Annotated[tuple[float, float, float], ListOf(Number(least=-1e6, most=1e6), 3)]
 ORIGIN = (0.0, 0.0, 0.0)
 
 

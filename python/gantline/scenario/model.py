@@ -20,7 +20,8 @@ from gantline.scenario.hook_group import HookGroup
 from gantline.scenario.hook_parts import HookType
 from gantline.scenario.hooks import Hook, booms_of, hooks_of
 from gantline.scenario.limits import Limits, Rules
-from gantline.scenario.load import Load, LugType
+from gantline.scenario.load import Load
+from gantline.scenario.lug import LugType
 from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.mooring import Fender, MooringLine
 from gantline.scenario.plan import EmergencyStop, Step

@@ -387,6 +387,8 @@ PositiveInertia = Annotated[float, Quantity("inertia", "positive")]
 Inertia = Annotated[float, Quantity("inertia")]
 Ratio = Annotated[float, Quantity("ratio", "not_negative")]
 Position = Annotated[tuple[float, float, float], ListOf(Quantity("length"), 3)]
+#: Three plain numbers, whatever their length.
+Direction = Annotated[tuple[float, float, float], ListOf(Number(least=-1e6, most=1e6), 3)]
 Sizes = Annotated[tuple[float, float, float], ListOf(Quantity("length", "positive"), 3)]
 Margins = Annotated[tuple[float, float, float], ListOf(Quantity("length", "not_negative"), 3)]
 Velocity = Annotated[tuple[float, float, float], ListOf(Quantity("speed"), 3)]

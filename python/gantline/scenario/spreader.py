@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, ClassVar
 from pydantic import Field
 
 from gantline.scenario.base import Element, Named
-from gantline.scenario.load import LoadInertia, Lug
+from gantline.scenario.load import LoadInertia
+from gantline.scenario.lug import Lug
 from gantline.scenario.quantities import Angle, Position, PositiveMass, Sizes
 
 if TYPE_CHECKING:
