@@ -7,6 +7,7 @@ import json
 import pytest
 
 from gantline.scenario import ScenarioError, StartError, load_scenario, parse_scenario
+from gantline.scenario.tolerance import Tolerance
 from gantline.scenario.tree import MapNode, parse_text
 from gantline.scenario.tree_path import PathError, node_at, put, text_node
 from gantline.scenario.variants import variants_of, without_cases
@@ -97,7 +98,8 @@ def test_what_a_case_changes() -> None:
     scenario = parse_scenario(text)
     (heavy,) = variants_of(scenario, "heavy")
     assert heavy.scenario.load is not None and heavy.scenario.load.weight.simulated == 63e3
-    assert heavy.scenario.sling_defaults is not None and heavy.scenario.sling_defaults.tolerance == 0.01
+    assert heavy.scenario.sling_defaults is not None
+    assert heavy.scenario.sling_defaults.tolerance == Tolerance(0.01, "ratio")
     high = variants_of(scenario, "high")
     assert [one.scenario.hooks["hook"].height for one in high] == [20.0, 20.1]
     assert high[0].label == "cranes.hook.at.z +0 m, load.heading +5 deg"

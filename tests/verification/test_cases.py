@@ -75,13 +75,14 @@ def test_hook_levels() -> None:
     assert tensions(states[1]) == pytest.approx(expected, rel=1e-9)
 
 
-def test_worst_pattern_of_lengths() -> None:
+@pytest.mark.parametrize("tolerance", ["0.01 %", "1 mm"])
+def test_worst_pattern_of_lengths(tolerance: str) -> None:
     """Opposite slings long and the others short by t: level by symmetry, so T_i = EA (D/L_i − 1) exactly.
 
     D is how far hooks are above lugs, from Σ T_i = W. By sensitivities it is W/4 ± k t (1 + W/4EA).
     """
     off = 1e-4 * LENGTH
-    states = cases(plumb_lift("off: {vary: slings.tolerance, pattern: worst}", tolerance="0.01 %")).of("off")
+    states = cases(plumb_lift("off: {vary: slings.tolerance, pattern: worst}", tolerance=tolerance)).of("off")
     assert len(states) == 2
     for state, sign in zip(states, (-1, 1), strict=True):
         lengths = LENGTH + sign * off * np.array([1.0, -1.0, 1.0, -1.0])

@@ -278,7 +278,7 @@ def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
         "to_lug": sling.lugs[0] if is_plain else None,
         **others,
         "length": sling.length,
-        "tolerance": sling.tolerance,
+        "tolerance": sling.tolerance / sling.length,
         "minimum_breaking_force": sling.rope.breaking_force,
         "shackles": {
             end: _shackle(scenario, *given)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import Annotated, ClassVar, Literal, Self
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 from pydantic.json_schema import JsonSchemaValue
@@ -24,7 +24,6 @@ from gantline.scenario.quantities import (
     PositiveMass,
     PositiveStress,
     Quantity,
-    Ratio,
     Reader,
     Text,
     Time,
@@ -34,6 +33,7 @@ from gantline.scenario.quantities import (
     refuse,
 )
 from gantline.scenario.rope_weight import NODES_SHOWN, WEIGHT_SHOWN, RopeNodes, RopeWeightWord
+from gantline.scenario.tolerance import LengthTolerance
 from gantline.units import quantity
 
 __all__ = ["RopeMaterial", "Shackle", "Sling", "SlingDefaults", "SlingShackles"]
@@ -48,8 +48,6 @@ _SMALLEST_SHACKLE = 4e-3
 _LARGEST_SHACKLE = 0.5
 #: By which a limit in tonnes is held against forces [m/s^2].
 _GRAVITY = 9.81
-#: Tolerance of a sling's length beyond which a '%' has been left out.
-_LARGEST_TOLERANCE = 0.1
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its metallic area.
 _STEEL_MODULUS = 210e9
 
@@ -265,14 +263,9 @@ class SlingDefaults(Element):
     rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
     breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
     shackles: SlingShackles | None = Field(None, description="Shackles at both ends.")
-    tolerance: Ratio | None = Field(None, description="Tolerance of the length, plus and minus.")
-
-    @model_validator(mode="after")
-    def _tolerance_is_small(self) -> Self:
-        if self.tolerance is not None and self.tolerance > _LARGEST_TOLERANCE:
-            sentence = f"a sling that is {self.tolerance * 100:g} % too long or too short is none"
-            raise refuse(f"{sentence}; at most 10 % is right, such as 'tolerance: 0.25 %'", "tolerance")
-        return self
+    tolerance: LengthTolerance | None = Field(
+        None, description="Tolerance of the length, plus and minus: a share of it, or a length."
+    )
 
 
 class Sling(SlingDefaults):

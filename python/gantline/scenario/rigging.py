@@ -23,11 +23,12 @@ from gantline.scenario.extension import (
     sling_ends,
 )
 from gantline.scenario.findings import Findings, Path
-from gantline.scenario.gear import RopeMaterial, Shackle, SlingDefaults
+from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.model import Scenario
 from gantline.scenario.rope_weight import RopeWeight, RopeWeightWord, check_rope_weight, rope_weight
 from gantline.scenario.sheave import SheaveLosses, SheaveWords, sheave_losses, taken_together
 from gantline.scenario.sling_ends import Upper, lower_end, upper_end
+from gantline.scenario.tolerance import LARGEST_TOLERANCE
 
 __all__ = [
     "SHEAVES",
@@ -86,6 +87,8 @@ class SlingRigging:
         upper_lug: the lug there.
         over: extension sheave that it runs over, from end to end.
         ends: its lower ends: one, or two if it runs over a sheave.
+        length: bearing to bearing, unloaded [m].
+        tolerance: what the length may be off, plus and minus [m].
     """
 
     name: str
@@ -260,6 +263,22 @@ def _material(findings: Findings, name: str, path: Path) -> RopeMaterial | None:
     return ropes.get(name)
 
 
+def _tolerance(findings: Findings, given: Sling, length: float | None, path: Path) -> float:
+    """What the length of a sling may be off [m]."""
+    defaults = findings.scenario.sling_defaults
+    tolerance = given.tolerance
+    if tolerance is None and defaults is not None:
+        tolerance = defaults.tolerance
+    if tolerance is None or length is None:
+        return 0.0
+    off = tolerance.of(length)
+    if off > LARGEST_TOLERANCE * length:
+        sentence = f"a sling of {length:g} m that is {off:g} m too long or too short is none"
+        where = (*path, "tolerance") if given.tolerance is not None else path
+        findings.add(where, f"{sentence}; at most a tenth is right, such as 'tolerance: 25 mm'")
+    return off
+
+
 def _sling(findings: Findings, name: str) -> SlingRigging | None:
     given = (findings.scenario.slings or {})[name]
     defaults = findings.scenario.sling_defaults or SlingDefaults()
@@ -286,14 +305,14 @@ def _sling(findings: Findings, name: str) -> SlingRigging | None:
     if given.over is None:  # what all slings have at their tops is none of a sling that runs over a sheave
         top = _shackle(findings, shackles.top if shackles else None, (*base, "top"))
     bottom = _shackle(findings, shackles.bottom if shackles else None, (*base, "bottom"))
-    tolerance = given.tolerance if given.tolerance is not None else defaults.tolerance
+    tolerance = _tolerance(findings, given, length, path)
     weight = _sling_weight(findings, name, str(rope_name), rope)
     if rope is not None and weight is not None:
         check_sling_over(findings, given, rope, weight, path)
     if len(findings.problems) > before or upper is None or length is None or rope is None or weight is None:
         return None
     lower = tuple(end for end in ends if end is not None)
-    return SlingRigging(name, *upper, given.over, lower, length, tolerance or 0.0, rope, weight, top, bottom)
+    return SlingRigging(name, *upper, given.over, lower, length, tolerance, rope, weight, top, bottom)
 
 
 def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial | None) -> RopeWeight | None:

@@ -139,7 +139,7 @@ def changed(scenario: Scenario, values: Mapping[str, Any]) -> Scenario:
 def tolerances(scenario: Scenario) -> dict[str, float]:
     """What the length of each sling may be off, plus and minus [m]; of those that have a tolerance."""
     slings = resolve(scenario).slings.items()
-    return {name: sling.tolerance * sling.length for name, sling in slings if sling.tolerance > 0.0}
+    return {name: sling.tolerance for name, sling in slings if sling.tolerance > 0.0}
 
 
 def with_lengths(scenario: Scenario, name: str, longer: Mapping[str, float]) -> Scenario:
