@@ -16,7 +16,9 @@ from gantline.report.plots import Vessels
 from gantline.report.subject import Subject
 from gantline.results import Recording
 from gantline.results.sea import WaveTrain
+from gantline.viewer import pack
 from gantline.viewer.curves import curves
+from packed_arrays import unpacked
 from waves import in_waves
 
 WAVES = {
@@ -97,3 +99,23 @@ def test_a_recording_from_before_says_no_more_than_it_knows(sailed: Recording) -
     old = Recording(sailed.variables, sailed.coordinates, {**sailed.attributes, "rig": rig})
     (name, text), *_ = afloat_facts(Subject(old))
     assert name == "waves at barge" and text.startswith("−")
+
+
+def test_the_player_gets_the_waves_that_run(sailed: Recording) -> None:
+    """ω, k, amplitude and phase of each, which make what vessels are held against."""
+    packed = pack(sailed)
+    frequency, along_x, along_y, amplitude, phase = unpacked(packed, "waves").T
+    time, place = np.array([25.0, 60.0]), np.array([[10.0, -5.0], [80.0, 20.0]])
+    sea = sailed.rig.sea
+    assert sea is not None
+    assert packed.header["riseTime"] == sea.rise_time < time[0]
+    angle = (
+        np.outer(place[:, 0], along_x) + np.outer(place[:, 1], along_y) - np.outer(time, frequency) + phase
+    )
+    assert np.cos(angle) @ amplitude == pytest.approx(sea.at(time, place), abs=1e-12)
+
+
+def test_still_water_has_none() -> None:
+    packed = pack(gantline.simulate("equalizer", duration=0.1))
+    assert packed.header["riseTime"] is None
+    assert packed.header["arrays"]["waves"]["shape"][0] == 0

@@ -141,6 +141,7 @@ function smallUnpacked(tension: number[]): Unpacked {
     ground: null,
     holes: [],
     water: null,
+    riseTime: null,
     pairs: [{ name: "b - wall", smallest: 1 }],
     structures: [],
     events: [],

@@ -3,7 +3,6 @@ import {
   type BufferAttribute,
   type BufferGeometry,
   type Mesh,
-  type MeshBasicMaterial,
   type Plane,
   SphereGeometry,
   Vector3,
@@ -16,11 +15,12 @@ import { Pace } from "../src/pace";
 import { parse, written } from "../src/player/address";
 import { Session, usualSpeed } from "../src/player/session";
 import { Clearances } from "../src/scene/clearances";
-import { Ground, holesUnder, insideOf, niceCell, outsideOf, pitOf } from "../src/scene/ground";
+import { niceCell } from "../src/scene/fading";
+import { holesUnder, insideOf, outsideOf, pitOf } from "../src/scene/ground";
 import { distanceToPiece } from "../src/scene/picking";
 import { hullOf, plainSheaveGeometry, sheaveGeometry } from "../src/scene/solids";
 import { Structures } from "../src/scene/structures";
-import { type Extent, extentOf } from "../src/scene/world";
+import { extentOf } from "../src/scene/world";
 import { paletteOf, rampInto } from "../src/theme";
 
 describe("a pace", () => {
@@ -222,18 +222,6 @@ describe("drawing", () => {
     expect(outsideOf([], origin)).toEqual({});
     expect(holesUnder({ holes: [hole] }, [0, 0, 0], [20, 9, 9])).toEqual([hole]);
     expect(holesUnder({ holes: [hole] }, [0, 0, 0], [10, 9, 9])).toEqual([]);
-  });
-
-  it("lays water at its level, also where there is no ground", () => {
-    const extent = { middle: [0, 0, 5], size: 40, low: [-20, -20, -5], high: [20, 20, 15] } as Extent;
-    const ground = new Ground({ ground: null, holes: [], water: -1 }, extent);
-    ground.lay(paletteOf("light"));
-    const [surface] = ground.group.children as Mesh[];
-    expect(surface!.position.z).toBe(-6);
-    expect((surface!.material as MeshBasicMaterial).transparent).toBe(true);
-    const dry = new Ground({ ground: 0, holes: [], water: null }, extent);
-    dry.lay(paletteOf("light"));
-    expect(dry.group.children.length).toBe(1);
   });
 
   it("draws a line between the nearest points of a watched pair, in another colour where it is too short", () => {

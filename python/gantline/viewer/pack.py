@@ -90,7 +90,7 @@ def pack(recording: Recording, *, since: int = 0) -> Packed:
         "lugs": _lugs(recording, list(bodies)),
         "contacts": _contacts(recording, scene, list(bodies), at, arrays),
         "pairs": _pairs(recording, at, arrays),
-        **_surroundings(recording),
+        **_surroundings(recording, arrays),
         "events": [list(event) for event in recording.events()],
         "steps": [{"names": one.names, "begin": one.begin, "end": one.end} for one in stretches(recording)],
         "unfinished": _unfinished(recording),
@@ -230,14 +230,21 @@ def _pair(recording: Recording, watch: Watch) -> dict[str, Any]:
     return pair
 
 
-def _surroundings(recording: Recording) -> dict[str, Any]:
-    """Levels of ground and water, holes, and what stands there; times at which supports are taken away."""
-    ground = ground_of(recording)
+def _surroundings(recording: Recording, arrays: Arrays) -> dict[str, Any]:
+    """Levels of ground and water, waves, holes, and what stands there; when supports are taken away."""
+    ground, sea = ground_of(recording), recording.rig.sea
+    waves = () if sea is None else sea.components
+    arrays.plain(
+        "waves",
+        [(one["frequency"], *one["wave_number"], one["amplitude"], one["phase"]) for one in waves],
+        "f8",
+    )
     holes = () if ground is None else ground.holes
     return {
         "ground": None if ground is None else ground.level,
         "holes": [{"x": list(one.x), "y": list(one.y), "floor": one.floor} for one in holes],
         "water": water_level(recording),
+        "riseTime": None if sea is None else sea.rise_time,
         "structures": [
             {"name": one.name, "kind": one.kind, "boxes": one.boxes.tolist(), "removedAt": one.removed_at}
             for one in structures_of(recording)

@@ -121,6 +121,8 @@ export interface Header {
   holes: Hole[];
   /** Level of the water [m]. */
   water: number | null;
+  /** Time in which its waves grow [s]; null where there are none. */
+  riseTime: number | null;
   pairs: Pair[];
   structures: Structure[];
   /** Time [s], kind and name. */

@@ -1,11 +1,9 @@
-/** The ground: a disc with a grid that fades away, and the pit of each hole in it; the surface of water. */
+/** The ground: a disc with a grid that fades away, and the pit of each hole in it. */
 
 import {
   BufferAttribute,
   BufferGeometry,
   CircleGeometry,
-  Color,
-  DoubleSide,
   FrontSide,
   Group,
   LineBasicMaterial,
@@ -17,6 +15,7 @@ import {
 } from "three";
 import type { Header, Hole, Vector } from "../data/format";
 import type { Palette } from "../theme";
+import { faded, gridGeometry, reachOf } from "./fading";
 import type { Extent } from "./world";
 
 /** Pieces of a wall or floor along each side, so that each can fade. */
@@ -28,42 +27,16 @@ export class Ground {
   private readonly half: number;
 
   constructor(
-    private readonly header: Pick<Header, "ground" | "holes" | "water">,
+    private readonly header: Pick<Header, "ground" | "holes">,
     private readonly extent: Extent,
   ) {
-    const { size, low, high } = extent;
-    this.cell = niceCell(size / 12);
-    const wide = Math.max(high[0] - low[0], high[1] - low[1], 0.8 * size);
-    this.half = Math.ceil(wide / this.cell) * this.cell * 1.3;
+    ({ cell: this.cell, half: this.half } = reachOf(extent));
   }
 
-  /** Lay it in the colours of a palette, and water beside it. */
+  /** Lay it in the colours of a palette. */
   lay(palette: Palette): void {
     this.group.clear();
-    const { ground, water } = this.header;
-    if (ground !== null) this.layGround(ground, palette);
-    if (water !== null) this.layWater(water, palette);
-  }
-
-  /** The surface of the water, through which one sees what is below. */
-  private layWater(level: number, palette: Palette): void {
-    const { half, extent } = this;
-    const surface = new Mesh(
-      faded(new CircleGeometry(half, 48, 0, 2 * Math.PI).toNonIndexed(), palette.water, half, 0.75),
-      new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false, side: DoubleSide }),
-    );
-    // After all that is solid.
-    surface.renderOrder = 1;
-    surface.position.z = level - extent.middle[2];
-    this.group.add(surface);
-    if (this.header.ground !== null) return;
-    const grid = new LineSegments(
-      faded(gridGeometry(half, this.cell), palette.grid, half, 0.6),
-      new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
-    );
-    grid.renderOrder = 1;
-    grid.position.copy(surface.position);
-    this.group.add(grid);
+    if (this.header.ground !== null) this.layGround(this.header.ground, palette);
   }
 
   private layGround(level: number, palette: Palette): void {
@@ -210,39 +183,4 @@ function line(from: Vector, to: Vector): number[] {
     for (const end of [piece, piece + 1])
       places.push(...from.map((value, axis) => value + (end * (to[axis]! - value)) / PIECES));
   return places;
-}
-
-/** Lines over a square, cut where they cross, so that each part can fade. */
-function gridGeometry(half: number, cell: number): BufferGeometry {
-  const places: number[] = [];
-  const count = Math.floor(half / cell);
-  for (let line = -count; line <= count; line++) {
-    for (let part = -count; part < count; part++) {
-      places.push(line * cell, part * cell, 0, line * cell, (part + 1) * cell, 0);
-      places.push(part * cell, line * cell, 0, (part + 1) * cell, line * cell, 0);
-    }
-  }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3));
-  return geometry;
-}
-
-/** A flat geometry in one colour that fades away from the middle. */
-function faded(geometry: BufferGeometry, colour: number, radius: number, strength: number): BufferGeometry {
-  const places = geometry.attributes.position!;
-  const colours = new Float32Array(4 * places.count);
-  const { r, g, b } = new Color(colour);
-  for (let at = 0; at < places.count; at++) {
-    const out = Math.hypot(places.getX(at), places.getY(at)) / radius;
-    colours.set([r, g, b, strength * Math.max(0, 1 - out) ** 0.8], 4 * at);
-  }
-  geometry.setAttribute("color", new BufferAttribute(colours, 4));
-  return geometry;
-}
-
-/** What is a round number of metres near a size. */
-export function niceCell(size: number): number {
-  const power = 10 ** Math.floor(Math.log10(size));
-  const share = size / power;
-  return power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
 }

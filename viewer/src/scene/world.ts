@@ -18,6 +18,7 @@ import { Bodies } from "./bodies";
 import { Clearances } from "./clearances";
 import { Ground, holesUnder } from "./ground";
 import { Ropes } from "./ropes";
+import { Sea } from "./sea";
 import { cornersOf, SIGN_HIGH } from "./solids";
 import { Structures } from "./structures";
 
@@ -49,6 +50,7 @@ export class World {
   private readonly ambient = new AmbientLight();
   private readonly sun = new DirectionalLight();
   private readonly ground: Ground;
+  private readonly sea: Sea;
   private readonly structures: Structures;
   private palette: Palette;
   private cheap = false;
@@ -80,6 +82,7 @@ export class World {
     this.arrows = new Arrows(lift, middle, Math.min(size, ROOM_OF_ARROWS * sizeOfLoads(lift)));
     this.clearances = new Clearances(lift, middle);
     this.ground = new Ground(lift.header, this.extent);
+    this.sea = new Sea(lift, this.extent);
     this.structures = new Structures(lift, middle);
     this.camera.up.set(0, 0, 1);
     this.camera.near = size / 500;
@@ -91,6 +94,7 @@ export class World {
       this.arrows.mesh,
       this.clearances.lines,
       this.ground.group,
+      this.sea.group,
       this.structures.group,
       this.ambient,
       this.sun,
@@ -106,6 +110,7 @@ export class World {
     [this.ambient.intensity, this.sun.intensity] = palette.light;
     this.structures.setPalette(palette);
     this.ground.lay(palette);
+    this.sea.lay(palette);
   }
 
   /** More has been recorded: supports may have been taken away meanwhile. */
@@ -160,6 +165,7 @@ export class World {
     const largest = this.lift.largestTension || 1;
     this.bodies.update();
     this.structures.update();
+    this.sea.update(this.lift.now);
     this.ropes.update(this.palette, largest, pinned);
     if (this.arrows.mesh.visible) this.arrows.update(this.palette, largest);
     if (this.clearances.lines.visible) this.clearances.update(this.palette);
