@@ -34,6 +34,11 @@ fn weight_of(system: &System, dof: usize) -> f64 {
     tree.gravity.length() * if turns { (inertia * below).sqrt() } else { inertia }
 }
 
+/// Rounding of the value of a row [m], places being up to `reach` [m] from the origin.
+fn rounding(bearing: &Bearing, reach: f64) -> f64 {
+    ROUNDING * (bearing.length + reach)
+}
+
 /// Everything at one configuration. Reused.
 #[derive(Debug, Clone)]
 pub struct Potential {
@@ -131,14 +136,16 @@ impl Potential {
             }
             let (tension, energy, follows) = bearing.at(self.value[row]);
             (self.tension[row], self.follows[row]) = (tension, follows);
-            self.add(system, row, energy, bearing, reach);
+            let doubt = if follows { rounding(bearing, reach) / bearing.compliance } else { 0.0 };
+            self.add(system, row, energy, doubt);
         }
         self.hold_contacts(system, bearings, reach);
         self.rounding *= f64::EPSILON;
     }
 
-    /// Adds the energy of a row, and its force to the slopes.
-    fn add(&mut self, system: &System, row: usize, energy: f64, bearing: &Bearing, reach: f64) {
+    /// Adds the energy of a row, its force to the slopes, and what rounding makes of that, `doubt` [N]: nothing where the
+    /// force does not follow the value.
+    fn add(&mut self, system: &System, row: usize, energy: f64, doubt: f64) {
         let tension = self.tension[row];
         self.energy += energy;
         self.rounding += energy;
@@ -146,7 +153,7 @@ impl Potential {
             for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
                 self.slope[dof] += entry * tension;
                 self.terms[dof] += (entry * tension).abs();
-                self.noise[dof] += entry.abs() * ROUNDING * (bearing.length + reach) / bearing.compliance;
+                self.noise[dof] += entry.abs() * doubt;
             }
         }
     }
@@ -162,14 +169,16 @@ impl Potential {
             let size = moved[0].hypot(moved[1]);
             let way = if size > 0.0 { moved.map(|part| part / size) } else { [1.0, 0.0] };
             let (tension, energy, follows) = bearing.at(size);
-            for (row, share) in [(one, way[0]), (other, way[1])] {
-                self.tension[row] = tension * share;
-                self.add(system, row, energy * share * share, &bearing, reach);
-            }
             (self.follows[one], self.follows[other]) = (follows, true);
             // Where it holds nothing at all ε across is without end: next to nothing holds it then.
             let across = if follows { bearing.compliance } else { size / bound.max(f64::MIN_POSITIVE) };
             self.along[contact] = (way, across.min(FREE));
+            // A force that is all it can be still turns with what it has moved.
+            let doubt = rounding(&bearing, reach) / across;
+            for (row, share) in [(one, way[0]), (other, way[1])] {
+                self.tension[row] = tension * share;
+                self.add(system, row, energy * share * share, doubt);
+            }
             (self.value[one], self.value[other]) = (size, 0.0);
             let start = [system.rows.start[one], system.rows.start[other]];
             for entry in 0..system.rows.start[one + 1] - start[0] {
