@@ -148,6 +148,14 @@ def extreme(
     yield Found(float(values[at]), element, float(recording.time[at]), text)
 
 
+def to_either_side(
+    recording: Recording, variable: str, elements: Iterable[str], during: BoolArray
+) -> Iterator[Found]:
+    """The largest size of a variable of each of these elements, whichever its sign."""
+    for element in elements:
+        yield from extreme(recording, np.abs(recording.column(variable, element)), during, element)
+
+
 def everywhere(recording: Recording) -> BoolArray:
     """The mask of all samples that count: of an equilibrium the last one."""
     if series.is_equilibrium(recording):
