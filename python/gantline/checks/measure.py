@@ -157,14 +157,14 @@ def to_either_side(
 
 
 def everywhere(recording: Recording) -> BoolArray:
-    """The mask of all samples that count: of an equilibrium the last one."""
+    """The mask of all samples that count, shape (time,): of an equilibrium the last one."""
     if series.is_equilibrium(recording):
         return series.last_sample(recording)
     return np.ones(len(recording.time), dtype=np.bool_)
 
 
 def carrying(recording: Recording, rope: str, during: BoolArray) -> BoolArray:
-    """Samples of a mask at which a rope carries enough for its direction to mean something."""
+    """Samples of a mask at which a rope carries enough for its direction to mean something, shape (time,)."""
     return during & series.is_carrying(recording.column("rope_tension", rope))
 
 
