@@ -15,7 +15,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from gantline._core import Simulation
-from gantline.plot import drawing
+from gantline.plot import views
 from gantline.plot.style import RC, colour
 from gantline.results import series
 from gantline.scenario import parse_scenario
@@ -77,7 +77,7 @@ def draw_extension() -> Figure:
     for sling in recording.rig.slings:
         static = series.static_value(recording, series.sling_tension(recording, sling)) or 0.0
         print(f"{sling.name}: {static / 1e3:.1f} kN")
-    figure = drawing.system(recording)
+    figure = views.system(recording)
     assert figure is not None
     return figure
 

@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 
 import gantline
 from gantline.plot.style import RC, colour
-from gantline.results import series
+from gantline.results.lift_off import lift_off_time
 from gantline.scenario.reading import parse_scenario
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -54,7 +54,7 @@ def draw_tension() -> Figure:
             width = 2.4 if index < 3 else 1.1
             tension = run.column("rope_tension", f"sling.{sling}") / 1e3
             panel.plot(run.time, tension, color=colour(index), lw=width, label=sling)
-        lift_off = series.lift_off_time(run) or 0.0
+        lift_off = lift_off_time(run) or 0.0
         panel.axvline(lift_off, color=GREY, lw=0.9, ls=":")
         peak = run.metrics()["peak_sling_tension"] / 1e3
         panel.annotate(

@@ -29,7 +29,11 @@ class SettingError(ValueError):
 
 
 def with_adjusting_factor(scenario: Scenario, factor: object) -> Scenario:
-    """The same lift with another factor for all equalizers that are approximated."""
+    """The same lift with another factor [1] for all equalizers that are approximated.
+
+    Raises:
+        SettingError: If it is no number above zero, or no equalizer is approximated.
+    """
     if not isinstance(factor, int | float) or isinstance(factor, bool) or not 0.0 < factor < math.inf:
         raise SettingError(f"adjusting_factor: {factor!r} is not a number above zero")
     given = scenario.equalizers or {}
@@ -41,7 +45,11 @@ def with_adjusting_factor(scenario: Scenario, factor: object) -> Scenario:
 
 
 def with_locked_equalizers(scenario: Scenario, word: object) -> Scenario:
-    """The same lift with pins in all moving sheaves throughout: its slings hang as from a rigid frame."""
+    """The same lift with pins in all moving sheaves throughout: its slings hang as from a rigid frame.
+
+    Raises:
+        SettingError: If the word is not `locked`, or there is nothing that pins can lock.
+    """
     if word != "locked":
         raise SettingError(f"equalizers: {word!r} is none; 'locked' pins all moving sheaves where they start")
     given = scenario.equalizers or {}

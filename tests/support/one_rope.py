@@ -1,10 +1,10 @@
-"""A mass on one undamped rope, in closed form: dropped until that is taut, and hoisted off the ground."""
+"""One undamped rope, in closed form: a mass dropped until it is taut or hoisted off the ground, sheaves."""
 
 from __future__ import annotations
 
 import math
 
-from mechanics import G, Json, body, contact, document, end, rope, slider
+from mechanics import G, Json, body, contact, document, end, half_turn, rope, slider
 
 #: Mass [kg]; axial stiffness [N] and length [m] of the rope; how far the mass falls before that is taut [m].
 _DROPPED, _EA, _LENGTH, _FALL = 1000.0, 1e7, 10.0, 0.5
@@ -44,4 +44,24 @@ def lift_off(depth: float = 0.0) -> Json:
         ropes=[rope("r", _HOISTED, [end("hook"), end("load")], _STIFFNESS * _HOISTED)],
         contacts=[contact("c", "load", (0, 0, -0.5), stiffness=GROUND)],
         drives=[{"name": "hoist", "ramps": [{"at": 0.0, "duration": 1e-6, "velocity": _SPEED}]}],
+    )
+
+
+def two_sheaves(length: float = 50 + 4 * math.pi * 0.5) -> Json:
+    """Section 4.1 of the paper: five vertical parts of 10 m, two moving sheaves of 20 kg, a box of 11 kg."""
+    route = [
+        end(None, (0, 0, 30)),
+        half_turn("left", (0, 0, 0), 0.5, over=False),
+        half_turn(None, (1.5, 0, 30), 0.5, over=True),
+        half_turn("right", (0, 0, 0), 0.5, over=False),
+        half_turn(None, (3.5, 0, 30), 0.5, over=True),
+        end("box"),
+    ]
+    return document(
+        [
+            body("left", slider(), 20.0, position=(0.5, 0, 20)),
+            body("right", slider(), 20.0, position=(2.5, 0, 20)),
+            body("box", slider(), 11.0, position=(4, 0, 20)),
+        ],
+        ropes=[rope("rope", length, route, None)],
     )

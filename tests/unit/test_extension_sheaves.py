@@ -12,7 +12,7 @@ from extension_lifts import DEEP, PAIRED, SHEAVE
 from gantline.assembly import Assembly, assemble
 from gantline.checks import Verdict, check_recording, values_of
 from gantline.cli.summary import summary
-from gantline.plot import drawing
+from gantline.plot import views
 from gantline.results import series
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
@@ -173,4 +173,4 @@ def test_pictures_show_them() -> None:
     assert np.abs(drawn["X1"]["axis"]) == pytest.approx([1.0, 0.0, 0.0])
     assert drawn["X1"]["radius"] == 0.25
     assert {one["name"]: one["kind"] for one in scene["bodies"]}["X1"] == "sheave"
-    assert drawing.system(simulate(parse_scenario(PAIRED), duration=12.0)) is not None
+    assert views.system(simulate(parse_scenario(PAIRED), duration=12.0)) is not None

@@ -17,8 +17,8 @@ from gantline.cad.mass_properties import MassProperties
 from gantline.cad.ocx_writer import write_ocx
 from gantline.cad.ship_block import ShipBlockSizes, ship_block
 from gantline.cli.app import app
-from gantline.plot.drawing import system
 from gantline.plot.scene import snapshot
+from gantline.plot.views import system
 from gantline.scenario import ScenarioError, load_scenario
 from lift_text import changed, spoiled
 

@@ -12,9 +12,11 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from gantline.plot import figures, save_pictures
-from gantline.plot.drawing import SIDE, TOP, beside, draw, equalizer, norm_of
+from gantline.plot.drawing import SIDE, TOP, draw, norm_of
+from gantline.plot.labels import beside
 from gantline.plot.moments import moments
 from gantline.plot.scene import Box, snapshot
+from gantline.plot.views import equalizer
 from gantline.results.recording import Recording
 from sample_lift import ringing_lift, sample_recording, sample_rig, sample_scene
 

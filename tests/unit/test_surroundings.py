@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from gantline.assembly import assemble
-from gantline.plot.drawing import SIDE, stages, system
+from gantline.plot.drawing import SIDE
 from gantline.plot.scene import snapshot
+from gantline.plot.views import stages, system
 from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
 from gantline.results import Recording, Variable

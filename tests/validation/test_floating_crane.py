@@ -13,8 +13,8 @@ from scipy.optimize import fsolve
 
 from gantline.assembly import assemble
 from gantline.checks import check_recording
-from gantline.plot.drawing import stages
 from gantline.plot.moments import stages as stages_of
+from gantline.plot.views import stages
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 from gantline.scenario import Scenario, load_scenario, parse_scenario

@@ -17,37 +17,18 @@ from mechanics import (
     elliptic_k,
     end,
     free,
-    half_turn,
     hinge,
     period,
     point,
     rope,
     slider,
 )
-from one_rope import DROP_PEAK, GROUND, LIFT_OFF, LIFT_OFF_FACTOR, TAUT, WEIGHT, drop, lift_off
-
-
-def pulleys() -> Json:
-    """Section 4.1 of the paper: five vertical parts of 10 m, two moving sheaves of 20 kg, a box of 11 kg."""
-    route = [
-        end(None, (0, 0, 30)),
-        half_turn("left", (0, 0, 0), 0.5, over=False),
-        half_turn(None, (1.5, 0, 30), 0.5, over=True),
-        half_turn("right", (0, 0, 0), 0.5, over=False),
-        half_turn(None, (3.5, 0, 30), 0.5, over=True),
-        end("box"),
-    ]
-    bodies = [
-        body("left", slider(), 20.0, position=(0.5, 0, 20)),
-        body("right", slider(), 20.0, position=(2.5, 0, 20)),
-        body("box", slider(), 11.0, position=(4, 0, 20)),
-    ]
-    return document(bodies, ropes=[rope("rope", 50 + 4 * math.pi * 0.5, route, None)])
+from one_rope import DROP_PEAK, GROUND, LIFT_OFF, LIFT_OFF_FACTOR, TAUT, WEIGHT, drop, lift_off, two_sheaves
 
 
 def test_pulleys_are_exact() -> None:
     """T = 275 g/27, box −(2 g/27) t²/2, sheaves +(g/54) t²/2, to 1e-8."""
-    run = adaptive(pulleys(), 5.0)
+    run = adaptive(two_sheaves(), 5.0)
     assert run.tension("rope") == pytest.approx(np.full(len(run.time), 275 * G / 27), rel=1e-8)
     assert run.joint("box") == pytest.approx(-(G / 27) * run.time**2, rel=1e-8, abs=1e-12)
     assert run.joint("left") == pytest.approx((G / 108) * run.time**2, rel=1e-8, abs=1e-12)

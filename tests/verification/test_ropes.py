@@ -7,33 +7,13 @@ import math
 import numpy as np
 import pytest
 
-from mechanics import G, Json, body, document, end, half_turn, point, rope, simulate, slider
-from one_rope import DROP_PEAK, LIFT_OFF, LIFT_OFF_FACTOR, TAUT, WEIGHT, drop, lift_off
-
-
-def pulleys(length: float = 50 + 4 * math.pi * 0.5) -> Json:
-    """Section 4.1 of the paper: five vertical parts of 10 m, two moving sheaves of 20 kg, a box of 11 kg."""
-    route = [
-        end(None, (0, 0, 30)),
-        half_turn("left", (0, 0, 0), 0.5, over=False),
-        half_turn(None, (1.5, 0, 30), 0.5, over=True),
-        half_turn("right", (0, 0, 0), 0.5, over=False),
-        half_turn(None, (3.5, 0, 30), 0.5, over=True),
-        end("box"),
-    ]
-    return document(
-        [
-            body("left", slider(), 20.0, position=(0.5, 0, 20)),
-            body("right", slider(), 20.0, position=(2.5, 0, 20)),
-            body("box", slider(), 11.0, position=(4, 0, 20)),
-        ],
-        ropes=[rope("rope", length, route, None)],
-    )
+from mechanics import G, body, document, end, half_turn, point, rope, simulate, slider
+from one_rope import DROP_PEAK, LIFT_OFF, LIFT_OFF_FACTOR, TAUT, WEIGHT, drop, lift_off, two_sheaves
 
 
 def test_pulleys_tension_is_exact() -> None:
     """T = 5 g/(4/20 + 4/20 + 1/11) = 275 g/27 at every step after the first."""
-    run = simulate(pulleys(), 5.0, step=1e-3)
+    run = simulate(two_sheaves(), 5.0, step=1e-3)
     exact = 275 * G / 27
     assert np.abs(run.tension("rope")[2:] / exact - 1).max() < 1e-6
 
@@ -44,7 +24,7 @@ def test_pulleys_displacement_converges_with_the_step() -> None:
     assert (box, sheave) == pytest.approx((9.08333, 2.27083), abs=1e-5)  # the paper page's figures
     errors = []
     for step in (2e-3, 1e-3, 5e-4):
-        run = simulate(pulleys(), 5.0, step=step)
+        run = simulate(two_sheaves(), 5.0, step=step)
         found = np.array([-run.joint("box")[-1], run.joint("left")[-1], run.joint("right")[-1]])
         errors.append(np.abs(found / [box, sheave, sheave] - 1).max())
     assert errors[1] < 1e-3

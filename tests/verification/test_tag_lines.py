@@ -199,9 +199,9 @@ def test_rest_under_unequal_pulls() -> None:
     assert np.abs(missing(own)).max() < 1e-3
     place = recording.column("body_position", "module")[-1]
     np.testing.assert_allclose(place, own[:3], atol=1e-7)
-    # In the search for rest motors are springs so stiff that rounding of places is up to 2e-4 N of force.
+    # Statics ends where forces balance to a billionth; a motor that pulls all it can excuses no rounding.
     for name, (_, _, pull) in ends.items():
-        assert recording.column("rope_tension", f"tag.{name}")[-1] == pytest.approx(pull, abs=2e-4)
+        assert recording.column("rope_tension", f"tag.{name}")[-1] == pytest.approx(pull, rel=1e-9)
 
 
 @pytest.mark.parametrize(("said", "expected"), [("pretension: 2 kN", 2000.0), ("length: as_routed", 0.0)])

@@ -1,31 +1,31 @@
 //! A run: system, method, recorder and state together.
 
+mod checkpoint;
 mod commands;
+mod method;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::build::{BuildError, build};
 use crate::clock::{STAGES, Stage};
-use crate::constraint::Law;
 use crate::event::afloat::Lookout;
 use crate::event::standstill;
-use crate::event::{Event, EventKind, EventLog};
+use crate::event::{Event, EventLog};
 use crate::record::columns::{Columns, tensions_of};
 use crate::record::named::{Named, named};
 use crate::record::names::Names;
 use crate::record::{Recorder, Sample, Samples, Span};
-use crate::spec::{IntegratorSpec, SettingsSpec, StartSpec, SystemSpec};
+use crate::spec::{SettingsSpec, StartSpec, SystemSpec};
 use crate::state::State;
-use crate::statics::potential::Losses;
+use crate::statics::losses::Losses;
 use crate::statics::{NoEquilibrium, Statics};
 use crate::stepper::StepError;
-use crate::stepper::adaptive::{Adaptive, Tolerance};
-use crate::stepper::del::Del;
-use crate::stepper::explicit::Explicit;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+pub(crate) use checkpoint::{fingerprint, saved_state};
 pub use commands::Command;
+use method::Method;
 
 /// Why a run cannot be set up or taken up again.
 #[derive(Debug, Error)]
@@ -65,40 +65,6 @@ pub struct Counters {
     pub cut: u64,
 }
 
-/// The integrator of a run.
-#[derive(Debug, Clone)]
-enum Method {
-    Del(Box<Del>),
-    Explicit(Box<Explicit>),
-    Adaptive(Box<Adaptive>),
-}
-
-impl Method {
-    /// Motion and forces at a share of the step that has been made.
-    fn course(&mut self, system: &System, span: &Span, share: f64, sample: &mut Sample) {
-        match self {
-            Self::Del(del) => del.interpolate(system, (span.before, span.after), share, sample),
-            Self::Explicit(explicit) => {
-                explicit.interpolate(system, (span.before, span.after), share, sample)
-            }
-            Self::Adaptive(adaptive) => adaptive.interpolate(system, span.before, share, sample),
-        }
-    }
-}
-
-/// Everything that goes into a checkpoint.
-#[derive(Serialize, Deserialize)]
-struct Checkpoint {
-    fingerprint: u64,
-    /// That of the document alone.
-    document: u64,
-    state: State,
-    samples: Samples,
-    events: EventLog,
-    commands: Vec<Command>,
-    counters: Counters,
-}
-
 /// A run of one system.
 #[derive(Debug, Clone)]
 pub struct Simulation {
@@ -130,25 +96,6 @@ fn above_zero(what: &str, value: f64, unit: &str) -> Result<(), SetupError> {
     Err(SetupError::Setting(format!("{what} is {value} {unit}; it must be more than zero")))
 }
 
-/// FNV-1a, to tell whether a checkpoint belongs to a document.
-pub(crate) fn fingerprint<const COUNT: usize>(texts: [&str; COUNT]) -> u64 {
-    let bytes = texts.iter().flat_map(|text| text.bytes().chain([0]));
-    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
-}
-
-/// The state in what [`Simulation::save`] gave of the document with a fingerprint, whatever the settings.
-///
-/// # Errors
-/// [`SetupError::State`] where it is not that.
-pub(crate) fn saved_state(document: u64, bytes: &[u8]) -> Result<State, SetupError> {
-    let checkpoint: Checkpoint =
-        serde_json::from_slice(bytes).map_err(|error| SetupError::State(error.to_string()))?;
-    if checkpoint.document != document {
-        return Err(SetupError::State("it was saved from another lift".to_owned()));
-    }
-    Ok(checkpoint.state)
-}
-
 impl Simulation {
     /// Sets up a run from two JSON texts, see [`crate::spec`].
     ///
@@ -170,7 +117,7 @@ impl Simulation {
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);
         Ok(Self {
-            method: method(&system, &frame, &parsed.integrator)?,
+            method: Method::new(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),
             lookout: Lookout::new(&system),
             asked: (0, 0.0),
@@ -264,15 +211,7 @@ impl Simulation {
                 &mut |span: &Span, share, sample: &mut Sample| method.course(system, span, share, sample);
             recorder.record(&span, samples, motion);
             samples.note_lines(system, &frame.kinematics, after);
-            samples.note_peaks(system, &after.q, |row, known| match method {
-                Method::Del(_) | Method::Explicit(_) => {
-                    (after.tension[row] > known).then_some((after.tension[row], after.time))
-                }
-                Method::Adaptive(adaptive) => {
-                    let (force, share) = adaptive.peak(row, known)?;
-                    Some((force, before.time + share * (after.time - before.time)))
-                }
-            });
+            samples.note_peaks(system, &after.q, |row, known| method.peak(span.before, after, row, known));
         });
     }
 
@@ -337,35 +276,15 @@ impl Simulation {
     pub fn events(&self) -> Vec<(f64, &'static str, String)> {
         let mut events: Vec<&Event> = self.events.events.iter().collect();
         events.sort_by(|a, b| a.time.total_cmp(&b.time));
-        events.into_iter().map(|event| (event.time, event.kind.name(), self.subject(event))).collect()
+        events
+            .into_iter()
+            .map(|event| (event.time, event.kind.name(), event.subject_name(&self.system)))
+            .collect()
     }
 
-    fn subject(&self, event: &Event) -> String {
-        match event.kind {
-            EventKind::Cut | EventKind::Broken | EventKind::Detached => {
-                self.system.rope_name(event.subject).to_owned()
-            }
-            EventKind::Taut
-            | EventKind::Slack
-            | EventKind::Stick
-            | EventKind::Slip
-            | EventKind::OffSupport
-            | EventKind::SupportRemoved
-            | EventKind::StopHit
-            | EventKind::StopLeft
-            | EventKind::PinPulled
-            | EventKind::PinPutIn
-            | EventKind::DrumSlips
-            | EventKind::DrumHolds => self.system.constraints[event.subject].name().to_owned(),
-            EventKind::LiftOff | EventKind::SetDown => self.system.groups[event.subject].name.clone(),
-            EventKind::RopeOffSheave | EventKind::RopeOnSheave => self.system.sheave_name(event.subject),
-            EventKind::Flooding | EventKind::Surfacing => self.system.marks[event.subject].name.clone(),
-            EventKind::Capsized => self.system.vessels[event.subject].name.clone(),
-            EventKind::StepBegin | EventKind::StepEnd | EventKind::PumpStopped | EventKind::EmergencyStop => {
-                let step = self.system.plan.steps.get(event.subject);
-                step.map_or_else(String::new, |step| step.name.clone())
-            }
-        }
+    /// Entries of the factor of the step's matrix.
+    pub fn fill(&self) -> usize {
+        self.method.fill()
     }
 
     /// Name of the step of the plan that is under way, if any.
@@ -381,91 +300,5 @@ impl Simulation {
     /// What the run counted.
     pub fn counters(&self) -> Counters {
         self.counters
-    }
-
-    /// Entries of the factor of the step's matrix.
-    pub fn fill(&self) -> usize {
-        match &self.method {
-            Method::Del(del) => del.fill(),
-            Method::Explicit(explicit) => explicit.fill(),
-            Method::Adaptive(adaptive) => adaptive.fill(),
-        }
-    }
-
-    /// All that is needed to go on with the same bytes.
-    pub fn save(&self) -> Result<Vec<u8>, SetupError> {
-        let checkpoint = Checkpoint {
-            fingerprint: self.fingerprint,
-            document: self.document,
-            state: self.state.clone(),
-            samples: self.samples.clone(),
-            events: self.events.clone(),
-            commands: self.commands.clone(),
-            counters: self.counters,
-        };
-        Ok(serde_json::to_vec(&checkpoint)?)
-    }
-
-    /// Takes up a saved run of the same document and settings.
-    ///
-    /// # Errors
-    /// [`SetupError::State`] where it is not that.
-    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SetupError> {
-        let state = |error: serde_json::Error| SetupError::State(error.to_string());
-        let checkpoint: Checkpoint = serde_json::from_slice(bytes).map_err(state)?;
-        if checkpoint.fingerprint != self.fingerprint {
-            let problem = "it was saved from another lift, or with other settings";
-            return Err(SetupError::State(problem.to_owned()));
-        }
-        self.state = checkpoint.state;
-        self.samples = checkpoint.samples;
-        self.events = checkpoint.events;
-        self.commands = checkpoint.commands;
-        self.counters = checkpoint.counters;
-        self.before.copy_from(&self.state);
-        self.frame.update(&self.system, &self.state);
-        if let Method::Adaptive(adaptive) = &mut self.method {
-            adaptive.forget();
-        }
-        Ok(())
-    }
-}
-
-fn method(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Method, SetupError> {
-    match *spec {
-        IntegratorSpec::Del { step, paper, geometric_stiffness } => {
-            if system.rows.laws.iter().any(|law| matches!(law, Law::Brake { .. })) {
-                let problem =
-                    "the integrator del knows no friction of sheaves, drums and joints; use adaptive";
-                return Err(SetupError::Setting(problem.to_owned()));
-            }
-            above_zero("the step", step, "s")?;
-            Ok(Method::Del(Box::new(Del::new(system, step, geometric_stiffness && !paper))))
-        }
-        IntegratorSpec::Explicit { step } => {
-            if let Some(problem) = Explicit::refusal(system) {
-                return Err(SetupError::Setting(problem));
-            }
-            above_zero("the step", step, "s")?;
-            Ok(Method::Explicit(Box::new(Explicit::new(system, step))))
-        }
-        IntegratorSpec::Adaptive { tension_tolerance, position_tolerance } => {
-            if let Some(adjuster) = system.adjusters.first() {
-                let problem = format!(
-                    "the integrator adaptive chooses its steps, but {} adjusts lengths once per step, which has a \
-                     meaning for a fixed step only; use del or explicit",
-                    adjuster.name
-                );
-                return Err(SetupError::Setting(problem));
-            }
-            let default = Tolerance::default_of(system);
-            let tolerance = Tolerance {
-                tension: tension_tolerance.unwrap_or(default.tension),
-                position: position_tolerance.unwrap_or(default.position),
-            };
-            above_zero("the tension tolerance", tolerance.tension, "N")?;
-            above_zero("the position tolerance", tolerance.position, "m")?;
-            Ok(Method::Adaptive(Box::new(Adaptive::new(system, frame, tolerance))))
-        }
     }
 }

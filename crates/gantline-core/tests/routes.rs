@@ -8,14 +8,12 @@ mod rigs;
 use gantline_core::build::build;
 use gantline_core::rope::part::Part;
 use gantline_core::rope::tangency::NoTangent;
-use gantline_core::spec::{
-    BodySpec, GuideSpec, JointSpec, MaterialSpec, PlacementSpec, RopeSpec, SystemSpec,
-};
+use gantline_core::spec::{BodySpec, GuideSpec, JointSpec, MaterialSpec, PlacementSpec, SystemSpec};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use glam::DVec3;
-use rigs::system_of;
+use rigs::{rope_of, system_of};
 
 /// Routes of one seed.
 const ROUTES: usize = 10_000;
@@ -114,14 +112,7 @@ fn random_route(random: &mut Random) -> SystemSpec {
         place += random.direction() * step;
     }
     let material = MaterialSpec::Elastic { axial_stiffness: 1e6, damping_time: 0.0 };
-    spec.ropes.push(RopeSpec {
-        name: "r".into(),
-        length: None,
-        material,
-        route,
-        breaking_force: None,
-        cut_at: None,
-    });
+    spec.ropes.push(rope_of("r", None, material, route));
     spec
 }
 

@@ -4,8 +4,10 @@ mod rigs;
 
 use gantline_core::build::build;
 use gantline_core::statics::Statics;
+use gantline_core::statics::bearing::{Part, bearings};
+use gantline_core::statics::losses::Losses;
 use gantline_core::statics::matrix::Matrix;
-use gantline_core::statics::potential::{Losses, Part, Potential, bearings};
+use gantline_core::statics::potential::Potential;
 use gantline_core::stepper::frame::Remembered;
 use gantline_core::system::System;
 use proptest::prelude::*;

@@ -2,8 +2,8 @@
 
 use gantline_core::record::named::named;
 use gantline_core::statics::lift::StaticLift;
+use gantline_core::statics::losses::Losses;
 use gantline_core::statics::modes::Mode;
-use gantline_core::statics::potential::Losses;
 use gantline_core::statics::sensitivity::Parameter;
 use gantline_core::statics::{NoEquilibrium, Rest};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};

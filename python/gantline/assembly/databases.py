@@ -7,7 +7,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TypeVar
 
-from gantline.assembly.hulls import stamp
+from gantline.assembly.stamp import stamp
 from gantline.hydro.database import DatabaseError, HydrodynamicDatabase, read_database
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart

@@ -49,7 +49,7 @@ class _Regular:
 
     @property
     def highest_mean(self) -> float:
-        """Highest mean over 3 s to be expected in ten minutes, in standard deviations (Davenport 1964)."""
+        """Highest mean over 3 s expected in ten minutes, in standard deviations [1] (Davenport 1964)."""
         share = np.sinc(self.frequency * _OF_GUST / (2 * math.pi))  # of an amplitude, as a mean over 3 s
         variance = self.amplitude**2 / 2 * share**2
         crossings = math.sqrt(float(variance @ self.frequency**2) / float(variance.sum())) / (2 * math.pi)

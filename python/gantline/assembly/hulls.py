@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from gantline.assembly.parts import Json
 from gantline.assembly.spatial import Array
+from gantline.assembly.stamp import stamp
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.simplify import contact_hull, light_mesh
 from gantline.hydro.hull import Hull
@@ -20,7 +21,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart
 from gantline.scenario.water import Afloat, HullShape
 
-__all__ = ["HullMesh", "afloat_path", "box_mesh", "hull_mesh", "hull_shape", "stamp"]
+__all__ = ["HullMesh", "afloat_path", "box_mesh", "hull_mesh", "hull_shape"]
 
 #: Triangles that stand for a hull in pictures.
 _MOST_DRAWN = 4000
@@ -86,15 +87,6 @@ def hull_mesh(scenario: Scenario, name: str, body: Afloat) -> HullMesh | None:
 def _read(path: Path, _stamp: tuple[int, int], given: HullShape) -> Hull:
     """A hull of a file, read once for all cases of a lift."""
     return read_hull(path, given.units, up=given.up)
-
-
-def stamp(path: Path) -> tuple[int, int]:
-    """Changes when the file does."""
-    try:
-        found = path.stat()
-    except OSError:
-        return 0, 0  # reading it says what is wrong
-    return found.st_mtime_ns, found.st_size
 
 
 def hull_shape(mesh: HullMesh) -> Json:

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from gantline.assembly.spatial import Array, inertia_matrix, solid_box
+from gantline.assembly.stamp import stamp
 from gantline.cad import Assumptions, CadError, CadModel, read, read_light_mesh
 from gantline.cad.assumptions import STEEL
 from gantline.cad.mass_properties import MassProperties
@@ -174,7 +175,7 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
     path = Path(scenario.source).parent / shape.cad
     try:
         given = Assumptions(unit=shape.units, thickness=shape.thickness, up=shape.up)
-        model, light, hull = _read(path, _stamp(path), given)
+        model, light, hull = _read(path, stamp(path), given)
         own, box = model.properties, model.box
     except CadError as problem:
         raise scenario.error(("load", "shape", "cad"), str(problem).replace(str(path), shape.cad)) from None
@@ -200,15 +201,6 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
         inertia = whole.scaled_to(mass).inertia
     drawn = light.moved(np.eye(3), shift)
     return LoadBody(mass, centre, inertia, box, drawn, hull + shift, tuple(warnings))
-
-
-def _stamp(path: Path) -> tuple[int, int]:
-    """Changes when the file does."""
-    try:
-        found = path.stat()
-    except OSError:
-        return 0, 0  # reading it says what is wrong
-    return found.st_mtime_ns, found.st_size
 
 
 @lru_cache(maxsize=4)

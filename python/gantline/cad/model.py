@@ -100,7 +100,7 @@ class Comparison:
 
     @property
     def difference(self) -> float:
-        """(computed − declared)/declared; 0 where nothing is declared."""
+        """(computed − declared)/declared [1]; 0 where nothing is declared."""
         return (self.computed - self.declared) / self.declared if self.declared else 0.0
 
 

@@ -52,7 +52,7 @@ class Profile:
 
     @property
     def outline(self) -> Array:
-        """Corners (k, 2) along flange and web from the corner of its box, anticlockwise; a tube's outside."""
+        """Corners (k, 2) [m] along flange and web from its box's corner, anticlockwise; a tube's outside."""
         h, w, web, flange = self.height, self.width, self.web, self.flange
         if self.kind == "FlatBar":
             return np.array([(0, 0), (w, 0), (w, h), (0, h)])
@@ -149,7 +149,7 @@ class Hole:
         ) ** 3 / 12 + disc
 
     def outline(self) -> Array:
-        """Corners (k, 2) about its centre, anticlockwise from its rightmost."""
+        """Corners (k, 2) [m] about its centre, anticlockwise from its rightmost."""
         angle = np.pi * np.arange(_HALF_CIRCLE + 1) / _HALF_CIRCLE
         half = self.height / 2 * np.column_stack([np.cos(angle - np.pi / 2), np.sin(angle - np.pi / 2)])
         right = half + np.array([(self.width - self.height) / 2, 0.0])

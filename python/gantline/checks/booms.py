@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from gantline.checks.measure import Finding, extreme
+from gantline.checks.measure import Finding, extreme, to_either_side
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
@@ -16,18 +16,16 @@ _ROUNDING = 1e-9
 
 def off_lead(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Angle of the falls of a hook from plumb in the plane of its boom, to either side."""
-    yield from _lead(recording, during, "off_lead")
+    yield from to_either_side(recording, "off_lead", _hooks(recording), during)
 
 
 def side_lead(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Angle of the falls of a hook from plumb across its boom, to either side."""
-    yield from _lead(recording, during, "side_lead")
+    yield from to_either_side(recording, "side_lead", _hooks(recording), during)
 
 
-def _lead(recording: Recording, during: BoolArray, name: str) -> Iterator[Finding]:
-    for boom in recording.rig.booms:
-        for hook in boom.hooks:
-            yield from extreme(recording, np.abs(recording.column(name, hook.name)), during, hook.name)
+def _hooks(recording: Recording) -> list[str]:
+    return [hook.name for boom in recording.rig.booms for hook in boom.hooks]
 
 
 def angle_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -72,7 +72,7 @@ class Check:
 
     @property
     def utilisation(self) -> float | None:
-        """Value over limit, or limit over value where the limit is the smallest allowed.
+        """Value over limit [1], or limit over value where the limit is the smallest allowed.
 
         None without both, or where that is no number (a limit of 0).
         """

@@ -107,7 +107,7 @@ def factor(recording: Recording, name: str) -> float | None:
 
 
 def design_ratio(recording: Recording, load: str | None = None) -> float:
-    """Design weight of a load over the simulated one, at least 1; the largest of all loads if none is named.
+    """Design weight of a load over the simulated one [1], at least 1; the largest of all if none is named.
 
     Recordings that do not tell the weight of the load alone have that with its slings and shackles.
     """

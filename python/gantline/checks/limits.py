@@ -35,9 +35,47 @@ from gantline.checks.alarms import (
     TILT,
     TIPPING,
 )
-from gantline.checks.measure import Measure
+from gantline.checks.measure import Alarm, Findings, Measure
 
 _ALL = "by definition"
+
+
+def _utilisation(
+    meaning: str,
+    findings: Findings,
+    *,
+    digits: int = 1,
+    definition: str = _ALL,
+    warns_up_to: float | None = None,
+    alarm: Alarm | None = None,
+) -> Measure:
+    """What is used of what there is: all of it at most, whether or not a limit is set."""
+    return Measure(
+        meaning,
+        "%",
+        digits,
+        findings,
+        by_definition=1.0,
+        definition=definition,
+        is_listed=True,
+        warns_up_to=warns_up_to,
+        alarm=alarm,
+    )
+
+
+def _margin(meaning: str, unit: str, digits: int, findings: Findings, *, definition: str = _ALL) -> Measure:
+    """What is left before something ends or meets: no less than nothing, whether or not a limit is set."""
+    return Measure(
+        meaning,
+        unit,
+        digits,
+        findings,
+        at_least=True,
+        by_definition=0.0,
+        definition=definition,
+        is_listed=True,
+    )
+
 
 LIMITS: dict[str, Measure] = {
     "static_hook_load": Measure(
@@ -58,15 +96,10 @@ LIMITS: dict[str, Measure] = {
         is_listed=True,
         alarm=HOOK_DYNAMICS,
     ),
-    "hoist_load_of_rated_capacity": Measure(
+    "hoist_load_of_rated_capacity": _utilisation(
         "hoist load (hook load, if the rating leaves the hook block out) / rated capacity of hook, trolley, "
         "crane",
-        "%",
-        1,
         hooks.of_rated_capacity,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
     ),
     "falls_out_of_plumb": Measure(
         "largest angle of the falls of a hook from plumb",
@@ -91,103 +124,49 @@ LIMITS: dict[str, Measure] = {
         is_listed=True,
         alarm=SIDE_LEAD,
     ),
-    "boom_angle_margin": Measure(
-        "distance of the angle of a boom from the nearer end of its range",
-        "deg",
-        1,
-        booms.angle_margin,
-        at_least=True,
-        by_definition=0.0,
-        definition=_ALL,
-        is_listed=True,
+    "boom_angle_margin": _margin(
+        "distance of the angle of a boom from the nearer end of its range", "deg", 1, booms.angle_margin
     ),
-    "hook_height_margin": Measure(
-        "highest position of a hook - its height",
-        "m",
-        2,
-        cranes.height_margin,
-        at_least=True,
-        by_definition=0.0,
-        definition=_ALL,
-        is_listed=True,
-    ),
-    "hook_falls_margin": Measure(
+    "hook_height_margin": _margin("highest position of a hook - its height", "m", 2, cranes.height_margin),
+    "hook_falls_margin": _margin(
         "shortest part of the falls of a hook block - diameter of its sheaves, which meet those above at 0",
         "m",
         2,
         hooks.falls_margin,
-        at_least=True,
-        by_definition=0.0,
-        definition=_ALL,
-        is_listed=True,
     ),
-    "hook_approach_margin": Measure(
-        "distance of a hook from a rail - smallest distance of its crane",
-        "m",
-        2,
-        cranes.approach_margin,
-        at_least=True,
-        by_definition=0.0,
-        definition=_ALL,
-        is_listed=True,
+    "hook_approach_margin": _margin(
+        "distance of a hook from a rail - smallest distance of its crane", "m", 2, cranes.approach_margin
     ),
-    "hook_distance_margin": Measure(
+    "hook_distance_margin": _margin(
         "distance along the girder of hooks of two trolleys - smallest distance of their crane",
         "m",
         2,
         cranes.distance_margin,
-        at_least=True,
-        by_definition=0.0,
-        definition=_ALL,
-        is_listed=True,
     ),
-    "hoist_load_of_drive_capacity": Measure(
+    "hoist_load_of_drive_capacity": _utilisation(
         "static hoist load with the design weight / what motor and brake of the drum hold where sheaves lose "
         "nothing",
-        "%",
-        1,
         hooks.of_drive_capacity,
-        by_definition=1.0,
         definition="more slips; how much less is safe, a rule says",
-        is_listed=True,
     ),
-    "hoist_load_of_rating": Measure(
+    "hoist_load_of_rating": _utilisation(
         "hoist load (hook load, if the rating leaves the hook block out) x factor of several cranes / rated "
         "load of the chart where the hook is, of crane and hook",
-        "%",
-        1,
         ratings.load_of_rating,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
     ),
-    "attitude_of_rating": Measure(
+    "attitude_of_rating": _utilisation(
         "heel, trim, off-lead and side-lead under load / largest for which the rating chart holds",
-        "%",
-        1,
         ratings.beyond_rating,
-        by_definition=1.0,
         definition="'rating' of the crane",
-        is_listed=True,
     ),
-    "moment_of_tipping_moment": Measure(
+    "moment_of_tipping_moment": _utilisation(
         "moment of what hangs / moment of the crane's own weight, about its worst tipping line",
-        "%",
-        1,
         crawlers.tipping,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
         alarm=TIPPING,
     ),
-    "ground_pressure_of_allowed": Measure(
+    "ground_pressure_of_allowed": _utilisation(
         "largest pressure on the ground under a track or its mats / what the ground bears",
-        "%",
-        1,
         crawlers.ground_pressure,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
     ),
     "corner_load": Measure(
         "largest load of a corner of a crane, by moments of weights and hoist loads",
@@ -196,32 +175,16 @@ LIMITS: dict[str, Measure] = {
         cranes.corner_load,
         is_listed=True,
     ),
-    "wind_of_limit": Measure(
-        "gusts of the lift / wind limit of the crane",
-        "%",
-        0,
-        cranes.wind_of_limit,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
+    "wind_of_limit": _utilisation(
+        "gusts of the lift / wind limit of the crane", cranes.wind_of_limit, digits=0
     ),
-    "equalizer_load_of_rated_capacity": Measure(
+    "equalizer_load_of_rated_capacity": _utilisation(
         "static vertical force of all slings of an equalizer / its rated capacity",
-        "%",
-        1,
         equalizers.load_of_rated_capacity,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
     ),
-    "spreader_load_of_rated_capacity": Measure(
+    "spreader_load_of_rated_capacity": _utilisation(
         "static vertical force of all slings under a spreader / its rated capacity",
-        "%",
-        1,
         spreaders.load_of_rated_capacity,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
     ),
     "spreader_thrust": Measure(
         "largest force that pushes a spreader together along its longest side: static with the design weight "
@@ -231,15 +194,10 @@ LIMITS: dict[str, Measure] = {
         spreaders.largest_thrust,
         is_listed=True,
     ),
-    "equalizer_travel_used": Measure(
+    "equalizer_travel_used": _utilisation(
         "largest travel of a moving sheave / its stroke that way, once the load is clear",
-        "%",
-        1,
         equalizers.travel_used,
         warns_up_to=1.0,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
     ),
     "equalizer_travel_at_any_time": Measure(
         "largest travel of a moving sheave / its stroke that way, supported or clear",
@@ -305,11 +263,7 @@ LIMITS: dict[str, Measure] = {
         alarm=SLING_BENDING,
     ),
     "sling_factor_on_breaking_force": Measure(
-        "minimum breaking force / peak tension of the same sling",
-        "",
-        2,
-        ropes.sling_factor,
-        at_least=True,
+        "minimum breaking force / peak tension of the same sling", "", 2, ropes.sling_factor, at_least=True
     ),
     "rope_factor_on_breaking_force": Measure(
         "minimum breaking force / peak tension of the same rope, slings and all other ropes",
@@ -322,15 +276,10 @@ LIMITS: dict[str, Measure] = {
         is_listed=True,
         alarm=ROPE_FACTOR,
     ),
-    "rope_load_of_breaking_force": Measure(
+    "rope_load_of_breaking_force": _utilisation(
         "rope force x load, consequence, material, wear, and termination or bending factor / minimum "
         "breaking force",
-        "%",
-        1,
         ropes.load_of_breaking_force,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
     ),
     "sheave_bending_ratio": Measure(
         "diameter of the smallest sheave or drum / diameter of the rope that bends about it (D/d)",
@@ -348,34 +297,18 @@ LIMITS: dict[str, Measure] = {
         ropes.fleet_angle,
         is_listed=True,
     ),
-    "shackle_load_of_working_load_limit": Measure(
+    "shackle_load_of_working_load_limit": _utilisation(
         "static load of a shackle / its working load limit, reduced for side load",
-        "%",
-        1,
         shackles.static_load,
-        by_definition=1.0,
         definition="0027/ND rev 11, 8.2.4",
-        is_listed=True,
     ),
-    "shackle_dynamic_load_of_strength": Measure(
+    "shackle_dynamic_load_of_strength": _utilisation(
         "dynamic load of a shackle / least of working load limit x the rule's factor, minimum breaking force "
         "/ its factor, proof load",
-        "%",
-        1,
         shackles.dynamic_load,
-        by_definition=1.0,
         definition="0027/ND rev 11, 8.2.6",
-        is_listed=True,
     ),
-    "lug_load_of_capacity": Measure(
-        "load of a lug / its capacity",
-        "%",
-        1,
-        lugs.load_of_capacity,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
-    ),
+    "lug_load_of_capacity": _utilisation("load of a lug / its capacity", lugs.load_of_capacity),
     "lug_out_of_plane_angle": Measure(
         "largest angle between a carrying sling and the main plate of its lug",
         "deg",
@@ -384,62 +317,34 @@ LIMITS: dict[str, Measure] = {
         is_listed=True,
         alarm=LUG_PLATE,
     ),
-    "support_force_of_capacity": Measure(
-        "largest force of a support / its capacity",
-        "%",
-        1,
-        contacts.of_capacity,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
+    "support_force_of_capacity": _utilisation(
+        "largest force of a support / its capacity", contacts.of_capacity
     ),
-    "clearance_margin": Measure(
+    "clearance_margin": _margin(
         "smallest distance of a watched pair - the distance that it has to keep",
         "m",
         2,
         contacts.clearance_margin,
-        at_least=True,
-        by_definition=0.0,
         definition="'watch' of the lift file",
-        is_listed=True,
     ),
-    "mooring_tension_of_breaking_force": Measure(
+    "mooring_tension_of_breaking_force": _utilisation(
         "largest tension of a mooring line / minimum breaking force of its rope",
-        "%",
-        1,
         moorings.tension_of_breaking_force,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
     ),
-    "fender_force_of_capacity": Measure(
-        "largest force of a fender / its capacity",
-        "%",
-        1,
-        moorings.fender_of_capacity,
-        by_definition=1.0,
-        definition=_ALL,
-        is_listed=True,
+    "fender_force_of_capacity": _utilisation(
+        "largest force of a fender / its capacity", moorings.fender_of_capacity
     ),
     "heel": Measure("largest heel of a vessel to either side", "deg", 2, vessels.heel, is_listed=True),
     "trim": Measure("largest trim of a vessel by bow or stern", "deg", 2, vessels.trim, is_listed=True),
-    "freeboard": Measure(
+    "freeboard": _margin(
         "least height of deck edge and openings of a vessel above the water",
         "m",
         2,
         vessels.freeboard,
-        at_least=True,
-        by_definition=0.0,
         definition="nothing may go under",
-        is_listed=True,
     ),
     "load_tilt": Measure(
-        "largest angle of the load's own z axis from plumb",
-        "deg",
-        2,
-        loads.tilt,
-        is_listed=True,
-        alarm=TILT,
+        "largest angle of the load's own z axis from plumb", "deg", 2, loads.tilt, is_listed=True, alarm=TILT
     ),
     "load_yaw": Measure("largest change of the load's heading from the start", "deg", 1, loads.yaw),
     "tension_spread": Measure(

@@ -148,15 +148,23 @@ def extreme(
     yield Found(float(values[at]), element, float(recording.time[at]), text)
 
 
+def to_either_side(
+    recording: Recording, variable: str, elements: Iterable[str], during: BoolArray
+) -> Iterator[Found]:
+    """The largest size of a variable of each of these elements, whichever its sign."""
+    for element in elements:
+        yield from extreme(recording, np.abs(recording.column(variable, element)), during, element)
+
+
 def everywhere(recording: Recording) -> BoolArray:
-    """The mask of all samples that count: of an equilibrium the last one."""
+    """The mask of all samples that count, shape (time,): of an equilibrium the last one."""
     if series.is_equilibrium(recording):
         return series.last_sample(recording)
     return np.ones(len(recording.time), dtype=np.bool_)
 
 
 def carrying(recording: Recording, rope: str, during: BoolArray) -> BoolArray:
-    """Samples of a mask at which a rope carries enough for its direction to mean something."""
+    """Samples of a mask at which a rope carries enough for its direction to mean something, shape (time,)."""
     return during & series.is_carrying(recording.column("rope_tension", rope))
 
 

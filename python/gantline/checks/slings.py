@@ -127,7 +127,7 @@ def bending_factor(ratio: float) -> float | None:
     It is a factor on the force, 1/(1 - 0.5/sqrt(D/d)): 0027/ND rev 11, 7.8.1, after IMCA M 179.
 
     Returns:
-        The factor; None where nothing is left (D/d up to 0.25).
+        The factor [1]; None where nothing is left (D/d up to 0.25).
     """
     left = 1.0 - 0.5 / math.sqrt(ratio)
     return 1.0 / left if left > 0.0 else None

@@ -4,27 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
-
-from gantline.checks.measure import Finding, extreme
+from gantline.checks.measure import Finding, extreme, to_either_side
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
 
 def heel(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Heel of a vessel to either side."""
-    yield from _angle(recording, during, "vessel_heel")
+    yield from to_either_side(recording, "vessel_heel", _names(recording), during)
 
 
 def trim(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Trim of a vessel by bow or stern."""
-    yield from _angle(recording, during, "vessel_trim")
+    yield from to_either_side(recording, "vessel_trim", _names(recording), during)
 
 
-def _angle(recording: Recording, during: BoolArray, variable: str) -> Iterator[Finding]:
-    for vessel in recording.rig.vessels:
-        angle = np.abs(recording.column(variable, vessel.name))
-        yield from extreme(recording, angle, during, vessel.name)
+def _names(recording: Recording) -> list[str]:
+    return [vessel.name for vessel in recording.rig.vessels]
 
 
 def freeboard(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import output_folder, quantity_of
+from gantline.cli.lift import folder_option, output_folder, quantity_of
 from gantline.cli.messages import stop
 
 if TYPE_CHECKING:
@@ -19,13 +19,7 @@ def cad(
         Path, typer.Argument(metavar="FILE", help="OCX (.3docx), STEP, IGES, STL, OBJ, glTF or GLB.")
     ],
     output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="DIR",
-            help="Folder to write into.  [default: results/cad-<name of FILE>]",
-        ),
+        Path | None, folder_option("Folder to write into.  [default: results/cad-<name of FILE>]")
     ] = None,
     unit: Annotated[
         str | None,

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from gantline.cli.lift import Lift, Moment, left_out, moment_of, output_folder, refuse_beyond
+from gantline.cli.lift import Lift, Moment, folder_option, left_out, moment_of, output_folder, refuse_beyond
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 
@@ -21,11 +21,8 @@ def cases(
     as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON.")] = False,
     output: Annotated[
         Path | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="DIR",
-            help="Folder for all numbers as cases.json; a report in the same folder shows the worst of them.",
+        folder_option(
+            "Folder for all numbers as cases.json; a report in the same folder shows the worst of them."
         ),
     ] = None,
 ) -> None:

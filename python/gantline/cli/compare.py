@@ -11,6 +11,7 @@ import typer
 
 from gantline.cli.lift import (
     Setting,
+    folder_option,
     lifts_that_begin,
     name_of,
     opened,
@@ -76,10 +77,7 @@ def compare(
         ),
     ] = None,
     output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output", "-o", metavar="DIR", help="Folder to write into.  [default: results/compare-<A>-<B>]"
-        ),
+        Path | None, folder_option("Folder to write into.  [default: results/compare-<A>-<B>]")
     ] = None,
     changes_a: Annotated[
         _Changes, typer.Option("--a", metavar="KEY=VALUE", help="Setting of A, such as integrator=del.")

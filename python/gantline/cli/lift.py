@@ -7,7 +7,7 @@ import os
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, overload
+from typing import TYPE_CHECKING, Annotated, Any, overload
 
 import typer
 
@@ -53,6 +53,11 @@ Moment = Annotated[
         help="Time of the plan, such as '12 s'.  [default: the end of the lift]",
     ),
 ]
+
+
+def folder_option(help: str) -> Any:
+    """`--output DIR` of a verb that writes into a folder, and what it says of it."""
+    return typer.Option("--output", "-o", metavar="DIR", help=help)
 
 
 @overload

@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from gantline.cli.lift import RECORDING, Lift, Setting, name_of, output_folder, prepare, quantity_of
+from gantline.cli.lift import (
+    RECORDING,
+    Lift,
+    Setting,
+    folder_option,
+    name_of,
+    output_folder,
+    prepare,
+    quantity_of,
+)
 from gantline.cli.live import live_view
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
@@ -25,13 +34,7 @@ if TYPE_CHECKING:
 def run(
     lift: Lift,
     output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="DIR",
-            help="Folder to write into.  [default: results/<name of the lift>]",
-        ),
+        Path | None, folder_option("Folder to write into.  [default: results/<name of the lift>]")
     ] = None,
     integrator: Annotated[
         str | None,

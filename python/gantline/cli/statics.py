@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import Lift, Moment, moment_of, output_folder, refuse_beyond
+from gantline.cli.lift import Lift, Moment, folder_option, moment_of, output_folder, refuse_beyond
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 if TYPE_CHECKING:
@@ -78,12 +78,7 @@ def statics(
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="DIR",
-            help="Folder for the equilibrium and one period of each motion shown, as recordings.",
-        ),
+        folder_option("Folder for the equilibrium and one period of each motion shown, as recordings."),
     ] = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print all numbers as JSON, SI units, and nothing else.")

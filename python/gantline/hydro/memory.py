@@ -78,7 +78,7 @@ class Misfit:
 
     @property
     def mean(self) -> float:
-        """The larger of both root mean squares."""
+        """The larger of both root mean squares [1]."""
         return max(self.damping[0], self.added_mass[0])
 
 

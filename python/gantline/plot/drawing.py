@@ -1,45 +1,22 @@
-"""Drawn views of the system at chosen times: from the side and from above, and each equalizer close up."""
+"""The system at one moment, drawn into a panel as it is seen from somewhere."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize, to_rgb
-from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
-from matplotlib.patheffects import Normal, Stroke
 
-from gantline.plot.moments import moments
-from gantline.plot.moments import stages as stages_of
-from gantline.plot.panels import (
-    EARTH_EDGE,
-    TENSION,
-    draw_ground,
-    draw_holes,
-    draw_water,
-    scale_bar,
-    strip,
-    tension_bar,
-    window_of,
-)
-from gantline.plot.scene import Box, RopePath, Snapshot, snapshot
-from gantline.plot.style import INK, KILO, MOST_NAMED, QUIET
-from gantline.results.gear import Equalizer
-from gantline.results.recording import Recording
-from gantline.results.surroundings import ground_of, water_level
+from gantline.plot.panels import EARTH_EDGE, TENSION
+from gantline.plot.scene import Box, RopePath, Snapshot
+from gantline.plot.style import INK, QUIET
 from gantline.results.variable import FloatArray
 
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
-_CHARACTER = 0.055  # inches along of a character of a name
-_MOST_IN_COLUMNS = 6  # moving sheaves of an equalizer whose times stand side by side; with more they are rows
-_MOST_DRAWN = 60  # moving sheaves of an equalizer: more could not be told from each other
-_MOST_LUGS = 10  # that are labelled one by one
-_LUGS_APART = 0.1  # of the width of a panel: nearer to each other their names would touch
 _LINES_REACH = 0.05  # of a panel's larger side: more than half the width of any line
 _SLACK_BELOW = 1e-3  # of the largest tension shown
 _FILL = {
@@ -49,8 +26,6 @@ _FILL = {
     "structure": "#E6E6E6",
     "hull": "#D5D2C8",
 }
-# Directions in which a label may stand, the preferred ones first.
-_AROUND = np.array([(np.cos(a), np.sin(a)) for a in np.deg2rad([45, -45, 135, -135, *range(0, 360, 15)])])
 _EDGE = {
     "load": "#5B7286",
     "frame": "#4A5F73",
@@ -75,109 +50,6 @@ class View:
 
 SIDE = View(np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0]))
 TOP = View(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
-
-
-def system(recording: Recording) -> Figure | None:
-    """Side and top view at start, slings taut, lift-off, peak and end; None if there is nothing to draw."""
-    shown = [(name, snapshot(recording, sample)) for name, sample in moments(recording)]
-    if not any(len(snap.ropes) or len(snap.boxes) for _, snap in shown):
-        return None
-    extent = np.concatenate([snap.extent() for _, snap in shown])
-    ground = ground_of(recording)
-    lift = extent
-    if ground is not None:
-        extent = np.concatenate([extent, ground.near(lift)])
-    norm = norm_of(shown)
-    windows = [
-        window_of(SIDE.project(extent), below=0.8),
-        window_of(TOP.project(extent)),
-    ]
-    windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
-    windows[1][0] = windows[0][0] = _hull(windows[0][0], windows[1][0])
-    figure, panels = strip(recording, "The system", len(shown), windows)
-    for column, (name, snap) in enumerate(shown):
-        for view, row in ((SIDE, panels[0]), (TOP, panels[1])):
-            draw(row[column], snap, view, norm)
-        if ground is not None:
-            draw_ground(panels[0][column], ground, lift)
-            draw_holes(panels[1][column], ground, water_level(recording))
-        draw_water(panels[0][column], recording, lift)
-        _title(panels[0][column], name, snap.time)
-        _label_lugs(panels[1][column], recording, snap)
-    panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
-    panels[1][0].set_ylabel("top view (x, y)", fontsize=8, color=QUIET)
-    scale_bar(panels[0][-1])
-    tension_bar(figure, [panel for row in panels for panel in row], norm)
-    return figure
-
-
-def stages(recording: Recording) -> Figure | None:
-    """Side views of the stages of a lift under a crane that goes somewhere, two rows of three; else None."""
-    found = stages_of(recording)
-    if not (recording.rig.cranes or recording.rig.booms) or len(found) < 4:
-        return None
-    shown = [(name, snapshot(recording, sample)) for name, sample in found]
-    norm = norm_of(shown)
-    extent = lift = np.concatenate([snap.extent() for _, snap in shown])
-    ground = ground_of(recording)
-    if ground is not None:
-        extent = np.concatenate([lift, ground.near(lift)])
-    window = window_of(SIDE.project(extent))
-    figure, rows = strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
-    panels = [panel for row in rows for panel in row]
-    for panel, (name, snap) in zip(panels, shown, strict=False):
-        if ground is not None:
-            draw_ground(panel, ground, lift)
-        draw(panel, snap, SIDE, norm)
-        draw_water(panel, recording, lift)
-        _title(panel, name, snap.time)
-    for panel in panels[len(shown) :]:
-        panel.set_visible(False)
-    scale_bar(panels[min(len(shown), 6) - 1])
-    tension_bar(figure, panels, norm)
-    return figure
-
-
-def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
-    """One equalizer close up, across its frame, at the same times.
-
-    None if it is not drawn, or has no sheaves or more than could be told from each other.
-    """
-    shown = [(name, snapshot(recording, sample)) for name, sample in moments(recording)]
-    has_sheaves = 0 < len(which.moving_sheaves) <= _MOST_DRAWN and which.mechanism == "sheaves"
-    if not has_sheaves or which.name not in shown[0][1].frame_axes:
-        return None
-    norm = norm_of(shown)
-    views = [_across(snap.frame_axes[which.name]) for _, snap in shown]
-    origins = [
-        view.project(snap.frame_origin[which.name]) for view, (_, snap) in zip(views, shown, strict=True)
-    ]
-    paths = [
-        view.project(part) - origin
-        for view, origin, (_, snap) in zip(views, origins, shown, strict=True)
-        for part in _of_equalizer(snap, which)
-    ]
-    window = window_of(np.concatenate(paths), below=1.2)
-    columns = len(shown) if len(which.moving_sheaves) <= _MOST_IN_COLUMNS else 1
-    titles = len(shown) // columns
-    room = {"scale": 10.0, "high": 14.0} if titles > 1 else {}
-    figure, rows = strip(
-        recording, f"Equalizer {which.name}", columns, [window] * titles, titles=titles, **room
-    )
-    row = [panel for panels in rows for panel in panels]
-    for panel, view, origin, (name, snap) in zip(row, views, origins, shown, strict=True):
-        panel.set_xlim(*(window[0] + origin[0]))
-        panel.set_ylim(*(window[1] + origin[1]))
-        _draw_strokes(panel, recording, snap, view, which)
-        draw(panel, snap, view, norm, large=True)
-        _title(panel, name, snap.time)
-        _label_sheaves(panel, snap, view, which)
-    rows[titles // 2][0].set_ylabel(
-        "seen across the frame\n(ticks: ends of stroke)", fontsize=7.5, color=QUIET
-    )
-    scale_bar(row[-1])
-    tension_bar(figure, row, norm)
-    return figure
 
 
 def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: bool = False) -> None:
@@ -278,20 +150,6 @@ def _draw_hanger(panel: Axes, frame: Box, bearing: FloatArray, upwards: FloatArr
     panel.plot(line[:, 0], line[:, 1], color=_EDGE["frame"], linewidth=2.0, solid_capstyle="butt", zorder=2.4)
 
 
-def _draw_strokes(panel: Axes, recording: Recording, snap: Snapshot, view: View, which: Equalizer) -> None:
-    """Where the centre of each moving sheave may travel: a faint line with a tick at either end."""
-    sample = int(np.argmin(np.abs(recording.time - snap.time)))
-    for sheave in snap.sheaves:
-        if sheave.body not in which.moving_sheaves or not (which.travel_up and which.travel_down):
-            continue
-        along, height = view.project(sheave.circle)[:-1].mean(axis=0)
-        start = height + float(recording.column("sheave_travel", sheave.body)[sample])
-        ends = [start + which.travel_up, start - which.travel_down]
-        panel.plot([along, along], ends, color="#9FB0BF", linewidth=0.8, zorder=2.6)
-        for end in ends:
-            panel.plot([along - 0.18, along + 0.18], [end, end], color="#9FB0BF", linewidth=0.8, zorder=2.6)
-
-
 def _draw_rope(panel: Axes, rope: RopePath, view: View, norm: Normalize, width: float) -> None:
     path = view.project(rope.path)
     is_slack = rope.tension <= _SLACK_BELOW * float(norm.vmax or 1.0)
@@ -309,137 +167,3 @@ def norm_of(shown: Sequence[tuple[str, Snapshot]]) -> Normalize:
     """From tensions [N] to the colour scale of all that is shown."""
     highest = max((rope.tension for _, snap in shown for rope in snap.ropes), default=0.0)
     return Normalize(0.0, highest if highest > 0.0 else 1.0)
-
-
-def _across(frame: FloatArray) -> View:
-    """Seen across a frame: its length to the right."""
-    return View(frame[:, 0], frame[:, 2], -frame[:, 1])
-
-
-def _of_equalizer(snap: Snapshot, which: Equalizer) -> list[FloatArray]:
-    parts = [rope.path for rope in snap.ropes if rope.name == which.equalizing_rope]
-    parts += [sheave.circle for sheave in snap.sheaves if sheave.body in (which.body, *which.moving_sheaves)]
-    parts += [box.faces.reshape(-1, 3) for box in snap.boxes if box.name == which.body]
-    return parts
-
-
-def _hull(one: FloatArray, other: FloatArray) -> FloatArray:
-    return np.array([min(one[0], other[0]), max(one[1], other[1])])
-
-
-def _at_least(limits: FloatArray, span: float) -> FloatArray:
-    more = max(0.0, span - float(np.ptp(limits))) / 2.0
-    wider: FloatArray = limits + np.array([-more, more])
-    return wider
-
-
-def _title(panel: Axes, name: str, time: float) -> None:
-    panel.set_title(f"{name}\n{time:.2f} s" if name else f"{time:.2f} s", fontsize=9, color=INK)
-
-
-def _label_lugs(panel: Axes, recording: Recording, snap: Snapshot) -> None:
-    """Names of the slings beside their lugs in a top view, where ropes, edges and centres leave room.
-
-    Where there are many, or they lie too near to each other, what they hang from is named in their place.
-    """
-    lines = [rope.path for rope in snap.ropes]
-    lines += [np.concatenate([face, face[:1]]) for box in snap.boxes for face in box.faces]
-    centres = [TOP.project(centre)[None] for centre in snap.centres.values()]
-    taken = np.concatenate([_densely(TOP.project(line)) for line in lines] + centres)
-    width = float(np.ptp(panel.get_xlim()))
-    character = _CHARACTER * width / _inches(panel)
-    for lug in snap.lugs.values():
-        panel.plot(*TOP.project(lug), "o", color=INK, markersize=2.2, zorder=4)
-    named = dict(snap.lugs)
-    if len(named) > _MOST_LUGS or _nearest(named) < _LUGS_APART * width:
-        named = _by_what_bears_them(recording, snap)
-    for name, lug in named.items():
-        half = character * len(name) / 2
-        paper = (panel.get_xlim(), panel.get_ylim())
-        right, up = beside(TOP.project(lug), half, taken, 0.05 * width, paper)
-        label = panel.text(right, up, name, fontsize=6.5, ha="center", va="center", zorder=5)
-        label.set_path_effects([Stroke(linewidth=2.0, foreground="white"), Normal()])
-        taken = np.concatenate([taken, (right, up) + np.linspace(-half, half, 9)[:, None] * (1.0, 0.0)])
-
-
-def _inches(panel: Axes) -> float:
-    """How wide a panel of a strip is on paper."""
-    place, figure = panel.get_subplotspec(), panel.get_figure(root=True)
-    assert place is not None and figure is not None
-    return float(figure.get_size_inches()[0]) / place.get_gridspec().ncols
-
-
-def _nearest(lugs: Mapping[str, FloatArray]) -> float:
-    """Smallest distance of two lugs from above [m]."""
-    places = [TOP.project(lug) for lug in lugs.values()]
-    return min((float(np.hypot(*(a - b))) for a, b in combinations(places, 2)), default=np.inf)
-
-
-def _by_what_bears_them(recording: Recording, snap: Snapshot) -> dict[str, FloatArray]:
-    """Mean place of the lugs of each equalizer, and of each hook with slings of its own."""
-    rig = recording.rig
-    groups: dict[str, list[FloatArray]] = {}
-    for sling in rig.slings:
-        if sling.name in snap.lugs:
-            equalizer = rig.equalizer_of(sling)
-            bears = equalizer.name if equalizer is not None else sling.from_body
-            groups.setdefault(bears, []).append(snap.lugs[sling.name])
-    return {name: np.mean(lugs, axis=0) for name, lugs in groups.items()}
-
-
-def _densely(path: FloatArray) -> FloatArray:
-    """Points all along a path on paper, shape (points, 2)."""
-    share = np.linspace(0.0, 1.0, 40)[:, None, None]
-    points: FloatArray = (path[:-1] + share * (path[1:] - path[:-1])).reshape(-1, 2)
-    return points
-
-
-def beside(
-    place: FloatArray, half: float, taken: FloatArray, reach: float, paper: Sequence[tuple[float, float]]
-) -> tuple[float, float]:
-    """Where a label stands near a place on paper: as far off as it must for room, then where most room is.
-
-    What is not `taken` between the limits of the paper, along and up, is room; beyond them there is none. A
-    label reaches to `half` on either side of its middle.
-    """
-    places, rooms = np.empty((0, 2)), np.empty(0)
-    least, most = (np.array(ends) for ends in zip(*paper, strict=True))
-    along, upwards = np.ascontiguousarray(taken.T)
-    for distance in (reach, 1.5 * reach, 2.0 * reach):
-        places = place + distance * _AROUND
-        # One place at a time: there are a hundred thousand points, and all at once would not fit the caches.
-        rooms = np.sqrt(
-            [np.min(np.maximum(np.abs(along - x) - half, 0.0) ** 2 + (upwards - y) ** 2) for x, y in places]
-        )
-        rooms = np.minimum(rooms, np.minimum(places - least, most - places).min(axis=1))
-        if rooms.max() >= 0.8 * reach:
-            break
-    right, up = places[int(np.argmax(np.round(rooms, 6)))]
-    return float(right), float(up)
-
-
-def _label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) -> None:
-    """Name slings with their tensions below their sheaves; of many those at the ends and in the middle."""
-    tension = {rope.name: rope.tension for rope in snap.ropes}
-    low = float(panel.get_ylim()[0])
-    slings = dict(zip(which.moving_sheaves, which.slings, strict=False))
-    if len(slings) > MOST_NAMED:
-        every = list(slings.items())
-        slings = dict([every[0], every[len(every) // 2], every[-1]])
-    for sheave in snap.sheaves:
-        if sheave.body not in slings:
-            continue
-        along = float(view.project(sheave.circle)[:-1, 0].mean())
-        rope = slings[sheave.body]
-        force = tension.get(rope, 0.0) / KILO
-        panel.text(
-            along,
-            low,
-            f"{rope.removeprefix('sling.')}\n{force:.0f} kN",
-            fontsize=6.5,
-            ha="center",
-            va="bottom",
-            color=INK,
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
-            zorder=5,
-        )

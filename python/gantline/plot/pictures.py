@@ -9,7 +9,7 @@ from pathlib import Path
 import matplotlib
 from matplotlib.figure import Figure
 
-from gantline.plot import by_equalizer, drawing, traces
+from gantline.plot import by_equalizer, traces, views
 from gantline.plot.comparison import comparison_figures
 from gantline.plot.energy import energy
 from gantline.plot.style import RC
@@ -31,8 +31,8 @@ PICTURES: dict[str, Callable[[Recording], Figure | None]] = {
     "motion": traces.motion,
     "hook_load": traces.hook_load,
     "energy": energy,
-    "system": drawing.system,
-    "stages": drawing.stages,
+    "system": views.system,
+    "stages": views.stages,
 }
 
 
@@ -49,7 +49,7 @@ def figures(recording: Recording) -> Iterator[tuple[str, Figure]]:
         return
     makers = dict(PICTURES)
     for equalizer in recording.rig.equalizers:
-        makers[f"equalizer_{equalizer.name}"] = partial(drawing.equalizer, which=equalizer)
+        makers[f"equalizer_{equalizer.name}"] = partial(views.equalizer, which=equalizer)
     for name, make in makers.items():
         with matplotlib.rc_context(RC):
             figure = make(recording)

@@ -15,12 +15,9 @@ from gantline.results.crane import CraneHook, bearing_and_falls
 from gantline.results.form import Range, Vector
 from gantline.results.rotation import axes
 from gantline.results.strength import FromJson
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
 __all__ = ["Boom", "boom_state"]
-
-Columns = Mapping[str, FloatArray]
-Names = Mapping[str, Sequence[str]]
 
 
 @dataclass(frozen=True)
@@ -56,9 +53,7 @@ class Boom(FromJson):
         return super().from_json({**document, "hooks": hooks})
 
 
-def boom_state(
-    columns: Columns, names: Names, booms: Sequence[Boom]
-) -> tuple[dict[str, Variable], dict[str, Sequence[str]]]:
+def boom_state(columns: Columns, names: Names, booms: Sequence[Boom]) -> Derived:
     """Angles of booms; outreach, off-lead and side-lead of their hooks.
 
     Args:

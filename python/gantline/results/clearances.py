@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, Watch
-from gantline.results.variable import BoolArray, FloatArray
+from gantline.results.variable import BoolArray, Columns, FloatArray, Names
 
 __all__ = ["clearance_events", "contact_warnings", "peak_support_force", "watched_during", "watched_span"]
 
-_Columns = Mapping[str, FloatArray]
-_Names = Mapping[str, Sequence[str]]
 #: A sample at the time of an event shows a support before it was taken away; rounding of that time [s].
 _AT_ONCE = 1e-9
 
@@ -60,18 +58,18 @@ def watched_during(recording: Recording, watch: Watch) -> BoolArray:
     return during
 
 
-def _span(watch: Watch, columns: _Columns, names: _Names) -> tuple[float, float]:
+def _span(watch: Watch, columns: Columns, names: Names) -> tuple[float, float]:
     events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
     return watched_span(watch, events)
 
 
-def _margin(watch: Watch, columns: _Columns, names: _Names) -> FloatArray:
+def _margin(watch: Watch, columns: Columns, names: Names) -> FloatArray:
     """How much farther apart a pair is than it has to be (time,) [m]; rounding of a touch is none."""
     margin: FloatArray = columns["clearance"][:, list(names["pair"]).index(watch.name)] - watch.smallest
     return margin
 
 
-def _crossings(watch: Watch, columns: _Columns, names: _Names) -> Iterator[tuple[float, str, str]]:
+def _crossings(watch: Watch, columns: Columns, names: Names) -> Iterator[tuple[float, str, str]]:
     begin, end = _span(watch, columns, names)
     during = (columns["time"] >= begin) & (columns["time"] <= end)
     time, margin = columns["time"][during], _margin(watch, columns, names)[during]
@@ -91,7 +89,7 @@ def _is_close(watch: Watch, margin: FloatArray) -> np.ndarray[tuple[int], np.dty
     return margin < 0.0 if watch.smallest > 0.0 else margin <= 0.0
 
 
-def contact_warnings(rig: Rig, columns: _Columns, names: _Names) -> list[str]:
+def contact_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
     """Pairs that came too close, supports that were taken away or that the load left beyond their edges."""
     warnings = []
     time = columns["time"]
@@ -121,7 +119,7 @@ def contact_warnings(rig: Rig, columns: _Columns, names: _Names) -> list[str]:
     return warnings
 
 
-def _force_before(columns: _Columns, names: _Names, contact: str, moment: float) -> float:
+def _force_before(columns: Columns, names: Names, contact: str, moment: float) -> float:
     """Force of a contact at the last sample up to a moment [N]."""
     before = int(np.searchsorted(columns["time"], moment + _AT_ONCE, side="right")) - 1
     return float(columns["contact_force"][max(before, 0), list(names["contact"]).index(contact)])

@@ -37,7 +37,7 @@ class Difference:
 
     @property
     def absolute(self) -> float | None:
-        """B - A; None if one is missing."""
+        """B - A, in the unit of both; None if one is missing."""
         return None if self.a is None or self.b is None else self.b - self.a
 
     @property

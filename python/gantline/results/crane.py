@@ -15,7 +15,7 @@ from gantline.results.form import Vector
 from gantline.results.passing import passed
 from gantline.results.rotation import axes
 from gantline.results.strength import FromJson, Rating
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
 __all__ = [
     "CORNERS",
@@ -30,9 +30,6 @@ __all__ = [
 
 #: Corners of a crane: leg, and side along the rails.
 CORNERS = ("fixed.front", "fixed.back", "hinged.front", "hinged.back")
-
-Columns = Mapping[str, FloatArray]
-Names = Mapping[str, Sequence[str]]
 
 
 @dataclass(frozen=True)
@@ -128,9 +125,6 @@ class Crane(FromJson):
         return [f"{self.name}.{corner}" for corner in CORNERS]
 
 
-_Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
-
-
 def bearing_and_falls(columns: Columns, names: Names, hook: CraneHook) -> tuple[FloatArray, FloatArray]:
     """Where the bearing of a hook is, and the way up its falls, shapes (time, 3) [m].
 
@@ -149,7 +143,7 @@ def _place(columns: Columns, names: Names, body: str, offset: Sequence[float] | 
     return found
 
 
-def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads: Sequence[str]) -> _Derived:
+def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads: Sequence[str]) -> Derived:
     """Heights and angles of hooks, swing of loads.
 
     Args:
@@ -186,7 +180,7 @@ def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads
 
 def corner_loads(
     columns: Columns, names: Names, cranes: Sequence[Crane], hoist: Mapping[str, FloatArray]
-) -> _Derived:
+) -> Derived:
     """Loads of the corners of Goliath cranes; `hoist` is the hoist load by hook, shape (time,) [N]."""
     if not cranes:
         return {}, {}

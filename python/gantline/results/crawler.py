@@ -15,15 +15,12 @@ from gantline.results.passing import passed
 from gantline.results.rotation import axes, heading, tilt
 from gantline.results.strength import FromJson
 from gantline.results.track_pressure import line_pressures, tipping_utilisation
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
 __all__ = ["Crawler", "crawler_events", "crawler_state", "tipping_warnings"]
 
 #: Lean of the tracks from which on a crane has gone over, wherever it comes to rest then [rad].
 _GONE_OVER = np.radians(10.0)
-
-Columns = Mapping[str, FloatArray]
-Names = Mapping[str, Sequence[str]]
 
 
 @dataclass(frozen=True)
@@ -64,10 +61,7 @@ class Crawler(FromJson):
     hooks: Sequence[str] = ()
 
 
-_Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
-
-
-def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -> _Derived:
+def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -> Derived:
     """Pressures under the ends of tracks, utilisation against tipping, slewing angle.
 
     Args:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gantline.results.variable import FloatArray
+from gantline.results.variable import Columns, Names
 
 __all__ = ["crossed_ropes"]
 
@@ -17,8 +17,8 @@ _NO_DIAMETER = 1e-3
 def crossed_ropes(
     ropes: Sequence[Mapping[str, Any]],
     diameters: Mapping[str, float | None],
-    columns: Mapping[str, FloatArray],
-    names: Mapping[str, Sequence[str]],
+    columns: Columns,
+    names: Names,
 ) -> list[str]:
     """A sentence for each sheave before and after which the same rope is in one place at the start.
 

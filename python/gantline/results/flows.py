@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from gantline.results.gear import Drum
 from gantline.results.rig import Rig
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
 __all__ = ["drum_warnings", "rope_flows"]
 
@@ -17,9 +17,7 @@ __all__ = ["drum_warnings", "rope_flows"]
 _CLIMB = 0.5
 
 
-def rope_flows(
-    columns: Mapping[str, FloatArray], names: Mapping[str, Sequence[str]], rig: Rig
-) -> tuple[dict[str, Variable], dict[str, Sequence[str]]]:
+def rope_flows(columns: Columns, names: Names, rig: Rig) -> Derived:
     """Variables of sheaves that are not ideal and of drums, with the names along their dimensions.
 
     Args:
@@ -89,18 +87,14 @@ def rope_flows(
     return variables, labels
 
 
-def drum_wraps(
-    drum: Drum, columns: Mapping[str, FloatArray], names: Mapping[str, Sequence[str]]
-) -> FloatArray:
-    """Turns of rope on a drum whose turns at the start are known (time,)."""
+def drum_wraps(drum: Drum, columns: Columns, names: Names) -> FloatArray:
+    """Turns of rope on a drum whose turns at the start are known [1], shape (time,)."""
     turned = columns["joint_position"][:, list(names["joint"]).index(drum.name)] * -drum.paid_out
     wraps: FloatArray = (drum.wraps_at_start or 0.0) + turned / (math.pi * drum.diameter)
     return wraps
 
 
-def drum_warnings(
-    rig: Rig, columns: Mapping[str, FloatArray], names: Mapping[str, Sequence[str]]
-) -> list[str]:
+def drum_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
     """Drums on which too few turns stayed, or too many did not find room: once for each, the worst."""
     warnings = []
     for drum in rig.drums:

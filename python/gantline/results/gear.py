@@ -9,7 +9,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field
 
 from gantline.results.form import Vector
-from gantline.results.strength import FromJson, Lug, Shackle, lugs_from_json
+from gantline.results.strength import FromJson, HasLugs, Lug, Shackle
 
 
 @dataclass(frozen=True)
@@ -175,7 +175,7 @@ class Sling(FromJson):
 
 
 @dataclass(frozen=True)
-class Spreader(FromJson):
+class Spreader(HasLugs):
     """A bar, beam or frame between slings.
 
     Attributes:
@@ -193,11 +193,6 @@ class Spreader(FromJson):
     size: Vector = (0.0, 0.0, 0.0)
     rated_capacity: float | None = None
     lugs: Mapping[str, Lug] = field(default_factory=dict)
-
-    @classmethod
-    def from_json(cls, document: Mapping[str, Any]) -> Self:
-        """Make one from its JSON object."""
-        return super().from_json({**document, "lugs": lugs_from_json(document)})
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.results.rotation import axes
 from gantline.results.surroundings import Ground, is_cut
-from gantline.results.variable import FloatArray
+from gantline.results.variable import Columns, FloatArray, Names
 from gantline.results.vessels import Vessel
 
 __all__ = ["grounding_warnings"]
@@ -20,8 +20,8 @@ _ROUNDING = 1e-6
 
 
 def grounding_warnings(
-    columns: Mapping[str, FloatArray],
-    names: Mapping[str, Sequence[str]],
+    columns: Columns,
+    names: Names,
     vessels: Sequence[Vessel],
     hulls: Mapping[str, FloatArray],
     ground: Ground | None,

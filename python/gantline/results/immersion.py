@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from gantline.results.rotation import axes
 from gantline.results.solids import skin_of
 from gantline.results.surroundings import SIGNS
-from gantline.results.variable import FloatArray
+from gantline.results.variable import Columns, Names
 
 __all__ = ["immersion_warnings"]
 
@@ -19,8 +19,8 @@ _DIPS = 0.01
 
 
 def immersion_warnings(
-    columns: Mapping[str, FloatArray],
-    names: Mapping[str, Sequence[str]],
+    columns: Columns,
+    names: Names,
     scene: Mapping[str, Any],
     loads: Mapping[str, str],
     density: float,

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gantline.results.strength import FromJson
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, Derived, Names, Variable
 
 __all__ = ["Fender", "MooringLine", "mooring_state"]
-
-Columns = Mapping[str, FloatArray]
-Names = Mapping[str, Sequence[str]]
 
 
 @dataclass(frozen=True)
@@ -46,12 +43,9 @@ class Fender(FromJson):
     capacity: float | None = None
 
 
-_Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
-
-
 def mooring_state(
     columns: Columns, names: Names, lines: Sequence[MooringLine], fenders: Sequence[Fender]
-) -> _Derived:
+) -> Derived:
     """Tensions of mooring lines and forces of fenders over time.
 
     Args:

@@ -13,12 +13,9 @@ import numpy as np
 
 from gantline.results.gear import Rope
 from gantline.results.rig import Rig
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, FloatArray, Names, Variable
 
 __all__ = ["joined"]
-
-Columns = Mapping[str, FloatArray]
-Names = Mapping[str, Sequence[str]]
 
 _OF_BODIES = ("body_position", "body_orientation", "body_velocity", "body_angular_velocity", "joint_force")
 

@@ -18,7 +18,7 @@ from gantline.results.gear import Drum, Equalizer, Hook, Rope, Sheave, Sling, Sp
 from gantline.results.moorings import Fender, MooringLine
 from gantline.results.rating_chart import RatingChart
 from gantline.results.sea import Sea
-from gantline.results.strength import Bend, Factor, FromJson, Lug, Rating, SideLoad, lugs_from_json
+from gantline.results.strength import Bend, Factor, FromJson, HasLugs, Lug, Rating, SideLoad
 from gantline.results.tag_lines import TagLine
 from gantline.results.vessels import Vessel
 from gantline.results.wind import Wind
@@ -28,7 +28,7 @@ EQUALISED_BELOW = 0.05
 
 
 @dataclass(frozen=True)
-class Load(FromJson):
+class Load(HasLugs):
     """What is lifted.
 
     Attributes:
@@ -58,11 +58,6 @@ class Load(FromJson):
     lugs: Mapping[str, Lug] = field(default_factory=dict)
     other_ropes: Sequence[str] = ()
     centre_envelope: Vector = (0.0, 0.0, 0.0)
-
-    @classmethod
-    def from_json(cls, document: Mapping[str, Any]) -> Self:
-        """Make one from its JSON object."""
-        return super().from_json({**document, "lugs": lugs_from_json(document)})
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import numpy as np
 from gantline.results.rotation import axes, heading
 from gantline.results.strength import FromJson
 from gantline.results.trains import Trains
-from gantline.results.variable import FloatArray
+from gantline.results.variable import Columns, Names
 from gantline.units import format_quantity
 
 __all__ = ["Sea", "WaveTrain", "out_of_place"]
@@ -87,9 +87,7 @@ class Sea(Trains):
         return super().from_json({**document, "trains": trains})
 
 
-def out_of_place(
-    document: Mapping[str, Any], columns: Mapping[str, FloatArray], names: Mapping[str, Sequence[str]]
-) -> list[str]:
+def out_of_place(document: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:
     """A sentence for each vessel that has turned or drifted away from where its wave forces are for.
 
     They keep amount, direction and phase of where the lift file has the vessel. On one that turns by and by

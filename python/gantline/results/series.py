@@ -77,7 +77,7 @@ def body_heading(recording: Recording, body: str) -> FloatArray:
 
 
 def trailing(mask: BoolArray) -> BoolArray:
-    """The run of true values at the end of a mask."""
+    """The run of true values at the end of a mask, shape (time,)."""
     false = np.flatnonzero(~mask)
     last = np.zeros_like(mask)
     last[false[-1] + 1 if false.size else 0 :] = True
@@ -279,7 +279,7 @@ def out_of_plane_angles(recording: Recording, sling: Sling) -> dict[tuple[str, s
 
 
 def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
-    """(max - min)/mean over the slings of one equalizer, shape (time,); 0 where all are slack.
+    """(max - min)/mean over the slings of one equalizer [1], shape (time,); 0 where all are slack.
 
     What has parted is not counted from then on.
     """

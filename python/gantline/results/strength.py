@@ -54,9 +54,15 @@ class Lug(FromJson):
     capacity: float | None = None
 
 
-def lugs_from_json(document: Mapping[str, Any]) -> dict[str, Lug]:
-    """Lugs of a load or a spreader by name."""
-    return {name: Lug.from_json(lug) for name, lug in document.get("lugs", {}).items()}
+@dataclass(frozen=True)
+class HasLugs(FromJson):
+    """What has `lugs` by name: a load, a spreader."""
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        lugs = {name: Lug.from_json(lug) for name, lug in document.get("lugs", {}).items()}
+        return super().from_json({**document, "lugs": lugs})
 
 
 @dataclass(frozen=True)

@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from gantline.results.rig import Rig
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, FloatArray, Names, Variable
 
 __all__ = ["pump_warnings", "tank_contents"]
-
-_Columns = Mapping[str, FloatArray]
-_Names = Mapping[str, Sequence[str]]
 
 #: Share of its capacity within which a tank is empty or full.
 _ROUNDING = 1e-9
 
 
 def tank_contents(
-    columns: _Columns, names: _Names, rig: Rig
-) -> tuple[_Columns, _Names, dict[str, Variable], dict[str, Sequence[str]]]:
+    columns: Columns, names: Names, rig: Rig
+) -> tuple[Columns, Names, dict[str, Variable], dict[str, Sequence[str]]]:
     """Contents of all tanks as a variable.
 
     Args:
@@ -43,7 +40,7 @@ def tank_contents(
     return columns, names, {"tank_content": variable}, {"tank": [tank.name for tank in rig.tanks]}
 
 
-def pump_warnings(rig: Rig, columns: _Columns, names: _Names) -> list[str]:
+def pump_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
     """Steps whose pumps stopped since a tank was empty or full."""
     warnings = []
     events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
@@ -67,7 +64,7 @@ def _pumped_by(rig: Rig, step: str) -> set[str]:
     return {tank for one in rig.plan if one.step == step for tank in one.tanks}
 
 
-def _content(columns: _Columns, names: _Names, tank: str, start: float) -> FloatArray:
+def _content(columns: Columns, names: Names, tank: str, start: float) -> FloatArray:
     """Mass in a tank (time,)."""
     joints = list(names["joint"])
     if _joint(tank) not in joints:

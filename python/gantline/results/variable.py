@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -54,3 +55,11 @@ class Variable:
     def is_text(self) -> bool:
         """Whether the values are text and not numbers."""
         return bool(self.values.dtype.kind == "U")
+
+
+#: Columns of the core by name.
+Columns = Mapping[str, FloatArray]
+#: Names along their dimensions, by dimension.
+Names = Mapping[str, Sequence[str]]
+#: Variables that follow from columns, and the names along dimensions that they bring.
+Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]

@@ -16,12 +16,9 @@ from gantline.results.form import Range, Vector
 from gantline.results.rotation import axes
 from gantline.results.sea import Sea
 from gantline.results.strength import FromJson
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
 __all__ = ["Vessel", "vessel_state", "vessel_warnings"]
-
-Columns = Mapping[str, FloatArray]
-Names = Mapping[str, Sequence[str]]
 
 
 @dataclass(frozen=True)
@@ -49,12 +46,9 @@ class Vessel(FromJson):
     marks: Mapping[str, Sequence[Vector]] = field(default_factory=dict)
 
 
-_Derived = tuple[dict[str, Variable], dict[str, Sequence[str]]]
-
-
 def vessel_state(
     columns: Columns, names: Names, vessels: Sequence[Vessel], sea: Sea | None = None
-) -> _Derived:
+) -> Derived:
     """Drafts, heel, trim, freeboard and displacement of vessels over time.
 
     Args:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Self
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from gantline.results.strength import FromJson
 from gantline.results.trains import Trains
-from gantline.results.variable import FloatArray, Variable
+from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 from gantline.units import format_quantity
 
 __all__ = ["Wind", "wind_at_loads"]
@@ -66,11 +66,11 @@ class Wind(FromJson):
 
 
 def wind_at_loads(
-    columns: Mapping[str, FloatArray],
-    names: Mapping[str, Sequence[str]],
+    columns: Columns,
+    names: Names,
     loads: Mapping[str, str],
     wind: Wind | None,
-) -> tuple[dict[str, Variable], dict[str, Sequence[str]]]:
+) -> Derived:
     """Speed of gusty wind at the centre of gravity of each load; nothing in steady wind.
 
     Args:

@@ -61,8 +61,14 @@ class DrumDrive(Element):
 
 
 class RopeOnDrum(Element):
-    """What lies on a drum: layers, turns, and the tension with which they were wound."""
+    """What drums of all kinds have: what turns, what lies on it, and the tension that wound it."""
 
+    moment_of_inertia: PositiveInertia | None = Field(
+        None, description="Moment of inertia of what turns, drive train included, about the drum's axis."
+    )
+    rotating_mass: PositiveMass | None = Field(
+        None, description="The same as mass that moves with the rope: moment of inertia over radius squared."
+    )
     layers: Annotated[int, Number(least=1, most=20, whole=True)] = Field(
         1, description="Layers that fit on it."
     )
@@ -102,6 +108,12 @@ class RopeOnDrum(Element):
                 raise refuse(f"{sentence}; more 'layers' or 'wraps_per_layer' are right", "wraps_at_start")
         return self
 
+    def mass_on(self, diameter: float) -> float | None:
+        """Mass that moves with the rope on this diameter [kg]; None where nothing says what turns."""
+        if self.rotating_mass is not None or self.moment_of_inertia is None:
+            return self.rotating_mass
+        return self.moment_of_inertia / (diameter / 2) ** 2
+
     def step(self, rope_diameter: float | None) -> float:
         """Radius that each further layer adds [m]; 0 of one layer, or where nothing says it."""
         if self.layers == 1:
@@ -117,12 +129,6 @@ class Drum(RopeOnDrum):
     what: ClassVar[str] = "a drum"
 
     diameter: PositiveLength = Field(description="Pitch diameter, to the centre line of the rope on it.")
-    moment_of_inertia: PositiveInertia | None = Field(
-        None, description="Moment of inertia of what turns, drive train included, about the drum's axis."
-    )
-    rotating_mass: PositiveMass | None = Field(
-        None, description="The same as mass that moves with the rope: moment of inertia over radius squared."
-    )
     velocity: Speed = Field(0.0, description="Rope paid out per time at the start.")
     damping: Damping = Field(0.0, description="Damping of the turning, by speed of the rope.")
     brake: NotNegativeForce | None = Field(
@@ -157,7 +163,6 @@ class Drum(RopeOnDrum):
     @property
     def inertia(self) -> float:
         """Mass that moves with the rope on its diameter [kg]."""
-        if self.rotating_mass is not None:
-            return self.rotating_mass
-        assert self.moment_of_inertia is not None  # one of them is given
-        return self.moment_of_inertia / (self.diameter / 2) ** 2
+        mass = self.mass_on(self.diameter)
+        assert mass is not None  # one way to say it is given
+        return mass

@@ -13,7 +13,6 @@ from gantline.scenario.quantities import (
     Length,
     Name,
     Number,
-    PositiveInertia,
     PositiveLength,
     PositiveMass,
     Ratio,
@@ -162,12 +161,6 @@ class HoistDrum(RopeOnDrum):
     what: ClassVar[str] = "the drum of a hoist"
 
     diameter: PositiveLength = Field(description="Pitch diameter of the first layer.")
-    moment_of_inertia: PositiveInertia | None = Field(
-        None, description="Moment of inertia of what turns, drive train included, about the drum's axis."
-    )
-    rotating_mass: PositiveMass | None = Field(
-        None, description="The same as mass that moves with the rope: moment of inertia over radius squared."
-    )
 
     @model_validator(mode="after")
     def _one_way_to_say_it(self) -> HoistDrum:
@@ -178,6 +171,4 @@ class HoistDrum(RopeOnDrum):
     @property
     def inertia(self) -> float | None:
         """Mass that moves with the rope of the first layer [kg]; None where it is not known."""
-        if self.rotating_mass is not None or self.moment_of_inertia is None:
-            return self.rotating_mass
-        return self.moment_of_inertia / (self.diameter / 2) ** 2
+        return self.mass_on(self.diameter)

@@ -61,7 +61,7 @@ class ContactForce:
 
     @property
     def used(self) -> float | None:
-        """Share of what friction can hold that it holds; None where it can hold nothing."""
+        """Share of what friction can hold that it holds [1]; None where it can hold nothing."""
         return float(np.linalg.norm(self.friction)) / self.bound if self.bound > 0.0 else None
 
 
@@ -206,7 +206,7 @@ class Sensitivity:
         return f"<Sensitivity to {self.kind} of {self.name}: {len(self.ropes)} ropes{answer}>"
 
     def of(self, rope: str) -> float:
-        """Derivative of the tension of one rope.
+        """Derivative of the tension of one rope, in the unit of `tension`.
 
         Raises:
             KeyError: If there is no such rope.
@@ -214,7 +214,7 @@ class Sensitivity:
         return float(self.tension[_place(rope, self.ropes)])
 
     def of_body(self, body: str) -> Floats:
-        """Derivatives of a body's centre of gravity and rotation vector, shape (6,).
+        """Derivatives of a body's centre of gravity and rotation vector, shape (6,), as in `motion`.
 
         Raises:
             KeyError: If there is no such body.

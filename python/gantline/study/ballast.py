@@ -202,7 +202,11 @@ class _Search:
         self.now = Afloat(scenario, vessel, time)
 
     def refuse_mass(self, wanted: VesselAttitude) -> None:
-        """A draft for which there is not enough room in the tanks, or not enough water."""
+        """Refuse a draft for which there is not enough room in the tanks, or not enough water.
+
+        Raises:
+            CannotBeError: If it is one.
+        """
         more = self.now.displacement_at(wanted) - self.now.displacement()
         # What something else bears too, such as a quay or a crane ashore, may come to hang on the vessel or
         # leave it; moorings only resist.
@@ -219,7 +223,11 @@ class _Search:
         raise CannotBeError(f"the tanks cannot do it: {sentence} (the draft is {now} now)")
 
     def run(self, wanted: Mapping[str, float]) -> int:
-        """Find contents with which the vessel floats as wanted; returns the rounds that it took."""
+        """Find contents with which the vessel floats as wanted; returns the rounds that it took.
+
+        Raises:
+            CannotBeError: If no contents do it.
+        """
         for found in range(_ROUNDS):
             missing = self._missing(wanted)
             if all(abs(missing[key]) <= (_DRAFT_LEFT if key == "draft" else _LEFT) for key in wanted):

@@ -18,7 +18,11 @@ __all__ = ["moment_of", "refuse_draft", "tanks_that_may_change", "vessel_of"]
 
 
 def vessel_of(scenario: Scenario, name: str | None) -> str:
-    """The vessel of a name; without one that which alone has tanks."""
+    """The vessel of a name; without one that which alone has tanks.
+
+    Raises:
+        ValueError: If there is no such vessel with tanks, or not one alone; the message says which there are.
+    """
     fitting = [one for one, body in bodies_afloat(scenario).items() if body.floats_freely and body.tanks]
     if name is not None:
         if name not in fitting:
@@ -32,7 +36,11 @@ def vessel_of(scenario: Scenario, name: str | None) -> str:
 
 
 def tanks_that_may_change(scenario: Scenario, vessel: str, tanks: Sequence[str] | None) -> list[str]:
-    """Names of the tanks that may change, as the vessel has them."""
+    """Names of the tanks that may change, as the vessel has them.
+
+    Raises:
+        ValueError: If one of them is no tank of the vessel, or none is left.
+    """
     own = bodies_afloat(scenario)[vessel].tanks or {}
     if tanks is None:
         return list(own)
@@ -49,7 +57,11 @@ def tanks_that_may_change(scenario: Scenario, vessel: str, tanks: Sequence[str] 
 
 
 def refuse_draft(scenario: Scenario, vessel: str, draft: float) -> None:
-    """Refuse a draft [m] with which the keel would be out of the water, or the deck under it."""
+    """Refuse a draft [m] with which the keel would be out of the water, or the deck under it.
+
+    Raises:
+        ValueError: If it is one.
+    """
     hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
     assert hull is not None  # it floats
     keel, deck = hull.box[:, 2]
@@ -59,7 +71,11 @@ def refuse_draft(scenario: Scenario, vessel: str, draft: float) -> None:
 
 
 def moment_of(scenario: Scenario, time: float | None, step: str | None) -> float:
-    """The moment that is meant [s]: a time, the end of a step, or the end of the lift."""
+    """The moment that is meant [s]: a time, the end of a step, or the end of the lift.
+
+    Raises:
+        ValueError: If that is not in the lift, or both are given.
+    """
     if step is None:
         moment = scenario.duration if time is None else time
         if not 0.0 <= moment <= scenario.duration:

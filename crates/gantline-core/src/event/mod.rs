@@ -5,6 +5,8 @@ pub mod standstill;
 
 use serde::{Deserialize, Serialize};
 
+use crate::system::System;
+
 /// Kinds of events; names are those of the recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum EventKind {
@@ -110,6 +112,37 @@ pub struct Event {
     pub kind: EventKind,
     /// Whom it concerns.
     pub subject: usize,
+}
+
+impl Event {
+    /// Name of what it concerns.
+    pub fn subject_name(&self, system: &System) -> String {
+        match self.kind {
+            EventKind::Cut | EventKind::Broken | EventKind::Detached => {
+                system.rope_name(self.subject).to_owned()
+            }
+            EventKind::Taut
+            | EventKind::Slack
+            | EventKind::Stick
+            | EventKind::Slip
+            | EventKind::OffSupport
+            | EventKind::SupportRemoved
+            | EventKind::StopHit
+            | EventKind::StopLeft
+            | EventKind::PinPulled
+            | EventKind::PinPutIn
+            | EventKind::DrumSlips
+            | EventKind::DrumHolds => system.constraints[self.subject].name().to_owned(),
+            EventKind::LiftOff | EventKind::SetDown => system.groups[self.subject].name.clone(),
+            EventKind::RopeOffSheave | EventKind::RopeOnSheave => system.sheave_name(self.subject),
+            EventKind::Flooding | EventKind::Surfacing => system.marks[self.subject].name.clone(),
+            EventKind::Capsized => system.vessels[self.subject].name.clone(),
+            EventKind::StepBegin | EventKind::StepEnd | EventKind::PumpStopped | EventKind::EmergencyStop => {
+                let step = system.plan.steps.get(self.subject);
+                step.map_or_else(String::new, |step| step.name.clone())
+            }
+        }
+    }
 }
 
 /// Events in the order in which they were found.

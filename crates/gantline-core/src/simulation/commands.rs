@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Method, SetupError, Simulation};
+use super::method::Method;
+use super::{SetupError, Simulation};
 use crate::build::plan::build_emergency;
 use crate::plan::Order;
 use crate::spec::CommandSpec;

@@ -1,7 +1,8 @@
 //! Friction at rest: what sheaves and contacts hold follows from the forces that press, which follow from what they hold.
 //! After each search it is set anew, until it no longer changes.
 
-use super::potential::{Bearing, Contacts, Losses, Part, Sheaves};
+use super::bearing::{Bearing, Part};
+use super::losses::{Contacts, Losses, Sheaves};
 use super::{LOSS_LEFT, Statics};
 use crate::constraint::brake::At;
 use crate::constraint::{AnyConstraint, Law};

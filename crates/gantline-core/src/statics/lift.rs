@@ -1,8 +1,8 @@
 //! A lift at rest, from its document: where it hangs at any time of its plan, how it moves about that, and what it
 //! answers to what is uncertain. What the border hands on.
 
+use super::losses::{Contacts, Losses, Sheaves};
 use super::modes::Mode;
-use super::potential::{Contacts, Losses, Sheaves};
 use super::sensitivity::{Parameter, Sensitivity};
 use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;

@@ -197,7 +197,7 @@ mod tests {
     use crate::spec::SystemSpec;
     use crate::state::State;
     use crate::statics::Statics;
-    use crate::statics::potential::Losses;
+    use crate::statics::losses::Losses;
     use crate::system::System;
 
     /// Pendulums of a row of lengths, every one of them twice, each with a second below it.

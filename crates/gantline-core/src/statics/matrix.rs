@@ -12,7 +12,8 @@
 
 use glam::DVec3;
 
-use super::potential::{Bearing, Potential};
+use super::bearing::Bearing;
+use super::potential::Potential;
 use crate::constraint::Placed;
 use crate::force::memory::{form, memories};
 use crate::solver::layout::{Layout, NONE};

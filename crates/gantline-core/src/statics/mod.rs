@@ -4,13 +4,15 @@
 //! time of their timelines: [`search`] is the way down on the [`potential`], by the [`matrix`] of the exact tangent.
 //!
 //! Friction: contacts are taken without and sheaves as ideal, or as holding what they can, or as slipping all one way,
-//! which bounds what they may hold ([`potential::Losses`]). What holds a joint or a drum by itself (a brake,
+//! which bounds what they may hold ([`losses::Losses`]). What holds a joint or a drum by itself (a brake,
 //! a locking pin, dry friction in newtons) holds it where the state has it, with no more than its own force.
 
+pub mod bearing;
 pub mod eigen;
 mod friction;
 pub mod guard;
 pub mod lift;
+pub mod losses;
 mod lowest;
 pub mod matrix;
 pub mod modes;
@@ -31,7 +33,8 @@ use crate::state::State;
 use crate::stepper::flows;
 use crate::system::System;
 use crate::tree::pose::Pose;
-use potential::{Bearing, Contacts, Losses, Part, bearings};
+use bearing::{Bearing, Part, bearings};
+use losses::{Contacts, Losses};
 use search::{Effort, Search, Stuck};
 
 /// What is left of the length of an inextensible rope [m].

@@ -16,7 +16,7 @@
 
 use glam::DVec3;
 
-use super::potential::Part;
+use super::bearing::Part;
 use super::search::LEAST;
 use super::{NoEquilibrium, Statics};
 use crate::constraint::AnyConstraint;

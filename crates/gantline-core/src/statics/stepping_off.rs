@@ -1,6 +1,6 @@
 //! Off an unstable equilibrium: along the motion that leads away fastest, and downhill from there.
 
-use super::potential::Losses;
+use super::losses::Losses;
 use super::{NEUTRAL, NoEquilibrium, Rest, Statics};
 use crate::state::State;
 use crate::system::System;

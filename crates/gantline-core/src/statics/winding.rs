@@ -12,7 +12,8 @@
 //! between both strains does, the slack one being negative. Where it pays out, what comes off is known. The error is of
 //! second order in the change of the strain; |ΔW (1/(1 + ε₁) − 1/(1 + ε₀))| says how short a part has to be.
 
-use super::potential::{Losses, Part, capacity};
+use super::bearing::{Part, capacity};
+use super::losses::Losses;
 use super::{NoEquilibrium, Rest, Statics};
 use crate::constraint::AnyConstraint;
 use crate::rope::coil::Coil;

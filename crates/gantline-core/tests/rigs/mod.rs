@@ -172,6 +172,16 @@ fn body(draw: &mut Draw) -> Option<String> {
     draw.choice(8).checked_sub(1).map(|index| format!("b{index}"))
 }
 
+/// A rope that nothing cuts or breaks; without a length it is just taut.
+pub fn rope_of(
+    name: impl Into<String>,
+    length: Option<f64>,
+    material: MaterialSpec,
+    route: Vec<GuideSpec>,
+) -> RopeSpec {
+    RopeSpec { name: name.into(), length, material, route, breaking_force: None, cut_at: None }
+}
+
 fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
     let sheave_body = body(draw);
     let middle = GuideSpec::HalfTurn {
@@ -194,14 +204,12 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
         layers: None,
     });
     route.push(GuideSpec::End { body: body(draw), at: draw.scaled(4.0), drum });
-    RopeSpec {
-        name: format!("r{index}"),
-        length: Some(1.0),
-        material: MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 },
+    rope_of(
+        format!("r{index}"),
+        Some(1.0),
+        MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 },
         route,
-        breaking_force: None,
-        cut_at: None,
-    }
+    )
 }
 
 /// The rig, its state and everything evaluated there.
@@ -288,14 +296,7 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
             drum: None,
         });
         let length = (b - a).length().max(0.5) * if rigid { slack.max(1.001) } else { slack };
-        spec.ropes.push(RopeSpec {
-            name: format!("r{index}"),
-            length: Some(length),
-            material,
-            route: route.to_vec(),
-            breaking_force: None,
-            cut_at: None,
-        });
+        spec.ropes.push(rope_of(format!("r{index}"), Some(length), material, route.to_vec()));
     }
     spec
 }
@@ -346,14 +347,7 @@ pub fn sheave_rig(seeds: &[f64], passage: Passage) -> Option<(System, State, Fra
         },
     ];
     let material = MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 };
-    spec.ropes = vec![RopeSpec {
-        name: "r".into(),
-        length: None,
-        material,
-        route,
-        breaking_force: None,
-        cut_at: None,
-    }];
+    spec.ropes = vec![rope_of("r", None, material, route)];
     // Without rope over it this flow of the rig would be refused.
     spec.bodies.retain(|body| passage == Passage::Feeds || body.name != "sheave");
     let built = build(&spec);

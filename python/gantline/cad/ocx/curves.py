@@ -28,7 +28,7 @@ _ARC_SPAN = math.pi / 4  # of an arc's spans: twelve Gauss points integrate thes
 
 @cache
 def gauss(count: int) -> tuple[Array, Array]:
-    """Places within 0 to 1 and weights of Gauss–Legendre integration with `count` points."""
+    """Places within 0 to 1 and weights of Gauss–Legendre integration, each of shape (count,)."""
     places, weights = np.polynomial.legendre.leggauss(count)
     return (places + 1) / 2, weights / 2
 
@@ -41,7 +41,7 @@ class Curve(ABC):
 
     @abstractmethod
     def evaluate(self, places: Array) -> tuple[Array, Array, Array]:
-        """Positions, first and second derivatives at places (q,) from 0 to 1 of each span: (spans, q, 3)."""
+        """Positions [m] and two derivatives at places (q,) from 0 to 1 of each span: (spans, q, 3)."""
 
     @abstractmethod
     def reversed(self) -> Curve:

@@ -49,7 +49,7 @@ def read_contour(element: Element, quantities: Quantities) -> tuple[list[Curve],
 
 
 def read_trace(element: Element, quantities: Quantities) -> tuple[list[Curve], float]:
-    """As `read_contour`, of a path that need not be closed."""
+    """As `read_contour`, of a path that may be open: its curves, and the widest gap between them [m]."""
     curves = _curves(element, quantities)
     if len(curves) > MOST_CURVES:
         raise quantities.fail(element, f"has {len(curves)} curves; at most {MOST_CURVES} are read")
@@ -122,7 +122,11 @@ def _ellipse(element: Element, quantities: Quantities) -> Curve:
 
 
 def read_controls(element: Element, quantities: Quantities) -> tuple[Array, Array]:
-    """Control points (n, 3) [m] and their weights (n,) of all lists within an element."""
+    """Control points (n, 3) [m] and their weights (n,) of all lists within an element.
+
+    Raises:
+        CadError: if there are none, or too many.
+    """
     points, weights = [], []
     for each in (point for table in element.all("ControlPtList") for point in table.all("ControlPoint")):
         points.append(quantities.point(each))
@@ -136,7 +140,7 @@ def read_controls(element: Element, quantities: Quantities) -> tuple[Array, Arra
 
 
 def read_degree(element: Element, quantities: Quantities, name: str) -> int:
-    """Degree of a NURBS as its properties say it."""
+    """Degree of a NURBS as its properties say it; CadError if they do not."""
     properties = element.child(name)
     text = "" if properties is None else properties.attributes.get("degree", "")
     try:
@@ -146,7 +150,7 @@ def read_degree(element: Element, quantities: Quantities, name: str) -> int:
 
 
 def read_knots(element: Element, quantities: Quantities, name: str) -> Array:
-    """Knot vector of a child."""
+    """Knot vector of a child, shape (knots,); CadError if there is none."""
     child = element.child(name)
     if child is None:
         raise quantities.fail(element, f"has no {name}")

@@ -97,7 +97,6 @@ _WORDS = {
     "area": "an area",
     "angle": "an angle",
 }
-_MOST_DIGITS = 4000  # of one list of numbers times a thousand: no bound of sense, but one of time
 
 
 class Quantities:
@@ -139,14 +138,14 @@ class Quantities:
         return None if child is None else self.quantity(child, dimension)
 
     def needed(self, parent: Element, name: str, dimension: str = "length") -> float:
-        """As `of_child`, of a child that must be there."""
+        """As `of_child`, of a child that must be there; CadError if it is not."""
         value = self.of_child(parent, name, dimension)
         if value is None:
             raise self.fail(parent, f"has no {name}")
         return value
 
     def positive(self, parent: Element, name: str, dimension: str = "length") -> float:
-        """As `needed`, of a value that must be greater than zero."""
+        """As `needed`, of a value that must be greater than zero; CadError if it is not."""
         value = self.needed(parent, name, dimension)
         if not value > 0:
             raise self.fail(parent, f"has a {name} of {value:g}, which is not positive")
@@ -162,14 +161,18 @@ class Quantities:
         return np.array([self.needed(element, axis) for axis in ("X", "Y", "Z")])
 
     def point_of(self, parent: Element, name: str) -> Array:
-        """Coordinates (3,) [m] of a child that must be there."""
+        """Coordinates (3,) [m] of a child that must be there; CadError if it is not."""
         child = parent.child(name)
         if child is None:
             raise self.fail(parent, f"has no {name}")
         return self.point(child)
 
     def direction(self, parent: Element, name: str) -> Array:
-        """Unit vector (3,) of a child that must be there, in either encoding."""
+        """Unit vector (3,) of a child that must be there, in either encoding.
+
+        Raises:
+            CadError: if it is not there, or has no direction.
+        """
         child = parent.child(name)
         if child is None:
             raise self.fail(parent, f"has no {name}")
@@ -183,7 +186,11 @@ class Quantities:
         return vector / length
 
     def numbers(self, element: Element, attribute: str, count: int | None = None) -> Array:
-        """A list of numbers in an attribute, as many as said."""
+        """A list of numbers in an attribute as it stands there, shape (count,).
+
+        Raises:
+            CadError: if it is no list of finite numbers, or not of as many as said.
+        """
         text = element.attributes.get(attribute, "")
         try:
             values = np.array(text.split(), dtype=float)

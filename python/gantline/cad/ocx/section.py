@@ -76,7 +76,7 @@ class Section:
         return cls(name, moments, *size, is_symmetrical, tuple(tuple(loop) for loop in loops), doubts)
 
     def outlines(self, tolerance: float) -> list[Array]:
-        """Corners (n, 2) of each loop."""
+        """Corners (n, 2) [m] of each loop, its curves cut into straight parts to within a tolerance [m]."""
         return [polyline(loop, tolerance)[:, :2] for loop in self.loops]
 
 

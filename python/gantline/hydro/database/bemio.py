@@ -21,7 +21,11 @@ Array = npt.NDArray[np.float64]
 
 
 def read_bemio(path: Path) -> list[HydrodynamicDatabase]:
-    """All bodies of a file."""
+    """All bodies of a file.
+
+    Raises:
+        DatabaseError: If it is no such file, or something that it needs is not in it.
+    """
     checked_hdf5(path)
     with h5py.File(path, "r") as file:
         bodies = [key for key in file if key.startswith("body") and f"{key}/hydro_coeffs" in file]

@@ -123,7 +123,7 @@ class HydrodynamicDatabase:
         return self._ready(matrix, density, "added mass")
 
     def damping_at(self, period: float, density: float) -> tuple[Array, list[str]]:
-        """Damping at a period; otherwise as `added_mass_at`, units [N s/m, N s, N m s]."""
+        """Damping at a period [s], shape (6, 6) [N s/m, N s, N m s]; otherwise as `added_mass_at`."""
         return self._ready(self._between(self.damping, period), density, "damping")
 
     def excitation_at(

@@ -29,7 +29,11 @@ _RADIATION = ("omega", "radiating_dof", "influenced_dof")
 
 
 def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
-    """All bodies of a file that Capytaine wrote; SI units throughout."""
+    """All bodies of a file that Capytaine wrote; SI units throughout.
+
+    Raises:
+        DatabaseError: If it is no such file, or something that it needs is not in it.
+    """
     source = f"{path.name} (Capytaine)"
     with _dataset(path) as found:
         if "added_mass" not in found or "radiation_damping" not in found:
@@ -73,7 +77,11 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
 
 
 def read_dhyd(path: Path) -> list[HydrodynamicDatabase]:
-    """The body of a `.dhyd` file; it says neither reference point nor draft."""
+    """The body of a `.dhyd` file; it says neither reference point nor draft.
+
+    Raises:
+        DatabaseError: If it is no such file, or something that it needs is not in it.
+    """
     names = checked_hdf5(path)
     for name in ("mass/added_mass", "damping/radiation_damping"):
         if name not in names:

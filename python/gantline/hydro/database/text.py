@@ -19,7 +19,11 @@ _TONNES = 1000.0
 
 
 def read_text(path: Path) -> list[HydrodynamicDatabase]:
-    """The body of a file."""
+    """The body of a file.
+
+    Raises:
+        DatabaseError: If it is no such file, or something that it needs is not in it.
+    """
     text = path.read_bytes().decode("utf-8", errors="replace")
     tables_at: list[tuple[float, dict[str, list[list[float]]]]] = []
     announced = None

@@ -13,9 +13,10 @@
 
 mod model;
 
+use super::bearing::{Bearing, Part};
 use super::guard::Guard;
 use super::matrix::Matrix;
-use super::potential::{Bearing, Part, Potential};
+use super::potential::Potential;
 use crate::rope::coil::Coil;
 use crate::rope::seat::Winding;
 use crate::state::State;

@@ -8,7 +8,7 @@
 //! model, all at once, until none does (Júdice and Pires 1994), each time by one factorisation.
 
 use super::{FIRST, SLOWER, Search};
-use crate::statics::potential::{Bearing, Part};
+use crate::statics::bearing::{Bearing, Part};
 use crate::system::System;
 use crate::tree::joint::Motion;
 

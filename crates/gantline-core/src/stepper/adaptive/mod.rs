@@ -9,6 +9,7 @@
 mod begin;
 mod books;
 mod breaking;
+pub mod course;
 mod error;
 pub mod evaluation;
 mod impact;
@@ -39,11 +40,12 @@ use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Twist;
+use course::Increment;
 use evaluation::Evaluation;
 use light::Laid;
 use looks::Looks;
 use prescribed::Prescribed;
-use rodas::{Increment, Rodas};
+use rodas::Rodas;
 use winding::Paid;
 
 /// What an error may be in one step.

@@ -1,8 +1,8 @@
 //! Where in a step the equations are evaluated.
 
 use super::Adaptive;
+use super::course::Increment;
 use super::light::Laying;
-use super::rodas::Increment;
 use crate::contact::spot::Spot;
 use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;

@@ -1,0 +1,81 @@
+//! Runs that are put aside and taken up again.
+
+use serde::{Deserialize, Serialize};
+
+use super::method::Method;
+use super::{Command, Counters, SetupError, Simulation};
+use crate::event::EventLog;
+use crate::record::Samples;
+use crate::state::State;
+
+/// Everything that goes into a checkpoint.
+#[derive(Serialize, Deserialize)]
+struct Checkpoint {
+    fingerprint: u64,
+    /// That of the document alone.
+    document: u64,
+    state: State,
+    samples: Samples,
+    events: EventLog,
+    commands: Vec<Command>,
+    counters: Counters,
+}
+
+/// FNV-1a, to tell whether a checkpoint belongs to a document.
+pub(crate) fn fingerprint<const COUNT: usize>(texts: [&str; COUNT]) -> u64 {
+    let bytes = texts.iter().flat_map(|text| text.bytes().chain([0]));
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// The state in what [`Simulation::save`] gave of the document with a fingerprint, whatever the settings.
+///
+/// # Errors
+/// [`SetupError::State`] where it is not that.
+pub(crate) fn saved_state(document: u64, bytes: &[u8]) -> Result<State, SetupError> {
+    let checkpoint: Checkpoint =
+        serde_json::from_slice(bytes).map_err(|error| SetupError::State(error.to_string()))?;
+    if checkpoint.document != document {
+        return Err(SetupError::State("it was saved from another lift".to_owned()));
+    }
+    Ok(checkpoint.state)
+}
+
+impl Simulation {
+    /// All that is needed to go on with the same bytes.
+    pub fn save(&self) -> Result<Vec<u8>, SetupError> {
+        let checkpoint = Checkpoint {
+            fingerprint: self.fingerprint,
+            document: self.document,
+            state: self.state.clone(),
+            samples: self.samples.clone(),
+            events: self.events.clone(),
+            commands: self.commands.clone(),
+            counters: self.counters,
+        };
+        Ok(serde_json::to_vec(&checkpoint)?)
+    }
+
+    /// Takes up a saved run of the same document and settings.
+    ///
+    /// # Errors
+    /// [`SetupError::State`] where it is not that.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SetupError> {
+        let state = |error: serde_json::Error| SetupError::State(error.to_string());
+        let checkpoint: Checkpoint = serde_json::from_slice(bytes).map_err(state)?;
+        if checkpoint.fingerprint != self.fingerprint {
+            let problem = "it was saved from another lift, or with other settings";
+            return Err(SetupError::State(problem.to_owned()));
+        }
+        self.state = checkpoint.state;
+        self.samples = checkpoint.samples;
+        self.events = checkpoint.events;
+        self.commands = checkpoint.commands;
+        self.counters = checkpoint.counters;
+        self.before.copy_from(&self.state);
+        self.frame.update(&self.system, &self.state);
+        if let Method::Adaptive(adaptive) = &mut self.method {
+            adaptive.forget();
+        }
+        Ok(())
+    }
+}

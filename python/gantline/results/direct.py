@@ -1,0 +1,201 @@
+"""Variables of a recording that are columns of the core as they are, with their dimensions and units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from gantline.results.variable import Columns, Derived, Names, Variable
+
+__all__ = ["commands", "direct", "only", "rounded"]
+
+#: A drawn path is kept to 60 nm; a power of two, so that the last bits of its numbers are zeros, which pack.
+_POINTS_PER_METRE = 2.0**24
+
+# name in the columns -> name in the recording, dimensions, unit, description
+_DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
+    "rope_tension": (
+        "rope_tension",
+        ("time", "rope"),
+        "N",
+        "tension of a rope: mean over its segments, or the largest of its nodes' segments",
+    ),
+    "rope_lengthening": (
+        "rope_lengthening",
+        ("time", "rope"),
+        "m",
+        "what adjusting has added to the natural length of a rope",
+    ),
+    "segment_tension": ("segment_tension", ("time", "segment"), "N", "tension of a segment of rope"),
+    "segment_length": ("segment_length", ("time", "segment"), "m", "length of a segment of rope, stretched"),
+    "rope_point": ("rope_point", ("time", "rope_point", "xyz"), "m", "points on the drawn path of a rope"),
+    "wrap_angle": (
+        "wrap_angle",
+        ("time", "wrapped_sheave"),
+        "rad",
+        "angle over which a rope lies on a sheave; 0 where it runs straight past",
+    ),
+    "fleet_angle": (
+        "fleet_angle",
+        ("time", "wrapped_sheave", "sheave_side"),
+        "rad",
+        "angle of a rope to the plane of a sheave, positive to where its axis points",
+    ),
+    "body_position": ("body_position", ("time", "body", "xyz"), "m", "centre of gravity of a body"),
+    "body_orientation": (
+        "body_orientation",
+        ("time", "body", "wxyz"),
+        "1",
+        "unit quaternion world from body",
+    ),
+    "body_velocity": (
+        "body_velocity",
+        ("time", "body", "xyz"),
+        "m/s",
+        "velocity of the centre of gravity, world axes",
+    ),
+    "body_angular_velocity": (
+        "body_angular_velocity",
+        ("time", "body", "xyz"),
+        "rad/s",
+        "angular velocity of a body, world axes",
+    ),
+    "joint_position": (
+        "joint_position",
+        ("time", "joint"),
+        "m or rad",
+        "position of a slider or hinge; rope that passed a sheave or left a drum",
+    ),
+    "pin_force": (
+        "pin_force",
+        ("time", "pin"),
+        "N",
+        "force that a locking pin takes, positive where its sheave is pulled down; 0 while it is out",
+    ),
+    "contact_force": ("contact_force", ("time", "contact"), "N", "normal force of a contact point"),
+    "clearance": (
+        "clearance",
+        ("time", "pair"),
+        "m",
+        "smallest distance of a watched pair, 0 or less where they touch",
+    ),
+    "displaced_volume": (
+        "displaced_volume",
+        ("time", "hull"),
+        "m^3",
+        "volume of a hull below the water",
+    ),
+    "clearance_point": (
+        "clearance_point",
+        ("time", "pair", "pair_side", "xyz"),
+        "m",
+        "where a watched pair is nearest: a point of each side, of a rope on its centre line",
+    ),
+    "energy": (
+        "energy",
+        ("time", "energy_kind"),
+        "J",
+        "energy by kind; gravity from the start, losses add up",
+    ),
+    "constraint_residual": (
+        "residual_constraint",
+        ("time",),
+        "m",
+        "largest excess length of an inextensible rope",
+    ),
+    "complementarity_residual": (
+        "residual_complementarity",
+        ("time",),
+        "N",
+        "largest distance of a force from its law",
+    ),
+    "rope_peak_tension": ("rope_peak_tension", ("rope",), "N", "largest tension of a rope over all steps"),
+    "rope_peak_time": ("rope_peak_time", ("rope",), "s", "time of the largest tension of a rope"),
+    "event_time": ("event_time", ("event",), "s", "time of an event"),
+}
+_NAMED = (
+    "rope",
+    "segment",
+    "wrapped_sheave",
+    "body",
+    "joint",
+    "contact",
+    "pin",
+    "pair",
+    "hull",
+    "energy_kind",
+)
+# name in the recording, name among the names, dimension, description
+_TEXTS = (
+    ("rope_of_point", "rope_point", "rope_point", "rope to which a drawn point belongs"),
+    ("event_kind", "event_kind", "event", "kind of an event"),
+    ("event_name", "event_name", "event", "what the event happened to"),
+)
+
+
+def direct(columns: Columns, names: Names, of_nodes: Mapping[str, Variable]) -> Derived:
+    """Variables that are columns of the core as they are, and the names along dimensions."""
+    variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
+    for column, (name, dims, unit, description) in _DIRECT.items():
+        if columns[column].size or "event" in dims:
+            # Nobody else has them: no copy is needed to keep them as they are.
+            columns[column].flags.writeable = False
+            variables[name] = Variable(dims, columns[column], unit, description)
+    for name, source, dim, description in _TEXTS:
+        variables[name] = Variable((dim,), np.array(names[source], dtype=np.str_), "1", description)
+    coordinates: dict[str, Sequence[str]] = {kind: names[kind] for kind in _NAMED if len(names[kind])}
+    coordinates |= {"xyz": ("x", "y", "z"), "wxyz": ("w", "x", "y", "z")}
+    coordinates["sheave_side"] = ("arriving", "leaving")
+    coordinates["pair_side"] = ("first", "second")
+    if of_nodes:
+        variables |= of_nodes
+        coordinates["rope_end"] = ("first", "last")
+    return variables, coordinates
+
+
+def only(columns: Columns, names: Names, wanted: str) -> tuple[Variable, dict[str, Sequence[str]]] | None:
+    """One such variable and the names along its dimensions; None where no column is that, or it is empty."""
+    for column, (name, dims, unit, description) in _DIRECT.items():
+        if name == wanted and columns[column].size:
+            labels = {dim: names[dim] for dim in dims if dim in _NAMED}
+            return Variable(dims, columns[column], unit, description), labels
+    return None
+
+
+# name in columns and recording -> unit, description
+_OF_COMMANDS = {
+    "command_time": ("s", "when a program commanded a drive"),
+    "command_speed": ("m/s or rad/s", "speed that it commanded, signed"),
+    "command_acceleration": ("m/s^2 or rad/s^2", "acceleration that it allowed"),
+    "command_name": ("1", "what it commanded, as the plan names it"),
+    "command_motion": ("1", "verb of the plan for that motion"),
+}
+
+
+def commands(columns: Columns, names: Names) -> dict[str, Variable]:
+    """What programs have commanded; nothing of a lift at rest, or that its plan alone moves."""
+    if not len(columns.get("command_time", ())):
+        return {}
+    found = {}
+    for name, (unit, description) in _OF_COMMANDS.items():
+        values = columns[name] if name in columns else np.array(names[name], dtype=np.str_)
+        found[name] = Variable(("command",), values, unit, description)
+    return found
+
+
+def rounded(path: Variable, ropes: Sequence[str]) -> Variable:
+    """Drawn points, rounded but for the ends of ropes, whose directions count.
+
+    Forces have been found by them before: their last digits fill half of a file.
+    """
+    points = path.values * _POINTS_PER_METRE
+    np.rint(points, out=points)
+    points /= _POINTS_PER_METRE
+    owner = np.asarray(ropes)
+    is_new = owner[1:] != owner[:-1]
+    ends = np.flatnonzero(np.append(True, is_new) | np.append(is_new, True))
+    points[:, ends] = path.values[:, ends]
+    points.flags.writeable = False
+    return replace(path, values=points)
