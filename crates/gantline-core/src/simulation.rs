@@ -342,7 +342,7 @@ impl Simulation {
 
     fn subject(&self, event: &Event) -> String {
         match event.kind {
-            EventKind::Cut | EventKind::Broken | EventKind::Detached => {
+            EventKind::Cut | EventKind::Broken | EventKind::Detached | EventKind::Attached => {
                 self.system.rope_name(event.subject).to_owned()
             }
             EventKind::Taut

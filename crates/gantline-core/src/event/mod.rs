@@ -18,6 +18,8 @@ pub enum EventKind {
     Broken,
     /// A rope has been taken off.
     Detached,
+    /// A rope has been put on.
+    Attached,
     /// The last contact force of a load has become zero.
     LiftOff,
     /// A load that hung free touches again.
@@ -76,6 +78,7 @@ impl EventKind {
             Self::Cut => "cut",
             Self::Broken => "broken",
             Self::Detached => "detached",
+            Self::Attached => "attached",
             Self::LiftOff => "lift_off",
             Self::SetDown => "set_down",
             Self::Stick => "stick",

@@ -98,7 +98,7 @@ impl Adaptive {
     /// Keeps what pins hold exactly where it is, so that rounding does not add up there either.
     fn hold_pins(&mut self, system: &System, state: &State) {
         for pinning in &system.pins {
-            let row = system.rows.first[pinning.pin];
+            let row = system.rows.first[pinning.constraint];
             if state.modes[row] == Mode::Acting {
                 for (dof, _) in system.rows.entries(&self.next.frame.gradient, row) {
                     (self.end.phi[dof], self.end.v[dof]) = (0.0, 0.0);
@@ -176,7 +176,7 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
-            (_, Mode::Parted) | (Law::Pin, _) => 0.0,
+            (_, Mode::Parted | Mode::Off) | (Law::Pin, _) => 0.0,
             // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
             (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
                 at.trial[row] - self.looks.start(row).max(0.0)
