@@ -4,7 +4,7 @@ use super::books::WEIGHTS;
 use super::evaluation::Evaluation;
 use super::light::Laying;
 use super::point::Point;
-use super::{Adaptive, LOOKS, SWITCHING};
+use super::{Adaptive, LOOKS, STEP_FLOOR, SWITCHING};
 use crate::constraint::brake::Brake;
 use crate::constraint::contact::Contact;
 use crate::constraint::touch::Touch;
@@ -151,7 +151,8 @@ impl Adaptive {
             let middle = 0.5 * (low + high);
             if self.fulfilled(system, state, middle) { high = middle } else { low = middle }
         }
-        high
+        // A part so short moves nothing, and what rounding has left unfulfilled at its end would stay so.
+        high.max(STEP_FLOOR / self.rodas.course.h).min(made)
     }
 
     fn fulfilled(&mut self, system: &System, state: &State, theta: f64) -> bool {
