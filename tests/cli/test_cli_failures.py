@@ -50,6 +50,31 @@ mechanics:
            bulge: [0, 0, -1]}
         - {type: end, body: post, at: [0.4 m, 0 m, 10 m]}
 """
+# From the hook to the lug are 9 m and what the load stands deep in the ground, less than a millimetre.
+TOO_SHORT = """
+format: 1
+lift: {title: A sling that is too short where it is put on}
+duration: 2 s
+ground: {level: 0 m, stiffness: 200 MN/m, damping: 10 MN s/m, friction: 0.4}
+ropes: {rope: {axial_stiffness: 100 MN, damping_time: 10 ms}}
+load:
+  name: module
+  shape: {box: [12 m, 6 m, 4 m]}
+  position: [0 m, 0 m, 0 m]
+  stands_on: ground
+  weight: {calculated: 10 t}
+  centre_of_gravity: {at: [0 m, 0 m, 2 m]}
+  lugs: {one: {at: [0 m, 0 m, 4 m]}}
+cranes:
+  hook: {type: fixed_hook, at: [0 m, 0 m, 13 m], hoist: {speed: 6 m/min, acceleration: 0.1 m/s^2}}
+sling_defaults: {rope: rope}
+slings:
+  long:  {from: hook, to: module.one, length: 9.5 m}
+  short: {from: hook, to: module.one, length: 8.5 m}
+plan:
+  - {step: wait, hold: 1 s}
+  - {step: on,   hold: until_end, attach: sling.short}
+"""
 NO_INERTIA = """
 format: 1
 lift: {title: A hinge that nothing holds back}
@@ -97,8 +122,24 @@ def run(folder: Path, text: str, *words: str) -> tuple[int, str]:
             (math.sqrt(2 * 2.0 / G) - 2e-3, math.sqrt(2 * 2.0 / G) + 2e-3),
             0.6,
         ),
+        (TOO_SHORT, (), "sling.short", "is 8.500 m long and 0.500 m too short", (1.0, 1.0), 0.9),
+        (
+            TOO_SHORT,
+            ("--integrator", "del"),
+            "sling.short",
+            "is 8.500 m long and 0.500 m too short",
+            (1.0, 1.0),
+            0.9,
+        ),
     ],
-    ids=["redundant ropes", "redundant ropes by del", "singular at the start", "sheave at a dead end"],
+    ids=[
+        "redundant ropes",
+        "redundant ropes by del",
+        "singular at the start",
+        "sheave at a dead end",
+        "short sling",
+        "short sling by del",
+    ],
 )
 def test_time_element_and_cause_are_said_and_what_there_is_is_saved(
     tmp_path: Path,
@@ -179,4 +220,15 @@ def test_a_body_without_inertia_is_refused_before_anything_runs(tmp_path: Path) 
     code, said = run(tmp_path, NO_INERTIA)
     assert code == 2
     assert "flap: it has no inertia in a direction that it can move" in said
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_sling_that_is_certain_to_be_too_short_is_refused_before_anything_runs(tmp_path: Path) -> None:
+    """The load stands and nothing has held it: where the hook and the lug are is known."""
+    code, said = run(tmp_path, TOO_SHORT.replace("attach: sling.short", "attach: [sling.short, sling.long]"))
+    assert code == 2
+    assert "lift.yaml:23: plan[2].attach: 'sling.short' is 8.5 m and 0.500 m too short to be put on" in said
+    assert (
+        "from 'hook' to its lug it is 9.000 m then; lower the hook before, or make the sling longer" in said
+    )
     assert not (tmp_path / "out").exists()

@@ -263,11 +263,12 @@ pub fn spring_energy(law: &Law, e: f64) -> f64 {
 }
 
 /// Σ spring energies of all rows at the values `value` [J]; tangential springs of open contacts and ropes that have
-/// parted hold nothing.
+/// parted or are not on hold nothing.
 pub fn elastic_energy(system: &System, value: &[f64], modes: &[Mode]) -> f64 {
     let laws = system.rows.laws.iter().zip(modes).zip(value);
     let held = laws.filter(|((law, mode), _)| {
-        **mode != Mode::Parted && !(matches!(law, Law::Friction { .. }) && **mode == Mode::Slack)
+        let is_open = matches!(law, Law::Friction { .. }) && **mode == Mode::Slack;
+        !(mode.is_absent() || is_open)
     });
     held.map(|((law, _), value)| spring_energy(law, *value)).sum()
 }

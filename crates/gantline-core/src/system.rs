@@ -13,7 +13,7 @@ use crate::force;
 use crate::force::mooring::Mooring;
 use crate::force::trains::Trains;
 use crate::plan::drive::Timeline;
-use crate::plan::{Cut, Pinning, Plan, Removal};
+use crate::plan::{Cut, Plan, Removal, Switching};
 use crate::rope::coil::Layers;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
@@ -259,8 +259,10 @@ pub struct System {
     pub fragile: Vec<(usize, f64)>,
     /// Ropes that are cut.
     pub cuts: Vec<Cut>,
+    /// Ropes that steps of the plan put on or take off.
+    pub slings: Vec<Switching>,
     /// Locking pins.
-    pub pins: Vec<Pinning>,
+    pub pins: Vec<Switching>,
     /// Rows of inextensible ropes.
     pub inextensible: Vec<usize>,
     /// Those and the rows of pins and brakes: rows without compliance, whose force is an unknown of its own.

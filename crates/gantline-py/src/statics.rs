@@ -173,14 +173,16 @@ impl Statics {
     /// Columns of the equilibrium or swing found last, by name.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let columns = py.detach(|| self.inner.columns());
-        dictionary(py, named(self.inner.samples(), columns, &self.inner.names(), Vec::new()))
+        let events = vec![0.0; self.inner.events().len()];
+        dictionary(py, named(self.inner.samples(), columns, &self.inner.names(), events))
     }
 
     /// Names that go with the columns.
     fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let out = name_lists(py, self.inner.names())?;
-        out.set_item("event_kind", Vec::<String>::new())?;
-        out.set_item("event_name", Vec::<String>::new())?;
+        let (kinds, slings): (Vec<_>, Vec<_>) = self.inner.events().into_iter().unzip();
+        out.set_item("event_kind", kinds)?;
+        out.set_item("event_name", slings)?;
         Ok(out)
     }
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from gantline.assembly.parting import pieces_of
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import below_pin, falls_on_upper_sheaves, reeved_hooks, upper_sheaves
@@ -17,7 +19,14 @@ _LEAST = 1.0
 
 
 def condition_of(
-    scenario: Scenario, rigging: Rigging, parts: Parts, condition: Condition, weight: float, *, down: bool
+    scenario: Scenario,
+    rigging: Rigging,
+    parts: Parts,
+    condition: Condition,
+    weight: float,
+    *,
+    down: bool,
+    on: Collection[str],
 ) -> Json:
     """What a step waits for, as the core reads it.
 
@@ -28,6 +37,7 @@ def condition_of(
         condition: as the lift file says it.
         weight: what the load weighs as it is simulated [N].
         down: whether the step lowers; shares of the weight then count what is left.
+        on: names of the slings that are on in the step: those count where none are named.
     """
     if condition.hoist_load is not None:
         reached = condition.hoist_load
@@ -44,7 +54,7 @@ def condition_of(
         bound = max(reached.below.newtons(gravity) - above, 0.0)
         return {"type": "tension_below", "segments": segments, "bound": bound}
     if condition.slings is not None:
-        return _slings(scenario, rigging, parts, condition)
+        return _slings(scenario, rigging, parts, condition, on)
     if condition.load_tilt is not None:
         assert scenario.load is not None  # checked when the file was read
         tilt = condition.load_tilt
@@ -57,9 +67,9 @@ def condition_of(
         }
     if condition.tension_spread is not None:
         names = condition.of or tuple(rigging.equalizers)
+        hanging = [one for one in rigging.slings.values() if one.name in on]
         groups = [
-            [_upper(parts, f"sling.{one.name}") for one in rigging.slings.values() if one.equalizer == name]
-            for name in names
+            [_upper(parts, f"sling.{one.name}") for one in hanging if one.equalizer == name] for name in names
         ]
         groups = [group for group in groups if group]
         return {"type": "spread", "groups": groups, "at_most": condition.tension_spread}
@@ -106,12 +116,16 @@ def _upper(parts: Parts, rope: str) -> str:
     return str(pieces_of(parts, rope)[0]["name"])
 
 
-def _slings(scenario: Scenario, rigging: Rigging, parts: Parts, condition: Condition) -> Json:
+def _slings(
+    scenario: Scenario, rigging: Rigging, parts: Parts, condition: Condition, on: Collection[str]
+) -> Json:
     """All of some slings are slack, or each of them carries.
 
     One that hangs by its own distributed weight is slack where no more than that pulls at its upper end.
     """
-    names = [name.removeprefix("sling.") for name in condition.of] or list(rigging.slings)
+    names = [name.removeprefix("sling.") for name in condition.of] or [
+        name for name in rigging.slings if name in on
+    ]
     slings = [rigging.slings[name] for name in names]
     ropes = [_upper(parts, f"sling.{name}") for name in names]
     if condition.slings == "slack":

@@ -13,6 +13,7 @@ from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.movers import Mover, boom_angles, mover
 from gantline.scenario.plan import Step
+from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tanks import ends_of_pump, tanks_of
 
@@ -57,7 +58,8 @@ def turned_drive(upper: str) -> str:
 def operations(scenario: Scenario, rigging: Rigging, parts: Parts, weight: float) -> list[Json]:
     """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
     found = []
-    for place, (step, before) in enumerate(zip(scenario.plan, boom_angles(scenario), strict=True)):
+    each = zip(scenario.plan, boom_angles(scenario), slings_on(scenario), strict=True)
+    for place, (step, before, on) in enumerate(each):
         if isinstance(step, HoldStep):
             made = _hold(step)
         elif isinstance(step, PumpStep):
@@ -66,7 +68,7 @@ def operations(scenario: Scenario, rigging: Rigging, parts: Parts, weight: float
             made = _moving(scenario, step, before)
         if step.until is not None:
             down = isinstance(step, (LowerStep, PayOutStep))
-            made["until"] = condition_of(scenario, rigging, parts, step.until, weight, down=down)
+            made["until"] = condition_of(scenario, rigging, parts, step.until, weight, down=down, on=on)
         if place == 0 and made["start_at"] is None:
             made["start_at"] = 0.0
         found.append(made)

@@ -10,7 +10,7 @@ __all__ = ["add_partings", "pieces_of"]
 
 
 def add_partings(parts: Parts, scenario: Scenario) -> None:
-    """Tell the ropes, and the steps of the plan, which break, are cut or taken off.
+    """Tell the ropes, and the steps of the plan, which break, are cut, taken off or put on.
 
     Of a rope with nodes every piece breaks by itself; it is cut, or taken off, at its first end.
 
@@ -28,7 +28,7 @@ def add_partings(parts: Parts, scenario: Scenario) -> None:
         if parting.cut_at is not None:
             pieces[0]["cut_at"] = parting.cut_at
     for given, step in zip(scenario.plan, parts.plan, strict=True):
-        for key, names in (("cuts", given.cut), ("detaches", given.detach)):
+        for key, names in (("cuts", given.cut), ("detaches", given.detach), ("attaches", given.attach)):
             if names:
                 step[key] = [name if name in lines else pieces_of(parts, name)[0]["name"] for name in names]
 

@@ -70,8 +70,15 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **limits_and_rules(scenario, rigging, has_sheaves=bool(wrapped)),
         **_equalised_below(scenario),
         "plan": [_step(scenario, step) for step in scenario.plan],
+        **_starts_off(rigging),
         **_supports_and_watches(scenario),
     }
+
+
+def _starts_off(rigging: Rigging) -> Json:
+    """Ropes of the slings that a step puts on; nothing in a lift without."""
+    later = [f"sling.{name}" for name, sling in rigging.slings.items() if not sling.starts_on]
+    return {"starts_off": later} if later else {}
 
 
 def _supports_and_watches(scenario: Scenario) -> Json:
@@ -315,8 +322,8 @@ def _equalised_below(scenario: Scenario) -> Json:
     return {} if bound is None else {"equalised_below": bound}
 
 
-#: Keys of a step by which ropes and supports go as it begins.
-_PARTS = ("cut", "detach", "remove_supports")
+#: Keys of a step by which ropes and supports go, and slings come, as it begins.
+_PARTS = ("cut", "detach", "attach", "remove_supports")
 
 
 def _step(scenario: Scenario, step: Any) -> Json:

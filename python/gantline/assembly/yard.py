@@ -12,6 +12,7 @@ from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
 from gantline.assembly.route import MOST_STRAIN, end_to_end, route_length, too_far
 from gantline.assembly.sheave import add_sheave_flow
+from gantline.assembly.slinging import check_reach
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario
 from gantline.scenario.extension import SlingEnd
@@ -39,12 +40,23 @@ def hoist_drive(hook: str) -> str:
 
 
 def upper_lump(sling: SlingRigging) -> float:
-    """Mass at the upper end of a sling: the upper shackle and what the end carries of the rope [kg]."""
-    return mass_at_end(sling.weight, sling.length) + (sling.top[1].mass if sling.top else 0.0)
+    """Mass at the upper end of a sling: the upper shackle and what the end carries of the rope [kg].
+
+    One that is put on later hangs there with all its weight.
+    """
+    own = mass_at_end(sling.weight, sling.length) + (sling.top[1].mass if sling.top else 0.0)
+    return own if sling.starts_on else own + _lower_mass(sling)
 
 
 def lower_lump(sling: SlingRigging) -> float:
-    """Mass at a lower end of a sling: the lower shackle and what the end carries of the rope [kg]."""
+    """Mass at a lower end of a sling: the lower shackle and what the end carries of the rope [kg].
+
+    Nothing of one that is put on later.
+    """
+    return _lower_mass(sling) if sling.starts_on else 0.0
+
+
+def _lower_mass(sling: SlingRigging) -> float:
     rope = mass_at_end(sling.weight, sling.length) / len(sling.ends)
     return rope + (sling.bottom[1].mass if sling.bottom else 0.0)
 
@@ -79,24 +91,21 @@ def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> 
     """
     for equalizer in rigging.equalizers.values():
         _add_frame(parts, equalizer)
-        carried = {
-            sling.sheave: upper_lump(sling)
-            for sling in rigging.slings.values()
-            if sling.equalizer == equalizer.name
-        }
+        hanging = [sling for sling in rigging.slings.values() if sling.equalizer == equalizer.name]
+        carried = {sling.sheave: upper_lump(sling) for sling in hanging}
+        held = {sling.sheave for sling in hanging if sling.starts_on}
         sheaves = equalizer.moving_sheaves
         if not equalizer.has_sheaves:
             for place in range(1, len(sheaves.along) + 1):
                 mass = sheaves.mass + carried.get(place, 0.0)
                 parts.lump(equalizer.name, sheave_place(equalizer, place), mass)
-            hanging = [sling for sling in rigging.slings.values() if sling.equalizer == equalizer.name]
             names = [f"sling.{sling.name}" for sling in hanging]
             factor = equalizer.adjusting_factor
             parts.adjusters.append({"name": equalizer.name, "ropes": names, "factor": factor})
             continue
         for place, along in enumerate(sheaves.along, start=1):
             name = f"{equalizer.name}.{place}"
-            if place not in carried and name not in pins and not equalizer.travel.stops:
+            if place not in held and name not in pins and not equalizer.travel.stops:
                 parts.warnings.append(
                     f"no sling hangs from moving sheave {name}: without 'stops: true' in 'travel' the rope "
                     "hauls it up to the fixed sheaves"
@@ -248,7 +257,9 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     for sling in rigging.slings.values():
         route = sling_route(scenario, rigging, sling, lugs)
         distance = route_length(parts, route)
-        short = distance - sling.length
+        if not sling.starts_on:
+            check_reach(parts, scenario, sling, route)
+        short = distance - sling.length if sling.starts_on else -math.inf
         # One that an extension sheave or a spreader hangs on stretches under its weight.
         at_rest = scenario.load_has_settled and sling.lugs
         may_stretch = not (at_rest or sling.rope.inextensible)
@@ -270,7 +281,12 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         if sling.weight.mass_per_length > 0:  # lumped where hook, sheaves and load are made
             parts.rope_mass[rope] = sling.weight.mass_per_length * sling.length, 0.0
         add_free_rope(parts, scenario, path, rope, sling.rope, sling.weight, sling.length, route)
-        if sling.over is None and sling.lugs and (rise := float(end_to_end(parts, route)[2])) > 0.0:
+        if (
+            sling.starts_on
+            and sling.over is None
+            and sling.lugs
+            and (rise := float(end_to_end(parts, route)[2])) > 0.0
+        ):
             below[sling.name] = rise
     if below:
         deepest = max(below, key=lambda name: below[name])

@@ -28,8 +28,12 @@ def idle(recording: Recording) -> list[Check]:
     A load that is turned, or goes from crane to crane, leaves slings slack at times; never taut is a length,
     or a lug, that is not as it was meant.
     """
-    peaks = {sling.name: series.rope_peak(recording, sling.rope)[0] for sling in recording.rig.slings}
-    slack = [name for name, peak in peaks.items() if peak < _NOTHING * max(peaks.values())]
+    peaks = {
+        sling.name: series.rope_peak(recording, sling.rope)[0]
+        for sling in recording.rig.slings
+        if series.is_on(recording, sling.rope).any()
+    }
+    slack = [name for name, peak in peaks.items() if peak < _NOTHING * max(peaks.values(), default=0.0)]
     if not slack or not series.is_clear(recording).any() or series.is_equilibrium(recording):
         return []
     remark = f"slack over the whole lift: {named(slack)}"
@@ -65,14 +69,16 @@ def taken_off(recording: Recording) -> list[Check]:
 def sling_tension(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Tension as simulated."""
     for sling in recording.rig.slings:
-        yield from extreme(recording, series.sling_tension(recording, sling), during, sling.name)
+        on = during & series.is_on(recording, sling.rope)
+        yield from extreme(recording, series.sling_tension(recording, sling), on, sling.name)
 
 
 def smallest_tension(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Smallest tension."""
     for sling in recording.rig.slings:
         tension = series.sling_tension(recording, sling)
-        yield from extreme(recording, tension, during, sling.name, smallest=True)
+        on = during & series.is_on(recording, sling.rope)
+        yield from extreme(recording, tension, on, sling.name, smallest=True)
 
 
 def skew_load_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:

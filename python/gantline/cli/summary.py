@@ -17,7 +17,7 @@ from gantline.results import series
 from gantline.results.drift import load_drift
 from gantline.results.lift_off import lift_off_in_words
 from gantline.results.metrics import energy_bound
-from gantline.results.parting import partings
+from gantline.results.parting import ATTACHED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.upending import is_turned, turning_in_words
@@ -49,6 +49,7 @@ def summary(
         _loads(recording),
         cut(_slings(recording), _MOST_ROWS),
         _parted(recording),
+        _put_on(recording),
         cut(_used(recording), _MOST_ROWS),
         *(equalizer_table(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
@@ -135,13 +136,14 @@ def _slings(recording: Recording) -> list[str]:
         force, time = series.rope_peak(recording, sling.rope)
         angle = series.sling_angle(recording, sling)
         carrying = series.is_carrying(tension)
+        counts = clear & series.is_on(recording, sling.rope)
         rows.append(
             (
                 sling.name,
                 show(static, "kN", 1),
                 show(force, "kN", 1),
                 show(time, "s", 2),
-                show(float(tension[clear].min()) if clear.any() else None, "kN", 1),
+                show(float(tension[counts].min()) if counts.any() else None, "kN", 1),
                 show(series.static_value(recording, angle, window), "deg", 1),
                 show(float(angle[carrying].max()) if carrying.any() else None, "deg", 1),
             )
@@ -163,6 +165,12 @@ def _parted(recording: Recording) -> list[str]:
         for one in partings(recording)
     ]
     return table(("Parted", "", "at", "tension", "of minimum breaking force"), rows, "llrrr") if rows else []
+
+
+def _put_on(recording: Recording) -> list[str]:
+    """Slings that steps put on."""
+    rows = [(rope, show(time, "s", 3)) for time, _, rope in recording.events(ATTACHED)]
+    return table(("Put on", "at"), rows, "lr") if rows else []
 
 
 def _used(recording: Recording) -> list[str]:

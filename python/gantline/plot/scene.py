@@ -175,7 +175,7 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
     return [
         RopePath(rope, kinds.get(rope, "rope"), points[places[rope]], float(tension[index]))
         for index, rope in enumerate(recording.coordinates["rope"])
-        if rope in places
+        if rope in places and np.ptp(points[places[rope]], axis=0).any()  # else it is not there
     ]
 
 

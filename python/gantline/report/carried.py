@@ -11,7 +11,7 @@ from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
 from gantline.results.gear import Equalizer, Hook, Sling
-from gantline.results.parting import partings
+from gantline.results.parting import ATTACHED, PARTING, partings
 from gantline.results.variable import FloatArray
 
 #: Shares of the weight over at which a load cell is read.
@@ -98,7 +98,10 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     """
     every = {one.rope: one for one in partings(subject.recording)}
     parted = {rope for rope, one in every.items() if one.kind != "detached"}
-    told = {rope: f"{one.kind} {show(one.time, 's', 1)}" for rope, one in every.items()}
+    told: dict[str, list[str]] = {}
+    for time, kind, rope in subject.recording.events():
+        if kind in (*PARTING, ATTACHED):
+            told.setdefault(rope, []).append(f"{kind} {show(time, 's', 1)}")
 
     def used(sling: Sling) -> tuple[bool, float, float]:
         share = series.utilisation(subject.recording, sling.rope)
@@ -113,7 +116,7 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     return [
         {
             **_sling(subject, one, *worst.values()),
-            "gone": told.get(one.rope, ""),
+            "gone": ", ".join(told.get(one.rope, ())),
             "is_parted": one.rope in parted,
         }
         for one in slings
@@ -133,6 +136,7 @@ def _sling(
     force, time = series.rope_peak(recording, sling.rope)
     angle = series.sling_angle(recording, sling)
     carrying = series.is_carrying(tension)
+    clear = subject.clear & series.is_on(recording, sling.rope)
     own = [f"{of}.{lug}" for _, of, lug in sling.at_lugs()]
     held = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
     return {
@@ -142,7 +146,7 @@ def _sling(
         "static": number(subject.static(tension), "kN", 0),
         "peak": number(force, "kN", 0),
         "time": number(time, "s", 1),
-        "least": number(float(tension[subject.clear].min()) if subject.clear.any() else None, "kN", 0),
+        "least": number(float(tension[clear].min()) if clear.any() else None, "kN", 0),
         "angle": number(float(angle[carrying].max()) if carrying.any() else None, "deg", 1),
         "rope": number(share(force, sling.minimum_breaking_force), "%", 0),
         "shackle": number(max(held, default=None), "%", 0),

@@ -238,24 +238,25 @@ def _is_hold_point(step: Step, last: Step) -> bool:
 
 
 def _does(step: Step) -> str:
-    """What a step does, at which speed, with which pins, and what goes as it begins."""
+    """What a step does, at which speed, with which pins, and what goes or comes as it begins."""
     speed = f" {60.0 * step.speed:.3g} m/min" if step.speed is not None and step.kind in _ALONG else ""
     pins = [
         f"{words} pins of {', '.join(names)}"
         for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))
         if names
     ]
-    gone = [
+    gear = [
         f"{words} {', '.join(name.removeprefix('sling.') for name in names)}"
         for words, names in (
             ("take off", step.detach),
+            ("put on", step.attach),
             ("cut", step.cut),
             ("take away", step.remove_supports),
         )
         if names
     ]
     verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
-    return "; ".join(part for part in (f"{verb}{speed}", *pins, *gone) if part)
+    return "; ".join(part for part in (f"{verb}{speed}", *pins, *gear) if part)
 
 
 def _requirement(key: str, bounds: Any) -> str:

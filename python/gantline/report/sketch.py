@@ -162,7 +162,9 @@ def _ropes(subject: Subject, sample: int) -> dict[str, FloatArray]:
     if "rope_point" not in recording:
         return {}
     points, places = recording["rope_point"].values[sample], recording.points_of_ropes
-    return {name: points[places[name]] for name in recording.coordinates["rope"] if name in places}
+    paths = {name: points[places[name]] for name in recording.coordinates["rope"] if name in places}
+    # What has parted or is not on is one point.
+    return {name: path for name, path in paths.items() if np.ptp(path, axis=0).any()}
 
 
 def _draw(

@@ -15,7 +15,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `parted_ropes` [1]: how many ropes were cut or broke; absent where none did, as the next two
 - `parting_time.<rope>` [s]: when that rope parted
 - `parting_tension.<rope>` [N]: what it carried then
-- `detaching_tension.<rope>` [N]: what a rope still carried as a step took it off
+- `attaching_time.<rope>` [s]: when a step put that sling on, the last time
+- `detaching_tension.<rope>` [N]: what a rope still carried as a step took it off, the last time
 - `static_sling_tension.<sling rope>` [N]: its static tension
 - `skew_load_factor` [1]: largest static force of a sling over its force with perfect lengths, as
   `gantline.results.skew` defines it
@@ -88,7 +89,7 @@ from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.lift_off import lift_off_time
-from gantline.results.parting import partings
+from gantline.results.parting import ATTACHED, partings
 from gantline.results.rating import chart_used
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew
@@ -166,6 +167,8 @@ def _parted(recording: Recording) -> Iterator[_Metric]:
     for one in gone:
         if one.kind == "detached":
             yield f"detaching_tension.{one.rope}", one.tension
+    for time, _, rope in recording.events(ATTACHED):
+        yield f"attaching_time.{rope}", time
 
 
 def _supports(recording: Recording) -> Iterator[_Metric]:
@@ -210,8 +213,8 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
             amplification.append(top / static)
         if sling.minimum_breaking_force and top > 0.0:
             factors.append(sling.minimum_breaking_force / top)
-        if clear.any():
-            least.append(float(tension[clear].min()))
+        if (counts := clear & series.is_on(recording, sling.rope)).any():
+            least.append(float(tension[counts].min()))
         carrying = series.is_carrying(tension)
         if carrying.any():
             angles.append(float(series.sling_angle(recording, sling)[carrying].max()))

@@ -1,16 +1,19 @@
-"""What parted or was taken off and which stops were met, from the events of a recording."""
+"""What parted, was taken off or put on and which stops were met, from the events of a recording."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
 
 #: Kinds of events after which a rope carries nothing any more.
 PARTING = ("cut", "broken", "detached")
+#: Kind of the event from which on a sling may carry.
+ATTACHED = "attached"
 #: A sample at the time of an event shows the rope before it parted; rounding of that time [s].
 _AT_ONCE = 1e-9
 
@@ -49,18 +52,42 @@ class Met:
 
 
 def partings(recording: Recording) -> list[Parting]:
-    """Ropes that parted or were taken off, in order of time."""
-    found: dict[str, Parting] = {}
+    """Ropes that parted or were taken off, in order of time; one that is put on again may go again."""
+    found: list[Parting] = []
+    gone: set[str] = set()
     breaks_at = {rope.name: rope.breaks_at for rope in recording.rig.ropes}
     for time, kind, rope in recording.events():
-        if kind not in PARTING or rope in found:
+        if kind == ATTACHED:
+            gone.discard(rope)
+        if kind not in PARTING or rope in gone:
             continue
+        gone.add(rope)
         before = int(np.searchsorted(recording.time, time + _AT_ONCE, side="right")) - 1
         tension = float(recording.column("rope_tension", rope)[max(before, 0)])
         if kind == "broken":
             tension = breaks_at.get(rope) or tension
-        found[rope] = Parting(rope, kind, time, tension)
-    return list(found.values())
+        found.append(Parting(rope, kind, time, tension))
+    return found
+
+
+def while_there(recording: Recording, ropes: Sequence[str], gone_by: Sequence[str] = PARTING) -> BoolArray:
+    """Where ropes are on, shape (ropes, time); at the moment at which one comes or goes it is.
+
+    Args:
+        recording: The recording.
+        ropes: Their names.
+        gone_by: Kinds of events after which one is not there any more.
+    """
+    there = np.ones((len(ropes), len(recording.time)), dtype=np.bool_)
+    starts_off = recording.rig.starts_off
+    for place, rope in enumerate(ropes):
+        there[place] = rope not in starts_off
+    for time, kind, rope in recording.events():
+        if rope in ropes and kind == ATTACHED:
+            there[ropes.index(rope), recording.time >= time] = True
+        elif rope in ropes and kind in gone_by:
+            there[ropes.index(rope), recording.time > time] = False
+    return there
 
 
 def stops_met(events: Iterable[tuple[float, str, str]]) -> list[Met]:

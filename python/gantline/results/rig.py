@@ -132,6 +132,7 @@ class Step(FromJson):
         tanks: Tanks that it pumps.
         cut: Ropes that are cut as it begins.
         detach: Slings and ropes that are taken off then.
+        attach: Slings that are put on then.
         remove_supports: Supports, or groups of them, that are taken away then.
         turns: Whether it waits for, or asks for, a tilt of the load above some angle.
         speed: Of what it moves [m/s]; None of a step that moves nothing along.
@@ -151,6 +152,7 @@ class Step(FromJson):
     tanks: Sequence[str] = ()
     cut: Sequence[str] = ()
     detach: Sequence[str] = ()
+    attach: Sequence[str] = ()
     remove_supports: Sequence[str] = ()
     turns: bool = False
 
@@ -196,6 +198,7 @@ class Rig(FromJson):
         bends: The smallest sheave or drum of each rope.
         equalised_below: Tension spread below which an equalizer has equalised [1].
         plan: Steps of the plan.
+        starts_off: Ropes that are not on at the start, since a step puts them on.
     """
 
     title: str = ""
@@ -235,6 +238,7 @@ class Rig(FromJson):
     bends: Sequence[Bend] = ()
     equalised_below: float = EQUALISED_BELOW
     plan: Sequence[Step] = ()
+    starts_off: Sequence[str] = ()
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:

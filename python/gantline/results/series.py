@@ -21,7 +21,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import PARTING, partings
+from gantline.results.parting import PARTING, while_there
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes, heading, tilt
@@ -293,12 +293,14 @@ def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
 
 
 def are_whole(recording: Recording, ropes: Sequence[str]) -> BoolArray:
-    """Where ropes have not parted, shape (ropes, time); at the moment of its parting a rope is whole."""
-    whole = np.ones((len(ropes), len(recording.time)), dtype=np.bool_)
-    for parting in partings(recording):
-        if parting.rope in ropes:
-            whole[ropes.index(parting.rope), recording.time > parting.time] = False
-    return whole
+    """Where ropes are on and have not parted, shape (ropes, time); at the moment of its parting one is."""
+    return while_there(recording, ropes)
+
+
+def is_on(recording: Recording, rope: str) -> BoolArray:
+    """Where a rope is put on and not taken off, parted or not, shape (time,)."""
+    on: BoolArray = while_there(recording, [rope], ["detached"])[0]
+    return on
 
 
 def frame_tilt(recording: Recording, equalizer: Equalizer) -> FloatArray:

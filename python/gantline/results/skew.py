@@ -32,7 +32,6 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.gear import Equalizer, Sling
-from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
@@ -94,9 +93,9 @@ def skew_loads(recording: Recording, window: BoolArray | None = None) -> list[Sk
 
 def _at(recording: Recording, window: BoolArray) -> list[Skew]:
     """Skew of every sling that hung together over one quiet window."""
-    end = float(recording.time[window][-1])
-    gone = {one.rope for one in partings(recording) if one.time <= end}
-    slings = [sling for sling in recording.rig.slings if sling.rope not in gone]
+    ropes = [sling.rope for sling in recording.rig.slings]
+    there = series.are_whole(recording, ropes)[:, window][:, -1]
+    slings = [sling for sling, is_there in zip(recording.rig.slings, there, strict=True) if is_there]
     sharing = [sling for sling in slings if sling.over is None]
     skews = [skew for group in _groups(recording, sharing) for skew in _of_group(recording, window, group)]
     over = [sling for sling in slings if sling.over is not None]

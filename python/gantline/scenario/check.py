@@ -29,6 +29,7 @@ from gantline.scenario.pins import check_pins, pins_of
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
 from gantline.scenario.sheave import taken_together
+from gantline.scenario.slinging import check_put_on
 from gantline.scenario.times import wrong_times
 
 __all__ = ["check"]
@@ -53,6 +54,7 @@ def check(scenario: Scenario) -> None:
             check_equalizer(findings, equalizer, slings)
         check_spreaders(findings, rigging)
         check_pins(findings, rigging)
+        check_put_on(findings, rigging)
         if scenario.simulation.integrator == "explicit" and pins_of(scenario, rigging).at_start:
             sentence = "'explicit' knows no pins; 'adaptive' or 'del' is right"
             findings.add(("simulation", "integrator"), sentence)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Final, Literal
 from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import Quantity, WordOr
 from gantline.scenario.reeving import hoist_ropes
+from gantline.scenario.slinging import check_slinging
 
 if TYPE_CHECKING:
     from gantline.scenario.findings import Findings, Path
@@ -113,17 +114,8 @@ def check_partings(findings: Findings) -> None:
         *mechanics,
     ]
     loose = [name for name in known if name.startswith("sling.") or name in mechanics]
-    taken_off: set[str] = set()
+    check_slinging(findings, known, loose)
     for place, step in enumerate(scenario.plan):
-        for rope in step.detach:
-            if rope not in known:
-                findings.add(("plan", place, "detach"), f"'{rope}' is not a rope; {nearest(rope, loose)}")
-            elif rope not in loose:
-                sentence = f"'{rope}' cannot be taken off; slings and ropes of 'mechanics' can"
-                findings.add(("plan", place, "detach"), f"{sentence}. 'cut' parts any rope")
-            elif rope in taken_off:
-                findings.add(("plan", place, "detach"), f"'{rope}' has been taken off already; once is right")
-            taken_off.add(rope)
         for rope in step.cut:
             if rope not in known:
                 findings.add(("plan", place, "cut"), f"'{rope}' is not a rope; {nearest(rope, known)}")

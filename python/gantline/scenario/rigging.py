@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from gantline.scenario.crane import (
@@ -28,6 +28,7 @@ from gantline.scenario.model import Scenario
 from gantline.scenario.rope_weight import RopeWeight, RopeWeightWord, check_rope_weight, rope_weight
 from gantline.scenario.sheave import SheaveLosses, SheaveWords, sheave_losses, taken_together
 from gantline.scenario.sling_ends import Upper, lower_end, upper_end
+from gantline.scenario.slinging import starts_off
 from gantline.scenario.tolerance import LARGEST_TOLERANCE
 
 __all__ = [
@@ -89,6 +90,7 @@ class SlingRigging:
         ends: its lower ends: one, or two if it runs over a sheave.
         length: bearing to bearing, unloaded [m].
         tolerance: what the length may be off, plus and minus [m].
+        starts_on: whether it is on at the start, and not put on by a step of the plan.
     """
 
     name: str
@@ -105,6 +107,7 @@ class SlingRigging:
     weight: RopeWeight
     top: tuple[str, Shackle] | None
     bottom: tuple[str, Shackle] | None
+    starts_on: bool = True
 
     @property
     def upper_body(self) -> str:
@@ -143,11 +146,12 @@ def resolve(scenario: Scenario) -> Rigging:
             equalizers[name] = one
     slings = {}
     holders: dict[str, str] = {}
+    off = starts_off(scenario)
     for name in scenario.slings or {}:
         sling = _sling(findings, name)
         if sling is None:
             continue
-        slings[name] = sling
+        slings[name] = replace(sling, starts_on=name not in off)
         if sling.equalizer is not None and sling.upper_body in holders:
             sentence = (
                 f"moving sheave '{sling.upper_body}' already carries sling '{holders[sling.upper_body]}'"

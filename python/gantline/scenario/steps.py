@@ -63,8 +63,13 @@ class _AnyStep(Element):
     cut: Names = Field((), description="Rope or ropes that are cut as it begins, like 'sling.S1'.")
     detach: Names = Field(
         (),
-        description="Sling or slings that are taken off as it begins, like 'sling.S1', for good; they have "
-        "to be slack. Also ropes of 'mechanics'.",
+        description="Sling or slings that are taken off as it begins, like 'sling.S1'; they have to be "
+        "slack. Also ropes of 'mechanics'.",
+    )
+    attach: Names = Field(
+        (),
+        description="Sling or slings that are put on as it begins, like 'sling.S1'; they have to be long "
+        "enough for where their ends then are. Before, they are not there.",
     )
     remove_supports: Names = Field(
         (),

@@ -17,6 +17,7 @@ const NOTABLE = [
   "cut",
   "broken",
   "detached",
+  "attached",
   "stop_hit",
   "pin_pulled",
   "pin_put_in",

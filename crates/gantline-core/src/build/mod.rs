@@ -35,7 +35,7 @@ use coils::places_of_coils;
 use forces::build_forces;
 use light::rows_of_light;
 use moorings::place_moorings;
-use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan};
+use plan::{build_cuts, build_drives, build_fragile, build_pinnings, build_plan, build_slings};
 use rows::{Built, build_constraints};
 use start::first_state;
 use touches::{Touches, build_shapes, build_watches};
@@ -102,6 +102,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let adjusters = build_adjusters(spec, &constraints, &rows)?;
     let plan = build_plan(spec, &tree, &drives, &groups, (&constraints, &rows))?;
     let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
+    let slings = build_slings(spec, &constraints)?;
     let pins = build_pinnings(spec, &constraints)?;
     let fed = (0..constraints.len()).filter(|&index| is_fed(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
@@ -122,6 +123,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         inextensible,
         fragile,
         cuts,
+        slings,
         pins,
         rigid,
         friction,

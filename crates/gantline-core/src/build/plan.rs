@@ -3,7 +3,7 @@
 use super::conditions::build_condition;
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
-use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Pinning, Plan, Step, StopAt, Until};
+use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Plan, Step, StopAt, Switching, Until};
 use crate::spec::{
     AxisJointSpec, BodySpec, EmergencySpec, JointSpec, StepSpec, StopAtSpec, SystemSpec, UntilSpec,
 };
@@ -167,38 +167,73 @@ pub(super) fn build_fragile(spec: &SystemSpec) -> Result<Vec<(usize, f64)>, Buil
     Ok(fragile)
 }
 
-/// Ropes that are cut, at times and as steps of the plan begin, or taken off then.
+/// Ropes that are cut, at times and as steps of the plan begin.
 pub(super) fn build_cuts(spec: &SystemSpec) -> Result<Vec<Cut>, BuildError> {
     let mut cuts = Vec::new();
     for (rope, given) in spec.ropes.iter().enumerate() {
         if let Some(time) = given.cut_at {
             at_least_zero(&given.name, "the time at which it is cut", time)?;
-            cuts.push(Cut { rope, due: Due::At(time), is_detached: false });
+            cuts.push(Cut { rope, due: Due::At(time) });
         }
     }
     for (line, given) in spec.moorings().enumerate() {
         let rope = spec.ropes.len() + line;
-        cuts.extend(given.cut_at.map(|time| Cut { rope, due: Due::At(time), is_detached: false }));
+        cuts.extend(given.cut_at.map(|time| Cut { rope, due: Due::At(time) }));
     }
     for (index, step) in spec.plan.iter().enumerate() {
-        let detached = step.detaches.iter().map(|name| (name, true));
-        for (name, is_detached) in step.cuts.iter().map(|name| (name, false)).chain(detached) {
+        for name in &step.cuts {
             let ropes = spec.ropes.iter().map(|rope| &rope.name);
             let mut all = ropes.chain(spec.moorings().map(|line| &line.name));
             let Some(rope) = all.position(|rope| rope == name) else {
                 return error(&step.name, format!("there is no rope `{name}`"));
             };
-            cuts.push(Cut { rope, due: Due::Step(index), is_detached });
+            cuts.push(Cut { rope, due: Due::Step(index) });
         }
     }
     Ok(cuts)
+}
+
+/// Ropes that steps of the plan put on or take off, with these steps. One whose first change is that it is put on is not
+/// on at the start.
+pub(super) fn build_slings(
+    spec: &SystemSpec,
+    constraints: &[AnyConstraint],
+) -> Result<Vec<Switching>, BuildError> {
+    let mut slings: Vec<Switching> = Vec::new();
+    for (index, step) in spec.plan.iter().enumerate() {
+        for (names, is_on) in [(&step.detaches, false), (&step.attaches, true)] {
+            for name in names {
+                let Some(rope) = spec.ropes.iter().position(|rope| &rope.name == name) else {
+                    return error(&step.name, format!("there is no rope `{name}`"));
+                };
+                if let (true, AnyConstraint::Rope(given)) = (is_on, &constraints[rope])
+                    && !(given.route.is_plain && given.spans.len() == 1)
+                {
+                    return error(
+                        name,
+                        "a rope that a step puts on runs over no sheaves and ends on no drum",
+                    );
+                }
+                let at = slings.iter().position(|sling| sling.constraint == rope).unwrap_or_else(|| {
+                    slings.push(Switching { constraint: rope, starts_on: !is_on, changes: Vec::new() });
+                    slings.len() - 1
+                });
+                if slings[at].changes.last().map_or(slings[at].starts_on, |&(_, was_on)| was_on) == is_on {
+                    let said = if is_on { "puts on" } else { "takes off" };
+                    return error(&step.name, format!("it {said} `{name}` once more; once is right"));
+                }
+                slings[at].changes.push((index, is_on));
+            }
+        }
+    }
+    Ok(slings)
 }
 
 /// Locking pins, with the steps of the plan that pull them and put them in.
 pub(super) fn build_pinnings(
     spec: &SystemSpec,
     constraints: &[AnyConstraint],
-) -> Result<Vec<Pinning>, BuildError> {
+) -> Result<Vec<Switching>, BuildError> {
     let starts_in = |name: &str| {
         let body = spec.bodies.iter().find(|body| body.name == name)?;
         let (JointSpec::Hinge(AxisJointSpec { pin, .. }) | JointSpec::Slider(AxisJointSpec { pin, .. })) =
@@ -208,17 +243,17 @@ pub(super) fn build_pinnings(
         };
         *pin
     };
-    let mut pinnings: Vec<Pinning> = Vec::new();
+    let mut pinnings: Vec<Switching> = Vec::new();
     for (index, constraint) in constraints.iter().enumerate() {
         if let AnyConstraint::Pin(pin) = constraint {
-            let starts_in = starts_in(&pin.name) == Some(true);
-            pinnings.push(Pinning { pin: index, starts_in, changes: Vec::new() });
+            let starts_on = starts_in(&pin.name) == Some(true);
+            pinnings.push(Switching { constraint: index, starts_on, changes: Vec::new() });
         }
     }
     for (index, step) in spec.plan.iter().enumerate() {
         for (names, is_in) in [(&step.pulls, false), (&step.pins, true)] {
             for name in names {
-                let own = |pinning: &&mut Pinning| constraints[pinning.pin].name() == name;
+                let own = |pinning: &&mut Switching| constraints[pinning.constraint].name() == name;
                 let Some(pinning) = pinnings.iter_mut().find(own) else {
                     return error(&step.name, format!("there is no pin of `{name}`"));
                 };

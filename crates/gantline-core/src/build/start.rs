@@ -34,11 +34,14 @@ pub(super) fn first_state(
     }
     frame.update(system, &state);
     set_inertia_scales(system, &frame)?;
+    for sling in system.slings.iter().filter(|sling| !sling.starts_on) {
+        state.modes[system.rows.first[sling.constraint]] = Mode::Off;
+    }
     for row in 0..system.rows.count() {
         start_row(system, &frame, row, &mut state)?;
     }
-    for pinning in system.pins.iter().filter(|pinning| pinning.starts_in) {
-        state.modes[system.rows.first[pinning.pin]] = Mode::Acting;
+    for pinning in system.pins.iter().filter(|pinning| pinning.starts_on) {
+        state.modes[system.rows.first[pinning.constraint]] = Mode::Acting;
     }
     if !system.coils.is_empty() {
         frame.update(system, &state);
@@ -116,6 +119,9 @@ fn set_inertia_scales(system: &mut System, frame: &Frame) -> Result<(), BuildErr
 
 /// Sets how a row starts: its force by its law, and on which side it is.
 fn start_row(system: &System, frame: &Frame, row: usize, state: &mut State) -> Result<(), BuildError> {
+    if state.modes[row].is_absent() {
+        return Ok(());
+    }
     let (compliance, damping_time) = match system.rows.laws[row] {
         Law::Unilateral { compliance, damping_time } => (compliance, damping_time),
         Law::Friction { normal, .. } => {

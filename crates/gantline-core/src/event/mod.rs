@@ -20,6 +20,8 @@ pub enum EventKind {
     Broken,
     /// A rope has been taken off.
     Detached,
+    /// A rope has been put on.
+    Attached,
     /// The last contact force of a load has become zero.
     LiftOff,
     /// A load that hung free touches again.
@@ -78,6 +80,7 @@ impl EventKind {
             Self::Cut => "cut",
             Self::Broken => "broken",
             Self::Detached => "detached",
+            Self::Attached => "attached",
             Self::LiftOff => "lift_off",
             Self::SetDown => "set_down",
             Self::Stick => "stick",
@@ -118,7 +121,7 @@ impl Event {
     /// Name of what it concerns.
     pub fn subject_name(&self, system: &System) -> String {
         match self.kind {
-            EventKind::Cut | EventKind::Broken | EventKind::Detached => {
+            EventKind::Cut | EventKind::Broken | EventKind::Detached | EventKind::Attached => {
                 system.rope_name(self.subject).to_owned()
             }
             EventKind::Taut

@@ -1,4 +1,4 @@
-//! Ropes that are cut, or taken off.
+//! Ropes that are cut.
 
 use super::PlanState;
 
@@ -29,13 +29,11 @@ impl Due {
     }
 }
 
-/// A cut through a rope or mooring line, or the end of one that is taken off.
+/// A cut through a rope or mooring line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cut {
     /// Index of the rope; mooring lines count on from there.
     pub rope: usize,
     /// When.
     pub due: Due,
-    /// It is taken off, as planned, and not cut.
-    pub is_detached: bool,
 }

@@ -4,12 +4,12 @@ pub mod condition;
 pub mod cut;
 pub mod drive;
 pub mod operation;
-pub mod pinning;
 pub mod removal;
+pub mod switching;
 
 pub use condition::{Condition, Falls, Seen};
 pub use cut::{Cut, Due};
 pub use drive::Order;
 pub use operation::{Emergency, EmergencyStop, Move, Plan, PlanState, Step, StopAt, Until};
-pub use pinning::Pinning;
 pub use removal::Removal;
+pub use switching::Switching;

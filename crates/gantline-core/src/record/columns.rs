@@ -4,6 +4,7 @@ use glam::{DQuat, DVec3};
 
 use super::Samples;
 use super::clearance::clearance;
+use super::presence::Presence;
 use crate::audit::{KINDS, kinds_of};
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
@@ -70,7 +71,6 @@ pub struct Columns {
 impl Columns {
     /// The columns of `samples` of a run whose events are `log`.
     pub fn of(system: &System, samples: &Samples, log: &EventLog) -> Self {
-        let parted = log.events.iter().filter(|event| event.kind.parts_a_rope());
         let mut columns = Self::with_room(system, samples.time.len());
         let mut sampled = Sampled {
             kinematics: Kinematics::new(&system.tree),
@@ -78,11 +78,8 @@ impl Columns {
             applied: vec![Wrench::default(); system.tree.bodies.len()],
             unused: vec![0.0; system.tree.velocities],
             straights: Vec::new(),
-            whole_until: vec![f64::INFINITY; system.all_ropes()],
+            presence: Presence::of(system, log),
         };
-        for event in parted {
-            sampled.whole_until[event.subject] = event.time;
-        }
         let (positions, velocities) = (system.tree.positions, system.tree.velocities);
         let (rows, sheaves) = (system.rows.count(), system.sheaves.len());
         let spots = samples.spots.len() / samples.time.len().max(1);
@@ -189,8 +186,7 @@ struct Sampled {
     applied: Vec<Wrench>,
     unused: Vec<f64>,
     straights: Vec<Straight>,
-    /// When every rope parted [s].
-    whole_until: Vec<f64>,
+    presence: Presence,
 }
 
 impl Sampled {
@@ -207,8 +203,8 @@ impl Sampled {
         for (index, constraint) in system.constraints.iter().enumerate() {
             let row = system.rows.first[index];
             match constraint {
-                AnyConstraint::Rope(rope) if time > self.whole_until[index] => {
-                    self.add_parted_rope(rope, columns);
+                AnyConstraint::Rope(rope) if !self.presence.is_there(index, time) => {
+                    self.add_absent_rope(rope, columns);
                 }
                 AnyConstraint::Rope(rope) => {
                     let length = self.add_rope(rope, [q, &tension[row..]], seats, columns);
@@ -232,8 +228,8 @@ impl Sampled {
 
     /// Lines that have parted have done so at their times, not where the step that followed ended.
     fn mark_parted(&mut self, system: &System, time: f64) {
-        for (mooring, until) in system.moorings().zip(&self.whole_until[system.rope_count..]) {
-            if time > *until {
+        for (line, mooring) in system.moorings().enumerate() {
+            if !self.presence.is_there(system.rope_count + line, time) {
                 self.kinematics.q[mooring.mark] = 1.0;
             }
         }
@@ -293,8 +289,8 @@ impl Sampled {
         length
     }
 
-    /// Adds the columns of a rope that is no more: without force and length, all of it where it began.
-    fn add_parted_rope(&mut self, rope: &Rope, columns: &mut Columns) {
+    /// Adds the columns of a rope that has parted or is not on: without force and length, all of it where it began.
+    fn add_absent_rope(&mut self, rope: &Rope, columns: &mut Columns) {
         columns.rope_tension.push(0.0);
         for _ in &rope.route.parts {
             columns.segment_tension.push(0.0);
@@ -330,7 +326,7 @@ impl Sampled {
     }
 
     fn add_clearances(&mut self, system: &System, time: f64, seats: &[Seat], columns: &mut Columns) {
-        let is_whole = |rope: usize| time <= self.whole_until[rope];
+        let is_whole = |rope: usize| self.presence.is_there(rope, time);
         for watch in &system.watches {
             let found = clearance(system, &self.kinematics, seats, watch, is_whole);
             columns.clearance.push(found.distance);

@@ -14,6 +14,7 @@ mod clearance;
 pub mod columns;
 pub mod named;
 pub mod names;
+mod presence;
 
 /// Motion and forces at one moment.
 #[derive(Debug, Clone, Default)]

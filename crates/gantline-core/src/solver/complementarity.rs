@@ -26,12 +26,19 @@ pub enum Mode {
     Slipping,
     /// No force for good: of a rope that has parted.
     Parted,
+    /// No force as long as the rope is not on: not yet put on, or taken off.
+    Off,
 }
 
 impl Mode {
     /// True where there may be a force.
     pub fn carries(self) -> bool {
         matches!(self, Self::Acting | Self::Slipping)
+    }
+
+    /// True where what the row is of is not there: it has parted, or is not on.
+    pub fn is_absent(self) -> bool {
+        matches!(self, Self::Parted | Self::Off)
     }
 }
 
@@ -173,7 +180,7 @@ impl Complementarity {
         self.force.copy_from_slice(problem.force);
         for (row, law) in system.rows.laws.iter().enumerate() {
             match self.modes[row] {
-                Mode::Slack | Mode::Parted => self.row_right[row] = 0.0,
+                Mode::Slack | Mode::Parted | Mode::Off => self.row_right[row] = 0.0,
                 Mode::Slipping => {
                     self.row_right[row] = 0.0;
                     for (dof, entry) in system.rows.entries(problem.gradient, row) {
@@ -197,7 +204,7 @@ impl Complementarity {
         for (row, law) in system.rows.laws.iter().enumerate() {
             self.tension[row] = match self.modes[row] {
                 Mode::Slack => 0.0,
-                Mode::Parted => {
+                Mode::Parted | Mode::Off => {
                     (self.tension[row], self.trial[row]) = (0.0, 0.0);
                     continue;
                 }
@@ -225,7 +232,7 @@ impl Complementarity {
     fn find_wrong(&mut self, system: &System, problem: &Problem, v: &[f64]) {
         self.wrong.clear();
         for (row, law) in system.rows.laws.iter().enumerate() {
-            if !matches!(law, Law::Unilateral { .. }) || self.modes[row] == Mode::Parted {
+            if !matches!(law, Law::Unilateral { .. }) || self.modes[row].is_absent() {
                 continue;
             }
             let reach = problem.h + law.damping_time();
@@ -243,7 +250,7 @@ impl Complementarity {
             };
             let wrong = match self.modes[row] {
                 Mode::Slack => self.trial[row] > noise,
-                Mode::Acting | Mode::Slipping | Mode::Parted => self.trial[row] < -noise,
+                Mode::Acting | Mode::Slipping | Mode::Parted | Mode::Off => self.trial[row] < -noise,
             };
             if wrong {
                 self.wrong.push(row);
@@ -269,7 +276,7 @@ impl Complementarity {
                 row += 1;
                 continue;
             };
-            if self.modes[normal] == Mode::Parted {
+            if self.modes[normal].is_absent() {
                 row += 2;
                 continue;
             }

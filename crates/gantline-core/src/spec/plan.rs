@@ -62,6 +62,9 @@ pub struct StepSpec {
     /// Names of ropes that are taken off as it begins, slack or not.
     #[serde(default)]
     pub detaches: Vec<String>,
+    /// Names of ropes that are put on as it begins. One that has not been taken off before is not on until then.
+    #[serde(default)]
+    pub attaches: Vec<String>,
     /// Names of supports that are taken away as it begins.
     #[serde(default)]
     pub removes: Vec<String>,

@@ -115,7 +115,7 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
         let is_rigid = law.compliance() == 0.0;
         let compliance = if is_rigid { compliance } else { law.compliance() };
         let (part, held) = match law {
-            _ if state.modes[row] == Mode::Parted => (Part::Off, None),
+            _ if state.modes[row].is_absent() => (Part::Off, None),
             Law::Unilateral { .. } => (Part::Pull, None),
             Law::Friction { normal, .. } => {
                 let touches = state.trial[*normal] >= 0.0;

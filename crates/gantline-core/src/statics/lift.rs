@@ -305,7 +305,21 @@ impl StaticLift {
 
     /// Everything that follows from them.
     pub fn columns(&self) -> Columns {
-        Columns::of(&self.system, &self.samples, &EventLog::new())
+        let mut log = EventLog::new();
+        self.put_on().for_each(|rope| log.push(0.0, EventKind::Attached, rope));
+        Columns::of(&self.system, &self.samples, &log)
+    }
+
+    /// Slings that are on by now and were not at the start. Of an equilibrium they are on in all samples.
+    fn put_on(&self) -> impl Iterator<Item = usize> {
+        let Self { system, state, .. } = self;
+        let later = system.slings.iter().filter(|sling| !sling.starts_on).map(|sling| sling.constraint);
+        later.filter(|&rope| !state.modes[system.rows.first[rope]].is_absent())
+    }
+
+    /// Kind and name of the events that say so.
+    pub fn events(&self) -> Vec<(&'static str, &str)> {
+        self.put_on().map(|rope| (EventKind::Attached.name(), self.system.rope_name(rope))).collect()
     }
 
     /// Names that go with the columns.
@@ -379,7 +393,7 @@ fn is_fulfilled(system: &System, state: &State, support: &mut [f64]) -> bool {
     state.plan.is_fulfilled(&system.plan, &Seen { support, tension: &tension, kinematics })
 }
 
-/// Ropes that have been cut before now, and pins as the steps that have begun have them.
+/// Ropes that have been cut before now; slings and pins as the steps that have begun have them.
 fn part(system: &System, state: &mut State) {
     for cut in &system.cuts {
         if cut.due.is_before(state.time, &state.plan) {
@@ -394,8 +408,20 @@ fn part(system: &System, state: &mut State) {
         let rows = system.rows.first[removal.touch]..system.rows.first[removal.touch + 1];
         state.modes[rows].fill(RowMode::Parted);
     }
+    for sling in &system.slings {
+        let (is_on, _) = sling.wanted(state.plan.begun());
+        let rows = system.rows.first[sling.constraint]..system.rows.first[sling.constraint + 1];
+        for mode in state.modes[rows].iter_mut().filter(|mode| is_on == (**mode == RowMode::Off)) {
+            *mode = match *mode {
+                RowMode::Parted => RowMode::Parted,
+                _ if is_on => RowMode::Slack,
+                _ => RowMode::Off,
+            };
+        }
+    }
     for pinning in &system.pins {
         let (is_in, _) = pinning.wanted(state.plan.begun());
-        state.modes[system.rows.first[pinning.pin]] = if is_in { RowMode::Acting } else { RowMode::Slack };
+        state.modes[system.rows.first[pinning.constraint]] =
+            if is_in { RowMode::Acting } else { RowMode::Slack };
     }
 }

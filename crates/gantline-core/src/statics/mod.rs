@@ -236,7 +236,7 @@ impl Statics {
         state.tension.copy_from_slice(&self.search.here.tension);
         state.trial.copy_from_slice(&self.search.here.tension);
         for (row, law) in system.rows.laws.iter().enumerate() {
-            if state.modes[row] == Mode::Parted {
+            if state.modes[row].is_absent() {
                 continue;
             }
             if let Law::Friction { compliance, .. } = law {

@@ -17,7 +17,6 @@ use super::losses::Losses;
 use super::{NoEquilibrium, Rest, Statics};
 use crate::constraint::AnyConstraint;
 use crate::rope::coil::Coil;
-use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::coils::span_of;
 use crate::stepper::flows;
@@ -174,7 +173,7 @@ impl Statics {
     fn wind(&mut self, system: &System, state: &mut State, before: &Before) -> f64 {
         let mut most = 0.0_f64;
         self.doubt = 0.0;
-        let parted = |place: &CoilPlace| state.modes[place.row] == Mode::Parted;
+        let parted = |place: &CoilPlace| state.modes[place.row].is_absent();
         for (index, place) in system.coils.iter().enumerate().filter(|(_, place)| !parted(place)) {
             let old = &before.coils[index];
             let strains = [before.strains[index], strain(system, place, &self.search.here.frame, state)];
@@ -201,7 +200,7 @@ impl Statics {
 /// Strain of the rope outside a drum; negative where it is slack, by what it lacks.
 fn strain(system: &System, place: &CoilPlace, frame: &Frame, state: &State) -> f64 {
     match span_of(system, place) {
-        Some(span) if state.modes[place.row] != Mode::Parted => {
+        Some(span) if !state.modes[place.row].is_absent() => {
             frame.value[place.row] / (span.scale(&state.q) * span.unstretched(&state.q))
         }
         _ => 0.0,

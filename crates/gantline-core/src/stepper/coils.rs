@@ -81,7 +81,7 @@ impl Frame {
             let (passing, feeding) = feeding(place, coil, q, outside);
             self.passing[index] = Passing { outside, strain: passing, supply: -scale * (1.0 + 0.5 * strain) };
             // A drum on which a parted rope ends goes on, and takes nothing from what is left between guides.
-            self.feeding[index] = if mode == Mode::Parted { 0.0 } else { feeding };
+            self.feeding[index] = if mode.is_absent() { 0.0 } else { feeding };
         }
     }
 

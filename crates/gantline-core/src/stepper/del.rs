@@ -35,13 +35,12 @@
 
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
-use super::{StepError, StepReport, adjust, coils, parting, pinning, removing, seats, spots};
+use super::{StepError, StepReport, adjust, coils, parting, pinning, removing, seats, slinging, spots};
 use crate::clock::Stage;
 use crate::event::EventLog;
 use crate::force::{self, memory};
 use crate::record::Sample;
 use crate::rope::seat::Winding;
-use crate::solver::complementarity::Mode;
 use crate::solver::complementarity::{Complementarity, Problem};
 use crate::solver::kkt::Kkt;
 use crate::solver::symbolic::ZeroPivot;
@@ -138,6 +137,7 @@ impl Del {
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);
         removing::remove(system, state, frame, end, log);
+        slinging::act(system, state, frame, log)?;
         let pins = pinning::act(system, state, frame, log)?;
 
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
@@ -253,7 +253,7 @@ impl Del {
         memory::arrive(&system.tree, &mut frame.kinematics, (&self.v, h), &mut state.past);
         if !system.sheaves.is_empty() {
             let mut values = frame.value.iter().zip(&state.modes);
-            if let Some(row) = values.position(|(value, mode)| !value.is_finite() && *mode != Mode::Parted) {
+            if let Some(row) = values.position(|(value, mode)| !value.is_finite() && !mode.is_absent()) {
                 let element = system.constraint_of_row(row).name().to_owned();
                 let error =
                     StepError { time: state.time, element, cause: "it has no length here".to_owned() };

@@ -95,6 +95,12 @@ impl Explicit {
         if !system.cuts.is_empty() || !system.fragile.is_empty() {
             return Some("the integrator explicit knows no ropes that part; use adaptive or del".to_owned());
         }
+        if !system.slings.is_empty() {
+            return Some(
+                "the integrator explicit knows no slings that are put on or taken off; use adaptive or del"
+                    .to_owned(),
+            );
+        }
         if !system.finders.is_empty() {
             return Some(
                 "the integrator explicit knows no supports and no contact between bodies; use adaptive or del"

@@ -117,7 +117,7 @@ impl StepFlows<'_> {
         let rate = system.rows.rate(&frame.gradient, row, self.v);
         let flow = self.h * self.rows.tension[row] * rate;
         let compliance = law.compliance();
-        if self.rows.modes[row] == Mode::Parted {
+        if self.rows.modes[row].is_absent() {
             return;
         }
         if compliance == 0.0 {

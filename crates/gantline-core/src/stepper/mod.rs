@@ -11,6 +11,7 @@ mod parting;
 mod pinning;
 mod removing;
 pub mod seats;
+mod slinging;
 pub mod spots;
 
 use thiserror::Error;

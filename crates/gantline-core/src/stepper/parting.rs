@@ -1,4 +1,4 @@
-//! Ropes and mooring lines that part: cut at a time, taken off, or broken by their tension. From then on they carry
+//! Ropes and mooring lines that part: cut at a time, or broken by their tension. From then on they carry
 //! nothing, for good.
 //!
 //! What a rope held is set free in itself, which is no part of the system: it is lost, and booked as `parting`.
@@ -15,13 +15,12 @@ use crate::system::System;
 /// Rounding of a tension that has reached the breaking force, relative to it.
 const ROUNDING: f64 = 1e-9;
 
-/// Cuts and takes off the ropes that are due before `to` [s]; true where any parted. `frame` belongs to the state.
+/// Cuts the ropes that are due before `to` [s]; true where any parted. `frame` belongs to the state.
 pub fn cut(system: &System, state: &mut State, frame: &mut Frame, to: f64, log: &mut EventLog) -> bool {
     let mut any = false;
     for cut in &system.cuts {
         if cut.due.is_before(to, &state.plan) && is_whole(system, state, cut.rope) {
-            let kind = if cut.is_detached { EventKind::Detached } else { EventKind::Cut };
-            log.push(moment(cut.due, state, log), kind, cut.rope);
+            log.push(moment(cut.due, state, log), EventKind::Cut, cut.rope);
             part(system, state, frame, cut.rope);
             any = true;
         }
@@ -89,9 +88,16 @@ fn part(system: &System, state: &mut State, frame: &mut Frame, rope: usize) {
         }
         return;
     }
+    let_go(system, state, frame, rope, Mode::Parted);
+}
+
+/// Lets the rows of a rope carry nothing any more, in the mode that says why; what it held is lost.
+pub fn let_go(system: &System, state: &mut State, frame: &Frame, rope: usize, mode: Mode) {
     for row in system.rows.first[rope]..system.rows.first[rope + 1] {
-        state.ledger.flows.parting += spring_energy(&system.rows.laws[row], frame.value[row]);
-        state.modes[row] = Mode::Parted;
+        if !state.modes[row].is_absent() {
+            state.ledger.flows.parting += spring_energy(&system.rows.laws[row], frame.value[row]);
+        }
+        state.modes[row] = mode;
         (state.tension[row], state.trial[row]) = (0.0, 0.0);
     }
 }

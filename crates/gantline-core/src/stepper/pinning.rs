@@ -35,7 +35,7 @@ pub fn act(
 ) -> Result<Acted, StepError> {
     let mut acted = Acted::default();
     for pinning in &system.pins {
-        let row = system.rows.first[pinning.pin];
+        let row = system.rows.first[pinning.constraint];
         let (wanted, step) = pinning.wanted(state.plan.begun());
         if wanted == (state.modes[row] == Mode::Acting) {
             continue;
@@ -50,7 +50,7 @@ pub fn act(
         }
         let time = step.and_then(|step| log.begin_of(step)).unwrap_or(state.time);
         let kind = if wanted { EventKind::PinPutIn } else { EventKind::PinPulled };
-        log.push(time, kind, pinning.pin);
+        log.push(time, kind, pinning.constraint);
         acted.any = true;
     }
     Ok(acted)

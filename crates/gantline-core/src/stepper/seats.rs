@@ -4,7 +4,6 @@ use super::StepError;
 use crate::constraint::rope::Rope;
 use crate::event::{EventKind, EventLog};
 use crate::rope::seat::{Seat, Winding};
-use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Kinematics;
@@ -23,10 +22,10 @@ pub fn wraps(system: &System, kinematics: &Kinematics, state: &State, out: &mut 
     }
 }
 
-/// Ropes that have not parted.
+/// Ropes that are on and have not parted.
 fn whole_ropes<'a>(system: &'a System, state: &'a State) -> impl Iterator<Item = &'a Rope> {
     let ropes = system.ropes().zip(&system.rows.first);
-    ropes.filter(|&(_, &row)| state.modes[row] != Mode::Parted).map(|(rope, _)| rope)
+    ropes.filter(|&(_, &row)| !state.modes[row].is_absent()).map(|(rope, _)| rope)
 }
 
 /// True where the rope has crossed over between on and off with this wrap.

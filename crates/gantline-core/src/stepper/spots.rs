@@ -188,7 +188,7 @@ pub fn follow(
                     log.push(state.time, EventKind::OffSupport, system.constraint_index(row));
                 }
                 note_lift_off(system, state, touch.group, state.time, log);
-            } else if state.modes[row] != Mode::Parted {
+            } else if !state.modes[row].is_absent() {
                 stand_elsewhere(system, kinematics, (touch, old, new), carries.then_some(value), state);
             }
         },

@@ -103,7 +103,7 @@ impl Adaptive {
         for (row, law) in system.rows.laws.iter().enumerate() {
             let (mode, value) = (state.modes[row], here.frame.value[row]);
             let lost = match (law, mode) {
-                (_, Mode::Parted) => 0.0,
+                (_, Mode::Parted | Mode::Off) => 0.0,
                 (Law::Unilateral { .. }, Mode::Acting) => spring_energy(law, -value),
                 (Law::Unilateral { .. }, _) => -spring_energy(law, value),
                 (Law::Friction { .. } | Law::Brake { .. } | Law::Pin, _) => 0.0,
@@ -153,7 +153,7 @@ impl Adaptive {
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
             let (rate, tension) = (probe.rate[row], probe.tension[row]);
-            if state.modes[row] == Mode::Parted {
+            if state.modes[row].is_absent() {
                 continue;
             }
             if compliance == 0.0 {
@@ -205,7 +205,7 @@ impl Adaptive {
         let twists = (probe.dynamics.twists.as_slice(), self.defect.as_slice());
         let mut power = drift::power(&system.tree, &probe.frame.kinematics, twists, &mut self.changes);
         for (row, law) in system.rows.laws.iter().enumerate() {
-            if state.modes[row] == Mode::Parted {
+            if state.modes[row].is_absent() {
                 continue;
             }
             // What a row takes or gives at once with its value counts by differences, see [`Adaptive::book_springs`]:

@@ -252,7 +252,7 @@ impl Evaluation {
         for row in 0..brakes {
             self.tension[row] = match modes[row] {
                 Mode::Slack => 0.0,
-                Mode::Parted => {
+                Mode::Parted | Mode::Off => {
                     self.trial[row] = 0.0;
                     0.0
                 }

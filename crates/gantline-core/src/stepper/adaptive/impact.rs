@@ -257,7 +257,7 @@ impl Adaptive {
 
 /// Rows of pins.
 fn pins(system: &System) -> impl Iterator<Item = usize> {
-    system.pins.iter().map(|pinning| system.rows.first[pinning.pin])
+    system.pins.iter().map(|pinning| system.rows.first[pinning.constraint])
 }
 
 /// Rows whose speed an impact gives: of inextensible ropes and pins.

@@ -28,7 +28,7 @@ mod wetting;
 mod winding;
 
 use super::frame::Frame;
-use super::{StepError, StepReport, coils, flows, parting, pinning, removing, seats, spots};
+use super::{StepError, StepReport, coils, flows, parting, pinning, removing, seats, slinging, spots};
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
@@ -214,6 +214,7 @@ impl Adaptive {
         flows::advance_plan(system, state, frame, (soon, &self.support), log);
         state.restart |= parting::cut(system, state, frame, soon, log);
         state.restart |= removing::remove(system, state, frame, soon, log);
+        state.restart |= slinging::act(system, state, frame, log)?;
         let pins = pinning::act(system, state, frame, log)?;
         state.restart |= pins.any;
         if pins.put_in {

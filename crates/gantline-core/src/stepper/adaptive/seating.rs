@@ -3,7 +3,6 @@
 use super::Adaptive;
 use crate::event::EventLog;
 use crate::rope::seat::Winding;
-use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::seats;
 use crate::system::System;
@@ -106,7 +105,7 @@ impl Adaptive {
         }
         self.probe_frozen(system, state, 1.0);
         let values = self.probe.frame.value.iter().zip(&state.modes);
-        values.into_iter().all(|(value, mode)| value.is_finite() || *mode == Mode::Parted)
+        values.into_iter().all(|(value, mode)| value.is_finite() || mode.is_absent())
     }
 
     fn probe_wraps(&mut self, system: &System, state: &State, theta: f64) {

@@ -4,7 +4,7 @@ use super::books::WEIGHTS;
 use super::evaluation::Evaluation;
 use super::light::Laying;
 use super::point::Point;
-use super::{Adaptive, LOOKS, SWITCHING};
+use super::{Adaptive, LOOKS, STEP_FLOOR, SWITCHING};
 use crate::constraint::brake::Brake;
 use crate::constraint::contact::Contact;
 use crate::constraint::touch::Touch;
@@ -98,7 +98,7 @@ impl Adaptive {
     /// Keeps what pins hold exactly where it is, so that rounding does not add up there either.
     fn hold_pins(&mut self, system: &System, state: &State) {
         for pinning in &system.pins {
-            let row = system.rows.first[pinning.pin];
+            let row = system.rows.first[pinning.constraint];
             if state.modes[row] == Mode::Acting {
                 for (dof, _) in system.rows.entries(&self.next.frame.gradient, row) {
                     (self.end.phi[dof], self.end.v[dof]) = (0.0, 0.0);
@@ -151,7 +151,8 @@ impl Adaptive {
             let middle = 0.5 * (low + high);
             if self.fulfilled(system, state, middle) { high = middle } else { low = middle }
         }
-        high
+        // A part so short moves nothing, and what rounding has left unfulfilled at its end would stay so.
+        high.max(STEP_FLOOR / self.rodas.course.h).min(made)
     }
 
     fn fulfilled(&mut self, system: &System, state: &State, theta: f64) -> bool {
@@ -176,7 +177,7 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
-            (_, Mode::Parted) | (Law::Pin, _) => 0.0,
+            (_, Mode::Parted | Mode::Off) | (Law::Pin, _) => 0.0,
             // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
             (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
                 at.trial[row] - self.looks.start(row).max(0.0)

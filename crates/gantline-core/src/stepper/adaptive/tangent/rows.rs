@@ -84,7 +84,7 @@ impl TangentMatrix {
         self.values[diagonal] = match state.modes[row] {
             Mode::Acting if compliance == 0.0 => 0.0,
             Mode::Acting => -compliance / (kappa * (kappa + tau)),
-            Mode::Slack | Mode::Slipping | Mode::Parted => -1.0,
+            Mode::Slack | Mode::Slipping | Mode::Parted | Mode::Off => -1.0,
         };
         if brake_of(system, row).is_some_and(|brake| system.is_light[brake.dof]) {
             self.values[diagonal] = -1.0;
@@ -99,7 +99,7 @@ impl TangentMatrix {
         let in_row = self.places.in_row[range.clone()].iter().map(|place| *place as usize);
         let (own, turned) = (&gradient[range.clone()], &self.turned[range.clone()]);
         match state.modes[row] {
-            Mode::Slack | Mode::Parted => {}
+            Mode::Slack | Mode::Parted | Mode::Off => {}
             Mode::Slipping if matches!(law, Law::Brake { .. }) => {
                 for place in in_row {
                     self.values[place] = 0.0;

@@ -1,0 +1,57 @@
+//! Slings that steps of the plan put on and take off.
+//!
+//! One that is not on carries nothing and holds nothing. People take a sling off where it is slack, and the checks say
+//! where it was not: what it held is then lost, as that of a rope that is cut. They put one on where it is long enough for
+//! where its ends are: it is slack then, so nothing jumps, and one that is too short is an error. One that has parted while
+//! it was on stays parted, whatever the plan says of it.
+
+use super::StepError;
+use super::frame::Frame;
+use super::parting::let_go;
+use crate::event::{EventKind, EventLog};
+use crate::solver::complementarity::Mode;
+use crate::state::State;
+use crate::system::System;
+
+/// Rounding of a distance that is as long as a sling, relative to 1 m and the sling.
+const ROUNDING: f64 = 1e-9;
+
+/// Does what the steps that have begun say; true where any changed. `frame` belongs to the state.
+///
+/// # Errors
+/// [`StepError`] where a sling is to be put on that is too short for where its ends are.
+pub fn act(system: &System, state: &mut State, frame: &Frame, log: &mut EventLog) -> Result<bool, StepError> {
+    let mut any = false;
+    for sling in &system.slings {
+        let row = system.rows.first[sling.constraint];
+        let (wanted, step) = sling.wanted(state.plan.begun());
+        if state.modes[row] == Mode::Parted || wanted != (state.modes[row] == Mode::Off) {
+            continue;
+        }
+        if wanted {
+            refuse_short(system, state, frame, sling.constraint)?;
+            state.modes[row] = Mode::Slack;
+        } else {
+            let_go(system, state, frame, sling.constraint, Mode::Off);
+        }
+        let time = step.and_then(|step| log.begin_of(step)).unwrap_or(state.time);
+        let kind = if wanted { EventKind::Attached } else { EventKind::Detached };
+        log.push(time, kind, sling.constraint);
+        any = true;
+    }
+    Ok(any)
+}
+
+fn refuse_short(system: &System, state: &State, frame: &Frame, rope: usize) -> Result<(), StepError> {
+    let short = frame.value[system.rows.first[rope]];
+    let length = system.ropes().nth(rope).map_or(0.0, |rope| rope.length);
+    if short <= ROUNDING * (1.0 + length) {
+        return Ok(());
+    }
+    let cause = format!(
+        "it is to be put on here, is {length:.3} m long and {short:.3} m too short: its ends are {:.3} m apart; bring \
+         them nearer to each other in a step before, or make it longer",
+        length + short
+    );
+    Err(StepError { time: state.time, element: system.rope_name(rope).to_owned(), cause })
+}

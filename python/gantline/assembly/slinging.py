@@ -1,0 +1,77 @@
+"""Whether slings that steps of the plan put on are long enough there, as far as is known before a run."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import islice
+
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.route import end_to_end
+from gantline.scenario import Scenario
+from gantline.scenario.hooks import full_name
+from gantline.scenario.rigging import SlingRigging
+from gantline.scenario.slinging import first_put_on, slings_on, starts_off
+from gantline.scenario.steps import HoldStep, HookStep
+
+__all__ = ["check_reach"]
+
+#: Supports give way under a load by less than this [m]: nothing is said of slings that are as much too short.
+_GIVES_WAY = 0.01
+
+
+def check_reach(parts: Parts, scenario: Scenario, sling: SlingRigging, route: Sequence[Json]) -> None:
+    """Refuse a sling that is too short where it is put on, if that is certain.
+
+    It is where the load has not moved by then, since it stands and no sling has been on, and where of all
+    that the sling may hang on only hooks have moved: each is somewhere between bounds, as the plan says.
+
+    Args:
+        parts: the system with the bodies of both ends.
+        scenario: the lift.
+        sling: one that is not on at the start.
+        route: its guides, from its upper end to its lug.
+
+    Raises:
+        ScenarioError: if it cannot be put on.
+    """
+    place = first_put_on(scenario)[sling.name]
+    before = scenario.plan[:place]
+    at_start = frozenset(scenario.slings or {}) - starts_off(scenario)
+    was_held = any([at_start, *islice(slings_on(scenario), place)])
+    others = scenario.vessels or scenario.mechanics or scenario.tag_lines
+    only_hooks = all(isinstance(step, (HoldStep, HookStep)) for step in before)
+    if not scenario.load_has_settled or was_held or others or not only_hooks:
+        return
+    low, high = _moved(scenario, sling.hook, [step for step in before if isinstance(step, HookStep)])
+    across, along, down = (float(part) for part in end_to_end(parts, route))
+    aside = math.hypot(across, along)
+    # Of all heights of the upper end over the lug that nearest to its level.
+    distance = math.hypot(aside, min(max(0.0, low - down), high - down))
+    short = distance - sling.length
+    if short <= _GIVES_WAY:
+        return
+    sentence = f"'sling.{sling.name}' is {sling.length:g} m and {short:.3f} m too short to be put on: from "
+    sentence += (
+        f"'{sling.upper_body}' to its lug it is {'' if low == high else 'at least '}{distance:.3f} m then"
+    )
+    right = "lower the hook before, or make the sling longer"
+    if aside > sling.length:
+        sentence += f", {aside:.3f} m of that sideways, which no height of the hook makes up"
+        right = "put crane or load elsewhere"
+    raise scenario.start_error(("plan", place, "attach"), f"{sentence}; {right}")
+
+
+def _moved(scenario: Scenario, hook: str, steps: Sequence[HookStep]) -> tuple[float, float]:
+    """By how much some steps move a hook up, at least and at most [m]."""
+    low = high = 0.0
+    for step in steps:
+        if hook not in (full_name(text, scenario.hooks) for text in step.moved):
+            continue
+        if step.to is not None:
+            low = high = step.to - scenario.hooks[hook].height
+        elif step.by is not None:
+            low, high = low + step.sign * step.by, high + step.sign * step.by
+        else:
+            low, high = (low, math.inf) if step.sign > 0 else (-math.inf, high)
+    return low, high
