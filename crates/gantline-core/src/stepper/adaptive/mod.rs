@@ -13,6 +13,7 @@ pub mod course;
 mod error;
 pub mod evaluation;
 mod impact;
+mod length;
 pub mod light;
 mod looks;
 mod places;
@@ -229,57 +230,16 @@ impl Adaptive {
         }
         let due = parting::next_cut(system, soon).min(removing::next_removal(system, soon));
         let stop = state.plan.next_time(&system.plan, soon).min(due).min(until);
-        let mut h = if state.next_step > 0.0 { state.next_step } else { FIRST_STEP };
-        if state.engaged {
-            h = h.min(2.0 * state.engaged_step);
-        }
-        h = h.min(self.winding_limit(system, state));
-        h = prescribed::turning_limit(system, state, h.min(stop - state.time));
-        if !system.finders.is_empty() {
-            let here = &self.rodas.here;
-            h = h.min(spots::limit(system, &here.frame.kinematics, &here.dynamics.twists, state));
-        }
-        let (mut rejected, mut last) = (0, f64::INFINITY);
-        let (error, reach) = loop {
-            let reach = stop - state.time;
-            // Never leave a sliver before a stop.
-            h = if h >= reach { reach } else { h.min(0.5 * reach) };
-            let solved = self.rodas.attempt(system, state, &frame.mass, h);
-            report.factorisations += 1;
-            if let Err(pivot) = solved {
-                // Beside the inertia the compliance of rows counts by 1/h²: corners that share a load at rest look as if
-                // each repeated the others once that is rounding. What is singular at any step is so at a short one.
-                if h <= FIRST_STEP {
-                    return Err(self.singular(system, state, pivot));
-                }
-                rejected += 1;
-                h = (0.1 * h).max(FIRST_STEP);
-                continue;
-            }
-            let error = self.weights.norm(system, state, &self.rodas, &self.tolerance);
-            let error = error.max(self.foretell(system, state, h));
-            if error <= 1.0 && self.has_tangents(system, state) {
-                break (error, reach);
-            }
-            rejected += 1;
-            // Where the estimate does not fall with the step, the step is far too long.
-            let wanted = 0.9 * error.powf(-1.0 / tableau::ERROR_ORDER);
-            h *= if error < 0.5 * last { wanted.clamp(0.1, 0.8) } else { 0.1 };
-            last = error;
-            if h < STEP_FLOOR {
-                return Err(self.too_short(system, state));
-            }
-        };
-        let stretch = (0.9 * error.max(1e-8).powf(-1.0 / tableau::ERROR_ORDER)).clamp(0.2, 6.0);
-        report.rejected = rejected;
+        let error = self.compute(system, state, &frame.mass, stop, &mut report)?;
+        let h = self.rodas.course.h;
         if state.engaged {
             state.engaged_step = h;
             state.engaged = false;
         }
+        state.next_step = h * (0.9 * error.max(1e-8).powf(-1.0 / tableau::ERROR_ORDER)).clamp(0.2, 6.0);
         system.clock.time(Stage::Events, || self.look(system, state));
         report.cut = self.made < 1.0;
-        let whole = self.made == 1.0 && h == reach;
-        state.next_step = h * stretch;
+        let whole = self.made == 1.0 && h == stop - state.time;
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
             .map_err(|pivot| self.singular(system, state, pivot))?;
         self.log_slipping(system, state, log);
