@@ -7,6 +7,7 @@ it. And no verb said that its answer leaves out the waves of the file.
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -36,5 +37,8 @@ def test_answers_say_that_the_water_is_still(verb: list[str]) -> None:
     """Waves of the file are named as left out; those of a run stand with its title."""
     found = CliRunner().invoke(app, [verb[0], str(FOLDER), *verb[1:]])
     assert "Still water: without the waves swell" in found.output
+    if "--level" not in verb:
+        document = json.loads(CliRunner().invoke(app, [verb[0], str(FOLDER), "--json"]).stdout)
+        assert document["left_out"] == ["Still water: without the waves swell"]
     looked_over = CliRunner().invoke(app, ["check", str(FOLDER)])
     assert "Waves: swell: 0.80 m significant height, 7.0 s peak period" in looked_over.output

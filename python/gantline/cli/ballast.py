@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from gantline.cli.lift import Lift, left_out, quantity_of
+from gantline.cli.lift import Lift, quantity_of
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 from gantline.cli.progress import telling
 
@@ -88,7 +88,7 @@ def ballast(
     else:
         from gantline.cli.ballast_table import report
 
-        typer.echo("\n".join([*left_out(scenario), *report(answer)]))
+        typer.echo("\n".join([*scenario.left_out_at_rest, *report(answer)]))
     if write is not None:
         with writing(write):
             write.write_text(answer.text, encoding="utf-8")

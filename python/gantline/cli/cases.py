@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from gantline.cli.lift import Lift, Moment, folder_option, left_out, moment_of, output_folder, refuse_beyond
+from gantline.cli.lift import Lift, Moment, folder_option, moment_of, output_folder, refuse_beyond
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 
@@ -53,7 +53,7 @@ def cases(
         from gantline.cli.check_table import width_of_terminal
 
         table = cases_table(result, width=width_of_terminal(), variants=variants)
-        typer.echo("\n".join([*left_out(scenario), *table]))
+        typer.echo("\n".join([*scenario.left_out_at_rest, *table]))
     if folder is not None:
         with writing(folder):
             replace_text(folder / CASES, text + "\n")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
-from gantline.cli.lift import left_out, output_folder, quantity_of
+from gantline.cli.lift import output_folder, quantity_of
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def hang_as_wanted(
             raise
         except ValueError as problem:
             stop(f"{option}: {problem}")
-    typer.echo("\n".join([*left_out(scenario), *lines]))
+    typer.echo("\n".join([*scenario.left_out_at_rest, *lines]))
     if output is not None:
         place = output_folder(output)
         with writing(place):

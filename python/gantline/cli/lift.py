@@ -94,16 +94,6 @@ def refuse_beyond(scenario: Scenario, moment: float | None) -> None:
         stop(f"--time: {moment:g} s is after the end of the lift at {scenario.duration:g} s")
 
 
-def left_out(scenario: Scenario) -> list[str]:
-    """Lines on waves and gusts of a lift, which statics leaves out; none where it has none."""
-    from gantline.scenario.stream import Wind
-
-    wind = scenario.wind
-    waves = [f"Still water: without the waves {', '.join(scenario.waves)}"] if scenario.waves else []
-    gusts = ["Steady wind: without its gusts"] if isinstance(wind, Wind) and wind.gusts else []
-    return [*waves, *gusts]
-
-
 def prepare(lift: Path, overrides: Mapping[str, Setting], side: str = "") -> Simulation:
     """A lift that is ready to run; what is wrong with it ends the program.
 

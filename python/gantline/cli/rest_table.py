@@ -7,7 +7,6 @@ from typing import Any
 
 from gantline.checks import Check, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
-from gantline.cli.lift import left_out
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table
 from gantline.results import series
@@ -17,7 +16,7 @@ from gantline.study.state import State, values_of
 
 def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
     """The lift, whether it is stable, and what is left out."""
-    lines = [*heading(question.rig), *weights(question.rig), *left_out(question.scenario)]
+    lines = [*heading(question.rig), *weights(question.rig), *question.scenario.left_out_at_rest]
     if rest.is_stable:
         state = "stable"
     else:

@@ -133,6 +133,7 @@ def statics(
     if as_json:
         more = question.sensitivities() if sensitivities else []
         numbers = rest_table.statics_json(rest, bounds, shown, more, checks)
+        numbers["left_out"] = question.scenario.left_out_at_rest
         typer.echo(json.dumps(numbers, indent=2, allow_nan=False))
         raise typer.Exit(DONE if is_sound else CHECK_FAILED)
     parts = [

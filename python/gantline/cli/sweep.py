@@ -34,7 +34,7 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
     path, first, last, count = _read(text)
     with scenario_errors():
         from gantline.cli.check_table import width_of_terminal
-        from gantline.cli.lift import left_out, refuse_beyond
+        from gantline.cli.lift import refuse_beyond
         from gantline.scenario import load_scenario
         from gantline.scenario.tree_path import PathError
         from gantline.study import run_sweep
@@ -48,9 +48,10 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
             stop(f"--sweep: {problem}")
     if as_json:
         found = [{"value": point.value, **point.state.to_json()} for point in points]
-        typer.echo(json.dumps({"path": path, "points": found}, indent=2, allow_nan=False))
+        document = {"path": path, "left_out": scenario.left_out_at_rest, "points": found}
+        typer.echo(json.dumps(document, indent=2, allow_nan=False))
     else:
-        typer.echo("\n".join([*left_out(scenario), *_lines(path, points, width_of_terminal())]))
+        typer.echo("\n".join([*scenario.left_out_at_rest, *_lines(path, points, width_of_terminal())]))
     if any(point.state.starts and point.state.rest is None for point in points):
         raise typer.Exit(COULD_NOT_GO_ON)
     raise typer.Exit(DONE if all(point.state.is_sound for point in points) else CHECK_FAILED)

@@ -27,7 +27,7 @@ from gantline.scenario.mooring import Fender, MooringLine
 from gantline.scenario.plan import EmergencyStop, Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
 from gantline.scenario.spreader import Spreader
-from gantline.scenario.stream import Current, WindOfLift
+from gantline.scenario.stream import Current, Wind, WindOfLift
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
 from gantline.scenario.tag_line import TagLine
@@ -205,6 +205,15 @@ class Scenario(Element):
     def hooks(self) -> dict[str, Hook]:
         """Hooks of all cranes by their full names."""
         return hooks_of(self.cranes or {}, self.hook_types or {})
+
+    @property
+    def left_out_at_rest(self) -> list[str]:
+        """Sentences on its waves and gusts, which an equilibrium leaves out; none where it has none."""
+        gusts = isinstance(self.wind, Wind) and self.wind.gusts is not None
+        return [
+            *([f"Still water: without the waves {', '.join(self.waves)}"] if self.waves else []),
+            *(["Steady wind: without its gusts"] if gusts else []),
+        ]
 
     @property
     def booms(self) -> dict[str, PlacedBoom]:

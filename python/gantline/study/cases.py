@@ -48,12 +48,14 @@ class CasesResult:
         given: The lift as it is given.
         states: That, then every variant of every case, in the order of the file; of lifts with losses of
             sheaves each with its two bounds.
+        left_out: Sentences on what equilibria leave out of it.
     """
 
     title: str
     scenario: str
     given: State
     states: Sequence[State]
+    left_out: Sequence[str] = ()
 
     def __repr__(self) -> str:
         cases = len(self.names) - 1
@@ -89,6 +91,7 @@ class CasesResult:
             "title": self.title,
             "scenario_sha256": digest_of(self.scenario),
             "sound": self.is_sound,
+            "left_out": list(self.left_out),
             "cases": [
                 {"case": name, "states": [state.to_json() for state in self.of(name)]} for name in self.names
             ],
@@ -139,7 +142,7 @@ def run_cases(
             raise
     given = states[0]
     states = [replace(state, stands=stands(state, given)) for state in states]
-    return CasesResult(scenario.lift.title, scenario.text, given, states)
+    return CasesResult(scenario.lift.title, scenario.text, given, states, scenario.left_out_at_rest)
 
 
 #: States of a variant, which may still be worked on.
