@@ -9,6 +9,7 @@ import pytest
 import gantline
 from gantline.assembly import assemble
 from gantline.checks import check_recording
+from gantline.cli.rest_table import slings_of
 from gantline.cli.summary import summary
 from gantline.report.first_page import FirstPage
 from gantline.report.sketch import sketches
@@ -18,6 +19,7 @@ from gantline.scenario import ScenarioError, parse_scenario
 from gantline.scenario.rigging import resolve
 from gantline.scenario.slinging import first_put_on, slings_on, starts_off
 from gantline.simulation import Simulation
+from gantline.study.state import State, values_of
 from hooked_lift import hooked_lift
 from lift_text import BASE, changed
 
@@ -166,3 +168,14 @@ def test_a_moving_sheave_without_its_sling_is_told() -> None:
     whole, later = (assemble(parse_scenario(text)).warnings for text in (BASE, one))
     told = [[text for text in warnings if "no sling hangs from" in text] for warnings in (whole, later)]
     assert told[0] == [] and len(told[1]) == 1 and "moving sheave e1.1" in told[1][0]
+
+
+def test_equilibria_have_the_slings_that_are_on_then() -> None:
+    """After 0.5 s none is on, after 1.5 s both are; nothing is said of slings that are not there."""
+    question = gantline.Statics(parse_scenario(lift()))
+    early = question.equilibrium(0.5)
+    assert slings_of(early, []) == []
+    assert values_of(State("as given", "", "none", 0.5, early))["sling_tension"] == {}
+    later = question.equilibrium(1.5)
+    assert [line.split()[0] for line in slings_of(later, [])[1:]] == ["S1", "S2"]
+    assert later.recording.events() == [(0.0, "attached", "sling.S1"), (0.0, "attached", "sling.S2")]

@@ -15,6 +15,7 @@ from gantline.scenario import Scenario, parse_scenario
 from gantline.simulation import Simulation, SimulationError
 from hooked_lift import hooked_lift
 from mechanics import G
+from spreader_lifts import BAR, LOAD, one_bar
 
 MASS, EA, DAMPING = 200e3, 200e6, 0.1
 WEIGHT = MASS * G
@@ -230,3 +231,18 @@ plan:
     off = (recording.time > begin_of(recording, "off")) & (recording.time < begin_of(recording, "on again"))
     assert recording.column("rope_tension", "sling.B1")[off].max() == 0.0
     assert recording.metrics()["energy_remainder"] < 1e-5
+
+
+def test_slings_below_a_bar_are_put_on() -> None:
+    """The bar hangs from the start; each of the two slings below it then carries half of the load, m g/2."""
+    text = one_bar(0.0).replace(
+        "plan:\n", "plan:\n  - {step: on, hold: 1 s, attach: [sling.down_1, sling.down_2]}\n"
+    )
+    recording = Simulation(parse_scenario(text)).run()
+    up, down = (recording.column("rope_tension", f"sling.{name}_1") for name in ("up", "down"))
+    # Two slings of 8 m, 4 m aside, hold the bar of 3 t alone: T = m g/(2 cos 30 deg); it stretches by 1e-5.
+    alone = BAR * G / (2 * math.cos(math.radians(30)))
+    assert up[0] == pytest.approx(alone, rel=1e-4)
+    assert down[recording.time < 1.0].max() == 0.0
+    # What still rings 18 s after the hoist has stopped.
+    assert down[-1] == pytest.approx(LOAD * G / 2, rel=1e-3)

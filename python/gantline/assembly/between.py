@@ -119,14 +119,14 @@ def _lines(
     lugs: Mapping[str, Sequence[float]],
     names: Sequence[str],
 ) -> Iterator[Line]:
-    """All slings at what hangs between."""
+    """All slings at what hangs between, of those that are on at the start."""
     numbers = {name: number for number, name in enumerate(names)}
 
     def point(guide: Json) -> tuple[int | None, Array]:
         body, at = guide["body"], np.array(guide["at"])
         return (numbers[body], at) if body in numbers else (None, parts.place(body, guide["at"]))
 
-    for sling in rigging.slings.values():
+    for sling in (one for one in rigging.slings.values() if one.starts_on):
         points = tuple(point(guide) for guide in sling_route(scenario, rigging, sling, lugs))
         if any(body is not None for body, _ in points):
             assert sling.rope.stiffness is not None  # has been checked to stretch

@@ -39,7 +39,7 @@ def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[
 
 def slings_of(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
     """What each sling carries, and what it would with all sheaves slipping one way and the other."""
-    slings = rest.recording.rig.slings
+    slings = series.slings_on(rest.recording)
     tensions = {sling.name: rest.tension(sling.rope) for sling in slings}
     mean = sum(tensions.values()) / max(len(tensions), 1)
     rows = [

@@ -93,7 +93,8 @@ def _imbalance(residual: float | None) -> str:
 
 
 def _slings(rest: Recording) -> list[tuple[str, ...]]:
-    tensions = [float(rest.column("rope_tension", sling.rope)[-1]) for sling in rest.rig.slings]
+    slings = series.slings_on(rest)
+    tensions = [float(rest.column("rope_tension", sling.rope)[-1]) for sling in slings]
     mean = sum(tensions) / max(len(tensions), 1)
     return [
         (
@@ -102,7 +103,7 @@ def _slings(rest: Recording) -> list[tuple[str, ...]]:
             f"{tension / mean:.3f}" if mean > 0.0 else ABSENT,
             number(float(series.sling_angle(rest, sling)[-1]), "deg", 2),
         )
-        for sling, tension in zip(rest.rig.slings, tensions, strict=True)
+        for sling, tension in zip(slings, tensions, strict=True)
     ]
 
 

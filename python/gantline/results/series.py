@@ -303,6 +303,11 @@ def is_on(recording: Recording, rope: str) -> BoolArray:
     return on
 
 
+def slings_on(recording: Recording) -> list[Sling]:
+    """Slings that are on at the end, parted or not; of an equilibrium those that it has."""
+    return [sling for sling in recording.rig.slings if is_on(recording, sling.rope)[-1:].any()]
+
+
 def frame_tilt(recording: Recording, equalizer: Equalizer) -> FloatArray:
     """Angle of an equalizer's frame from plumb [rad], shape (time,)."""
     return tilt(recording.column("body_orientation", equalizer.body))

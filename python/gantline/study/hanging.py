@@ -72,8 +72,8 @@ class Hanging:
 
     @cached_property
     def slings(self) -> list[Sling]:
-        """Slings that go from one upper end to one lower end."""
-        return [sling for sling in self.rig.slings if sling.over is None]
+        """Slings that are on and go from one upper end to one lower end."""
+        return [sling for sling in series.slings_on(self.rest.recording) if sling.over is None]
 
     def slopes(self) -> tuple[Row, Row]:
         """By what angle the load's own x axis rises, and its y axis [rad]."""
@@ -123,8 +123,9 @@ class Hanging:
         return total
 
     def slack(self) -> list[str]:
-        """Slings that carry nothing."""
-        return [sling.name for sling in self.rig.slings if self.rest.tension(sling.rope) <= 0.0]
+        """Slings that are on and carry nothing."""
+        on = series.slings_on(self.rest.recording)
+        return [sling.name for sling in on if self.rest.tension(sling.rope) <= 0.0]
 
     def beyond_travel(self) -> str | None:
         """The moving sheave that is farthest beyond its travel, in words; None where none is."""

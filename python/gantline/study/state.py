@@ -174,7 +174,7 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
 
     `sling_tension` and `smallest_sling_tension` are the same, of which the largest and the smallest is
     worst. `rope_tension` is that of all other ropes, over sheaves with losses of the tightest segment.
-    `sheave_travel` is down positive. What a case cuts is left out.
+    `sheave_travel` is down positive. What a case cuts, and what is not on, is left out.
     """
     if state.rest is None:
         return {quantity: {} for quantity in QUANTITIES}
@@ -183,7 +183,8 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
     def last(name: str, elements: Iterable[str]) -> dict[str, float]:
         return {element: float(recording.column(name, element)[-1]) for element in elements}
 
-    slings = {one.name: state.rest.tension(one.rope) for one in rig.slings if one.name not in state.cut}
+    on = series.slings_on(recording)
+    slings = {one.name: state.rest.tension(one.rope) for one in on if one.name not in state.cut}
     of_slings = {one.rope for one in rig.slings} | set(state.cut)
     others = [rope for rope in recording.coordinates.get("rope", ()) if rope not in of_slings]
     hooks = [hook.name for hook in rig.hooks]
