@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from crawler_pair import GEAR, MASSES
+from lift_text import changed
+
 #: Distance of the column's two lugs, height of the upper sheaves [m].
 LINE, TOP = 19.0, 80.0
 #: Acceleration of the hoist and of the trolley that may follow [m/s^2].
@@ -23,7 +26,7 @@ hook_types:
     block: {{mass: 5 t, height: 2 m}}
     reeving: {{parts_each: 4, rope: hoist, sheave_diameter: 1 m, upper_sheaves_at: {top} m}}
     drum: {{diameter: 1.6 m}}
-    hoist: {{speed: 10 m/min, acceleration: {hoist} m/s^2}}
+    hoist: {{speed: 10 m/min, acceleration: {hoist} m/s^2, emergency_acceleration: 0.2 m/s^2}}
 cranes:
   gol:
     type: goliath
@@ -111,6 +114,33 @@ def upended(by: float = 17.0, *, hoist: float = 4.0, follow: float | None = 10.0
     return "\n".join([*lines, "{step: rest, hold: 20 s}"])
 
 
+def below_a_bar(lift: str) -> str:
+    """The same lift with a bar across the column between hook B and two lugs, as far down as before."""
+    lugs = "b: {at: [9.5 m, 1.2 m, 1.5 m]}, c: {at: [9.5 m, -1.2 m, 1.5 m]}"
+    return changed(
+        lift,
+        ("b: {at: [9.5 m, 0 m, 1.5 m]}", lugs),
+        ("slings:\n", f"{_BAR}slings:\n"),
+        ("  S2: {from: gol.B, to: column.b, length: 8.0 m}\n", _BELOW),
+    )
+
+
+_BAR = """\
+spreaders:
+  bar:
+    mass: 3 t
+    size: [2.8 m, 0.4 m, 0.4 m]
+    lugs: {T1: {at: [1.2 m, 0 m, 0.2 m]}, T2: {at: [-1.2 m, 0 m, 0.2 m]},
+      B1: {at: [1.2 m, 0 m, -0.2 m]}, B2: {at: [-1.2 m, 0 m, -0.2 m]}}
+"""
+#: 4 m over 1.2 m aside are 3.816 m down; with the bar and 3.784 m below it 8 m.
+_BELOW = """\
+  T1: {from: gol.B, to: bar.T1, length: 4 m}
+  T2: {from: gol.B, to: bar.T2, length: 4 m}
+  S2: {from: bar.B1, to: column.b, length: 3.784 m}
+  S3: {from: bar.B2, to: column.c, length: 3.784 m}
+"""
+
 _CRANE = """\
   {name}:
     type: crawler
@@ -118,12 +148,7 @@ _CRANE = """\
     heading: {heading} deg
     slew: {slew} deg
     tracks: {{length: 9 m, width: 1.5 m, gauge: 8.4 m, mats: 6 m}}
-    base_mass: 190 t
-    central_ballast: 95 t
-    counterweight: {{mass: 250 t, behind: 6.5 m}}
-    boom: {{heel_pins: {{ahead: 1.6 m, height: 2.5 m}}, length: 63 m, radius: 16 m, mass: 60 t,
-      centre_of_gravity: 45 %}}
-    luffing: {{speed: 3 deg/min, acceleration: 0.02 deg/s^2, range: [30 deg, 82 deg]}}
+{masses}    luffing: {{speed: 3 deg/min, acceleration: 0.02 deg/s^2, range: [30 deg, 82 deg]}}
 {travel}    hooks: {{H: {{type: H, height: 14 m}}}}
 """
 
@@ -131,17 +156,7 @@ _CRAWLERS = """\
 format: 1
 lift: {{title: A column and two crawler cranes}}
 duration: {duration} s
-ground: {{level: 0 m, friction: 0.4}}
-ropes:
-  hoist: {{axial_stiffness: 36 MN, damping_time: 10 ms, mass: none, diameter: 28 mm}}
-  sling: {{axial_stiffness: 266 MN, damping_time: 10 ms, mass: none, diameter: 76 mm}}
-hook_types:
-  H:
-    block: {{mass: 7 t, height: 2 m}}
-    reeving: {{parts_each: 14, rope: hoist, sheave_diameter: 0.7 m, below_head: 1 m, sheave_block_mass: 1 kg}}
-    drum: {{diameter: 0.8 m}}
-    hoist: {{speed: 6 m/min, acceleration: 0.02 m/s^2}}
-load:
+{gear}load:
   name: column
   shape: {{box: [40 m, 4 m, 4 m]}}
   position: [0 m, 0 m, 0 m]
@@ -166,17 +181,17 @@ simulation: {{sample_interval: 0.2 s}}
 _TRAVEL = "    travel: {speed: 1 km/h, acceleration: 0.05 m/s^2, range: [-10 m, 50 m]}\n"
 
 
-def by_crawlers(plan: str, *, duration: float = 900.0, tail_heading: float = 180.0) -> str:
+def by_crawlers(plan: str, *, duration: float = 900.0) -> str:
     """A column on the ground under two crawler cranes, of which `tail` may travel towards `main`.
 
     Args:
         plan: One step per line, not indented.
         duration: Of the lift [s].
-        tail_heading: Of the tracks of `tail` [deg].
     """
-    cranes = [
-        _CRANE.format(name=name, x=x, heading=heading, slew=(-90 - heading) % -360, travel=travel)
-        for name, x, heading, travel in (("main", -19, 0.0, ""), ("tail", 19, tail_heading, _TRAVEL))
-    ]
+    both = (("main", -19, 0, ""), ("tail", 19, 180, _TRAVEL))
+    cranes = "".join(
+        _CRANE.format(name=name, x=x, heading=to, slew=-90 - to, masses=MASSES, travel=travel)
+        for name, x, to, travel in both
+    )
     shown = "\n".join(f"  - {line}" for line in plan.splitlines())
-    return _CRAWLERS.format(duration=duration, cranes="".join(cranes), plan=shown)
+    return _CRAWLERS.format(duration=duration, gear=GEAR, cranes=cranes, plan=shown)

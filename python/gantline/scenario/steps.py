@@ -139,8 +139,7 @@ class MovingStep(_StartingStep):
     @classmethod
     def _what_follows(cls, data: Any) -> Any:
         if isinstance(data, dict) and "keep_plumb" in data and "keep_plumb" not in cls.ends:
-            sentence = "only trolleys and cranes follow a load"
-            raise refuse(f"{sentence}; 'keep_plumb' is right in a traverse or travel step", "keep_plumb")
+            raise refuse("a traverse or travel step follows a load; leave 'keep_plumb' out", "keep_plumb")
         return data
 
     @model_validator(mode="after")
@@ -206,21 +205,16 @@ class FollowingStep(AlongStep):
 
     speed: PositiveSpeed = Field(description="Speed of trolleys or crane; the highest with 'keep_plumb'.")
     keep_plumb: Names | None = Field(
-        None,
-        description="Hook or hooks whose falls it keeps plumb: it follows the load until what goes on beside "
-        "this step has ended. With 'starts: with_previous'.",
+        None, description="Hook or hooks whose falls it keeps plumb, until what goes on beside it has ended."
     )
 
     @model_validator(mode="after")
     def _follows_something(self) -> FollowingStep:
-        if self.keep_plumb is None:
-            return self
-        if "towards" in self.model_fields_set:
+        if self.keep_plumb is not None and "towards" in self.model_fields_set:
             raise refuse("what follows goes either way; leave 'towards' out", "towards")
-        if self.starts != "with_previous":
-            sentence = "nothing goes on beside this step that it could follow"
-            raise refuse(f"{sentence}; 'starts: with_previous' after the step that hoists is right")
-        if len(self.moved) != 1:
+        if self.keep_plumb is not None and self.starts != "with_previous":
+            raise refuse("nothing goes on beside this step; 'starts: with_previous' is right")
+        if self.keep_plumb is not None and len(self.moved) != 1:
             sentence = f"'keep_plumb' is for one trolley or crane, and here are {len(self.moved)}"
             raise refuse(f"{sentence}; a step for each is right", self.verb)
         return self

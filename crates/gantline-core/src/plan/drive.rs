@@ -247,15 +247,8 @@ impl Timeline {
         }
     }
 
-    /// From `at` [s] on, within `duration` [s], the velocity goes to `velocity` and stays, whatever was said of later
-    /// times.
-    pub fn go_on(&mut self, at: f64, duration: f64, velocity: f64) {
-        self.forget(at);
-        self.ramp(at, duration, velocity, RampShape::Linear);
-    }
-
     /// What is over at `at` [s] is not carried along: a drive may be asked for thousands of changes.
-    fn forget(&mut self, at: f64) {
+    pub fn forget(&mut self, at: f64) {
         let over = self.ramps.partition_point(|ramp| ramp.at < at).saturating_sub(1);
         self.ramps.drain(..over);
     }

@@ -171,7 +171,7 @@ mod tests {
             let view = View { lag: place(at) - now.position, place: place(at) };
             let wanted = view.velocity(before, now.velocity, limits.acceleration);
             let (velocity, duration) = within(wanted, now, limits);
-            timeline.go_on(at, duration, velocity);
+            timeline.ramp(at, duration, velocity, RampShape::Linear);
             before = Some(view.place);
             behind.push(view.lag);
         }
@@ -224,7 +224,7 @@ mod tests {
                 let view = View { lag: place - now.position, place };
                 let wanted = view.velocity(before, now.velocity, bounds.acceleration);
                 let (velocity, duration) = within(wanted, now, &bounds);
-                timeline.go_on(at, duration, velocity);
+                timeline.ramp(at, duration, velocity, RampShape::Linear);
                 before = Some(view.place);
                 for part in 0..=20 {
                     let motion = timeline.motion(at + f64::from(part) * 0.05 * LOOK);

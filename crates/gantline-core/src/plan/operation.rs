@@ -7,6 +7,7 @@ use super::drive::Timeline;
 use super::follow::{CALM, LOOK, SETTLING, within};
 use super::step::{EmergencyStop, Move, Plan, Step, StopAt, Until};
 use crate::event::{EventKind, EventLog};
+use crate::spec::RampShape;
 
 /// What a step may go beyond the end of a range by rounding.
 const ROUNDING: f64 = 1e-9;
@@ -187,7 +188,8 @@ impl PlanState {
                 let wanted =
                     view.map_or(0.0, |view| view.velocity(before, now.velocity, motion.acceleration));
                 let (velocity, duration) = within(wanted, now, motion);
-                timeline.go_on(at, duration, velocity);
+                timeline.forget(at);
+                timeline.ramp(at, duration, velocity, RampShape::Linear);
                 before = view.map(|view| view.place);
                 is_calm &= velocity.abs().max(now.velocity.abs()) <= CALM;
             }
