@@ -56,3 +56,19 @@ def test_hooks_that_are_hoisted_alike_turn_nothing() -> None:
 {step: lift, hoist: [main.H, tail.H], speed: 2 m/min, by: 40 m}
 {step: follow, travel: tail, starts: with_previous, speed: 0.1 m/min, keep_plumb: tail.H}"""
     assert not warned(by_crawlers(plan))
+
+
+@pytest.mark.parametrize(("heading", "askew"), [(180, None), (150, None), (130, 50), (90, 90)])
+def test_a_crane_that_goes_across_the_lugs_is_told(heading: int, askew: int | None) -> None:
+    """The lugs lie along x; the crane goes along its heading, there and back."""
+    plan = """\
+{step: upend, hoist: main.H, speed: 2 m/min, by: 10 m}
+{step: follow, travel: tail, starts: with_previous, speed: 1 km/h, keep_plumb: tail.H}"""
+    text = changed(
+        by_crawlers(plan),
+        ("heading: 180 deg", f"heading: {heading} deg"),
+        ("slew: -270 deg", f"slew: {-90 - heading} deg"),
+    )
+    told = [one for one in assemble(parse_scenario(text)).warnings if "between the lugs" in one]
+    expected = f"step 'follow': 'tail' goes at {askew} deg to the line between the lugs as it starts"
+    assert [one.partition(";")[0] for one in told] == ([] if askew is None else [expected])

@@ -1,4 +1,4 @@
-"""Steps that keep falls plumb and would have to go faster than they may, as far as the plan tells.
+"""Steps that keep falls plumb and would have to go faster than they may, or askew, as far as the plan tells.
 
 A line of lugs that comes from level to an angle a, one end hoisted at the speed v over the other, gets
 shorter from above at v tan a: with both falls plumb so fast does one hook come nearer to the other.
@@ -13,6 +13,7 @@ import numpy as np
 
 from gantline.assembly.spatial import Array
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.crawler import Crawler
 from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, slings_under
 from gantline.scenario.movers import Mover, mover
@@ -24,10 +25,12 @@ __all__ = ["doubtful_following"]
 
 #: Upright lines of lugs have no length from above; short of this their angle is taken to be [rad].
 _STEEPEST = math.radians(89.9)
+#: Angle of the way of a drive to the line of lugs beyond which more than half of that lies across it [rad].
+_MOST_ASKEW = math.radians(30.0)
 
 
 def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
-    """A sentence for each step that would have to follow faster than it may, and from which angle on.
+    """A sentence for each step that would have to follow faster than it may, from which angle on, or askew.
 
     Of loads whose hooks have taken up their slings evenly as the lift begins, and as far as the plan says to
     which height, or to which tilt, a step hoists.
@@ -47,7 +50,10 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
                 continue
             one = mover(scenario, step.kind, step.moved[0])
             assert one is not None  # checked with the file
-            yield from _too_slow(scenario, rigging, step, one, hoists, heights)
+            hooks = _named(scenario, step.keep_plumb), hooks_beside(scenario, rigging, one)
+            own, others = (_lugs(scenario, rigging, names) for names in hooks)
+            yield from _askew(scenario, step, one, others - own)
+            yield from _too_slow(scenario, step, others - own, hooks, hoists, heights)
 
 
 def _stages(plan: Iterable[Step]) -> list[list[Step]]:
@@ -72,16 +78,27 @@ def _after(step: HookStep, before: float | None) -> float | None:
     return None if step.by is None or before is None else before + step.sign * step.by
 
 
+def _askew(scenario: Scenario, step: FollowingStep, one: Mover, line: Array) -> Iterator[str]:
+    """What goes across the line of lugs, axes of the load, does not follow along it."""
+    assert scenario.load is not None  # it hangs between hooks
+    crane = (scenario.cranes or {}).get(one.name)
+    way = crane.heading if isinstance(crane, Crawler) else 0.0 if one.kind == "trolley" else math.pi / 2
+    turned = scenario.load.heading + math.atan2(line[1], line[0]) - way
+    askew = abs(math.remainder(turned, math.pi))
+    if askew > _MOST_ASKEW and np.hypot(line[0], line[1]) > 0.0:
+        goes = f"'{one.name}' goes at {math.degrees(askew):.0f} deg to the line between the lugs as it starts"
+        yield f"step '{step.step}': {goes}; falls do not stay plumb across its way"
+
+
 def _too_slow(
     scenario: Scenario,
-    rigging: Rigging,
     step: FollowingStep,
-    one: Mover,
+    line: Array,
+    hooks: tuple[list[str], list[str]],
     hoists: Sequence[HookStep],
     heights: dict[str, float | None],
 ) -> Iterator[str]:
-    own, others = _named(scenario, step.keep_plumb or ()), hooks_beside(scenario, rigging, one)
-    line = _lugs(scenario, rigging, others) - _lugs(scenario, rigging, own)
+    own, others = hooks
     length = float(np.linalg.norm(line))
     speeds = {name: hoist.sign * hoist.speed for hoist in hoists for name in _named(scenario, hoist.moved)}
     speed = abs(
@@ -89,7 +106,7 @@ def _too_slow(
     )
     if speed == 0.0 or not length > 0.0:
         return
-    steepest = _angle_after(scenario, hoists, float(line[2]), length, (own, others), heights)
+    steepest = _angle_after(scenario, hoists, float(line[2]), length, hooks, heights)
     keeps_up = math.atan(step.speed / speed)
     if steepest is None or steepest <= keeps_up:
         return
