@@ -14,6 +14,7 @@ from gantline.cli.app import app
 from gantline.scenario import ScenarioError, load_scenario
 from gantline.scenario.tree import LARGEST_FILE
 from lift_text import AFLOAT, BASE, MECHANICS, MOORED, spoiled
+from upending import between_trolleys, upended
 
 LUFF = "{step: luff out, luff: fc, speed: 20 deg/min, to: 50 deg}"
 SLEW = "{step: slew, slew: c1, speed: 0.2 rev/min, by: 30 deg}"
@@ -25,6 +26,7 @@ BASES = {
     "boom": boom_lift(LUFF, duration=60.0),
     "tackles": boom_lift(LUFF, duration=60.0, luffing=TACKLES),
     "crawler": crawler_lift(150e3, SLEW, duration=60.0),
+    "upending": between_trolleys(upended(), duration=60.0),
 }
 CASES = YAML(typ="safe").load(Path(__file__).with_name("malformed.yaml"))
 NEEDED = "a lift file or its folder is needed"

@@ -7,6 +7,7 @@ import math
 import pytest
 
 from crawler_lift import own_mass
+from crawler_pair import GEAR, MASSES
 from gantline.checks.check import Check, Verdict
 from gantline.checks.run import check_recording
 from gantline.results.recording import Recording
@@ -25,12 +26,7 @@ _CRANE = """\
     slew: -90 deg
     rating_includes_hook_block: true
     tracks: {{length: 9 m, width: 1.5 m, gauge: 8.4 m, mats: 6 m, allowed_pressure: 150 kPa{tracks}}}
-    base_mass: 190 t
-    central_ballast: 95 t
-    counterweight: {{mass: 250 t, behind: 6.5 m}}
-    boom: {{heel_pins: {{ahead: 1.6 m, height: 2.5 m}}, length: 63 m, radius: 16 m, mass: 60 t,
-      centre_of_gravity: 45 %}}
-    rating: {{radius: [12 m, 14 m, 16 m, 18 m, 20 m], rated: [360 t, 283 t, 231 t, 195 t, 168 t],
+{masses}    rating: {{radius: [12 m, 14 m, 16 m, 18 m, 20 m], rated: [360 t, 283 t, 231 t, 195 t, 168 t],
       off_lead: 1 deg, side_lead: 1 deg}}
     hooks: {{H: {{type: H, height: 18 m}}}}
 """
@@ -39,17 +35,7 @@ _LIFT = """\
 format: 1
 lift: {{title: Two crawler cranes}}
 duration: {duration} s
-ground: {{level: 0 m, friction: 0.4}}
-ropes:
-  hoist: {{axial_stiffness: 36 MN, damping_time: 10 ms, mass: none, diameter: 28 mm}}
-  sling: {{axial_stiffness: 266 MN, damping_time: 10 ms, mass: none, diameter: 76 mm}}
-hook_types:
-  H:
-    block: {{mass: 7 t, height: 2 m}}
-    reeving: {{parts_each: 14, rope: hoist, sheave_diameter: 0.7 m, below_head: 1 m, sheave_block_mass: 1 kg}}
-    drum: {{diameter: 0.8 m}}
-    hoist: {{speed: 6 m/min, acceleration: 0.02 m/s^2}}
-load:
+{gear}load:
   name: beam
   shape: {{box: [28 m, 4 m, 3 m]}}
   position: [0 m, 0 m, 0 m]
@@ -77,9 +63,10 @@ watch:
 
 def lifted(tracks: str = "", rules: str = "", duration: float = 160.0) -> Recording:
     """The lift as it was run; `tracks` of the second crane, after a comma."""
-    cranes = _CRANE.format(name="c1", x=-10, tracks="") + _CRANE.format(name="c2", x=10, tracks=tracks)
+    both = (("c1", -10, ""), ("c2", 10, tracks))
+    cranes = "".join(_CRANE.format(name=name, x=x, tracks=own, masses=MASSES) for name, x, own in both)
     length = math.hypot(HOOK - 3.0, 2.0)
-    text = _LIFT.format(duration=duration, cranes=cranes, length=length + 0.01, rules=rules)
+    text = _LIFT.format(duration=duration, gear=GEAR, cranes=cranes, length=length + 0.01, rules=rules)
     return Simulation(parse_scenario(text)).run()
 
 

@@ -11,6 +11,7 @@ from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
+from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
@@ -126,6 +127,7 @@ def assemble(scenario: Scenario) -> Assembly:
             *doubtful_waits(parts, scenario),
             *doubtful_cranes(scenario),
             *doubtful_gear(scenario, rigging),
+            *doubtful_following(scenario, rigging),
         ),
     )
 

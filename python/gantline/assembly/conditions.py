@@ -12,7 +12,7 @@ from gantline.scenario.condition import Condition
 from gantline.scenario.hooks import Hook, full_name
 from gantline.scenario.mooring import line_rope
 
-__all__ = ["condition_of"]
+__all__ = ["condition_of", "falls_of"]
 
 #: Tension of falls that any hook block has, for a bound below the weight of the falls [N].
 _LEAST = 1.0
@@ -90,7 +90,7 @@ def condition_of(
         hooks = [full_name(text, reeved) or text for text in condition.of] or list(reeved)
         return {
             "type": "plumb",
-            "falls": [_falls(reeved[hook]) for hook in hooks],
+            "falls": [falls_of(reeved[hook]) for hook in hooks],
             "at_most": condition.falls_out_of_plumb,
         }
     if condition.mooring_tension is not None:
@@ -136,7 +136,7 @@ def _slings(
     return {"type": "spread", "groups": [ropes], "at_most": float(len(ropes))}
 
 
-def _falls(hook: Hook) -> list[list[str | list[float]]]:
+def falls_of(hook: Hook) -> list[list[str | list[float]]]:
     """From the upper sheaves to those of the hook block, each as a body and a point of it [m]."""
     assert hook.hook_block is not None  # it hangs in ropes
     above: list[str | list[float]] = [upper_sheaves(hook.name), [0.0, 0.0, -below_pin(hook)]]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gantline.assembly.conditions import condition_of
+from gantline.assembly.followed import followed
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.plain import drum_drive
 from gantline.assembly.tag_lines import line_drive
@@ -14,7 +15,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.movers import Mover, boom_angles, mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
-from gantline.scenario.steps import HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
+from gantline.scenario.steps import FollowingStep, HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tanks import ends_of_pump, tanks_of
 
 __all__ = [
@@ -66,6 +67,8 @@ def operations(scenario: Scenario, rigging: Rigging, parts: Parts, weight: float
             made = _pumping(scenario, step)
         else:
             made = _moving(scenario, step, before)
+        if isinstance(step, FollowingStep) and step.keep_plumb:
+            made["until"] = followed(scenario, rigging, parts, step, step.keep_plumb)
         if step.until is not None:
             down = isinstance(step, (LowerStep, PayOutStep))
             made["until"] = condition_of(scenario, rigging, parts, step.until, weight, down=down, on=on)
@@ -175,6 +178,7 @@ def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[flo
                 "velocity": step.sign * step.speed * rate,
                 "acceleration": acceleration * rate,
                 "shape": "linear",
+                **_range_to_keep(step, one),
                 **({} if step.emergency_stop_at is None else {"emergency": stop_of(one, step.speed, rate)}),
             }
         )
@@ -194,6 +198,13 @@ def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[flo
         ]
         made["until"] = {"type": "position", "positions": positions}
     return made
+
+
+def _range_to_keep(step: MovingStep, one: Mover) -> Json:
+    """Where a drive may go that finds its own way."""
+    if not getattr(step, "keep_plumb", None) or one.range is None:
+        return {}
+    return {"range": [end - one.zero for end in one.range]}
 
 
 def _target(step: MovingStep, one: Mover, before: Mapping[str, tuple[float, bool]]) -> float | None:

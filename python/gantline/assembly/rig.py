@@ -27,10 +27,11 @@ from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.bounds import Bound
 from gantline.scenario.gear import Shackle
+from gantline.scenario.hooks import full_name
 from gantline.scenario.lug import Lug
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
-from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
+from gantline.scenario.steps import FollowingStep, HoldStep, MovingStep, PumpStep
 from gantline.scenario.stream import Wind
 from gantline.scenario.tanks import ends_of_pump, tanks_of
 
@@ -348,6 +349,7 @@ def _step(scenario: Scenario, step: Any) -> Json:
         "put_in_pins": list(step.put_in_pins),
         **{key: list(names) for key in _PARTS if (names := getattr(step, key))},
         **({"turns": True} if _turns(step) else {}),
+        **_kept_plumb(scenario, step),
     }
 
 
@@ -358,6 +360,13 @@ def _turns(step: Any) -> bool:
     return (waits and step.until.load_tilt.above is not None) or (
         asked is not None and asked.relation == "above"
     )
+
+
+def _kept_plumb(scenario: Scenario, step: Any) -> Json:
+    """The hooks whose falls a step keeps plumb."""
+    if not isinstance(step, FollowingStep) or not step.keep_plumb:
+        return {}
+    return {"keep_plumb": [full_name(text, scenario.hooks) or text for text in step.keep_plumb]}
 
 
 def _held_until(step: HoldStep) -> str:

@@ -20,7 +20,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import ATTACHED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
-from gantline.results.upending import is_turned, turning_in_words
+from gantline.results.upending import is_turned, kept_plumb_in_words, turning_in_words
 
 #: Slings that are listed one by one; the report and the recording have all of them.
 _MOST_ROWS = 40
@@ -107,6 +107,7 @@ def _loads(recording: Recording) -> list[str]:
         ]
     if not rows:
         return []
+    rows += kept_plumb_in_words(recording)
     rows.insert(0, ("lift-off", lift_off_in_words(recording, 2)))
     return [*weights(recording.rig), *pairs("", rows)[1:]]
 

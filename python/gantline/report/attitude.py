@@ -10,7 +10,7 @@ from gantline.results.clearances import watched_during
 from gantline.results.drift import load_drift
 from gantline.results.lift_off import lift_off_in_words
 from gantline.results.rig import Load
-from gantline.results.upending import is_turned, turning_in_words
+from gantline.results.upending import is_turned, kept_plumb_in_words, turning_in_words
 
 
 def attitude(subject: Subject) -> list[tuple[str, str]]:
@@ -22,6 +22,7 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
         rows.append(("lift-off", lift_off_in_words(recording, 1)))
     for load in subject.rig.loads:
         rows += _of_load(subject, load, lift_off)
+    rows += kept_plumb_in_words(recording)
     rows += _tag_lines(subject)
     rows += _clearance(subject)
     if recording.attributes.get("status") == "failed":

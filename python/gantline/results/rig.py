@@ -138,6 +138,7 @@ class Step(FromJson):
         speed: Of what it moves [m/s]; None of a step that moves nothing along.
         pull_pins: Equalizers or moving sheaves whose locking pins are pulled as it begins.
         put_in_pins: The same of those that are put in.
+        keep_plumb: Hooks whose falls it keeps plumb.
     """
 
     step: str
@@ -155,6 +156,7 @@ class Step(FromJson):
     attach: Sequence[str] = ()
     remove_supports: Sequence[str] = ()
     turns: bool = False
+    keep_plumb: Sequence[str] = ()
 
 
 @dataclass(frozen=True)

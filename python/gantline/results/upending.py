@@ -12,12 +12,13 @@ import math
 import numpy as np
 
 from gantline.results import series
+from gantline.results.progress import spans
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
-__all__ = ["TURNED_FROM", "is_turned", "turning_in_words"]
+__all__ = ["TURNED_FROM", "is_turned", "kept_plumb_in_words", "turning_in_words"]
 
 #: Tilt of a hanging load from which it is turned on purpose [rad]; no load hangs so by mischance.
 TURNED_FROM = math.radians(30.0)
@@ -60,4 +61,29 @@ def turning_in_words(recording: Recording, load: Load) -> list[tuple[str, str]]:
     if aside:
         worst = max(aside, key=lambda hook: float(aside[hook][during].max()))
         rows.append(row("falls out of plumb", worst, aside[worst], "deg", 2))
+    return rows
+
+
+def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
+    """How far out of plumb falls came in each step that keeps them plumb.
+
+    Args:
+        recording: The recording.
+
+    Returns:
+        What, and how much, in words.
+    """
+    rows = []
+    during = spans(recording)
+    for step in recording.rig.plan:
+        if not step.keep_plumb or step.step not in during:
+            continue
+        begin, end = during[step.step]
+        goes_on = (recording.time >= begin) & (recording.time <= end)
+        for hook in step.keep_plumb:
+            aside = np.where(goes_on, recording.column("falls_out_of_plumb", hook), 0.0)
+            at = int(np.argmax(aside))
+            most = f"{hook} within {format_quantity(float(aside[at]), 'deg', 2)}"
+            when = f"at {format_quantity(float(recording.time[at]), 's', 1)}"
+            rows.append(("falls kept plumb", f"{most} in '{step.step}', farthest {when}"))
     return rows

@@ -9,6 +9,7 @@ from gantline.scenario.check_goliath import check_goliaths
 from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
+from gantline.scenario.check_plumb import check_kept_plumb
 from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.check_spreaders import check_spreaders
 from gantline.scenario.check_supports import check_supports
@@ -55,6 +56,7 @@ def check(scenario: Scenario) -> None:
         check_spreaders(findings, rigging)
         check_pins(findings, rigging)
         check_put_on(findings, rigging)
+        check_kept_plumb(findings, rigging)
         if scenario.simulation.integrator == "explicit" and pins_of(scenario, rigging).at_start:
             sentence = "'explicit' knows no pins; 'adaptive' or 'del' is right"
             findings.add(("simulation", "integrator"), sentence)

@@ -69,6 +69,8 @@ def _after(step: MovingStep, before: _Bounds) -> _Bounds:
     if step.by is not None:
         way = step.sign * step.by
         return before[0] + way, before[1] + way
+    if getattr(step, "keep_plumb", None):
+        return -math.inf, math.inf
     return (before[0], math.inf) if step.sign > 0 else (-math.inf, before[1])
 
 

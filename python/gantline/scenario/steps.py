@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -31,6 +31,7 @@ from gantline.scenario.quantities import (
 __all__ = [
     "AlongStep",
     "DrumStep",
+    "FollowingStep",
     "HaulInStep",
     "HaulStep",
     "HoistStep",
@@ -139,6 +140,13 @@ class MovingStep(_StartingStep):
         """Sign of the motion of its drives, where neither a signed `by` nor `to` says it."""
         return self.direction
 
+    @model_validator(mode="before")
+    @classmethod
+    def _what_follows(cls, data: Any) -> Any:
+        if isinstance(data, dict) and "keep_plumb" in data and "keep_plumb" not in cls.ends:
+            raise refuse("a traverse or travel step follows a load; leave 'keep_plumb' out", "keep_plumb")
+        return data
+
     @model_validator(mode="after")
     def _one_end(self) -> MovingStep:
         given = [name for name in self.ends if getattr(self, name) is not None]
@@ -192,6 +200,28 @@ class AlongStep(MovingStep):
             raise refuse(f"'0' goes nowhere; a way like '{right}' or '-{right}' is needed", "by")
         if "towards" in self.model_fields_set and (self.by is not None or self.to is not None):
             raise refuse("'by' and 'to' say where it goes; leave 'towards' out", "towards")
+        return self
+
+
+class FollowingStep(AlongStep):
+    """A step that moves trolleys or cranes along, or lets one follow the load."""
+
+    ends: ClassVar[tuple[str, ...]] = (*AlongStep.ends, "keep_plumb")
+
+    speed: PositiveSpeed = Field(description="Speed of trolleys or crane; the highest with 'keep_plumb'.")
+    keep_plumb: Names | None = Field(
+        None, description="Hook or hooks whose falls it keeps plumb, until what goes on beside it has ended."
+    )
+
+    @model_validator(mode="after")
+    def _follows_something(self) -> FollowingStep:
+        if self.keep_plumb is not None and "towards" in self.model_fields_set:
+            raise refuse("what follows goes either way; leave 'towards' out", "towards")
+        if self.keep_plumb is not None and self.starts != "with_previous":
+            raise refuse("nothing goes on beside this step; 'starts: with_previous' is right")
+        if self.keep_plumb is not None and len(self.moved) != 1:
+            sentence = f"'keep_plumb' is for one trolley or crane, and here are {len(self.moved)}"
+            raise refuse(f"{sentence}; a step for each is right", self.verb)
         return self
 
 
@@ -254,7 +284,7 @@ class LowerStep(HookStep):
     direction: ClassVar[float] = -1.0
 
 
-class TraverseStep(AlongStep):
+class TraverseStep(FollowingStep):
     """A step in which trolleys traverse."""
 
     what: ClassVar[str] = "a traverse step"
@@ -265,7 +295,7 @@ class TraverseStep(AlongStep):
     kind: ClassVar[Kind] = "trolley"
 
 
-class TravelStep(AlongStep):
+class TravelStep(FollowingStep):
     """A step in which cranes travel."""
 
     what: ClassVar[str] = "a travel step"

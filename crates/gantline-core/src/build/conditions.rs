@@ -1,12 +1,12 @@
-//! Conditions on which steps of the plan end.
+//! Conditions on which steps of the plan end, and what drives follow.
 
 use glam::DVec3;
 
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::force::moorings;
-use crate::plan::{Condition, Falls};
-use crate::spec::UntilSpec;
+use crate::plan::{Condition, Falls, Follow, Lead, Strand};
+use crate::spec::{LeadSpec, PlaceSpec, StrandSpec, UntilSpec};
 use crate::system::{ContactGroup, Rows};
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
@@ -71,17 +71,8 @@ pub(super) fn build_condition(
         }
         UntilSpec::Plumb { falls, at_most } => {
             at_least_zero(name, "the angle", *at_most)?;
-            let gravity = tree.gravity;
-            let Some(down) = gravity.try_normalize() else {
-                return error(name, "there is no gravity, so nothing is plumb; give it gravity");
-            };
-            let place = |(body, at): &(String, [f64; 3])| {
-                let Some(index) = tree.bodies.iter().position(|other| &other.name == body) else {
-                    return error(name, format!("there is no body `{body}`"));
-                };
-                finite(name, "a place", at)?;
-                Ok((index, DVec3::from_array(*at)))
-            };
+            let down = plumb(name, tree)?;
+            let place = |given| place(name, given, tree);
             let falls = falls
                 .iter()
                 .map(|[upper, lower]| Ok(Falls { upper: place(upper)?, lower: place(lower)?, down }));
@@ -89,6 +80,48 @@ pub(super) fn build_condition(
         }
         other => error(name, format!("{other:?} is no condition")),
     }
+}
+
+/// What a drive follows, of the step `name`.
+pub(super) fn build_follow(
+    name: &str,
+    dof: usize,
+    (own, others): (&[LeadSpec], &[LeadSpec]),
+    tree: &Tree,
+    ropes: (&[AnyConstraint], &Rows),
+) -> Result<Follow, BuildError> {
+    let down = plumb(name, tree)?;
+    let strand = |given: &StrandSpec| {
+        let row = row_of(name, &given.rope, 0, ropes, tree)?;
+        let lower: Vec<_> = given.lower.iter().map(|end| place(name, end, tree)).collect::<Result<_, _>>()?;
+        Ok(Strand { row, upper: place(name, &given.upper, tree)?, lower })
+    };
+    let lead = |given: &LeadSpec| {
+        let level = |level: &Vec<StrandSpec>| level.iter().map(strand).collect::<Result<Vec<_>, _>>();
+        let levels = given.levels.iter().map(level).collect::<Result<_, _>>()?;
+        Ok(Lead { tip: place(name, &given.tip, tree)?, hook: place(name, &given.hook, tree)?, levels })
+    };
+    let leads = |given: &[LeadSpec]| given.iter().map(lead).collect::<Result<Vec<_>, _>>();
+    if own.is_empty() || others.is_empty() {
+        return error(name, "what follows needs a hook of its own, and another");
+    }
+    Ok(Follow { dof, own: leads(own)?, others: leads(others)?, down })
+}
+
+fn plumb(name: &str, tree: &Tree) -> Result<DVec3, BuildError> {
+    match tree.gravity.try_normalize() {
+        Some(down) => Ok(down),
+        None => error(name, "there is no gravity, so nothing is plumb; give it gravity"),
+    }
+}
+
+/// A body, and a point in its frame [m].
+fn place(name: &str, (body, at): &PlaceSpec, tree: &Tree) -> Result<(usize, DVec3), BuildError> {
+    let Some(index) = tree.bodies.iter().position(|other| &other.name == body) else {
+        return error(name, format!("there is no body `{body}`"));
+    };
+    finite(name, "a place", at)?;
+    Ok((index, DVec3::from_array(*at)))
 }
 
 /// The row that has the tension of a segment of a rope.

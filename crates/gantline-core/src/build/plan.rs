@@ -1,6 +1,6 @@
 //! Drives and the steps of the plan.
 
-use super::conditions::build_condition;
+use super::conditions::{build_condition, build_follow};
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Plan, Step, StopAt, Switching, Until};
@@ -149,6 +149,12 @@ fn build_step(
             Until::Duration(*duration)
         }
         UntilSpec::EndOfRun {} => Until::EndOfRun,
+        UntilSpec::Follow { own, others } => match moves[..] {
+            [Move { drive, .. }] => {
+                Until::Follow(build_follow(name, drives[drive].dof, (own, others), tree, ropes)?)
+            }
+            _ => return error(name, "one drive follows"),
+        },
         condition => Until::Condition(build_condition(name, condition, tree, groups, ropes)?),
     };
     let (start_at, with_previous) = (given.start_at, given.with_previous);

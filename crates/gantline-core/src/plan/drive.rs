@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::operation::Emergency;
+use super::step::Emergency;
 use crate::spec::RampShape;
 
 /// A change of velocity and the steady motion after it, until the next ramp.
@@ -214,9 +214,7 @@ impl Timeline {
     /// room r is v with `(v² − u²)/2a + v²/2b = r`.
     pub fn command(&mut self, at: f64, order: &Order) {
         self.commanded = Some(order.emergency);
-        // A program may ask for thousands of changes: what is over is not carried along.
-        let over = self.ramps.partition_point(|ramp| ramp.at < at).saturating_sub(1);
-        self.ramps.drain(..over);
+        self.forget(at);
         let Order { velocity, acceleration: a, braking: b, range, .. } = *order;
         let Motion { position, velocity: now, .. } = self.motion(at);
         let side = if velocity == 0.0 { now.signum() } else { velocity.signum() };
@@ -247,6 +245,12 @@ impl Timeline {
         } else {
             self.stop_within(end, left);
         }
+    }
+
+    /// What is over at `at` [s] is not carried along: a drive may be asked for thousands of changes.
+    pub fn forget(&mut self, at: f64) {
+        let over = self.ramps.partition_point(|ramp| ramp.at < at).saturating_sub(1);
+        self.ramps.drain(..over);
     }
 
     /// Comes to rest after just the way `room` [m or rad]; returns when [s].

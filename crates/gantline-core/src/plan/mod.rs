@@ -3,13 +3,17 @@
 pub mod condition;
 pub mod cut;
 pub mod drive;
+pub mod follow;
 pub mod operation;
 pub mod removal;
+pub mod step;
 pub mod switching;
 
 pub use condition::{Condition, Falls, Seen};
 pub use cut::{Cut, Due};
 pub use drive::Order;
-pub use operation::{Emergency, EmergencyStop, Move, Plan, PlanState, Step, StopAt, Until};
+pub use follow::{Follow, Lead, Strand};
+pub use operation::PlanState;
 pub use removal::Removal;
+pub use step::{Emergency, EmergencyStop, Move, Plan, Step, StopAt, Until};
 pub use switching::Switching;

@@ -1,101 +1,16 @@
-//! Steps of a plan: which drives move, and what ends them.
+//! How the steps of a plan go on: when they begin, what they ask of drives, when they end.
 
 use serde::{Deserialize, Serialize};
 
-use super::condition::{Condition, Seen};
+use super::condition::Seen;
 use super::drive::Timeline;
+use super::follow::{CALM, LOOK, SETTLING, within};
+use super::step::{EmergencyStop, Move, Plan, Step, StopAt, Until};
 use crate::event::{EventKind, EventLog};
 use crate::spec::RampShape;
 
 /// What a step may go beyond the end of a range by rounding.
 const ROUNDING: f64 = 1e-9;
-
-/// One drive in a step.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Move {
-    /// Index of the drive.
-    pub drive: usize,
-    /// Signed velocity [m/s or rad/s].
-    pub velocity: f64,
-    /// Acceleration limit [m/s² or rad/s²].
-    pub acceleration: f64,
-    /// Course of the ramps.
-    pub shape: RampShape,
-    /// Positions beyond which it does not go [kg].
-    pub range: Option<[f64; 2]>,
-    /// Acceleration with which it brakes at the end, where that is another, and what holds it from then on [N].
-    pub emergency: Option<Emergency>,
-}
-
-/// How a drive is stopped in an emergency.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Emergency {
-    /// With which it is asked to stop [m/s² or rad/s²].
-    pub acceleration: f64,
-    /// What the brake holds [N]; none is the motor's capacity.
-    pub brake: Option<f64>,
-}
-
-/// What ends a step; drives then brake to rest.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Until {
-    /// Brakes from this time [s] on.
-    BrakeFrom(f64),
-    /// At rest after this signed distance [m or rad].
-    Distance(f64),
-    /// At rest after so much, each drive in the direction of its velocity [kg].
-    Along(f64),
-    /// At rest where each drive, in the order of the moves, has this position [m or rad].
-    Positions(Vec<f64>),
-    /// Brakes after this time [s] in the step.
-    Duration(f64),
-    /// Brakes when this first holds.
-    Condition(Condition),
-    /// Never.
-    EndOfRun,
-}
-
-/// A step of the plan.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Step {
-    /// Name, shown in events.
-    pub name: String,
-    /// Drives that move; none holds.
-    pub moves: Vec<Move>,
-    /// Earliest time [s].
-    pub start_at: Option<f64>,
-    /// Begins as the step before begins, not as it ends.
-    pub with_previous: bool,
-    /// What ends it.
-    pub until: Until,
-}
-
-/// When all drives are stopped.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum StopAt {
-    /// At this time [s].
-    Time(f64),
-    /// So long [s] after a step has begun.
-    InStep(usize, f64),
-}
-
-/// An emergency stop of everything that the plan drives.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EmergencyStop {
-    /// When.
-    pub at: StopAt,
-    /// Drives that it stops, and how.
-    pub drives: Vec<(usize, Emergency)>,
-}
-
-/// Steps in order, and what ends them all.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Plan {
-    /// The steps.
-    pub steps: Vec<Step>,
-    /// An emergency stop, if there is one.
-    pub stop: Option<EmergencyStop>,
-}
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Phase {
@@ -111,6 +26,13 @@ enum Phase {
     Open,
     /// It ended at this time.
     Ended(f64),
+    /// A drive follows until all that began with its step has ended.
+    Following {
+        /// Time of the next look.
+        next: f64,
+        /// Place wanted at the last look [m].
+        before: Option<f64>,
+    },
 }
 
 /// Where the plan stands, and the course of every drive.
@@ -139,6 +61,10 @@ enum Due {
     End(usize),
     /// The same at the end of a range.
     Limit(usize),
+    /// A look of a drive that follows.
+    Look(usize),
+    /// It has followed long enough.
+    Rest(usize),
     Begin,
     Stop,
 }
@@ -188,6 +114,10 @@ impl PlanState {
                     log.push(at, EventKind::StepEnd, index);
                     self.phases[index] = Phase::Ended(at);
                 }
+                Due::Look(index) => self.look(plan, (index, at), seen),
+                Due::Rest(index) => {
+                    self.phases[index] = Phase::UntilTime(self.brake(&plan.steps[index], at));
+                }
                 Due::Begin => self.begin_next(plan, at, log),
                 Due::Stop => self.stop(plan, at, log),
             }
@@ -202,6 +132,10 @@ impl PlanState {
                 Phase::UntilTime(end) => (end, Due::End(index)),
                 Phase::UntilLimit(end) => (end, Due::Limit(index)),
                 Phase::UntilCondition(end) if end < f64::MAX => (end, Due::Limit(index)),
+                Phase::Following { next, .. } => {
+                    let rest = self.led_until(plan) + SETTLING;
+                    if rest <= next { (rest, Due::Rest(index)) } else { (next, Due::Look(index)) }
+                }
                 _ => continue,
             };
             if end < next.0 {
@@ -224,10 +158,47 @@ impl PlanState {
         let ready = if step.with_previous && self.begun > self.stage {
             self.begin
         } else {
-            let ended = |phase: &Phase| if let Phase::Ended(at) = phase { *at } else { f64::INFINITY };
             self.phases[self.stage..self.begun].iter().map(ended).fold(0.0, f64::max)
         };
         ready.max(step.start_at.unwrap_or(ready))
+    }
+
+    /// When all that goes on beside drives that follow has ended [s]; infinity while that is not known.
+    fn led_until(&self, plan: &Plan) -> f64 {
+        let beside = |step: &&Step| step.with_previous;
+        let stage = 1 + plan.steps[self.stage + 1..].iter().take_while(beside).count();
+        let steps = plan.steps[self.stage..][..stage].iter().zip(&self.phases[self.stage..]);
+        let leading = steps.filter(|(step, _)| !matches!(step.until, Until::Follow(_)));
+        leading.map(|(_, phase)| ended(phase)).fold(0.0, f64::max)
+    }
+
+    /// A drive that follows looks, and comes to another velocity until it looks again. It rests once it is calm and
+    /// nothing goes on beside it.
+    fn look(&mut self, plan: &Plan, (index, at): (usize, f64), seen: Option<&Seen>) {
+        let Phase::Following { mut before, .. } = self.phases[index] else { return };
+        let step = &plan.steps[index];
+        let Until::Follow(follow) = &step.until else { return };
+        let mut is_calm = self.led_until(plan) < at;
+        for motion in &step.moves {
+            let timeline = &mut self.timelines[motion.drive];
+            if let Some(seen) = seen
+                && timeline.commanded().is_none()
+            {
+                let (view, now) = (follow.view(seen), timeline.motion(at));
+                let wanted =
+                    view.map_or(0.0, |view| view.velocity(before, now.velocity, motion.acceleration));
+                let (velocity, duration) = within(wanted, now, motion);
+                timeline.forget(at);
+                timeline.ramp(at, duration, velocity, RampShape::Linear);
+                before = view.map(|view| view.place);
+                is_calm &= velocity.abs().max(now.velocity.abs()) <= CALM;
+            }
+        }
+        self.phases[index] = if is_calm {
+            Phase::UntilTime(self.brake(step, at))
+        } else {
+            Phase::Following { next: at + LOOK, before }
+        };
     }
 
     fn begin_next(&mut self, plan: &Plan, at: f64, log: &mut EventLog) {
@@ -278,9 +249,10 @@ impl PlanState {
         !self.stopped && self.phases[self.stage..self.begun].iter().any(waits)
     }
 
-    /// True where a step that has begun ends on a condition, or would have.
-    pub fn has_waited(&self, plan: &Plan) -> bool {
-        plan.steps[..self.begun].iter().any(|step| matches!(step.until, Until::Condition(_)))
+    /// True where a step that has begun ends on a condition, or would have, or follows what there is to see.
+    pub fn has_looked(&self, plan: &Plan) -> bool {
+        let looks = |step: &Step| matches!(step.until, Until::Condition(_) | Until::Follow(_));
+        plan.steps[..self.begun].iter().any(looks)
     }
 
     /// True where a step under way waits for a condition that holds by what is `seen`.
@@ -300,7 +272,10 @@ impl PlanState {
         let under_way = |index: &usize| {
             matches!(
                 self.phases[*index],
-                Phase::UntilCondition(_) | Phase::UntilTime(_) | Phase::UntilLimit(_)
+                Phase::UntilCondition(_)
+                    | Phase::UntilTime(_)
+                    | Phase::UntilLimit(_)
+                    | Phase::Following { .. }
             )
         };
         let last = (self.stage..self.begun).rev().find(under_way).filter(|_| !self.stopped);
@@ -308,6 +283,9 @@ impl PlanState {
     }
 
     fn begin_step(&mut self, step: &Step, begin: f64) -> Phase {
+        if let Until::Follow(_) = step.until {
+            return Phase::Following { next: begin, before: None };
+        }
         let distances: Option<&[f64]> = match &step.until {
             Until::Distance(distance) => Some(std::slice::from_ref(distance)),
             Until::Positions(positions) => Some(positions),
@@ -356,7 +334,7 @@ impl PlanState {
             Until::BrakeFrom(time) => Phase::UntilTime(self.brake(step, time.max(begin))),
             Until::Duration(duration) => Phase::UntilTime(self.brake(step, begin + duration)),
             Until::Condition(_) => Phase::UntilCondition(f64::MAX),
-            Until::EndOfRun | Until::Distance(_) | Until::Positions(_) | Until::Along(_) => Phase::Open,
+            _ => Phase::Open,
         }
     }
 
@@ -385,6 +363,11 @@ impl PlanState {
         });
         ends.fold(at, f64::max)
     }
+}
+
+/// When a step ended [s]; infinity while it has not.
+fn ended(phase: &Phase) -> f64 {
+    if let Phase::Ended(at) = phase { *at } else { f64::INFINITY }
 }
 
 fn is_met(step: &Step, seen: Option<&Seen>) -> bool {

@@ -89,7 +89,7 @@ pub struct MoveSpec {
     /// Course of the ramps.
     #[serde(default)]
     pub shape: RampShape,
-    /// Least and largest position [kg]: at the first that a drive of the step reaches all stop, whatever it waits for.
+    /// Least and largest position [kg; m of one that follows]: at the first that a drive of the step reaches all stop, whatever it waits for.
     #[serde(default)]
     pub range: Option<[f64; 2]>,
     /// A step that ends by an emergency stop.
@@ -172,7 +172,7 @@ pub enum UntilSpec {
     /// All falls hang within an angle of plumb.
     Plumb {
         /// Bodies and points in their frames [m], where each hangs from and what hangs there.
-        falls: Vec<[(String, [f64; 3]); 2]>,
+        falls: Vec<[PlaceSpec; 2]>,
         /// The angle [rad].
         at_most: f64,
     },
@@ -204,8 +204,43 @@ pub enum UntilSpec {
         /// Bound [rad].
         bound: f64,
     },
+    /// Its one drive goes along with hooks so that their falls stay plumb, until all that begins with the step has
+    /// ended; velocity and acceleration of its move are limits.
+    Follow {
+        /// Hooks that the drive moves.
+        own: Vec<LeadSpec>,
+        /// The other hooks of the load.
+        others: Vec<LeadSpec>,
+    },
     /// Lasts until the run ends.
     EndOfRun {},
+}
+
+/// A body, and a point in its frame [m].
+pub type PlaceSpec = (String, [f64; 3]);
+
+/// A hook, with what hangs under it.
+#[derive(Debug, Clone, PartialEq, Deserialize, serde::Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct LeadSpec {
+    /// From where its falls hang, or itself where nothing lets it go aside.
+    pub tip: PlaceSpec,
+    /// The hook.
+    pub hook: PlaceSpec,
+    /// Slings under it; then those under what they hold, down to the load.
+    pub levels: Vec<Vec<StrandSpec>>,
+}
+
+/// A sling as it pulls what hangs below it.
+#[derive(Debug, Clone, PartialEq, Deserialize, serde::Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct StrandSpec {
+    /// Name of the rope.
+    pub rope: String,
+    /// Upper end.
+    pub upper: PlaceSpec,
+    /// Lower ends: one, or two where it runs over a sheave.
+    pub lower: Vec<PlaceSpec>,
 }
 
 /// An angle of a body that moves freely.

@@ -70,7 +70,7 @@ impl StaticLift {
     /// free degrees of freedom (none: the start itself).
     ///
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
-    /// A plan that waits for a condition is followed from rest to rest, contacts holding; so is a lift whose drums remember
+    /// A plan that waits for a condition, or in which a drive follows, is followed from rest to rest, contacts holding; so is a lift whose drums remember
     /// what they wind, or whose friction holds. What slides does so from there. Before every part `goes_on` is asked.
     ///
     /// # Errors
@@ -93,7 +93,7 @@ impl StaticLift {
         let has_history = !self.system.coils.is_empty()
             || losses.sheaves == Sheaves::Held
             || losses.contacts != Contacts::Free
-            || self.waits(time);
+            || self.looks(time);
         let rest = if has_history {
             let on_the_way = losses.on_the_way();
             let is_same = losses.sheaves == on_the_way.sheaves
@@ -123,11 +123,11 @@ impl StaticLift {
         Ok(statics.go_on(system, state, losses).inspect(|_| self.sample(true)))
     }
 
-    /// Whether the plan waits for a condition before `time` [s].
-    fn waits(&self, time: f64) -> bool {
+    /// Whether the plan waits for a condition, or follows what there is to see, before `time` [s].
+    fn looks(&self, time: f64) -> bool {
         let mut ahead = self.state.plan.clone();
         ahead.advance(&self.system.plan, 0.0, time, None, &mut EventLog::new());
-        ahead.has_waited(&self.system.plan)
+        ahead.has_looked(&self.system.plan)
     }
 
     /// At once.

@@ -1,0 +1,243 @@
+//! A trolley or crane that goes along with its hook, so that falls stay plumb while a load turns between hooks.
+//!
+//! Every [`LOOK`] it is seen where the load pulls under the hook, against where it pulls under the others: a load that
+//! swings goes aside under all of them alike, and that is not followed. The drive goes on as fast as its place above the
+//! load goes away, and makes good half of what it is behind until the next look.
+
+use glam::DVec3;
+
+use super::condition::Seen;
+use super::drive::Motion;
+use super::step::Move;
+
+/// Time between looks [s].
+pub const LOOK: f64 = 1.0;
+/// Longest time that a drive follows on when all that goes on beside it has ended [s].
+pub const SETTLING: f64 = 20.0;
+/// It comes to rest then once it is not faster than this at two looks [m/s].
+pub const CALM: f64 = 1e-3;
+/// Share of what it is behind that a drive makes good until the next look.
+const SHARE: f64 = 0.5;
+
+/// Slings count as no shorter than this [m].
+const SHORTEST: f64 = 1e-9;
+
+/// A body, and a point in its frame [m].
+pub type Place = (usize, DVec3);
+
+/// A sling as it pulls what hangs below it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strand {
+    /// Row of its tension.
+    pub row: usize,
+    /// Upper end.
+    pub upper: Place,
+    /// Lower ends: one, or two where it runs over a sheave.
+    pub lower: Vec<Place>,
+}
+
+/// A hook, with what hangs under it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lead {
+    /// From where its falls hang, or itself where nothing lets it go aside.
+    pub tip: Place,
+    /// The hook.
+    pub hook: Place,
+    /// Slings under it; then those under what they hold, down to the load.
+    pub levels: Vec<Vec<Strand>>,
+}
+
+/// What a drive follows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Follow {
+    /// Degree of freedom of the drive.
+    pub dof: usize,
+    /// Hooks that it moves.
+    pub own: Vec<Lead>,
+    /// The other hooks of the load.
+    pub others: Vec<Lead>,
+    /// Downwards.
+    pub down: DVec3,
+}
+
+/// What is seen at a look, along the way of the drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// How far the drive is behind [m].
+    pub lag: f64,
+    /// Where it should be, from anywhere [m].
+    pub place: f64,
+}
+
+impl Lead {
+    /// Where its falls hang from, and how far from plumb below that the load pulls [m]; none where it does not.
+    fn seen(&self, seen: &Seen) -> Option<[DVec3; 2]> {
+        let point = |&(body, at): &Place| seen.kinematics.point(Some(body), at);
+        let mut aside = point(&self.hook) - point(&self.tip);
+        for level in &self.levels {
+            let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
+            for strand in level {
+                let upper = point(&strand.upper);
+                for lower in &strand.lower {
+                    let along = point(lower) - upper;
+                    let pull = (seen.tension)(strand.row).max(0.0) / along.length().max(SHORTEST);
+                    (sum, weight) = (sum + pull * along, weight + pull);
+                }
+            }
+            if weight == 0.0 {
+                return None;
+            }
+            aside += sum / weight;
+        }
+        Some([point(&self.tip), aside])
+    }
+}
+
+impl Follow {
+    /// What there is to see; none where the load does not pull at both ends.
+    pub fn view(&self, seen: &Seen) -> Option<View> {
+        let along = seen.kinematics.columns[self.dof].linear;
+        let way = (along - along.dot(self.down) * self.down).normalize_or_zero();
+        let mean = |leads: &[Lead]| {
+            let carrying = leads.iter().filter_map(|lead| lead.seen(seen));
+            let (sum, count) = carrying.fold(([0.0; 2], 0), |([tip, aside], count), one| {
+                ([tip + one[0].dot(way), aside + one[1].dot(way)], count + 1)
+            });
+            (count > 0).then(|| sum.map(|value| value / f64::from(count)))
+        };
+        let ([tip, own], [_, others]) = (mean(&self.own)?, mean(&self.others)?);
+        Some(View { lag: own - others, place: tip + own - others })
+    }
+}
+
+impl View {
+    /// Velocity with which a drive catches up, whatever its speed and range are [m/s].
+    ///
+    /// # Arguments
+    /// - `before`: the place at the look before, if there was one [m].
+    /// - `now`: velocity of the drive at this look [m/s].
+    /// - `acceleration`: its acceleration [m/s²].
+    pub fn velocity(&self, before: Option<f64>, now: f64, acceleration: f64) -> f64 {
+        let along = before.map_or(0.0, |place| (self.place - place) / LOOK);
+        // By how much it will be behind at the next look if it only comes to that velocity.
+        let behind = self.lag + 0.5 * LOOK * (along - now);
+        // No faster past that than half of its acceleration brakes.
+        let most = (acceleration * behind.abs()).sqrt();
+        along + (SHARE * behind / LOOK).clamp(-most, most)
+    }
+}
+
+/// To which velocity a drive goes, and within which time, where `wanted` [m/s] is asked for: as far as its speed,
+/// acceleration and range allow it until the next look [m/s, s].
+pub fn within(wanted: f64, now: Motion, limits: &Move) -> (f64, f64) {
+    let (a, fastest) = (limits.acceleration, limits.velocity.abs());
+    let [low, high] = limits.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+    let [ahead, behind] = [high - now.position, now.position - low];
+    let (u, room) = if now.velocity < 0.0 { (-now.velocity, behind) } else { (now.velocity, ahead) };
+    if u * LOOK > 2.0 * room {
+        // It has to be at rest before the next look.
+        return (0.0, 2.0 * room.max(0.0) / u);
+    }
+    let up = ending_within(now.velocity, ahead, a).min(fastest);
+    let down = -ending_within(-now.velocity, behind, a).min(fastest);
+    (wanted.min(up).max(down).clamp(now.velocity - a * LOOK, now.velocity + a * LOOK), LOOK)
+}
+
+/// The velocity v to which a drive may go from u until the next look so that braking with a ends within a room r:
+/// `(u + v)T/2 + v²/2a = r`.
+fn ending_within(u: f64, room: f64, a: f64) -> f64 {
+    let half = 0.5 * a * LOOK;
+    (half * half - a * u * LOOK + 2.0 * a * room).max(0.0).sqrt() - half
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::drive::Timeline;
+    use crate::spec::RampShape;
+
+    const TOLERANCE: f64 = 1e-12;
+
+    fn limits(velocity: f64, acceleration: f64, range: Option<[f64; 2]>) -> Move {
+        Move { drive: 0, velocity, acceleration, shape: RampShape::Linear, range, emergency: None }
+    }
+
+    /// A place that goes on by itself, the drive behind it; what it is behind at every look.
+    fn chase(place: impl Fn(f64) -> f64, limits: &Move, looks: usize) -> (Timeline, Vec<f64>) {
+        let mut timeline = Timeline::new(0.0, 4);
+        let (mut before, mut behind) = (None, Vec::new());
+        for at in (0..looks).map(|look| look as f64 * LOOK) {
+            let now = timeline.motion(at);
+            let view = View { lag: place(at) - now.position, place: place(at) };
+            let wanted = view.velocity(before, now.velocity, limits.acceleration);
+            let (velocity, duration) = within(wanted, now, limits);
+            timeline.ramp(at, duration, velocity, RampShape::Linear);
+            before = Some(view.place);
+            behind.push(view.lag);
+        }
+        (timeline, behind)
+    }
+
+    /// Of a place with constant velocity w: with u = v - w the next look has u' = K (e - T u/2), e' = e - T (u + u')/2,
+    /// whose matrix has the eigenvalues 0 and 1 - K T = 1/2.
+    #[test]
+    fn what_it_is_behind_halves_at_every_look() {
+        let (_, behind) = chase(|time| 0.3 + 0.02 * time, &limits(9.0, 9.0, None), 24);
+        for pair in behind[3..].windows(2) {
+            assert!((pair[1] - 0.5 * pair[0]).abs() < TOLERANCE, "{behind:?}");
+        }
+    }
+
+    /// Of a place P = αt²/2. At the look k it is seen to go with α(k - 1/2)T, as it went half a look before. A drive that
+    /// keeps the distance e has v = αkT there, since (v + v')T/2 = P' - P. So v' = α(k + 1)T asks for
+    /// e - αT²/4 = 3/2 αT/K with K = 1/2T: e = 13/4 αT².
+    #[test]
+    fn it_stays_behind_a_place_that_goes_ever_faster() {
+        let alpha = 1e-3;
+        let (_, behind) = chase(|time| 0.5 * alpha * time * time, &limits(9.0, 9.0, None), 60);
+        let last = behind[behind.len() - 1];
+        assert!((last - 3.25 * alpha * LOOK * LOOK).abs() < TOLERANCE, "{last}");
+    }
+
+    /// Half a metre behind at rest, and slow to speed up: it comes there without going beyond by more than a millimetre.
+    #[test]
+    fn it_does_not_go_beyond_what_it_can_brake_from() {
+        for acceleration in [0.01, 0.02, 0.05, 0.2] {
+            let (timeline, behind) = chase(|_| 0.5, &limits(0.3, acceleration, None), 120);
+            assert!(behind.iter().all(|lag| *lag > -1e-3), "{acceleration}: {behind:?}");
+            assert!(behind[119].abs() < 1e-9);
+            for k in 0..12_000 {
+                let motion = timeline.motion(0.01 * f64::from(k));
+                assert!(motion.acceleration.abs() <= acceleration * (1.0 + 1e-9));
+            }
+        }
+    }
+
+    #[test]
+    fn it_keeps_its_speed_acceleration_and_range() {
+        let bounds = limits(0.1, 0.03, Some([-0.4, 0.9]));
+        for place in [-5.0, 0.85, 5.0] {
+            let mut timeline = Timeline::new(0.0, 4);
+            let mut before = None;
+            for at in (0..60).map(|look| f64::from(look) * LOOK) {
+                let now = timeline.motion(at);
+                let view = View { lag: place - now.position, place };
+                let wanted = view.velocity(before, now.velocity, bounds.acceleration);
+                let (velocity, duration) = within(wanted, now, &bounds);
+                timeline.ramp(at, duration, velocity, RampShape::Linear);
+                before = Some(view.place);
+                for part in 0..=20 {
+                    let motion = timeline.motion(at + f64::from(part) * 0.05 * LOOK);
+                    assert!(motion.velocity.abs() <= 0.1 + TOLERANCE, "{motion:?}");
+                    assert!(motion.acceleration.abs() <= 0.03 + TOLERANCE, "{motion:?}");
+                    assert!(
+                        motion.position > -0.4 - TOLERANCE && motion.position < 0.9 + TOLERANCE,
+                        "{motion:?}"
+                    );
+                }
+            }
+            let end = timeline.motion(60.0).position;
+            assert!((end - place.clamp(-0.4, 0.9)).abs() < 1e-6, "{place}: {end}");
+        }
+    }
+}

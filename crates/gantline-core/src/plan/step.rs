@@ -1,0 +1,96 @@
+//! Steps of a plan as data: which drives move, and what ends them.
+
+use serde::{Deserialize, Serialize};
+
+use super::condition::Condition;
+use super::follow::Follow;
+use crate::spec::RampShape;
+
+/// One drive in a step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Move {
+    /// Index of the drive.
+    pub drive: usize,
+    /// Signed velocity [m/s or rad/s].
+    pub velocity: f64,
+    /// Acceleration limit [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// Course of the ramps.
+    pub shape: RampShape,
+    /// Positions beyond which it does not go [kg; m of one that follows].
+    pub range: Option<[f64; 2]>,
+    /// Acceleration with which it brakes at the end, where that is another, and what holds it from then on [N].
+    pub emergency: Option<Emergency>,
+}
+
+/// How a drive is stopped in an emergency.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Emergency {
+    /// With which it is asked to stop [m/s² or rad/s²].
+    pub acceleration: f64,
+    /// What the brake holds [N]; none is the motor's capacity.
+    pub brake: Option<f64>,
+}
+
+/// What ends a step; drives then brake to rest.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Until {
+    /// Brakes from this time [s] on.
+    BrakeFrom(f64),
+    /// At rest after this signed distance [m or rad].
+    Distance(f64),
+    /// At rest after so much, each drive in the direction of its velocity [kg].
+    Along(f64),
+    /// At rest where each drive, in the order of the moves, has this position [m or rad].
+    Positions(Vec<f64>),
+    /// Brakes after this time [s] in the step.
+    Duration(f64),
+    /// Brakes when this first holds.
+    Condition(Condition),
+    /// Follows until all that begins with it has ended. Velocity and acceleration of its one move are limits.
+    Follow(Follow),
+    /// Never.
+    EndOfRun,
+}
+
+/// A step of the plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// Name, shown in events.
+    pub name: String,
+    /// Drives that move; none holds.
+    pub moves: Vec<Move>,
+    /// Earliest time [s].
+    pub start_at: Option<f64>,
+    /// Begins as the step before begins, not as it ends.
+    pub with_previous: bool,
+    /// What ends it.
+    pub until: Until,
+}
+
+/// When all drives are stopped.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StopAt {
+    /// At this time [s].
+    Time(f64),
+    /// So long [s] after a step has begun.
+    InStep(usize, f64),
+}
+
+/// An emergency stop of everything that the plan drives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EmergencyStop {
+    /// When.
+    pub at: StopAt,
+    /// Drives that it stops, and how.
+    pub drives: Vec<(usize, Emergency)>,
+}
+
+/// Steps in order, and what ends them all.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The steps.
+    pub steps: Vec<Step>,
+    /// An emergency stop, if there is one.
+    pub stop: Option<EmergencyStop>,
+}

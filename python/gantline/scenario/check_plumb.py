@@ -1,0 +1,41 @@
+"""Whether steps can keep the falls plumb that they name."""
+
+from __future__ import annotations
+
+from gantline.scenario.errors import nearest
+from gantline.scenario.findings import Findings, Path
+from gantline.scenario.hooks import full_name
+from gantline.scenario.kept_plumb import hooks_beside, is_moved_by, slings_under
+from gantline.scenario.movers import Mover, mover
+from gantline.scenario.rigging import Rigging
+from gantline.scenario.steps import FollowingStep
+
+__all__ = ["check_kept_plumb"]
+
+
+def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
+    """Note hooks that a step cannot keep plumb: the load hangs in falls between them and others."""
+    scenario = findings.scenario
+    for place, step in enumerate(scenario.plan):
+        if not isinstance(step, FollowingStep) or not step.keep_plumb:
+            continue
+        one = mover(scenario, step.kind, step.moved[0])
+        if one is None:
+            continue  # `check_plan` says so
+        path: Path = ("plan", place, "keep_plumb")
+        for text in step.keep_plumb:
+            _check_hook(findings, rigging, path, one, text)
+        if not hooks_beside(scenario, rigging, one):
+            sentence = f"no load hangs between hooks of '{one.name}' and others"
+            findings.add(path, f"{sentence}; falls of one hook alone come plumb by themselves")
+
+
+def _check_hook(findings: Findings, rigging: Rigging, path: Path, one: Mover, text: str) -> None:
+    hooks = findings.scenario.hooks
+    own = [name for name, hook in hooks.items() if is_moved_by(one, hook)]
+    name = full_name(text, dict.fromkeys(own))
+    if name is None:
+        findings.add(path, f"'{text}' is not a hook that '{one.name}' takes along; {nearest(text, own)}")
+    elif not slings_under(rigging, name):
+        sentence = f"no sling hangs from '{name}', so that it does not lead the load"
+        findings.add(path, f"{sentence}; a hook with slings is right")
