@@ -31,6 +31,7 @@ PICTURES_OF_LIFTS = {
     "floating_crane": {"stages": "floating_crane_stages", "vessels": "floating_crane_vessels"},
     "floating_crane_and_crawlers": {"stages": "several_cranes_stages"},
     "spreader_bar": {"system": "spreader_bar"},
+    "upending": {"stages": "upending_stages"},
     "crane_barge_in_swell": {"vessels": "waves"},
 }
 #: What puts a lift in gusts: its load has the areas of its box.

@@ -7,6 +7,8 @@ import numpy as np
 from gantline.results import series
 from gantline.results.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.recording import Recording
+from gantline.results.upending import is_turned
+from gantline.units import format_quantity
 
 #: Most stages of a lift that one picture shows.
 _STAGES = 6
@@ -52,7 +54,8 @@ def moments(recording: Recording) -> list[tuple[str, int]]:
 def stages(recording: Recording) -> list[tuple[str, int]]:
     """Up to six stages: start, slings taut, lift-off or set-down, ends of the last steps that move something.
 
-    Steps side by side are one stage, under the name of the first of them.
+    Steps side by side are one stage, under the name of the first of them. A load that is turned as it hangs
+    is shown at a third and at two thirds of its turn as well.
 
     Args:
         recording: Any recording.
@@ -62,6 +65,7 @@ def stages(recording: Recording) -> list[tuple[str, int]]:
     """
     clear_from = 0.0 if _hang(recording) else lift_off_time(recording)
     known = [(name, sample) for name, sample in moments(recording) if name not in ("peak tension", "end")]
+    known += _turning(recording)[: _STAGES - 1 - len(known)]
     after = [
         (f"end of '{name}'", _sample(recording, time))
         for time, name in _motions(recording)
@@ -76,6 +80,19 @@ def _hang(recording: Recording) -> bool:
     """Whether all loads hang as the recording begins."""
     loads = recording.rig.loads
     return bool(loads) and all(hangs_from_the_start(recording, load) for load in loads)
+
+
+def _turning(recording: Recording) -> list[tuple[str, int]]:
+    """Where the first load that is turned has come a third and two thirds of the way."""
+    for load in recording.rig.loads:
+        if not is_turned(recording, load):
+            continue
+        clear = series.load_is_clear(recording, load)
+        tilt = recording.column("load_tilt", load.name)
+        turned = np.where(clear, np.abs(tilt - tilt[np.argmax(clear)]), 0.0)
+        samples = [int(np.argmax(turned >= share * turned.max())) for share in (1 / 3, 2 / 3)]
+        return [(f"tilted by {format_quantity(float(tilt[at]), 'deg', 0)}", at) for at in samples]
+    return []
 
 
 def _set_down(recording: Recording) -> float | None:

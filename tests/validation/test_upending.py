@@ -1,0 +1,100 @@
+"""The column of `scenarios/upending` against the lever of its lugs, its tail crane against their geometry."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gantline
+from gantline.checks import check_recording, has_failed
+from gantline.plot.moments import stages
+from gantline.results.recording import Recording
+
+SCENARIO = Path(__file__).parents[2] / "scenarios" / "upending"
+#: Slings C and D lean by 1.2 m over their 13 m, at any tilt, while falls are plumb.
+UPRIGHT = math.sqrt(1.0 - (1.2 / 13.0) ** 2)
+
+
+@pytest.fixture(scope="module")
+def upended() -> Recording:
+    return gantline.simulate(SCENARIO)
+
+
+def _during(recording: Recording, first: str, last: str) -> tuple[float, float]:
+    """From the beginning of one step to the end of another [s]."""
+    begins = {name: time for time, _, name in recording.events("step_begin")}
+    ends = {name: time for time, _, name in recording.events("step_end")}
+    return begins[first], ends[last]
+
+
+def test_the_tail_crane_carries_by_the_lever_of_the_lugs(upended: Recording) -> None:
+    """T = W (a cos t + b sin t)/(c cos t + d sin t) of plumb falls at the tilt t, lengths from the trunnions.
+
+    a, b lead along and across the column to its centre of gravity, c, d to the brackets at the foot.
+    """
+    (load,) = upended.rig.loads
+    trunnion, bracket = np.array(load.lugs["A"].at), np.array(load.lugs["C"].at)
+    tilt = upended.column("load_tilt", "column")
+
+    def ahead(along: float, across: float) -> np.ndarray:
+        place: np.ndarray = along * np.cos(tilt) + across * np.sin(tilt)
+        return place
+
+    (a, _, b), (c, _, d) = -trunnion, bracket - trunnion
+    expected = load.weight * ahead(a, b) / ahead(c, d)
+    pulls = [upended.column("rope_tension", f"sling.{name}") for name in "CD"]
+    carried = UPRIGHT * np.sum(pulls, axis=0)
+    begin, end = _during(upended, "upend", "upend")
+    # What rings as the hoist starts has gone after 20 s; near the end the column sways a little.
+    steady = (upended.time > begin + 20.0) & (upended.time < end)
+    off = np.abs(carried - expected) / load.weight
+    assert np.median(off[steady]) < 1e-4
+    assert off[steady & (tilt < math.radians(60.0))].max() < 1e-3
+    assert off[steady].max() < 4e-3
+    # From half of the weight to an eighth of it.
+    assert carried[steady][0] / load.weight == pytest.approx(a / c, rel=5e-3)
+
+
+def test_the_tail_crane_goes_with_its_lugs(upended: Recording) -> None:
+    """It comes nearer by c - (c cos t + d sin t), its brackets c = 30 m and d = 2.7 m from the trunnions."""
+    begin, end = _during(upended, "upend", "follow last")
+    going = (upended.time > begin) & (upended.time < end)
+    tilt = upended.column("load_tilt", "column")[going]
+    way = upended.column("joint_position", "tail/along")[going]
+    expected = 30.0 - (30.0 * np.cos(tilt) + 2.7 * np.sin(tilt))
+    # Falls of 31 m that lean by 0.25 deg reach 0.14 m aside, at both ends.
+    assert np.abs(way - way[0] - (expected - expected[0])).max() < 0.2
+    for hook in ("main.H", "tail.H"):
+        assert upended.column("falls_out_of_plumb", hook)[going].max() < math.radians(0.5)
+
+
+def test_it_hangs_upright_from_the_main_crane_alone(upended: Recording) -> None:
+    """The centre of gravity is as far across as the trunnions are: upright but for what rigging weighs."""
+    (load,) = upended.rig.loads
+    final = {name: upended.column("rope_tension", f"sling.{name}")[-1] for name in "ABCD"}
+    assert final["C"] == final["D"] == 0.0
+    leaning = math.sqrt(1.0 - (2.6 / 14.0) ** 2)
+    assert leaning * (final["A"] + final["B"]) == pytest.approx(load.weight, rel=1e-3)
+    begin, _ = _during(upended, "tail off", "tail off")
+    later = upended.time > begin
+    assert np.abs(np.degrees(upended.column("load_tilt", "column")[later]) - 90.0).max() < 0.5
+
+
+def test_nothing_of_it_fails(upended: Recording) -> None:
+    """Checks against the limits of its lift file."""
+    assert not has_failed(check_recording(upended))
+
+
+def test_stages_show_it_on_the_way(upended: Recording) -> None:
+    """At a third and two thirds of a right angle."""
+    assert [name for name, _ in stages(upended)] == [
+        "start",
+        "lift-off",
+        "tilted by 30 deg",
+        "tilted by 60 deg",
+        "end of 'tail away'",
+        "end of 'set'",
+    ]
