@@ -13,11 +13,12 @@ import numpy as np
 import pytest
 
 import gantline
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict, check_recording, verdict_of
 from gantline.cli.summary import summary
 from gantline.plot.traces import attitude as plot_attitude
 from gantline.report.attitude import attitude
 from gantline.report.first_page import FirstPage
+from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
@@ -95,6 +96,30 @@ def test_a_load_that_is_upended_has_no_heading() -> None:
     assert "Heading [deg]" in labels(level)
     assert np.degrees(upended.column("load_tilt", "load")).max() > 80.0
     assert "Heading [deg]" not in labels(upended)
+
+
+def test_a_tilt_to_come_to_is_no_limit_that_is_used_up() -> None:
+    """A column came to 87.98 deg where 87.5 were asked for: '100 % load tilt' headed the first page."""
+    recording = turned(5.0, ", require: {load_tilt: above 38 deg}")
+    (asked,) = (one for one in check_recording(recording) if one.name == "load_tilt" and one.step == "end")
+    assert asked.verdict is Verdict.OK and asked.utilisation is None
+    missed = turned(5.0, ", require: {load_tilt: above 60 deg}")
+    (asked,) = (one for one in check_recording(missed) if one.name == "load_tilt" and one.step == "end")
+    assert asked.verdict is Verdict.FAILED
+    assert "load_tilt" in verdict_of(check_recording(missed))
+
+
+def test_a_load_that_is_turned_is_sketched_as_it_comes_clear() -> None:
+    """At the end a column stood on end in its sketch, without the slings of the tail crane."""
+    level, recording = turned(1.0), turned(5.0)
+    assert [one.title for one in sketches(Subject(level))] == [
+        "side view, x to the right",
+        "plan, x to the right",
+    ]
+    side, plan = sketches(Subject(recording))
+    assert side.title == "side view at 0 s, x to the right" and plan.title == "plan at 0 s, x to the right"
+    hooks = [mark.y for mark in side.marks if mark.style == "sk-hook"]
+    assert len(hooks) == 2 and hooks[0] == pytest.approx(hooks[1], abs=1e-6)  # level; 5 m apart at the end
 
 
 def labels(recording: Recording) -> list[str]:

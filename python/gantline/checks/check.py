@@ -12,6 +12,8 @@ from gantline.units import format_quantity
 
 #: Checks that a run got through its plan, and that it lifted what it should.
 PLAN_FINISHED, LOAD_LIFTED = "plan_finished", "load_lifted"
+#: What a step may ask to be at least and has to come to: less is missed, and no share of it is used up.
+_COME_TO = frozenset({"load_tilt"})
 #: Most checks that the verdict on a lift names.
 _MOST_NAMED = 3
 
@@ -74,8 +76,10 @@ class Check:
     def utilisation(self) -> float | None:
         """Value over limit [1], or limit over value where the limit is the smallest allowed.
 
-        None without both, or where that is no number (a limit of 0).
+        None without both, where that is no number (a limit of 0), or where a step has to come to a place.
         """
+        if self.at_least and self.name in _COME_TO:
+            return None
         # A margin may come as near to 0 as it likes: no share of that limit says how near.
         if self.value is None or not self.limit:
             return None

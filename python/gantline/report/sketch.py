@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +11,11 @@ import numpy as np
 from gantline.report.sketch_names import Box, around_dot, has_room, hides_none, names_beside, text_box
 from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
+from gantline.results.boom import Boom
+from gantline.results.recording import Recording
+from gantline.results.rig import Rig
 from gantline.results.rotation import axes
+from gantline.results.series import load_is_clear
 from gantline.results.surroundings import (
     Ground,
     Structure,
@@ -20,7 +24,9 @@ from gantline.results.surroundings import (
     water_cut,
     water_level,
 )
+from gantline.results.upending import is_turned
 from gantline.results.variable import FloatArray
+from gantline.units import format_quantity
 from gantline.viewer.shapes import vector
 
 _SIDES = {
@@ -76,22 +82,57 @@ class Sketch:
         return self.bar / self.scale
 
 
+@dataclass(frozen=True)
+class _Moment:
+    """A sample of a recording."""
+
+    recording: Recording
+    sample: int
+
+    @property
+    def rig(self) -> Rig:
+        """What was lifted with what."""
+        return self.recording.rig
+
+    @property
+    def time(self) -> float:
+        """When that is [s]."""
+        return float(self.recording.time[self.sample])
+
+    def place(self, body: str) -> FloatArray:
+        """Where a body is then, (3,) [m]."""
+        place: FloatArray = self.recording.column("body_position", body)[self.sample]
+        return place
+
+    def turn(self, body: str) -> FloatArray:
+        """Its axes then, (3, 3)."""
+        return axes(self.recording.column("body_orientation", body)[self.sample])
+
+    def has(self, body: str) -> bool:
+        """Whether there is such a body."""
+        return body in self.recording.coordinates.get("body", ())
+
+
 def sketches(subject: Subject) -> list[Sketch]:
-    """Side view and plan at the end of the recording; none if it has nothing to draw."""
+    """Side view and plan at the end of the recording; none if it has nothing to draw.
+
+    A load that is turned is drawn as it comes clear: at the end some of its slings may be off.
+    """
     recording = subject.recording
     scene: Mapping[str, Any] = recording.attributes.get("scene") or {}
     if not scene.get("bodies") or not len(recording.time):
         return []
-    sample = len(recording.time) - 1
-    solids = _solids(subject, scene, sample)
-    ropes = _ropes(subject, sample)
+    turned = next((load for load in subject.rig.loads if is_turned(recording, load)), None)
+    clear = len(recording.time) - 1 if turned is None else int(np.argmax(load_is_clear(recording, turned)))
+    moment = _Moment(recording, clear)
+    solids = _solids(moment, scene)
+    ropes = _ropes(moment)
     near = [path for name, path in ropes.items() if name not in subject.rig.outer_ropes]
     parts = [one for _, pieces in solids.values() for one in pieces] + near
     if not parts:
         return []
-    bearings = [recording.column("body_position", name)[sample] for name in _hook_bodies(subject)]
-    now = float(recording.time[sample])
-    around = [one for one in structures_of(recording) if one.stands(now)]
+    bearings = [moment.place(name) for name in _hook_bodies(moment)]
+    around = [one for one in structures_of(recording) if one.stands(moment.time)]
     under = [one.boxes.reshape(-1, 3) for one in around if one.kind == "support"]
     lift = extent = np.concatenate([*parts, np.reshape(bearings, (-1, 3)), *under])
     ground = ground_of(recording)
@@ -99,42 +140,39 @@ def sketches(subject: Subject) -> list[Sketch]:
         extent = np.concatenate([lift, ground.near(lift)])
     carried = [one for kind, pieces in solids.values() if kind in ("load", "frame") for one in pieces]
     frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
-    along = _along(subject, np.concatenate(frames or carried or parts), sample)
+    booms = subject.rig.booms if turned is None else ()
+    along = _along(moment, booms, np.concatenate(frames or carried or parts))
     view = _SIDES[along]
+    when = "" if turned is None else f" at {format_quantity(moment.time, 's', 0)}"
     paper = Paper(view, extent)
     axis = "xy".index(along)
     behind = _water(paper, subject, axis, lift) + _standing(paper, around)
     behind += _ground_line(paper, ground, axis, lift)
-    side = _draw(subject, f"side view, {along} to the right", view, paper, solids, ropes, behind)
+    side = _draw(moment, f"side view{when}, {along} to the right", view, paper, solids, ropes, behind)
     paper = Paper(_PLAN, np.concatenate(carried) if carried else extent)
     behind = _holes(paper, ground, water_level(recording)) + _standing(paper, around)
-    plan = _draw(subject, "plan, x to the right", _PLAN, paper, solids, ropes, behind)
+    plan = _draw(moment, f"plan{when}, x to the right", _PLAN, paper, solids, ropes, behind)
     return [side, plan]
 
 
-def _along(subject: Subject, shown: FloatArray, sample: int) -> str:
+def _along(moment: _Moment, booms: Sequence[Boom], shown: FloatArray) -> str:
     """The axis of the world that a side view has to the right: of the first boom, else the longer one."""
-    recording = subject.recording
-    bodies = recording.coordinates.get("body", ())
-    for boom in subject.rig.booms:
-        if boom.boom in bodies:
-            way = np.abs(axes(recording.column("body_orientation", boom.boom)[sample])[:, 0])
+    for boom in booms:
+        if moment.has(boom.boom):
+            way = np.abs(moment.turn(boom.boom)[:, 0])
             return "x" if way[0] >= way[1] else "y"
     wide = np.ptp(shown, axis=0)
     return "x" if wide[0] >= wide[1] else "y"
 
 
-def _solids(subject: Subject, scene: Mapping[str, Any], sample: int) -> _Solids:
+def _solids(moment: _Moment, scene: Mapping[str, Any]) -> _Solids:
     """Kind of each body that has a shape, and points in space of each of its parts."""
-    recording = subject.recording
-    names = recording.coordinates.get("body", ())
     found: _Solids = {}
     for entry in scene["bodies"]:
         parts = _parts(entry.get("shape"))
-        if entry["name"] not in names or not parts:
+        if not moment.has(entry["name"]) or not parts:
             continue
-        turn = axes(recording.column("body_orientation", entry["name"])[sample])
-        place = recording.column("body_position", entry["name"])[sample]
+        turn, place = moment.turn(entry["name"]), moment.place(entry["name"])
         centre = np.asarray(vector(entry.get("centre_of_gravity")))
         placed = [place + (points - centre) @ turn.T for points in parts]
         found[entry["name"]] = (str(entry.get("kind", "body")), placed)
@@ -157,18 +195,18 @@ def _corners(box: Mapping[str, Any]) -> FloatArray:
     return corners
 
 
-def _ropes(subject: Subject, sample: int) -> dict[str, FloatArray]:
-    recording = subject.recording
+def _ropes(moment: _Moment) -> dict[str, FloatArray]:
+    recording = moment.recording
     if "rope_point" not in recording:
         return {}
-    points, places = recording["rope_point"].values[sample], recording.points_of_ropes
+    points, places = recording["rope_point"].values[moment.sample], recording.points_of_ropes
     paths = {name: points[places[name]] for name in recording.coordinates["rope"] if name in places}
     # What has parted or is not on is one point.
     return {name: path for name, path in paths.items() if np.ptp(path, axis=0).any()}
 
 
 def _draw(
-    subject: Subject,
+    moment: _Moment,
     title: str,
     view: FloatArray,
     paper: Paper,
@@ -182,17 +220,17 @@ def _draw(
     for _, (kind, pieces) in order:
         style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
         marks += [Mark("area", style, drawn_path(outline(paper.place(points)))) for points in pieces]
-    slings = {sling.rope for sling in subject.rig.slings}
+    slings = {sling.rope for sling in moment.rig.slings}
     for name, path in ropes.items():
-        if name in subject.rig.outer_ropes:
+        if name in moment.rig.outer_ropes:
             marks += paper.line(path, "sk-rope")
             continue
         if plan and slings and name not in slings:
             continue  # what hangs above would cover where slings are
         marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", drawn_path(paper.place(path))))
-    marks += _hangers(subject, paper, solids) if not plan else []
-    above = _centres(subject, paper) + _hooks(subject, paper, ropes, plan=plan)
-    marks += _numbers(subject, paper, ropes, above, plan=plan) + above
+    marks += _hangers(moment, paper, solids) if not plan else []
+    above = _centres(moment, paper) + _hooks(moment, paper, ropes, plan=plan)
+    marks += _numbers(moment, paper, ropes, above, plan=plan) + above
     bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * WIDTH), default=_ROUND[0])
     return Sketch(title, WIDTH, HEIGHT, paper.scale, bar, marks)
 
@@ -242,14 +280,14 @@ def _holes(paper: Paper, ground: Ground | None, water: float | None) -> list[Mar
     return marks
 
 
-def _hangers(subject: Subject, paper: Paper, solids: _Solids) -> list[Mark]:
+def _hangers(moment: _Moment, paper: Paper, solids: _Solids) -> list[Mark]:
     """From the bearing of its hook to the ends of each equalizer's frame."""
     marks = []
-    hooks = _hook_bodies(subject)
-    for equalizer in subject.rig.equalizers:
+    hooks = _hook_bodies(moment)
+    for equalizer in moment.rig.equalizers:
         if equalizer.body not in solids or equalizer.hook not in hooks:
             continue
-        bearing = paper.place(subject.recording.column("body_position", equalizer.hook)[-1])
+        bearing = paper.place(moment.place(equalizer.hook))
         frame = paper.place(np.concatenate(solids[equalizer.body][1]))
         left, right, top = frame[:, 0].min(), frame[:, 0].max(), frame[:, 1].min()
         inset = 0.14 * (right - left)
@@ -261,11 +299,11 @@ def _hangers(subject: Subject, paper: Paper, solids: _Solids) -> list[Mark]:
 
 
 def _numbers(
-    subject: Subject, paper: Paper, ropes: Mapping[str, FloatArray], above: list[Mark], *, plan: bool
+    moment: _Moment, paper: Paper, ropes: Mapping[str, FloatArray], above: list[Mark], *, plan: bool
 ) -> list[Mark]:
     """Lugs as dots, and the number of each sling beside its lug or on its way, clear of what lies above."""
     shown = [
-        (sling.name, paper.place(ropes[sling.rope])) for sling in subject.rig.slings if sling.rope in ropes
+        (sling.name, paper.place(ropes[sling.rope])) for sling in moment.rig.slings if sling.rope in ropes
     ]
     lugs = [path[-1] for _, path in shown]
     marks = [Mark("dot", "sk-lug", x=float(x), y=float(y)) for x, y in lugs]
@@ -297,12 +335,12 @@ def _box(mark: Mark) -> Box:
     return around_dot(np.array([mark.x, mark.y]))
 
 
-def _centres(subject: Subject, paper: Paper) -> list[Mark]:
+def _centres(moment: _Moment, paper: Paper) -> list[Mark]:
     marks = []
-    for load in subject.rig.loads:
-        if load.body in subject.recording.coordinates.get("body", ()):
-            centre = subject.recording.column("body_position", load.body)[-1]
-            turned = axes(subject.recording.column("body_orientation", load.body)[-1])
+    for load in moment.rig.loads:
+        if moment.has(load.body):
+            centre = moment.place(load.body)
+            turned = moment.turn(load.body)
             if any(load.centre_envelope):
                 corners = _SIGNS * np.asarray(load.centre_envelope, dtype=np.float64)
                 marks += paper.area(centre + corners @ turned.T, "sk-envelope")
@@ -311,30 +349,28 @@ def _centres(subject: Subject, paper: Paper) -> list[Mark]:
     return marks
 
 
-def _hooks(subject: Subject, paper: Paper, ropes: Mapping[str, FloatArray], *, plan: bool) -> list[Mark]:
+def _hooks(moment: _Moment, paper: Paper, ropes: Mapping[str, FloatArray], *, plan: bool) -> list[Mark]:
     """Hooks as dots; in a side view with their names, where these do not lie on each other."""
-    names = _hook_bodies(subject)
-    places = [paper.place(subject.recording.column("body_position", name)[-1]) for name in names]
+    names = _hook_bodies(moment)
+    places = [paper.place(moment.place(name)) for name in names]
     marks = [Mark("dot", "sk-hook", x=float(x), y=float(y)) for x, y in places]
     if plan:
         return marks
-    slings = [paper.place(ropes[one.rope]) for one in subject.rig.slings if one.rope in ropes]
+    slings = [paper.place(ropes[one.rope]) for one in moment.rig.slings if one.rope in ropes]
     # A sling takes its ends and some places between: enough for names, which are higher than those lie apart.
     along = [path[0] + part * (path[-1] - path[0]) for path in slings for part in (0.0, *_ALONG, 1.0)]
     drawn: list[Box] = [(float(x), float(x), float(y)) for x, y in along]
-    placed = names_beside(places, _short(subject, names), WIDTH - MARGIN, drawn)
+    placed = names_beside(places, _short(moment, names), WIDTH - MARGIN, drawn)
     return marks + [Mark("text", "sk-name", x=x, y=y, text=text, anchor=side) for x, y, text, side in placed]
 
 
-def _short(subject: Subject, names: list[str]) -> list[str]:
+def _short(moment: _Moment, names: list[str]) -> list[str]:
     """Names of hooks without that of their crane, where there is one crane."""
-    cranes = {hook.crane for hook in subject.rig.hooks}
+    cranes = {hook.crane for hook in moment.rig.hooks}
     crane = next(iter(cranes)) if len(cranes) == 1 else ""
     return [name.removeprefix(f"{crane}.") if crane else name for name in names]
 
 
-def _hook_bodies(subject: Subject) -> list[str]:
+def _hook_bodies(moment: _Moment) -> list[str]:
     """Hooks that are bodies of the recording."""
-    return [
-        hook.name for hook in subject.rig.hooks if hook.name in subject.recording.coordinates.get("body", ())
-    ]
+    return [hook.name for hook in moment.rig.hooks if moment.has(hook.name)]

@@ -65,7 +65,7 @@ def turning_in_words(recording: Recording, load: Load) -> list[tuple[str, str]]:
 
 
 def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
-    """How far out of plumb falls came in each step that keeps them plumb.
+    """How far out of plumb the falls of each hook came in the steps that keep them plumb.
 
     Args:
         recording: The recording.
@@ -73,8 +73,8 @@ def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
     Returns:
         What, and how much, in words.
     """
-    rows = []
     during = spans(recording)
+    farthest: dict[str, tuple[float, float, str]] = {}
     for step in recording.rig.plan:
         if not step.keep_plumb or step.step not in during:
             continue
@@ -83,7 +83,13 @@ def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
         for hook in step.keep_plumb:
             aside = np.where(goes_on, recording.column("falls_out_of_plumb", hook), 0.0)
             at = int(np.argmax(aside))
-            most = f"{hook} within {format_quantity(float(aside[at]), 'deg', 2)}"
-            when = f"at {format_quantity(float(recording.time[at]), 's', 1)}"
-            rows.append(("falls kept plumb", f"{most} in '{step.step}', farthest {when}"))
-    return rows
+            found = (float(aside[at]), float(recording.time[at]), step.step)
+            farthest[hook] = max(farthest.get(hook, found), found)
+    return [
+        (
+            "falls kept plumb",
+            f"{hook} within {format_quantity(most, 'deg', 2)}, farthest in '{step}' at "
+            f"{format_quantity(time, 's', 1)}",
+        )
+        for hook, (most, time, step) in farthest.items()
+    ]
