@@ -42,6 +42,8 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
         scenario: The lift.
         rigging: Who carries whom.
     """
+    if not any(isinstance(step, FollowingStep) and step.keep_plumb for step in scenario.plan):
+        return
     heights: dict[str, float | None] = {name: hook.height for name, hook in scenario.hooks.items()}
     turned, before = _Turned(), frozenset[str]()
     for stage, on in _stages(scenario):
