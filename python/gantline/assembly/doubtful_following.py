@@ -1,13 +1,15 @@
 """Steps that keep falls plumb and would have to go faster than they may, or askew, as far as the plan tells.
 
-A line of lugs that comes from level to an angle a, one end hoisted at the speed v over the other, gets
-shorter from above at v tan a: with both falls plumb so fast does one hook come nearer to the other.
+A line of lugs that comes to an angle a over level, one end hoisted at the speed v over the other, gets
+shorter from above at v tan a, or longer beyond plumb: with both falls plumb so fast does one hook come nearer
+to the other, or go away from it.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -18,6 +20,7 @@ from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, slings_under
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import Step
+from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import FollowingStep, HoldStep, HookStep
 from gantline.units import format_quantity
 
@@ -39,31 +42,103 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
         scenario: The lift.
         rigging: Who carries whom.
     """
+    if not any(isinstance(step, FollowingStep) and step.keep_plumb for step in scenario.plan):
+        return
     heights: dict[str, float | None] = {name: hook.height for name, hook in scenario.hooks.items()}
-    for stage in _stages(scenario.plan):
+    turned, before = _Turned(), frozenset[str]()
+    for stage, on in _stages(scenario):
         hoists = [step for step in stage if isinstance(step, HookStep)]
+        speeds = {name: one.sign * one.speed for one in hoists for name in _named(scenario, one.moved)}
+        for hook in scenario.hooks:
+            if before and (before ^ on) & {sling.name for sling in slings_under(rigging, hook)}:
+                heights[hook] = None  # what it holds is elsewhere
         for hoist in hoists:
             for name in _named(scenario, hoist.moved):
                 heights[name] = _after(hoist, heights[name])
+        lugs = {hook: _lugs(scenario, rigging, [hook], on) for hook in scenario.hooks}
+        after = turned.after(hoists, speeds, {hook: at for hook, at in lugs.items() if at is not None})
         for step in stage:
             if not isinstance(step, FollowingStep) or not step.keep_plumb:
                 continue
             one = mover(scenario, step.kind, step.moved[0])
             assert one is not None  # checked with the file
-            hooks = _named(scenario, step.keep_plumb), hooks_beside(scenario, rigging, one)
-            own, others = (_lugs(scenario, rigging, names) for names in hooks)
-            yield from _askew(scenario, step, one, others - own)
-            yield from _too_slow(scenario, step, others - own, hooks, hoists, heights)
+            own = _named(scenario, step.keep_plumb)
+            others = [hook for hook in hooks_beside(scenario, rigging, one) if lugs[hook] is not None]
+            near, far = (_lugs(scenario, rigging, names, on) for names in (own, others))
+            if near is None or far is None:
+                continue
+            yield from _askew(scenario, step, one, far - near)
+            speed = abs(_mean(speeds, others) - _mean(speeds, own))
+            lifted = _lifted(scenario, heights, others) - _lifted(scenario, heights, own)
+            yield from _too_slow(step, speed, _steepest(far - near, turned, after, lifted))
+        turned, before = after, on
 
 
-def _stages(plan: Iterable[Step]) -> list[list[Step]]:
-    """Steps that go on side by side."""
-    stages: list[list[Step]] = []
-    for step in plan:
+@dataclass(frozen=True)
+class _Turned:
+    """How far a load is turned, as far as the plan tells.
+
+    Attributes:
+        tilt: Angle [rad].
+        up: Way, level and in axes of the load, towards the end that is higher by that (2,).
+        is_known: Whether the step before said so.
+    """
+
+    tilt: float = 0.0
+    up: Array = field(default_factory=lambda: np.zeros(2))
+    is_known: bool = False
+
+    def after(
+        self, hoists: Sequence[HookStep], speeds: Mapping[str, float], lugs: Mapping[str, Array]
+    ) -> _Turned:
+        """After steps that go on side by side, of hooks with slings to these means of lugs."""
+        tilts = [one.until.load_tilt for one in hoists if one.until is not None and one.until.load_tilt]
+        ends = [end for tilt in tilts for end in (tilt.above, tilt.below) if end is not None]
+        if not ends or not lugs:
+            return replace(self, is_known=False)
+        mean = _mean(speeds, lugs)
+        way = np.sum([(speeds.get(hook, 0.0) - mean) * at[:2] for hook, at in lugs.items()], axis=0)
+        size = float(np.linalg.norm(way))
+        is_level = self.tilt == 0.0 or not self.up.any()
+        return _Turned(ends[0], way / size if is_level and size > 0.0 else self.up, is_known=True)
+
+    def line(self, level: Array) -> tuple[float, float]:
+        """Of a line, axes of the load (3,), how long it is along `up`, and how high, as turned so far [m]."""
+        along, high = float(level[:2] @ self.up), float(level[2])
+        cosine, sine = math.cos(self.tilt), math.sin(self.tilt)
+        return along * cosine - high * sine, along * sine + high * cosine
+
+
+def _steepest(line: Array, before: _Turned, after: _Turned, lifted: float) -> tuple[float, str] | None:
+    """Steepest angle of a line of lugs over level on its way [rad], and when that is; None if not known.
+
+    Args:
+        line: The line, axes of the load (3,) [m].
+        before: How the load was turned as the step began.
+        after: The same as it ends.
+        lifted: By how much more than the other its far end has been hoisted since the lift began [m], or NaN.
+    """
+    length = float(np.linalg.norm(line))
+    if not length > 0.0:
+        return None
+    if not after.is_known:
+        sine = abs(float(line[2]) + lifted) / length
+        return None if math.isnan(sine) else (min(math.asin(min(sine, 1.0)), _STEEPEST), "in the end")
+    ends = [one.line(line) for one in (replace(before, up=after.up), after)]
+    if ends[0][0] * ends[1][0] < 0.0:
+        return _STEEPEST, "on the way"
+    first, last = (min(abs(math.atan2(high, abs(along))), _STEEPEST) for along, high in ends)
+    return (first, "at first") if first > last else (last, "in the end")
+
+
+def _stages(scenario: Scenario) -> list[tuple[list[Step], frozenset[str]]]:
+    """Steps that go on side by side, and the slings that are on then."""
+    stages: list[tuple[list[Step], frozenset[str]]] = []
+    for step, on in zip(scenario.plan, slings_on(scenario), strict=True):
         if not isinstance(step, HoldStep) and step.starts == "with_previous":
-            stages[-1].append(step)
+            stages[-1] = ([*stages[-1][0], step], on)
         else:
-            stages.append([step])
+            stages.append(([step], on))
     return stages
 
 
@@ -90,29 +165,18 @@ def _askew(scenario: Scenario, step: FollowingStep, one: Mover, line: Array) -> 
         yield f"step '{step.step}': {goes}; falls do not stay plumb across its way"
 
 
-def _too_slow(
-    scenario: Scenario,
-    step: FollowingStep,
-    line: Array,
-    hooks: tuple[list[str], list[str]],
-    hoists: Sequence[HookStep],
-    heights: dict[str, float | None],
-) -> Iterator[str]:
-    own, others = hooks
-    length = float(np.linalg.norm(line))
-    speeds = {name: hoist.sign * hoist.speed for hoist in hoists for name in _named(scenario, hoist.moved)}
-    speed = abs(
-        _mean(speeds.get(name, 0.0) for name in others) - _mean(speeds.get(name, 0.0) for name in own)
-    )
-    if speed == 0.0 or not length > 0.0:
+def _too_slow(step: FollowingStep, speed: float, steepest: tuple[float, str] | None) -> Iterator[str]:
+    if speed == 0.0 or steepest is None:
         return
-    steepest = _angle_after(scenario, hoists, float(line[2]), length, hooks, heights)
+    angle, when = steepest
     keeps_up = math.atan(step.speed / speed)
-    if steepest is None or steepest <= keeps_up:
+    if angle <= keeps_up:
         return
-    needed = f"{_shown(speed)} x tan {math.degrees(steepest):.1f} deg = {_shown(speed * math.tan(steepest))}"
-    goes = f"falls behind from {math.degrees(keeps_up):.1f} deg of the lugs over level on"
-    may = f"in the end it would have to go {needed}, and may go {_shown(step.speed)}"
+    where = "down to" if when == "at first" else "from"
+    goes = f"falls behind {where} {math.degrees(keeps_up):.1f} deg of the lugs over level"
+    goes = goes if when == "at first" else f"{goes} on"
+    needed = f"{_shown(speed)} x tan {math.degrees(angle):.1f} deg = {_shown(speed * math.tan(angle))}"
+    may = f"{when} it would have to go {needed}, and may go {_shown(step.speed)}"
     yield f"step '{step.step}' {goes}: {may}; hoist slower there, or let it go faster"
 
 
@@ -120,37 +184,20 @@ def _shown(speed: float) -> str:
     return format_quantity(speed, "m/min", 1)
 
 
-def _lugs(scenario: Scenario, rigging: Rigging, hooks: Iterable[str]) -> Array:
-    """Mean of the lugs that lead to some hooks, axes of the load (3,) [m]."""
+def _lugs(scenario: Scenario, rigging: Rigging, hooks: Iterable[str], on: frozenset[str]) -> Array | None:
+    """Mean of the lugs to which slings that are on lead from some hooks, axes of the load (3,) [m]."""
     assert scenario.load is not None  # slings have been checked to lead to its lugs
     known = scenario.load.lugs
-    slings = [sling for hook in hooks for sling in slings_under(rigging, hook)]
+    slings = [sling for hook in hooks for sling in slings_under(rigging, hook) if sling.name in on]
     places = [known[lug].at for sling in slings for lug in sling.lugs]
-    return np.mean(places, axis=0) if places else np.full(3, math.nan)
+    return np.mean(places, axis=0) if places else None
 
 
-def _mean(values: Iterable[float]) -> float:
-    return float(np.mean(list(values)))
+def _mean(speeds: Mapping[str, float], hooks: Iterable[str]) -> float:
+    return float(np.mean([speeds.get(hook, 0.0) for hook in hooks]))
 
 
-def _angle_after(
-    scenario: Scenario,
-    hoists: Sequence[HookStep],
-    rise: float,
-    length: float,
-    hooks: tuple[list[str], list[str]],
-    heights: dict[str, float | None],
-) -> float | None:
-    """Angle of the line of lugs over level at the end of a step [rad]; None where that is not known."""
-    for hoist in hoists:
-        tilt = hoist.until.load_tilt if hoist.until is not None else None
-        if tilt is not None and tilt.above is not None:
-            return min(tilt.above + math.asin(rise / length), _STEEPEST)
-    lifted = []
-    for names in hooks:
-        known = [(heights[name], scenario.hooks[name].height) for name in names]
-        lifted.append(_mean(math.nan if after is None else after - before for after, before in known))
-    sine = abs(rise + lifted[1] - lifted[0]) / length
-    if math.isnan(sine):
-        return None
-    return min(math.asin(min(sine, 1.0)), _STEEPEST)
+def _lifted(scenario: Scenario, heights: Mapping[str, float | None], hooks: Iterable[str]) -> float:
+    """Mean of how far hooks have been hoisted since the lift began [m]; NaN where that is not known."""
+    known = [(heights[name], scenario.hooks[name].height) for name in hooks]
+    return float(np.mean([math.nan if after is None else after - before for after, before in known]))

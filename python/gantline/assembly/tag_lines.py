@@ -83,8 +83,8 @@ def _add_winch(parts: Parts, name: str, line: TagLine) -> None:
     drive, capacity = line_drive(tag_rope(name)), line.pull
     ramps = []
     if line.pull is not None:
-        speed = -(line.speed or TUGGER_SPEED)
-        ramps = [{"at": 0.0, "duration": _STARTS_IN, "velocity": speed, "shape": "linear"}]
+        velocity = -(line.speed or TUGGER_SPEED)
+        ramps = [{"at": 0.0, "duration": _STARTS_IN, "velocity": velocity, "shape": "linear"}]
     elif line.winch is not None:
         capacity = line.winch.capacity
     parts.add_drive(drive, ramps)
@@ -100,12 +100,15 @@ def line_drive(line: str) -> str:
 
 def tag_rig(scenario: Scenario) -> Json:
     """What results need to know of tag lines; nothing in a lift without."""
+    let_go = {rope for step in scenario.plan for rope in step.cut}
     lines = [
         {
             "name": name,
             "rope": tag_rope(name),
             "pull": line.pull,
             "slipping_winch": tag_tugger(name) if line.winch is not None and line.winch.capacity else None,
+            "speed": None if line.pull is None else line.speed or TUGGER_SPEED,
+            "is_let_go": tag_rope(name) in let_go,
         }
         for name, line in (scenario.tag_lines or {}).items()
     ]

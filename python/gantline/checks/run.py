@@ -18,7 +18,7 @@ from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
 from gantline.checks.slings import idle, taken_off
 from gantline.results import progress, series
-from gantline.results.parting import Parting, partings
+from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
@@ -62,7 +62,7 @@ def check_recording(recording: Recording) -> list[Check]:
         if key not in LIMITS
     ]
     steps = [check for step in rig.plan for check in _check_step(recording, step)]
-    every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind != "detached"]
+    every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
     every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
     every += (
         run_through(recording)

@@ -9,6 +9,7 @@ import numpy as np
 from gantline.checks.readings import OUTSIDE, HookReading, hook_readings
 from gantline.checks.readings import hold_points as held
 from gantline.cli.table import ABSENT, pairs, show, table
+from gantline.results import series
 from gantline.results.recording import Recording
 
 #: What stands in the table of hooks.
@@ -61,9 +62,11 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
     """Values of a measure that a step reports, at one sample."""
     rig = recording.rig
     hooks = {hook.name: hook.name for hook in rig.carried_hooks}
+    before = max(sample - 1, 0)  # at the end of a step what the next one puts on is on already
+    slings = {one.name: one.rope for one in rig.slings if series.is_on(recording, one.rope)[before]}
     at_booms = {hook.name: hook.name for boom in rig.booms for hook in boom.hooks}
     sources: dict[str, tuple[str, str, int, dict[str, str]]] = {
-        "sling_tension": ("rope_tension", "kN", 1, {sling.name: sling.rope for sling in rig.slings}),
+        "sling_tension": ("rope_tension", "kN", 1, slings),
         "equalizing_rope_tension": (
             "rope_tension",
             "kN",

@@ -18,7 +18,7 @@ from gantline.results.variable import FloatArray
 
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
 _LINES_REACH = 0.05  # of a panel's larger side: more than half the width of any line
-_SLACK_BELOW = 1e-3  # of the largest tension shown
+_SLACK_BELOW = 1e-3  # of the largest tension shown, or of that of the rope itself
 _FILL = {
     "load": "#C9D6E2",
     "frame": "#8FA3B5",
@@ -152,7 +152,7 @@ def _draw_hanger(panel: Axes, frame: Box, bearing: FloatArray, upwards: FloatArr
 
 def _draw_rope(panel: Axes, rope: RopePath, view: View, norm: Normalize, width: float) -> None:
     path = view.project(rope.path)
-    is_slack = rope.tension <= _SLACK_BELOW * float(norm.vmax or 1.0)
+    is_slack = rope.tension <= _SLACK_BELOW * min(float(norm.vmax or 1.0), rope.largest)
     panel.plot(
         path[:, 0],
         path[:, 1],

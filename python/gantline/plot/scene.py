@@ -45,12 +45,13 @@ class Sheave:
 
 @dataclass(frozen=True)
 class RopePath:
-    """A rope: name, kind, drawn path [m] of shape (points, 3), tension [N]."""
+    """A rope: name, kind, drawn path [m] of shape (points, 3), tension and the largest in the run [N]."""
 
     name: str
     kind: str
     path: FloatArray
     tension: float
+    largest: float
 
 
 @dataclass(frozen=True)
@@ -171,9 +172,12 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
     kinds |= dict.fromkeys(recording.rig.outer_ropes, "outer")
     places = recording.points_of_ropes
     points = recording["rope_point"].values[sample]
-    tension = recording["rope_tension"].values[sample]
+    tension = recording["rope_tension"].values
+    now, largest = tension[sample], np.max(tension, axis=0, initial=0.0)
     return [
-        RopePath(rope, kinds.get(rope, "rope"), points[places[rope]], float(tension[index]))
+        RopePath(
+            rope, kinds.get(rope, "rope"), points[places[rope]], float(now[index]), float(largest[index])
+        )
         for index, rope in enumerate(recording.coordinates["rope"])
         if rope in places and np.ptp(points[places[rope]], axis=0).any()  # else it is not there
     ]

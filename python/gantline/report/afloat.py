@@ -15,6 +15,7 @@ import numpy as np
 
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
+from gantline.results.parting import PLANNED, partings
 from gantline.results.progress import spans
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray
@@ -214,7 +215,7 @@ def _moorings(subject: Subject) -> list[tuple[str, str]]:
 def _release(subject: Subject) -> list[tuple[str, str]]:
     """What a vessel does after a rope has parted; else what cases of that name say, or that nobody asked."""
     recording = subject.recording
-    parted = [time for time, kind, _ in recording.events() if kind in ("cut", "broken")]
+    parted = [one.time for one in partings(recording) if one.kind not in PLANNED]
     if parted:
         after = recording.time >= min(parted)
         rows = [("sudden release", f"at {show(min(parted), 's', 1)}")]

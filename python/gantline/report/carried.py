@@ -11,7 +11,7 @@ from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
 from gantline.results.gear import Equalizer, Hook, Sling
-from gantline.results.parting import ATTACHED, PARTING, partings
+from gantline.results.parting import ATTACHED, PARTING, PLANNED, partings
 from gantline.results.variable import FloatArray
 
 #: Shares of the weight over at which a load cell is read.
@@ -97,7 +97,7 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     Slings that break or are cut come before all others.
     """
     every = {one.rope: one for one in partings(subject.recording)}
-    parted = {rope for rope, one in every.items() if one.kind != "detached"}
+    parted = {rope for rope, one in every.items() if one.kind not in PLANNED}
     told: dict[str, list[str]] = {}
     for time, kind, rope in subject.recording.events():
         if kind in (*PARTING, ATTACHED):

@@ -89,7 +89,7 @@ from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.lift_off import lift_off_time
-from gantline.results.parting import ATTACHED, partings
+from gantline.results.parting import ATTACHED, PLANNED, partings
 from gantline.results.rating import chart_used
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew
@@ -158,7 +158,7 @@ def _ropes(recording: Recording) -> Iterator[_Metric]:
 
 def _parted(recording: Recording) -> Iterator[_Metric]:
     gone = partings(recording)
-    parted = [one for one in gone if one.kind != "detached"]
+    parted = [one for one in gone if one.kind not in PLANNED]
     if parted:
         yield "parted_ropes", float(len(parted))
     for one in parted:

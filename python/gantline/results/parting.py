@@ -12,6 +12,8 @@ from gantline.results.variable import BoolArray
 
 #: Kinds of events after which a rope carries nothing any more.
 PARTING = ("cut", "broken", "detached")
+#: Kinds of partings that are as planned: slings taken off, tag lines that a step lets go of.
+PLANNED = ("detached", "let go")
 #: Kind of the event from which on a sling may carry.
 ATTACHED = "attached"
 #: A sample at the time of an event shows the rope before it parted; rounding of that time [s].
@@ -24,7 +26,7 @@ class Parting:
 
     Attributes:
         rope: Its name.
-        kind: `cut`, `broken`, or `detached`, as planned.
+        kind: `cut`, `broken`, or as planned `detached`, `let go` of a tag line.
         time: When [s].
         tension: What it carried: of a broken rope the tension at which it broke, of another that of
             the last sample before [N].
@@ -56,6 +58,7 @@ def partings(recording: Recording) -> list[Parting]:
     found: list[Parting] = []
     gone: set[str] = set()
     breaks_at = {rope.name: rope.breaks_at for rope in recording.rig.ropes}
+    let_go = {line.rope for line in recording.rig.tag_lines if line.is_let_go}
     for time, kind, rope in recording.events():
         if kind == ATTACHED:
             gone.discard(rope)
@@ -66,6 +69,8 @@ def partings(recording: Recording) -> list[Parting]:
         tension = float(recording.column("rope_tension", rope)[max(before, 0)])
         if kind == "broken":
             tension = breaks_at.get(rope) or tension
+        elif rope in let_go:
+            kind = "let go"
         found.append(Parting(rope, kind, time, tension))
     return found
 

@@ -6,10 +6,11 @@
 - *yaw* of a load: change of its heading from the start, about plumb, counter-clockwise from above positive.
 - *quiet window*: the end of the recording over which static values are means. It begins when the last drive
   has come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the end. Where
-  the loads do not end clear it is the last earlier time that they hung still: clear, all drives at rest, for
-  5 s or more. In waves it takes three of their longest periods in place of 5 s, if that is more, in gusts
-  20 s. The mean is weighted by sin^2, zero at both ends, so that a load that rings to and fro does not lift
-  or lower it. The window of an equilibrium is its last sample, whether the loads are clear or not.
+  the loads do not end clear it is the last earlier time that they hung still: clear, all drives but those of
+  tuggers at rest, for 5 s or more. In waves it takes three of their longest periods in place of 5 s, if that
+  is more, in gusts 20 s. The mean is weighted by sin^2, zero at both ends, so that a load that rings to and
+  fro does not lift or lower it. The window of an equilibrium is its last sample, whether the loads are clear
+  or not.
 - *quiet windows*: that, and all earlier times that the loads hung still.
 """
 
@@ -30,6 +31,8 @@ from gantline.results.variable import BoolArray, FloatArray
 _SHORTEST_QUIET = 5.0  # s
 _CARRIED_MORE = 1.01  # from which share of the last static value an earlier one counts in its place
 _CARRYING_FROM = 0.01  # of the largest tension
+_ROUNDED = 1e-14  # of the work of drives over a run
+_SLIPPING = 1e-10  # rounding of the work of a tugger that slips, from sample to sample
 _STEEPEST = math.radians(80.0)  # x axis of a load over level; beyond it no heading means anything
 
 
@@ -125,12 +128,28 @@ def quiet_windows(recording: Recording) -> list[BoolArray]:
     last = trailing(clear)
     earlier = []
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
-        work = recording.column("energy", "drive_work")
-        still = clear & np.append(np.diff(work) == 0.0, True)
+        still = clear & np.append(_drives_stand(recording), True)
         earlier = [one for one in _stretches(still) if _lasts(recording, one)]
         if earlier and earlier[-1][-1]:
             return earlier
     return [*earlier, last] if last.any() else earlier
+
+
+def _drives_stand(recording: Recording) -> BoolArray:
+    """Whether no drive does work from sample to sample, shape (time - 1,), but for tuggers that only pull.
+
+    Those ask for hauling in all the time, and slip: their drives do the work of pull times speed.
+    """
+    work = recording.column("energy", "drive_work")
+    tuggers = [line for line in recording.rig.tag_lines if line.pull is not None and line.speed is not None]
+    if not tuggers:
+        standing: BoolArray = np.diff(work) == 0.0
+        return standing
+    pulling = while_there(recording, [line.rope for line in tuggers])[:, 1:]
+    powers = np.array([(line.pull or 0.0) * (line.speed or 0.0) for line in tuggers])
+    slipped = (powers @ pulling) * np.diff(recording.time)
+    rounding = _ROUNDED * float(np.max(np.abs(work), initial=0.0))
+    return np.isclose(np.diff(work), slipped, rtol=_SLIPPING, atol=rounding)
 
 
 def _stretches(mask: BoolArray) -> list[BoolArray]:

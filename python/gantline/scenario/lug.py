@@ -37,9 +37,9 @@ class MainPlate(Element):
     def refuse_early(cls, data: MapNode) -> None:
         """A plate is turned or has a normal."""
         if ("turned" in data) == ("normal" in data):
-            raise refuse(
-                "right is 'turned: 30 deg' of an upright plate, or 'normal: [0.5, -0.5, 0.7]' across any"
-            )
+            right = "right is 'turned: 30 deg' of an upright plate, or 'normal: [0.5, -0.5, 0.7]' across any"
+            said = " and ".join(f"'{key}'" for key in data) or "nothing"
+            raise refuse(f"found {said}; {right}")
 
     @model_validator(mode="after")
     def _has_a_direction(self) -> MainPlate:

@@ -278,8 +278,10 @@ class ListOf(Reader):
     def _example(self) -> str:
         if isinstance(self.item, Quantity):
             one = re.findall(r"'([^']*)'", example(self.item.dimension))[0]
+        elif isinstance(self.item, Number):  # not zeros alone, which are no direction
+            return "[" + ", ".join(["0"] * ((self.count or self.least) - 1) + ["1"]) + "]"
         else:
-            one = "0" if isinstance(self.item, Number) else "name"
+            one = "name"
         return "[" + ", ".join([one] * (self.count or self.least)) + "]"
 
     def shown(self) -> JsonSchemaValue:

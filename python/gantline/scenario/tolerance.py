@@ -55,7 +55,7 @@ class _ToleranceReader(Reader):
             raise refuse(f"{error.message()}; or a length like '25 mm'") from None
         if tolerance.of(1.0) > LARGEST_TOLERANCE and kind == "ratio":
             sentence = f"a sling that is {tolerance.amount * 100:g} % too long or too short is none"
-            raise refuse(f"{sentence}; at most 10 % is right, such as 'tolerance: 0.25 %'")
+            raise refuse(f"{sentence}; at most 10 % is right, such as 'tolerance: 0.25 %', or '25 mm'")
         return tolerance
 
     def shown(self) -> JsonSchemaValue:

@@ -306,20 +306,24 @@ impl StaticLift {
     /// Everything that follows from them.
     pub fn columns(&self) -> Columns {
         let mut log = EventLog::new();
-        self.put_on().for_each(|rope| log.push(0.0, EventKind::Attached, rope));
+        self.changed().for_each(|(kind, rope)| log.push(0.0, kind, rope));
         Columns::of(&self.system, &self.samples, &log)
     }
 
-    /// Slings that are on by now and were not at the start. Of an equilibrium they are on in all samples.
-    fn put_on(&self) -> impl Iterator<Item = usize> {
+    /// Slings that are on by now and were not at the start, and those that were and are not. Of an equilibrium that is
+    /// so in all samples.
+    fn changed(&self) -> impl Iterator<Item = (EventKind, usize)> {
         let Self { system, state, .. } = self;
-        let later = system.slings.iter().filter(|sling| !sling.starts_on).map(|sling| sling.constraint);
-        later.filter(|&rope| !state.modes[system.rows.first[rope]].is_absent())
+        system.slings.iter().filter_map(|sling| {
+            let is_on = state.modes[system.rows.first[sling.constraint]] != RowMode::Off;
+            let kind = if is_on { EventKind::Attached } else { EventKind::Detached };
+            (is_on != sling.starts_on).then_some((kind, sling.constraint))
+        })
     }
 
     /// Kind and name of the events that say so.
     pub fn events(&self) -> Vec<(&'static str, &str)> {
-        self.put_on().map(|rope| (EventKind::Attached.name(), self.system.rope_name(rope))).collect()
+        self.changed().map(|(kind, rope)| (kind.name(), self.system.rope_name(rope))).collect()
     }
 
     /// Names that go with the columns.

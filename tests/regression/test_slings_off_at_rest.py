@@ -1,0 +1,57 @@
+"""Slings that a step had taken off stood in statics and cases as slack.
+
+An equilibrium left out slings that were not put on yet, and told nothing of those that were taken off: a bed
+that was slung anew hung on eight slings of which four were slack, each of the others with `2.0000` of the
+mean, the smallest tension of every case was `0.0 kN`, and what 25 mm change was worked out for slings in the
+store. Steps that report tensions named them too, with `0.0 kN`.
+"""
+
+from __future__ import annotations
+
+import gantline
+from gantline.checks import check_recording
+from gantline.cli.hold_points import hold_points
+from gantline.cli.rest_table import slings_of
+from gantline.scenario import parse_scenario
+from gantline.study.state import State, values_of
+from hooked_lift import hooked_lift
+
+LUGS = {"1": (2.0, 0.0, 4.0), "2": (-2.0, 0.0, 4.0)}
+SLINGS = {
+    "S1": ("hook", "1", 12.0),
+    "S2": ("hook", "2", 12.0),
+    "L1": ("hook", "1", 13.0),
+    "L2": ("hook", "2", 13.0),
+}
+PLAN = """\
+plan:
+  - {step: hang, hold: 1 s}
+  - {step: anew, hold: 1 s, detach: [sling.S1, sling.S2], attach: [sling.L1, sling.L2]}
+  - {step: both, hold: 1 s, attach: sling.S2}
+  - {step: again, hold: until_end, detach: sling.L2}
+"""
+
+
+def test_an_equilibrium_has_no_slings_that_were_taken_off() -> None:
+    lift = hooked_lift({"hook": (0.0, 0.0, 15.0)}, LUGS, SLINGS, more=PLAN)
+    question = gantline.Statics(parse_scenario(lift))
+    for time, on in (
+        (0.5, ["S1", "S2"]),
+        (1.5, ["L1", "L2"]),
+        (2.5, ["S2", "L1", "L2"]),
+        (3.5, ["S2", "L1"]),
+    ):
+        rest = question.equilibrium(time)
+        assert [line.split()[0] for line in slings_of(rest, [])[1:]] == on
+        assert list(values_of(State("as given", "", "none", time, rest))["sling_tension"]) == on
+        # Whether they were slack a run tells.
+        assert not [one for one in check_recording(rest.recording) if one.name == "detached_slack"]
+
+
+def test_a_step_reports_slings_that_are_on() -> None:
+    plan = PLAN.partition("  - {step: both")[0].replace("hold: 1 s", "hold: 1 s, report: [sling_tension]")
+    lift = hooked_lift({"hook": (0.0, 0.0, 15.0)}, LUGS, SLINGS, more=plan)
+    lines = hold_points(gantline.simulate(parse_scenario(lift)))
+    told = [line for line in lines if line.lstrip().startswith("sling tension")]
+    names = [[part.split()[0] for part in line.replace("sling tension", "").split(",")] for line in told]
+    assert names == [["S1", "S2"], ["L1", "L2"]]
