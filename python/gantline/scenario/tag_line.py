@@ -42,8 +42,8 @@ class TagLine(Element):
     )
     held_by: Name | None = Field(
         None,
-        description="What it leads to: a vessel, a crane or a part of it, a body of 'mechanics'; the world "
-        "if not given.",
+        description="What it leads to: a vessel, a part of a crane, a body of 'mechanics'; the world if not "
+        "given.",
     )
     rope: Name = Field(description="Kind of rope, a name of 'ropes'.")
     pull: PositiveForce | None = Field(
