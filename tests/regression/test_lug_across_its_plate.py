@@ -14,7 +14,7 @@ import pytest
 import gantline
 from gantline.checks import Verdict, check_recording
 from gantline.scenario import parse_scenario
-from hooked_lift import hooked_lift
+from plated_lift import plated_lift
 
 
 @pytest.mark.parametrize(
@@ -23,16 +23,9 @@ from hooked_lift import hooked_lift
 )
 def test_it_is_told(angle: float, plate: str, verdict: Verdict) -> None:
     """Two slings at the angle from plumb, in the yz plane: so far out of the plane of a plate along x."""
-    aside = 2.9  # of each lug from the middle of the load [m]
-    up = aside / math.tan(math.radians(angle))
-    lugs = {"A": (0.0, aside, 4.0), "B": (0.0, -aside, 4.0)}
-    slings = {name: ("hook", name, math.hypot(aside, up)) for name in lugs}
-    text = hooked_lift({"hook": (0.0, 0.0, 9.0 + up)}, lugs, slings, position=(0.0, 0.0, 5.0))
-    for name, at in lugs.items():
-        known = f"{name}: {{at: [{at[0]!r} m, {at[1]!r} m, {at[2]!r} m]"
-        assert known in text
-        text = text.replace(known, f"{known}, main_plate: {plate}")
-    checks = check_recording(gantline.simulate(parse_scenario(text), duration=1.0))
+    checks = check_recording(
+        gantline.simulate(parse_scenario(plated_lift(math.radians(angle), plate)), duration=1.0)
+    )
     (found,) = [one for one in checks if one.name == "lug_out_of_plane_angle"]
     assert found.verdict is verdict
     assert found.value == pytest.approx(math.radians(angle if plate == "xz" else 0.0), abs=math.radians(0.5))

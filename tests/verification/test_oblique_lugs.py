@@ -9,23 +9,14 @@ import pytest
 import gantline
 from gantline.results.series import out_of_plane_angles
 from gantline.scenario import parse_scenario
-from hooked_lift import hooked_lift
+from plated_lift import plated_lift
 
-ASIDE, LEAN = 2.9, math.radians(35.0)
-#: Two slings in the plane yz, each so far from plumb.
-LUGS = {"A": (0.0, ASIDE, 4.0), "B": (0.0, -ASIDE, 4.0)}
-UP = ASIDE / math.tan(LEAN)
+LEAN = math.radians(35.0)
 
 
 def angles(plate: str) -> list[float]:
     """Angles of the slings at A and B to such plates at the start [rad]."""
-    slings = {name: ("hook", name, math.hypot(ASIDE, UP)) for name in LUGS}
-    text = hooked_lift({"hook": (0.0, 0.0, 9.0 + UP)}, LUGS, slings, position=(0.0, 0.0, 5.0))
-    for name, at in LUGS.items():
-        known = f"{name}: {{at: [{at[0]!r} m, {at[1]!r} m, {at[2]!r} m]"
-        assert known in text
-        text = text.replace(known, f"{known}, main_plate: {plate}")
-    recording = gantline.simulate(parse_scenario(text), duration=0.1)
+    recording = gantline.simulate(parse_scenario(plated_lift(LEAN, plate)), duration=0.1)
     found = {
         lug: float(series[0])
         for sling in recording.rig.slings

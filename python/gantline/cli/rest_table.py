@@ -162,8 +162,9 @@ def statics_json(
     modes: list[Mode],
     sensitivities: list[Sensitivity],
     checks: Sequence[Check],
+    left_out: Sequence[str],
 ) -> dict[str, Any]:
-    """An equilibrium as a JSON object, SI units."""
+    """An equilibrium as a JSON object, SI units, with sentences on what it leaves out of the lift."""
 
     def numbers(one: Equilibrium) -> dict[str, Any]:
         values = values_of(State("", "", one.losses, one.time, one))
@@ -187,4 +188,5 @@ def statics_json(
         ],
         "verdict": verdict_of(checks),
         "checks": [check.to_json() for check in checks],
+        "left_out": list(left_out),
     }

@@ -132,8 +132,8 @@ def statics(
     is_sound = rest.is_stable and not has_failed(checks)
     if as_json:
         more = question.sensitivities() if sensitivities else []
-        numbers = rest_table.statics_json(rest, bounds, shown, more, checks)
-        numbers["left_out"] = question.scenario.left_out_at_rest
+        left_out = question.scenario.left_out_at_rest
+        numbers = rest_table.statics_json(rest, bounds, shown, more, checks, left_out)
         typer.echo(json.dumps(numbers, indent=2, allow_nan=False))
         raise typer.Exit(DONE if is_sound else CHECK_FAILED)
     parts = [

@@ -53,7 +53,7 @@ class _ToleranceReader(Reader):
             tolerance = Tolerance(Quantity(kind, "not_negative").read(value), kind)
         except PydanticCustomError as error:
             raise refuse(f"{error.message()}; or a length like '25 mm'") from None
-        if tolerance.of(1.0) > LARGEST_TOLERANCE and kind == "ratio":
+        if kind == "ratio" and tolerance.amount > LARGEST_TOLERANCE:
             sentence = f"a sling that is {tolerance.amount * 100:g} % too long or too short is none"
             raise refuse(f"{sentence}; at most 10 % is right, such as 'tolerance: 0.25 %', or '25 mm'")
         return tolerance
