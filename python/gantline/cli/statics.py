@@ -217,8 +217,9 @@ def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
 
 def _bounds(question: Statics, moment: float | None) -> list[Equilibrium]:
     """With all sheaves slipping one way and the other; none where no sheave has losses."""
-    along = question.equilibrium(moment, losses="forward")
-    return [along, question.equilibrium(moment, losses="backward")] if along.lossy else []
+    if not any(sheave.has_losses for sheave in question.rig.sheaves):
+        return []
+    return [question.equilibrium(moment, losses="forward"), question.equilibrium(moment, losses="backward")]
 
 
 def _margins(question: Statics, rest: Equilibrium) -> list[Margin]:
