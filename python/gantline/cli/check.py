@@ -104,6 +104,7 @@ def _look_over(simulation: Simulation) -> None:
     from gantline.cli.summary import heading, weights
     from gantline.cli.table import show, table
     from gantline.results.rig import Rig
+    from gantline.units import format_by_size
 
     rig = Rig.from_json(simulation.assembly.rig)
     document = simulation.assembly.document
@@ -111,7 +112,7 @@ def _look_over(simulation: Simulation) -> None:
         (
             name,
             kind.construction or "-",
-            "inextensible" if kind.stiffness is None else show(kind.stiffness, "MN", 1),
+            "inextensible" if kind.stiffness is None else format_by_size(kind.stiffness, "force", 4),
             show(kind.mass_per_length, "kg/m", 2),
             show(kind.breaking_force, "kN", 0),
         )
