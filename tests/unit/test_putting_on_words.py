@@ -195,7 +195,7 @@ def hanging(length: float = 9.0, plan: str = HANGING) -> str:
 
 
 def test_slings_that_a_hanging_load_needs_from_the_start_are_told() -> None:
-    """`attach` says that they are off before: a load that stands on nothing, and taut slings, tell of a mistake."""
+    """`attach` says that they are off before; that a load stands on nothing tells of a mistake."""
     said = "slings S1, S2 are off until 'anew' puts them on; the load stands on nothing at the start"
     (warning,) = assemble(parse_scenario(hanging())).warnings
     assert warning.startswith(said) and warning.endswith("on from the start needs no 'attach'")
