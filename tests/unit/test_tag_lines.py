@@ -73,7 +73,7 @@ def test_cut_by_the_plan_and_told() -> None:
         (WEST.replace("1 kN", "1 kg"), r"pull: "),
         (
             WEST.replace("at: [-5.5 m, -2 m,", "at: [-5.5 m, -22 m,"),
-            r"at: this end of the line is 20 m outside the load's box; positions are measured from its bottom",
+            r"at: this end of the line is 20 m outside the load's box; positions are measured from its",
         ),
     ],
 )

@@ -23,6 +23,7 @@ from gantline.scenario.variants import (
     without_cases,
 )
 from gantline.statics import Losses, NoEquilibriumError, Statics
+from gantline.study.effect import with_effect
 from gantline.study.moment import begin_of_step
 from gantline.study.pattern import (
     Floats,
@@ -141,7 +142,11 @@ def run_cases(
             pool.shutdown(wait=False, cancel_futures=True)
             raise
     given = states[0]
-    states = [replace(state, stands=stands(state, given)) for state in states]
+    as_given = {state.losses: state for state in states if not state.case}
+    states = [
+        with_effect(replace(state, stands=stands(state, given)), as_given.get(state.losses, given), base)
+        for state in states
+    ]
     return CasesResult(scenario.lift.title, scenario.text, given, states, scenario.left_out_at_rest)
 
 
