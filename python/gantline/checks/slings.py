@@ -12,7 +12,7 @@ from gantline.checks.forces import NO_STATIC, kilonewton
 from gantline.checks.measure import Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.parting import partings
+from gantline.results.parting import DETACHED, partings
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
 from gantline.results.variable import BoolArray
@@ -49,7 +49,7 @@ def taken_off(recording: Recording) -> list[Check]:
     """
     checks = []
     for one in [] if series.is_equilibrium(recording) else partings(recording):
-        if one.kind != "detached":
+        if one.kind != DETACHED:
             continue
         before = recording.column("rope_tension", one.rope)[recording.time <= one.time]
         failed = one.tension > _NOTHING * float(before.max(initial=0.0))

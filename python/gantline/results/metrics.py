@@ -89,7 +89,7 @@ from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.lift_off import lift_off_time
-from gantline.results.parting import ATTACHED, PLANNED, partings
+from gantline.results.parting import ATTACHED, DETACHED, PLANNED, partings
 from gantline.results.rating import chart_used
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew
@@ -165,7 +165,7 @@ def _parted(recording: Recording) -> Iterator[_Metric]:
         yield f"parting_time.{one.rope}", one.time
         yield f"parting_tension.{one.rope}", one.tension
     for one in gone:
-        if one.kind == "detached":
+        if one.kind == DETACHED:
             yield f"detaching_tension.{one.rope}", one.tension
     for time, _, rope in recording.events(ATTACHED):
         yield f"attaching_time.{rope}", time

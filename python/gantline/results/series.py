@@ -22,7 +22,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import PARTING, while_there
+from gantline.results.parting import DETACHED, PARTING, while_there
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes, heading, tilt
@@ -318,7 +318,7 @@ def are_whole(recording: Recording, ropes: Sequence[str]) -> BoolArray:
 
 def is_on(recording: Recording, rope: str) -> BoolArray:
     """Where a rope is put on and not taken off, parted or not, shape (time,)."""
-    on: BoolArray = while_there(recording, [rope], ["detached"])[0]
+    on: BoolArray = while_there(recording, [rope], [DETACHED])[0]
     return on
 
 
