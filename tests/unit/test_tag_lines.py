@@ -72,6 +72,13 @@ def test_cut_by_the_plan_and_told() -> None:
         (f"{WEST}, cut_at: 1000 s", r"cut_at: 1000 s is after the end of the lift"),
         (WEST.replace("1 kN", "1 kg"), r"pull: "),
         (
+            WEST.replace(
+                "pull: 1 kN",
+                "pretension: 20 kN, winch: {speed: 1 m/s, acceleration: 1 m/s^2, capacity: 5 kN}",
+            ),
+            r"winch: the winch slips at 5 kN, and the line shall pull 20 kN from the start; a stronger winch",
+        ),
+        (
             WEST.replace("at: [-5.5 m, -2 m,", "at: [-5.5 m, -22 m,"),
             r"at: this end of the line is 20 m outside the load's box; positions are measured from its",
         ),
@@ -161,6 +168,11 @@ def test_steps_haul_lines_with_a_winch() -> None:
     document = assemble(parse_scenario(text.replace(made_fast, fast))).document
     [move] = document["plan"][0]["moves"]
     assert move["drive"] == "tag.west.tugger.drive"
+    far = parse_scenario(text.replace(made_fast, fast).replace("by: 1 m,", "by: 30 m,"))
+    hauls = (
+        "step 'turn' hauls tag.west until 4.999 m more than all of it are in: it is 25 m long at the start"
+    )
+    assert assemble(far).warnings[0] == hauls
     assert move["velocity"] == pytest.approx(-1.0 / 60.0)  # hauling takes line in
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gantline.assembly.lifted import LiftedLoad
-from gantline.assembly.moorings import winch_drive
+from gantline.assembly.moorings import warn_of_hauled, winch_drive
 from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.route import MOST_STRAIN, taut_length, too_far
 from gantline.scenario import Scenario
@@ -51,6 +51,7 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
         drum = None
         if line.pull is not None or line.winch is not None:
             _add_winch(parts, name, line)
+            warn_of_hauled(parts, scenario, tag_rope(name), length)
             drum = (tag_tugger(name), 1.0)
         route = [end(scenario.load.name, at), end(holder, line.to, drum, laid_under=line.pull)]
         parts.add_rope(tag_rope(name), length, material(kind.stiffness, kind.damping_time), route)

@@ -24,6 +24,9 @@ def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
         if one is None:
             continue  # `check_plan` says so
         path: Path = ("plan", place, "keep_plumb")
+        own = [full_name(text, scenario.hooks) for text in step.keep_plumb]
+        if len(set(own)) < len(own):
+            findings.add(path, "names a hook twice; each hook stands once")
         for text in step.keep_plumb:
             _check_hook(findings, rigging, path, one, text, on)
         others = hooks_beside(scenario, rigging, one)

@@ -296,7 +296,8 @@ def _check_cut(findings: Findings, name: str, case: Case) -> None:
             right = f"'set: {{{lines[rope]}.cut_at: 0 s}}' is the lift without it"
             findings.add(("cases", name, "cut"), f"{sentence}; {right}")
         elif rope not in known:
-            findings.add(("cases", name, "cut"), f"'{rope}' is not a sling; {nearest(rope, known)}")
+            right = nearest(rope.removeprefix("sling."), known)
+            findings.add(("cases", name, "cut"), f"'{rope}' is not a sling; {right}")
         elif rope in case.cut[:place]:
             findings.add(("cases", name, "cut"), f"'{rope}' is cut twice; once is right")
     if case.at is not None and case.at > scenario.duration:
