@@ -169,10 +169,8 @@ def test_steps_haul_lines_with_a_winch() -> None:
     [move] = document["plan"][0]["moves"]
     assert move["drive"] == "tag.west.tugger.drive"
     far = parse_scenario(text.replace(made_fast, fast).replace("by: 1 m,", "by: 30 m,"))
-    hauls = (
-        "step 'turn' hauls tag.west until 4.999 m more than all of it are in: it is 25 m long at the start"
-    )
-    assert assemble(far).warnings[0] == hauls
+    hauls = "by step 'turn' 4.999 m more are hauled in than there is of tag.west, which is 25 m long"
+    assert assemble(far).warnings[0] == f"{hauls} at the start"
     assert move["velocity"] == pytest.approx(-1.0 / 60.0)  # hauling takes line in
 
 
