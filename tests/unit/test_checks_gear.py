@@ -149,6 +149,18 @@ def test_what_slings_that_are_off_leave_to_the_others_is_no_dynamics() -> None:
     assert check(whole, "sling_dynamic_factor").value == pytest.approx(1.25)
 
 
+def test_an_equalizer_without_slings_has_no_spread() -> None:
+    """A step required `tension_spread: below 5 %` while no sling was on, and had 0 %."""
+    rig = sample_rig(tension_spread_when_clear=0.05)
+    rig["plan"][0]["require"] = {"tension_spread": {"below": 0.05}}
+    rig["starts_off"] = SLINGS
+    begun = [(0.0, "step_begin", "hoist"), (20.0, "step_end", "hoist"), (20.0, "step_begin", "hold")]
+    recording = ringing_lift(rig=rig, events=[*begun, *((30.0, "attached", rope) for rope in SLINGS)])
+    (found,) = [one for one in check_recording(recording) if one.name == "tension_spread" and one.step]
+    assert found.verdict is Verdict.NOT_CHECKED
+    assert found.remark == "none of its slings is on: e1"
+
+
 def test_both_sling_angles_are_of_one_sling() -> None:
     vertical = checked("sling_angle_from_vertical", sample_rig())
     horizontal = checked("sling_angle_from_horizontal", sample_rig(sling_angle_from_horizontal=1.37))
