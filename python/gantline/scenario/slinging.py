@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from gantline.scenario.errors import nearest
+from gantline.scenario.steps import HoistStep
 
 if TYPE_CHECKING:
     from gantline.scenario.findings import Findings
@@ -164,9 +165,11 @@ def check_put_on(findings: Findings, rigging: Rigging) -> None:
 
 
 def check_waits(findings: Findings, rigging: Rigging) -> None:
-    """Note steps that wait for slings, without naming any, while none is on."""
-    plan = findings.scenario.plan
-    for place, (step, on) in enumerate(zip(plan, slings_on(findings.scenario), strict=True)):
+    """Note steps that wait for slings, without naming any, or for what slings do, while none is on."""
+    scenario = findings.scenario
+    # Bodies and ropes of `mechanics` may lift a load too, and water.
+    lifts_by_slings = scenario.mechanics is None and scenario.vessels is None
+    for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
         condition = step.until
         if condition is None or not rigging.slings:
             continue
@@ -174,6 +177,10 @@ def check_waits(findings: Findings, rigging: Rigging) -> None:
         path = ("plan", place, "until")
         if condition.slings is not None and not condition.of and not on:
             findings.add(path, "this waits for slings, and none is on in this step; 'attach' puts slings on")
+        lifted = condition.load_transferred is not None or condition.supports == "clear"
+        if isinstance(step, HoistStep) and lifted and lifts_by_slings and not on:
+            sentence = "this waits for the load to leave its supports, and no sling is on in this step"
+            findings.add(path, f"{sentence}; 'attach' puts slings on")
         if condition.tension_spread is not None and not any(
             sling.equalizer in asked and name in on for name, sling in rigging.slings.items()
         ):
