@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results import series
 from gantline.results.saved import digest_of
 from gantline.scenario import Scenario, ScenarioError, StartError, load_scenario
 from gantline.scenario.case import TOLERANCE
@@ -237,10 +238,14 @@ def _tolerances(
     """Patterns of long and short slings, by sensitivities, and each solved anew."""
     case = (scenario.cases or {})[name]
     question = Statics(base)
-    off = tolerances(scenario)
     given = settled(question, time, State(name, "", "none", 0.0))
     if given.rest is None:
         yield _known(given)
+        return
+    on = {sling.name for sling in series.slings_on(given.rest.recording)}
+    off = {sling: amount for sling, amount in tolerances(scenario).items() if sling in on}
+    if not off:
+        yield _known(replace(given, variant="no sling with a tolerance is on"))
         return
     change = _changes(scenario, name, question, off)
     if change is None or case.pattern == "each":
@@ -257,6 +262,7 @@ def _tolerances(
         first_order = {
             sling.name: given.rest.tension(sling.rope) + float(one)
             for sling, one in zip(question.rig.slings, more, strict=change is not None)
+            if sling.name in on
         }
         state = State(name, pattern_label(longer), "none", 0.0, first_order=first_order)
         yield _of_case(pool, scenario, with_lengths(scenario, name, longer), time, state)
