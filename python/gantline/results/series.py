@@ -22,7 +22,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import DETACHED, PARTING, while_there
+from gantline.results.parting import ATTACHED, DETACHED, PARTING, while_there
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes, heading, tilt
@@ -197,9 +197,9 @@ def has_hung_so(recording: Recording, time: float) -> bool:
     Where they did not, a force of that time has no static value to be compared with: what slings that came or
     went left to the others is no dynamics.
     """
-    on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
-    if (on == on[:, :1]).all():
+    if not recording.events(ATTACHED) and not recording.events(DETACHED):
         return True
+    on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
     still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0)
     # Between two samples either may be right: what comes or goes is slack.
     last = len(recording.time) - 1
