@@ -17,6 +17,7 @@ __all__ = [
     "UnitError",
     "common_dimension",
     "example",
+    "format_by_size",
     "format_quantity",
     "quantity",
     "si_text",
@@ -59,6 +60,13 @@ DIMENSIONS: Final[dict[str, dict[str, float]]] = {
     "density": {"t/m^3": _TONNE, "kg/m^3": 1.0},
     "stress": {"MPa": 1e6, "GPa": 1e9, "kPa": 1e3, "Pa": 1.0, "N/mm^2": 1e6, "kN/mm^2": 1e9},
     "ratio": {"%": 1e-2, "": 1.0},
+}
+
+#: Units in which values of a dimension are shown by their size, the largest first.
+_BY_SIZE: Final[dict[str, tuple[str, ...]]] = {
+    "force": ("MN", "kN", "N"),
+    "mass": ("t", "kg"),
+    "rotational_stiffness": ("MN m/rad", "kN m/rad", "N m/rad"),
 }
 
 #: How a message names a dimension and what it shows as a right example.
@@ -188,6 +196,21 @@ def format_quantity(value: float, unit: str, digits: int) -> str:
         if unit in units:
             return f"{value / units[unit]:z.{digits}f} {unit}".rstrip()
     raise UnitError(f"'{unit}' is not a known unit")
+
+
+def format_by_size(value: float, dimension: str, digits: int = 3) -> str:
+    """Write an SI value in the largest unit of which it is at least one: `150 kN`, `1.5 MN`, `900 N`.
+
+    Args:
+        value: the value [SI].
+        dimension: `force`, `mass` or `rotational_stiffness`.
+        digits: significant digits; zeros after the point are left out.
+    """
+    factors = DIMENSIONS[dimension]
+    rounded = float(f"{value:.{digits}g}")
+    *larger, smallest = _BY_SIZE[dimension]
+    unit = next((unit for unit in larger if abs(rounded) >= factors[unit]), smallest)
+    return f"{float(f'{rounded / factors[unit]:.{digits}g}') + 0.0:,.15g} {unit}"
 
 
 def _plain(unit: str) -> str:

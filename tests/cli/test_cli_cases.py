@@ -251,6 +251,42 @@ def test_cases_are_saved_for_a_report_and_do_not_depend_on_the_workers(lift: Pat
     assert worst.value == max(one.value for one in found.worst if one.quantity == "sling_tension")
 
 
+def test_a_case_that_changes_nothing_says_so_and_why(tmp_path: Path) -> None:
+    """SA is taken off at 5 s, and SC, across, is slack then: neither is missed; SB is."""
+    cases = """\
+off: {cut: SA}
+early: {cut: SA, at: 1 s}
+late: {cut: SA, at: 7 s}
+partly: {cut: [SA, SB], at_step: look}
+slack: {cut: SC}
+title: {set: {lift.title: another}}
+by_nothing: {vary: {sling_defaults.length: [0 mm, 1 mm]}}"""
+    plan = "plan:\n  - {step: hang, hold: 5 s}\n  - {step: look, hold: 1 s, detach: sling.SA}\n"
+    path = tmp_path / "lift.yaml"
+    path.write_text(plumb_lift(cases) + plan, encoding="utf-8")
+    result = gantline("cases", str(path), columns=120)
+    lines = [line.split() for line in result.stdout.splitlines()]
+    ends = {line[0]: line[-2:] for line in lines if line and line[-2:] == ["NO", "CHANGE"]}
+    assert sorted(ends) == ["late", "off", "slack"]
+    for note in (
+        "nothing is cut: SA is not on at 10 s: off",
+        "nothing is cut: SA is not on at 7 s: late",
+        "nothing is cut: SA is not on at 5 s: partly",
+        "nothing is cut: SC carries nothing at 10 s as given: slack",
+        "nothing changes: forces, tilts and checks are as given: title, by_nothing (1 of 2)",
+    ):
+        assert f"  {note}\n" in result.stdout
+    assert "; 4 cases changed nothing\n" in result.stdout
+    document = json.loads(gantline("cases", str(path), "--json").stdout)
+    states = {one["case"]: one["states"] for one in document["cases"]}
+    assert [one["changes_nothing"] for one in states["by_nothing"]] == [True, False]
+    assert states["late"][0]["changes_nothing"] and states["late"][0]["in_vain"] == ["SA is not on at 7 s"]
+    assert not states["early"][0]["changes_nothing"] and not states["partly"][0]["changes_nothing"]
+    remarks = {one.name: one.remarks for one in SavedCases.from_json(document).cases}
+    assert remarks["late"] == ("nothing is cut: SA is not on at 7 s", "changes nothing")
+    assert remarks["title"] == ("changes nothing",) and remarks["early"] == ()
+
+
 def test_a_case_past_what_nobody_limits_is_named(tmp_path: Path) -> None:
     """Two slings 0.9 m longer, 5 m from the others, tilt the load by 10 deg; nobody set a limit of that."""
     path = tmp_path / "lift.yaml"

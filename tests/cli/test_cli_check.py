@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from gantline.checks import LIMITS, check_recording
 from gantline.cli.app import app
 from gantline.cli.check_table import check_table
 from gantline.results.recording import Recording
+from lift_text import BASE, changed
 from sample_lift import ringing_lift, sample_rig
 
 LIFT = Path(__file__).parents[2] / "scenarios" / "equalizer"
@@ -103,6 +105,30 @@ def test_a_lift_file_alone_is_looked_over() -> None:
     assert result.exit_code == 0
     assert "in order" in result.stdout
     assert "load_tilt" not in result.stdout
+
+
+def test_slings_that_are_put_on_later_are_listed_with_their_mass(tmp_path: Path) -> None:
+    """Half of the 130 kg of S2 and its shackles would hang at its lug; all of it hangs at its sheave."""
+    path = tmp_path / "lift.yaml"
+    kind = ("2 ms, mass: none}", "2 ms, mass: 10 kg/m}")
+    weighs = ("tolerance: 0.25 %}", "tolerance: 0.25 %, rope_weight: lumped}")
+    on = ("hold: until_end}", "hold: until_end, attach: sling.S2}")
+    path.write_text(changed(BASE, kind, weighs, on), encoding="utf-8")
+    result = says("check", path)
+    assert result.exit_code == 0, result.stderr
+    assert re.search(r"^Sling put on later +by step +all its mass hangs at +mass$", result.stdout, re.M)
+    assert re.search(r"^  S2 +'hold' +e1\.2 +130\.0 kg$", result.stdout, re.M)
+    path.write_text(BASE, encoding="utf-8")
+    assert "put on later" not in says("check", path).stdout
+
+
+def test_kinds_of_rope_have_their_stiffness_in_a_unit_of_its_size(tmp_path: Path) -> None:
+    """A tag line of 150 kN beside slings of 100 MN: it read `0.1 MN`."""
+    path = tmp_path / "lift.yaml"
+    path.write_text(BASE.replace("ropes:\n", "ropes:\n  tag: {axial_stiffness: 150 kN}\n"), encoding="utf-8")
+    table = says("check", path).stdout
+    assert re.search(r"^  tag +- +150 kN ", table, re.M)
+    assert re.search(r"^  sling +- +100 MN ", table, re.M)
 
 
 def test_a_run_that_was_stopped_is_checked_as_far_as_it_went(tmp_path: Path) -> None:

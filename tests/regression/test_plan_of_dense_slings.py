@@ -1,5 +1,7 @@
 """Numbers of slings lay on each other and on lugs in the plan of the first page, where many slings are near.
 
+A number stood under the dot of a hook that was a little beside its lug in the plan, too.
+
 Room was an ellipse about each number, but a text is as wide at its foot as in its middle: in the plan of
 `floating_crane` "H1.1" lay on "H1.2", which hid three lugs and ended under the centre of gravity.
 """
@@ -14,6 +16,9 @@ import pytest
 from gantline.report.sketch import sketches
 from gantline.report.sketch_names import has_room, hides_none, text_box
 from gantline.report.subject import Subject
+from gantline.scenario import parse_scenario
+from gantline.simulation import Simulation
+from hooked_lift import hooked_lift
 from sample_lift import ringing_lift
 
 
@@ -39,3 +44,15 @@ def test_the_plan_of_a_lift_with_dense_slings() -> None:
     assert len(numbers) == 5
     assert all(has_room(one, [other]) for one, other in combinations(numbers, 2))
     assert all(hides_none(one, lugs) for one in numbers)
+
+
+@pytest.mark.parametrize("aside", [0.0, 0.2, 0.3, 0.5])
+def test_a_number_keeps_off_a_hook_beside_its_lug(aside: float) -> None:
+    """One millimetre of the plan is 0.13 m: a number above its lug was under a hook 0.3 m aside of it."""
+    hooks = {"A": (-3.0, aside, 14.0), "B": (3.0, -aside, 14.0)}
+    lugs = {"1": (-3.0, 0.0, 4.0), "2": (3.0, 0.0, 4.0)}
+    text = hooked_lift(hooks, lugs, {"S1": ("A", "1", 10.1), "S2": ("B", "2", 10.1)})
+    _, plan = sketches(Subject(Simulation(parse_scenario(text)).run(until=0.1)))
+    numbers = [text_box(mark.x, mark.y, mark.text) for mark in plan.marks if mark.style == "sk-number"]
+    dots = [np.array([mark.x, mark.y]) for mark in plan.marks if mark.style in ("sk-hook", "sk-lug")]
+    assert len(numbers) == 2 and all(hides_none(one, dots) for one in numbers)

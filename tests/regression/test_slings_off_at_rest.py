@@ -3,7 +3,8 @@
 An equilibrium left out slings that were not put on yet, and told nothing of those that were taken off: a bed
 that was slung anew hung on eight slings of which four were slack, each of the others with `2.0000` of the
 mean, the smallest tension of every case was `0.0 kN`, and what 25 mm change was worked out for slings in the
-store. Steps that report tensions named them too, with `0.0 kN`.
+store. Steps that report tensions named them too, with `0.0 kN`. Cases that vary tolerances went on to do so:
+each of four slings that were off was made longer and shorter, and bands of `0.0 to 0.0 kN` stood below.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from gantline.checks import check_recording
 from gantline.cli.hold_points import hold_points
 from gantline.cli.rest_table import slings_of
 from gantline.scenario import parse_scenario
+from gantline.study import run_cases
 from gantline.study.state import State, values_of
 from hooked_lift import hooked_lift
 
@@ -55,3 +57,20 @@ def test_a_step_reports_slings_that_are_on() -> None:
     told = [line for line in lines if line.lstrip().startswith("sling tension")]
     names = [[part.split()[0] for part in line.replace("sling tension", "").split(",")] for line in told]
     assert names == [["S1", "S2"], ["L1", "L2"]]
+
+
+def test_tolerances_are_those_of_slings_that_are_on() -> None:
+    """After the first step S1 and S2 are off; where no sling with a tolerance is on, the case says so."""
+    vary = "vary: slings.tolerance, pattern"
+    cases = f"cases:\n  each: {{{vary}: each}}\n  worst: {{{vary}: worst}}\n"
+    plan = PLAN.partition("  - {step: both")[0] + cases
+    lift = hooked_lift({"hook": (0.0, 0.0, 15.0)}, LUGS, SLINGS, more=plan)
+    all_of_them = lift.replace("sling_defaults: {", "sling_defaults: {tolerance: 10 mm, ")
+    found = run_cases(parse_scenario(all_of_them))
+    assert [state.variant.split()[0] for state in found.of("each")] == ["L1", "L1", "L2", "L2"]
+    assert all(list(state.first_order) == ["L1", "L2"] for state in found.of("each"))
+    first = lift.replace("to: load.1, length: 12.0 m", "to: load.1, length: 12.0 m, tolerance: 10 mm")
+    found = run_cases(parse_scenario(first))
+    for name in ("each", "worst"):
+        (state,) = found.of(name)
+        assert state.variant == "no sling with a tolerance is on" and state.changes_nothing

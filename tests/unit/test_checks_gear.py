@@ -125,6 +125,42 @@ def test_dynamics_of_a_sling() -> None:
     assert found.verdict is Verdict.OK
 
 
+def test_what_slings_that_are_off_leave_to_the_others_is_no_dynamics() -> None:
+    """From 10 s on four slings carry 750 kN each, from 16 s on five 600 kN, and that stands from 20 s on."""
+    rig = sample_rig(sling_dynamic_factor=1.2, hook_dynamic_factor=1.2)
+    rig["starts_off"] = ["sling.S5"]
+    time = np.linspace(0.0, 40.0, 2001)
+    four = ((time >= 10.0) & (time < 16.0))[:, np.newaxis]
+    tension = np.where(four, [750e3] * 4 + [0.0], (time >= 16.0)[:, np.newaxis] * 600e3)
+    on = [(16.0, "attached", "sling.S5")]
+    recording = ringing_lift(rig=rig, tension=tension, events=on)
+    found = check(recording, "sling_dynamic_factor")
+    assert found.value == 1.0 and found.element == "S5"
+    assert "other slings are on than whenever the load hung still" in found.remark
+    assert recording.metrics()["dynamic_amplification_factor"] == 1.0
+    # A load that hung still on the four, before the hoist began at 16 s, has that for its static force.
+    work = np.clip(time - 16.0, 0.0, 1.0)
+    held = ringing_lift(rig=rig, tension=tension, events=on, energy={"drive_work": work, "gravity": work})
+    assert check(held, "sling_dynamic_factor").value == pytest.approx(1.0)
+    assert values_of(held, "sling_dynamic_factor").keys() == {f"S{number}" for number in range(1, 6)}
+    # Where none comes or goes the same peak is dynamics: 750 kN of 600 kN.
+    rig["starts_off"] = []
+    whole = ringing_lift(rig=rig, tension=tension, events=[])
+    assert check(whole, "sling_dynamic_factor").value == pytest.approx(1.25)
+
+
+def test_an_equalizer_without_slings_has_no_spread() -> None:
+    """A step required `tension_spread: below 5 %` while no sling was on, and had 0 %."""
+    rig = sample_rig(tension_spread_when_clear=0.05)
+    rig["plan"][0]["require"] = {"tension_spread": {"below": 0.05}}
+    rig["starts_off"] = SLINGS
+    begun = [(0.0, "step_begin", "hoist"), (20.0, "step_end", "hoist"), (20.0, "step_begin", "hold")]
+    recording = ringing_lift(rig=rig, events=[*begun, *((30.0, "attached", rope) for rope in SLINGS)])
+    (found,) = [one for one in check_recording(recording) if one.name == "tension_spread" and one.step]
+    assert found.verdict is Verdict.NOT_CHECKED
+    assert found.remark == "none of its slings is on: e1"
+
+
 def test_both_sling_angles_are_of_one_sling() -> None:
     vertical = checked("sling_angle_from_vertical", sample_rig())
     horizontal = checked("sling_angle_from_horizontal", sample_rig(sling_angle_from_horizontal=1.37))

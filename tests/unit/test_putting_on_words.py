@@ -179,3 +179,67 @@ def test_equilibria_have_the_slings_that_are_on_then() -> None:
     later = question.equilibrium(1.5)
     assert [line.split()[0] for line in slings_of(later, [])[1:]] == ["S1", "S2"]
     assert later.recording.events() == [(0.0, "attached", "sling.S1"), (0.0, "attached", "sling.S2")]
+
+
+HANGING = """\
+plan:
+  - {step: hang, hold: 1 s}
+  - {step: anew, hold: 1 s, attach: [sling.S2, sling.S1]}
+"""
+
+
+def hanging(length: float = 9.0, plan: str = HANGING) -> str:
+    """A load that hangs on slings of this length whose ends are 9 m apart at the start."""
+    slings = {name: (hook, lug, length) for name, (hook, lug, _) in SLINGS.items()}
+    return hooked_lift(HOOKS, LUGS, slings, more=plan)
+
+
+def test_slings_that_a_hanging_load_needs_from_the_start_are_told() -> None:
+    """`attach` says that they are off before; that a load stands on nothing tells of a mistake."""
+    said = "slings S1, S2 are off until 'anew' puts them on; the load stands on nothing at the start"
+    (warning,) = assemble(parse_scenario(hanging())).warnings
+    assert warning.startswith(said) and warning.endswith("on from the start needs no 'attach'")
+    # 9 m and 2 % more: as rough as positions may be. What is longer is put on slack.
+    assert assemble(parse_scenario(hanging(9.18))).warnings
+    assert not assemble(parse_scenario(hanging(9.2))).warnings
+    one = hanging().replace("[sling.S2, sling.S1]", "sling.S2")
+    assert assemble(parse_scenario(one)).warnings[0].startswith("sling S2 is off until 'anew' puts it on; ")
+    # A load that stands is hooked on, taut or not.
+    standing = lift(old="length: 10.0 m", new="length: 9.0 m")
+    assert not [text for text in assemble(parse_scenario(standing)).warnings if "is off until" in text]
+
+
+def test_a_load_that_falls_until_its_slings_are_put_on() -> None:
+    with pytest.raises(ScenarioError) as caught:
+        Simulation(parse_scenario(hanging().replace("start: as_given\n", "")))
+    cause = "it cannot start at rest: nothing holds it, it falls without end"
+    assert str(caught.value).endswith(f"load: {cause}; S1, S2 are off until 'attach' of the plan")
+
+
+@pytest.mark.parametrize(
+    ("step", "message"),
+    [
+        (
+            "{step: part, hold: 1 s, cut: sling.S1}",
+            "sling.S1 has 'cut_at: 1 s', and step 'part' cuts it: the earlier counts",
+        ),
+        (
+            "{step: off, hold: 1 s, detach: sling.S1}\n  - {step: on, hold: 1 s, attach: sling.S1}",
+            "sling.S1 has 'cut_at: 1 s', before step 'on' puts it on: it stays cut, and is not put on",
+        ),
+    ],
+)
+def test_a_time_of_a_cut_beside_what_steps_do(step: str, message: str) -> None:
+    """A case may cut at any time, so these are no mistakes of the file as such."""
+    cut = hanging(plan=f"plan:\n  - {{step: hang, hold: 1 s}}\n  - {step}\n").replace(
+        "load.1, length: 9.0 m", "load.1, length: 9.0 m, cut_at: 1 s"
+    )
+    assert assemble(parse_scenario(cut)).warnings == (message,)
+
+
+def test_waits_leave_out_slings_that_have_been_cut() -> None:
+    """A sling that a step has cut is never taut again."""
+    plan = HANGING.replace("attach: [sling.S2, sling.S1]", "cut: sling.S2")
+    plan += "  - {step: wait, hold: until_met, until: {slings: taut}}\n"
+    document = assemble(parse_scenario(hanging(plan=plan))).document
+    assert document["plan"][2]["until"]["groups"] == [["sling.S1"]]

@@ -71,6 +71,17 @@ def test_cut_by_the_plan_and_told() -> None:
         (f"{WEST}, winch: {{speed: 1 m/s, acceleration: 1 m/s^2}}", r"winch: a line whose 'pull' is kept"),
         (f"{WEST}, cut_at: 1000 s", r"cut_at: 1000 s is after the end of the lift"),
         (WEST.replace("1 kN", "1 kg"), r"pull: "),
+        (
+            WEST.replace(
+                "pull: 1 kN",
+                "pretension: 20 kN, winch: {speed: 1 m/s, acceleration: 1 m/s^2, capacity: 5 kN}",
+            ),
+            r"winch: the winch slips at 5 kN, and the line shall pull 20 kN from the start; a stronger winch",
+        ),
+        (
+            WEST.replace("at: [-5.5 m, -2 m,", "at: [-5.5 m, -22 m,"),
+            r"at: this end of the line is 20 m outside the load's box; positions are measured from its",
+        ),
     ],
 )
 def test_wrong_ones(line: str, message: str) -> None:
@@ -78,6 +89,59 @@ def test_wrong_ones(line: str, message: str) -> None:
     with pytest.raises(ScenarioError, match=rf":\d+: tag_lines\.west.*{message}") as caught:
         assemble(parse_scenario(held(line)))
     assert len(caught.value.problems) == 1
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "warning"),
+    [
+        (
+            "at: [-5.5 m, -2 m,",
+            "at: [-5.5 m, -4 m,",
+            "the end of tag line west on the load lies 2 m outside the load's box",
+        ),
+        (
+            "-27 m, 0 m]",
+            "-27 m, -3 m]",
+            "tag line west is held 3 m under the ground: 'to' is a place in the world",
+        ),
+        (
+            "-27 m, 0 m]",
+            "-27000 m, 0 m]",
+            "tag line west is 26,998 m long at the start; a unit has slipped, m for mm",
+        ),
+        (
+            "pull: 1 kN",
+            "pull: 1 kN, speed: 30 m/s",
+            "tag line west is hauled in at up to 30 m/s; a unit has slipped, m/s for m/min",
+        ),
+        (
+            "pull: 1 kN",
+            "pull: 1 kN, rotating_mass: 20 t",
+            "what moves with tag line west weighs 20 t; a unit has slipped, t for kg",
+        ),
+    ],
+)
+def test_doubtful_ones(old: str, new: str, warning: str) -> None:
+    """What can be simulated and cannot well be meant is a warning; the module is 12 m by 4 m in plan."""
+    assert assemble(parse_scenario(held())).warnings == ()
+    assert assemble(parse_scenario(held(WEST.replace(old, new)))).warnings == (warning,)
+
+
+def test_in_a_dock_the_floor_is_what_one_stands_on() -> None:
+    """A line that is held 8 m down in a dock is held on its floor, and 9 m down under it."""
+    dock = "structures: {dock: {type: dock, x: [-60 m, 0 m], y: [-60 m, -10 m], floor: -8 m}}\nplan:\n"
+    for depth, told in ((8, ()), (9, ("tag line west is held 1 m under the floor of the dock",))):
+        text = held(WEST.replace("-27 m, 0 m]", f"-27 m, -{depth} m]")).replace("plan:\n", dock, 1)
+        said = assemble(parse_scenario(text)).warnings
+        assert tuple(one.partition(": ")[0] for one in said) == told
+
+
+def test_cases_cut_no_lines() -> None:
+    """They say how a lift without the line is written."""
+    case = "  lost: {cut: tag.west}\n  heavy:  "
+    right = r"'set: \{tag_lines\.west\.cut_at: 0 s\}' is the lift without it"
+    with pytest.raises(ScenarioError, match=rf":\d+: cases\.lost\.cut: 'tag\.west' is a line, .*; {right}"):
+        parse_scenario(held().replace("  heavy:  ", case, 1))
 
 
 def test_needs_a_load_and_adaptive() -> None:
@@ -92,16 +156,21 @@ def test_needs_a_load_and_adaptive() -> None:
 
 
 def test_steps_haul_lines_with_a_winch() -> None:
-    """By the name of the rope or of the line; one without a winch is told."""
+    """By the name of the rope or of the line; one without a winch, or on a tugger, is told."""
     made_fast = WEST.replace("pull: 1 kN", "length: as_routed")
     step = "  - {step: turn, haul: west, by: 1 m, speed: 1 m/min}\n  - {step: take up slack"
     text = held(made_fast).replace("  - {step: take up slack", step, 1)
     with pytest.raises(ScenarioError, match=r":\d+: plan\[1\]\.haul: .*'tag\.west'.* no 'winch'"):
         parse_scenario(text)
+    with pytest.raises(ScenarioError, match=r"haul: 'tag\.west' hauls and gives way by itself, to keep its"):
+        parse_scenario(text.replace("length: as_routed", "pull: 1 kN", 1))
     fast = f"{made_fast}, winch: {{speed: 1 m/s, acceleration: 1 m/s^2, capacity: 5 kN}}"
     document = assemble(parse_scenario(text.replace(made_fast, fast))).document
     [move] = document["plan"][0]["moves"]
     assert move["drive"] == "tag.west.tugger.drive"
+    far = parse_scenario(text.replace(made_fast, fast).replace("by: 1 m,", "by: 30 m,"))
+    hauls = "by step 'turn' 4.999 m more are hauled in than there is of tag.west, which is 25 m long"
+    assert assemble(far).warnings[0] == f"{hauls} at the start"
     assert move["velocity"] == pytest.approx(-1.0 / 60.0)  # hauling takes line in
 
 

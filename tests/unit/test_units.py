@@ -8,7 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gantline.units import DIMENSIONS, UnitError, example, format_quantity, quantity, units_of
+from gantline.units import (
+    DIMENSIONS,
+    UnitError,
+    example,
+    format_by_size,
+    format_quantity,
+    quantity,
+    units_of,
+)
 
 
 @pytest.mark.parametrize(
@@ -106,6 +114,26 @@ def test_a_long_text_is_not_repeated_whole() -> None:
 )
 def test_writing_a_quantity(value: float, unit: str, digits: int, text: str) -> None:
     assert format_quantity(value, unit, digits) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "dimension", "digits", "text"),
+    [
+        (150e3, "force", 3, "150 kN"),
+        (101.27e6, "force", 4, "101.3 MN"),
+        (999.96e3, "force", 3, "1 MN"),
+        (1.234e9, "force", 3, "1,230 MN"),
+        (-900.0, "force", 3, "-900 N"),
+        (0.0, "mass", 3, "0 kg"),
+        (49.6, "mass", 3, "49.6 kg"),
+        (360e3, "rotational_stiffness", 3, "360 kN m/rad"),
+    ],
+)
+def test_writing_a_quantity_in_a_unit_of_its_size(
+    value: float, dimension: str, digits: int, text: str
+) -> None:
+    """An EA of 150 kN read `0.1 MN`."""
+    assert format_by_size(value, dimension, digits) == text
 
 
 def test_writing_in_an_unknown_unit() -> None:

@@ -13,7 +13,7 @@ use gantline_core::stepper::del::Del;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use rigs::runs::{SEED, drawing};
 use rigs::{seeds, torture};
 
 const DURATION: f64 = 1.0;
@@ -67,13 +67,7 @@ fn check_parted(system: &System, state: &State, log: &EventLog) -> Result<(), Te
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 40,
-        max_shrink_iters: 10,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(2016),
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(drawing(SEED, 40))]
 
     #[test]
     fn adaptive_runs_to_the_end(seeds in seeds()) {

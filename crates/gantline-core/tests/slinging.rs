@@ -14,7 +14,7 @@ use gantline_core::stepper::del::Del;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use rigs::runs::{SEED, drawing};
 use rigs::{seeds, torture};
 
 const DURATION: f64 = 1.0;
@@ -74,13 +74,7 @@ fn is_short<T>(system: &System, made: Result<T, StepError>) -> Result<bool, Test
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 40,
-        max_shrink_iters: 10,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(2016),
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(drawing(SEED, 40))]
 
     #[test]
     fn adaptive_runs_to_the_end(seeds in seeds()) {

@@ -10,11 +10,8 @@
 mod rigs;
 
 use proptest::prelude::*;
-use rigs::runs::{adaptive_closes, del_stays_bounded, drawing, drawn};
+use rigs::runs::{SEED, adaptive_closes, del_stays_bounded, drawing, drawn};
 use rigs::seeds;
-
-/// The rigs that are always run.
-const SEED: u64 = 2016;
 
 proptest! {
     #![proptest_config(drawing(SEED, 100))]

@@ -26,6 +26,7 @@ from gantline.assembly.rig import rig
 from gantline.assembly.rope_rig import rope_kinds
 from gantline.assembly.scene import scene
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
+from gantline.assembly.slinging import warn_of_cuts
 from gantline.assembly.streams import add_streams
 from gantline.assembly.supports import add_supports, removals
 from gantline.assembly.tag_lines import add_tag_lines
@@ -116,6 +117,7 @@ def assemble(scenario: Scenario) -> Assembly:
         step |= {key: names for key, names in said if names}
     parts.emergency_stop = emergency_stop(scenario)
     add_partings(parts, scenario)
+    warn_of_cuts(parts, scenario)
     return Assembly(
         document=parts.document(scenario.simulation.gravity),
         settings=_settings(scenario),

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.steps import LowerStep
+from gantline.units import format_by_size
 
 __all__ = ["doubtful_gear"]
 
@@ -132,11 +133,11 @@ def _smooth(scenario: Scenario) -> Iterator[str]:
 
 
 def _force(force: float) -> str:
-    return f"{_short(force / 1e6)} MN" if force >= 1e6 else f"{_short(force / 1e3)} kN"
+    return format_by_size(force, "force")
 
 
 def _mass(mass: float) -> str:
-    return f"{_short(mass / 1e3)} t" if mass >= 1e3 else f"{_short(mass)} kg"
+    return format_by_size(mass, "mass")
 
 
 def _short(number: float) -> str:

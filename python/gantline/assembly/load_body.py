@@ -17,7 +17,7 @@ from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.simplify import contact_hull
 from gantline.scenario import Scenario
-from gantline.scenario.check_load import check_centre, check_lug, check_underside
+from gantline.scenario.check_load import Extent, attached, check_attached, check_centre, check_underside
 from gantline.scenario.check_supports import check_places
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
@@ -71,10 +71,10 @@ def load_body(scenario: Scenario, load: Load) -> LoadBody:
     Raises:
         ScenarioError: if its CAD file cannot be read, or does not fit what the lift file says.
     """
-    return _from_cad(scenario, load) if load.shape.cad is not None else _of_box(load)
+    return _from_cad(scenario, load) if load.shape.cad is not None else _of_box(scenario, load)
 
 
-def _of_box(load: Load) -> LoadBody:
+def _of_box(scenario: Scenario, load: Load) -> LoadBody:
     assert load.shape.box is not None and load.centre_of_gravity.at != "from_cad"  # checked
     x, y, z = load.shape.box
     box = np.array([[-x / 2, -y / 2, 0.0], [x / 2, y / 2, z]])
@@ -84,17 +84,17 @@ def _of_box(load: Load) -> LoadBody:
         if isinstance(load.inertia, LoadInertia)
         else solid_box(mass, load.shape.box)
     )
-    centre, doubts = np.array(load.centre_of_gravity.at), tuple(_doubts(load, box))
+    centre, doubts = np.array(load.centre_of_gravity.at), tuple(_doubts(scenario, load, box))
     return LoadBody(mass, centre, inertia, box, None, _corners(box), doubts)
 
 
-def _doubts(load: Load, box: Array) -> list[str]:
+def _doubts(scenario: Scenario, load: Load, box: Array) -> list[str]:
     """What cannot well be meant of weight and lugs in a box."""
     return [
         *_of_no_matter(load, box),
         *_centre_at_the_underside(load, box),
         *_inertia_of_another(load, box),
-        *_lugs_off(load, box),
+        *_far_off(scenario, load, box),
         *_lugs_at_one_place(load),
     ]
 
@@ -151,13 +151,21 @@ def _lugs_at_one_place(load: Load) -> list[str]:
     return [f"lugs {one} and {other} are at one place; {without}" for one, other in same]
 
 
-def _lugs_off(load: Load, box: Array) -> list[str]:
+def _far_off(scenario: Scenario, load: Load, box: Array) -> list[str]:
     """What lies so far off the load's box that nothing seems to hold it there; farther still is refused."""
-    apart = {
-        name: float(np.maximum(box[0] - lug.at, lug.at - box[1]).max()) for name, lug in load.lugs.items()
-    }
-    far = {name: off for name, off in apart.items() if off > _OFF}
-    return [f"lug {name} lies {off:.3g} m outside the load's box" for name, off in far.items()]
+    apart = [(one, one.off(_extent(box))) for one in attached(scenario, load)]
+    words = {"lug": "lug {} lies", "tag line": "the end of tag line {} on the load lies"}
+    return [
+        f"{words[one.kind].format(one.name)} {off:.3g} m outside the load's box"
+        for one, off in apart
+        if off > _OFF
+    ]
+
+
+def _extent(box: Array) -> Extent:
+    """A box, its least and largest x, y, z (2, 3) [m], as a lift file has it."""
+    low, high = ((float(x), float(y), float(z)) for x, y, z in box)
+    return low, high
 
 
 def _corners(box: Array) -> Array:
@@ -193,7 +201,7 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
     if stated != "from_cad":
         centre = np.array(stated)
         warnings += _apart(centre, whole.centre, box)
-    warnings += _doubts(load, box)
+    warnings += _doubts(scenario, load, box)
     _check(scenario, load, box)
     if isinstance(load.inertia, LoadInertia):
         inertia = stated_inertia(load.inertia)
@@ -242,11 +250,10 @@ def _apart(stated: Array, found: Array, box: Array) -> list[str]:
 def _check(scenario: Scenario, load: Load, box: Array) -> None:
     """What is checked of a box when the lift file is read, as soon as the CAD file's box is known."""
     findings = Findings(scenario)
-    low, high = ((float(x), float(y), float(z)) for x, y, z in box)
+    low, high = _extent(box)
     if load.centre_of_gravity.at != "from_cad":
         check_centre(findings, load.centre_of_gravity.at, (low, high))
-    for name, lug in load.lugs.items():
-        check_lug(findings, name, lug.at, (low, high))
+    check_attached(findings, load, (low, high))
     check_places(findings, low, high)
     if load.is_at_origin:
         check_underside(findings, load, load.position[2] + low[2])

@@ -8,10 +8,13 @@ from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.route import taut_length
 from gantline.scenario import Scenario
 from gantline.scenario.gear import RopeMaterial
+from gantline.scenario.hooks import full_name
 from gantline.scenario.mooring import Fender, MooringLine, fender_contact, line_rope, line_weight
+from gantline.scenario.movers import movers
 from gantline.scenario.parting import Parting, partings
+from gantline.scenario.steps import LineStep
 
-__all__ = ["add_moorings", "mooring_rig", "winch_drive", "winch_flow"]
+__all__ = ["add_moorings", "mooring_rig", "warn_of_hauled", "winch_drive", "winch_flow"]
 
 #: Inertia of a winch [kg]: next to nothing beside a vessel.
 _INERTIA = 1.0
@@ -43,13 +46,37 @@ def add_moorings(parts: Parts, scenario: Scenario) -> None:
         kind = kinds[line.rope]
         _check_length(parts, scenario, name, line, kind, parting[line_rope(name)])
         if line.type == "spring":
-            _add_spring(parts, name, line, kind)
+            _add_spring(parts, scenario, name, line, kind)
         else:
             parts.forces.append(_catenary(scenario, name, line, kind, parting[line_rope(name)]))
             if line.winch is not None:
                 parts.flows[winch_flow(name)]["parent"] = line.vessel
     for name, fender in (scenario.fenders or {}).items():
         parts.contacts.append(_fender(name, fender))
+
+
+def warn_of_hauled(parts: Parts, scenario: Scenario, rope: str, length: float) -> None:
+    """Warn of a step by which more of a line shall be hauled in than there is.
+
+    Args:
+        parts: The system, which has the warning.
+        scenario: The lift.
+        rope: Name of the line among the ropes.
+        length: Its length before [m].
+    """
+    winches = movers(scenario, "line")
+    left = length
+    for step in scenario.plan:
+        moved = [full_name(text, winches) for text in step.moved] if isinstance(step, LineStep) else []
+        if not isinstance(step, LineStep) or not any(rope in (name, line_rope(name or "")) for name in moved):
+            continue
+        if step.by is None:
+            return  # how far is known in a run
+        left += step.sign * step.by
+        if left <= 0.0:
+            hauled = f"by step '{step.step}' {-left:.4g} m more are hauled in than there is of {rope}"
+            parts.warnings.append(f"{hauled}, which is {length:.4g} m long at the start")
+            return
 
 
 def _check_length(
@@ -81,7 +108,7 @@ def _check_length(
             )
 
 
-def _add_spring(parts: Parts, name: str, line: MooringLine, kind: RopeMaterial) -> None:
+def _add_spring(parts: Parts, scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial) -> None:
     """A rope from the vessel to where it is made fast; `kind` stretches."""
     assert kind.stiffness is not None  # checked when the file was read
     length = line.length
@@ -89,6 +116,8 @@ def _add_spring(parts: Parts, name: str, line: MooringLine, kind: RopeMaterial) 
         chord = float(np.linalg.norm(parts.place(line.vessel, line.fairlead) - np.array(line.to)))
         length = taut_length(chord, line.pretension, kind.stiffness)
     drum = (winch_flow(name), 1.0) if line.winch is not None else None
+    if length is not None:
+        warn_of_hauled(parts, scenario, line_rope(name), length)
     route = [end(line.vessel, line.fairlead, drum), end(None, line.to)]
     parts.add_rope(line_rope(name), length, material(kind.stiffness, kind.damping_time), route)
 

@@ -6,8 +6,12 @@ from collections.abc import Iterable
 
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart, Problem, StartError
+from gantline.scenario.slinging import starts_off
 
-__all__ = ["origin_of", "refused"]
+__all__ = ["FALLS", "origin_of", "refused"]
+
+#: What the core says of a body that nothing holds.
+FALLS = "nothing holds it, it falls without end"
 
 #: Keys of the lift file whose elements bear a prefix in the core.
 _PREFIXED = {
@@ -32,6 +36,10 @@ def refused(scenario: Scenario, message: str) -> StartError:
     """
     element, _, sentence = message.partition(": ")
     path = origin_of(scenario, element) if sentence else None
+    off = sorted(starts_off(scenario)) if sentence.endswith(FALLS) else []
+    if off:
+        later = f"; {', '.join(off)} {'is' if len(off) == 1 else 'are'} off until 'attach' of the plan"
+        sentence, message = f"{sentence}{later}", f"{message}{later}"
     if path is None:
         return StartError(str(scenario.source), [Problem(None, "", message)])
     # Of what is made of an element the name says more than the path.

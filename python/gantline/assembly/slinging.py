@@ -1,4 +1,4 @@
-"""Whether slings that steps of the plan put on are long enough there, as far as is known before a run."""
+"""Slings that steps of the plan put on: whether they are long enough, and meant to be off before; cuts."""
 
 from __future__ import annotations
 
@@ -10,12 +10,16 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.route import end_to_end
 from gantline.scenario import Scenario
 from gantline.scenario.hooks import full_name
+from gantline.scenario.parting import partings
+from gantline.scenario.plan_time import earliest_begins
 from gantline.scenario.rigging import SlingRigging
 from gantline.scenario.slinging import first_put_on, slings_on, starts_off
 from gantline.scenario.steps import HoldStep, HookStep
 
-__all__ = ["check_reach"]
+__all__ = ["check_reach", "hangs_load", "warn_of_cuts", "warn_of_off"]
 
+#: A load that hangs, hangs on slings that are taut; by this share of their lengths positions may be rough.
+_ROUGH = 0.02
 #: Supports give way under a load by less than this [m]: nothing is said of slings that are as much too short.
 _GIVES_WAY = 0.01
 
@@ -60,6 +64,52 @@ def check_reach(parts: Parts, scenario: Scenario, sling: SlingRigging, route: Se
         sentence += f", {aside:.3f} m of that sideways, which no height of the hook makes up"
         right = "put crane or load elsewhere"
     raise scenario.start_error(("plan", place, "attach"), f"{sentence}; {right}")
+
+
+def hangs_load(scenario: Scenario, sling: SlingRigging, distance: float) -> bool:
+    """Whether a sling that is off at the start looks as if the load should hang on it there.
+
+    Args:
+        scenario: the lift.
+        sling: one that is not on at the start.
+        distance: of its ends at the start [m].
+    """
+    assert scenario.load is not None  # slings have been checked to lead to its lugs
+    return scenario.load.stands_on is None and distance >= (1.0 - _ROUGH) * sling.length
+
+
+def warn_of_off(parts: Parts, scenario: Scenario, slings: Sequence[str]) -> None:
+    """Warn of slings that the load seems to hang on at the start, and that a step puts on."""
+    if not slings:
+        return
+    first = first_put_on(scenario)
+    steps = dict.fromkeys(f"'{scenario.plan[first[name]].step}'" for name in slings)
+    one = len(slings) == 1
+    said = f"sling {slings[0]} is" if one else f"slings {', '.join(slings)} are"
+    put = f"put{'s' if len(steps) == 1 else ''} {'it' if one else 'them'} on"
+    parts.warnings.append(
+        f"{said} off until {' and '.join(steps)} {put}; the load stands on nothing at the start, and "
+        f"{'it' if one else 'they'} would be taut there: a sling that is on from the start needs no 'attach'"
+    )
+
+
+def warn_of_cuts(parts: Parts, scenario: Scenario) -> None:
+    """Warn of ropes with a time at which they are cut that steps cut too, or put on later."""
+    begins = earliest_begins(scenario.plan)
+    for rope, parting in partings(scenario).items():
+        time = parting.cut_at
+        if time is None:
+            continue
+        for step, begin in zip(scenario.plan, begins, strict=True):
+            if rope in step.cut:
+                parts.warnings.append(
+                    f"{rope} has 'cut_at: {time:g} s', and step '{step.step}' cuts it: the earlier counts"
+                )
+            if rope in step.attach and begin >= time:
+                stays = "it stays cut, and is not put on"
+                parts.warnings.append(
+                    f"{rope} has 'cut_at: {time:g} s', before step '{step.step}' puts it on: {stays}"
+                )
 
 
 def _moved(scenario: Scenario, hook: str, steps: Sequence[HookStep]) -> tuple[float, float]:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from gantline.assembly.lifted import LiftedLoad
-from gantline.assembly.moorings import winch_drive
+from gantline.assembly.moorings import warn_of_hauled, winch_drive
 from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.route import MOST_STRAIN, taut_length, too_far
 from gantline.scenario import Scenario
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.parting import partings
+from gantline.scenario.structures import dock_of
 from gantline.scenario.tag_line import TUGGER_MASS, TUGGER_SPEED, TagLine, tag_rope, tag_tugger
+from gantline.units import format_by_size, format_quantity
 
 __all__ = ["add_tag_lines", "line_drive", "tag_rig"]
 
@@ -22,6 +26,9 @@ _STARTS_IN = 1.0
 #: Of the distance at the start, the length of a line before the rest in which a run begins: its tugger gives
 #: way there until it pulls as it shall, wherever that rest has the load.
 _HAULED = 0.5
+#: People and tuggers stand near, haul by some metres in a second and move little with the rope; beyond this
+#: a unit has slipped [m], [m/s], [kg].
+_LONGEST, _FASTEST, _HEAVIEST = 1000.0, 10.0, 10e3
 
 
 def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
@@ -38,10 +45,13 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
         at = (np.array(line.at) - lifted.centre).tolist()
         holder = None if line.held_by == "world" else line.held_by
         places = parts.place(scenario.load.name, at), parts.place(holder, line.to)
-        length = _length(scenario, name, line, float(np.linalg.norm(places[0] - places[1])), kind.stiffness)
+        chord = float(np.linalg.norm(places[0] - places[1]))
+        parts.warnings += [*_doubtful(name, line, chord), *_under_ground(scenario, name, line, places[1][2])]
+        length = _length(scenario, name, line, chord, kind.stiffness)
         drum = None
         if line.pull is not None or line.winch is not None:
             _add_winch(parts, name, line)
+            warn_of_hauled(parts, scenario, tag_rope(name), length)
             drum = (tag_tugger(name), 1.0)
         route = [end(scenario.load.name, at), end(holder, line.to, drum, laid_under=line.pull)]
         parts.add_rope(tag_rope(name), length, material(kind.stiffness, kind.damping_time), route)
@@ -55,6 +65,32 @@ def _check_pull(scenario: Scenario, name: str, line: TagLine, kind: RopeMaterial
     if pull is not None and limits and pull >= min(limits):
         sentence = f"{pull / 1e3:g} kN are more than it holds, {min(limits) / 1e3:.4g} kN"
         raise scenario.error(("tag_lines", name, key), f"{sentence}; pull less")
+
+
+def _doubtful(name: str, line: TagLine, chord: float) -> Iterator[str]:
+    """What cannot well be meant of a line whose ends are `chord` [m] apart at the start."""
+    if chord > _LONGEST:
+        yield f"tag line {name} is {chord:,.0f} m long at the start; a unit has slipped, m for mm"
+    if line.speed is not None and line.speed > _FASTEST:
+        speed = format_quantity(line.speed, "m/s", 0)
+        yield f"tag line {name} is hauled in at up to {speed}; a unit has slipped, m/s for m/min"
+    if line.rotating_mass is not None and line.rotating_mass > _HEAVIEST:
+        mass = format_by_size(line.rotating_mass, "mass")
+        yield f"what moves with tag line {name} weighs {mass}; a unit has slipped, t for kg"
+
+
+def _under_ground(scenario: Scenario, name: str, line: TagLine, height: float) -> list[str]:
+    """What is said of a line that is held in the yard at this height [m], under what one stands on there."""
+    if scenario.ground is None or line.held_by not in (None, "world"):
+        return []
+    level, where, dock = scenario.ground.level, "the ground", dock_of(scenario)
+    if dock is not None and all(
+        least <= at <= most for at, (least, most) in zip(line.to, dock.extents().values(), strict=False)
+    ):
+        level, where = dock.floor, "the floor of the dock"
+    depth = level - height
+    said = f"tag line {name} is held {depth:.3g} m under {where}"
+    return [f"{said}: 'to' is a place in the world"] if depth > _ONE_PLACE else []
 
 
 def _length(scenario: Scenario, name: str, line: TagLine, chord: float, stiffness: float) -> float:

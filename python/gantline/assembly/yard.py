@@ -12,7 +12,7 @@ from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
 from gantline.assembly.route import MOST_STRAIN, end_to_end, route_length, too_far
 from gantline.assembly.sheave import add_sheave_flow
-from gantline.assembly.slinging import check_reach
+from gantline.assembly.slinging import check_reach, hangs_load, warn_of_off
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario
 from gantline.scenario.extension import SlingEnd
@@ -253,12 +253,15 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     """
     if scenario.load is None:
         return
+    off: list[str] = []  # slings on which the load seems to hang at the start, and which are not on
     below: dict[str, float] = {}  # slings whose upper end is below the lug that they hold, and by how much
     for sling in rigging.slings.values():
         route = sling_route(scenario, rigging, sling, lugs)
         distance = route_length(parts, route)
         if not sling.starts_on:
             check_reach(parts, scenario, sling, route)
+            if hangs_load(scenario, sling, distance):
+                off.append(sling.name)
         short = distance - sling.length if sling.starts_on else -math.inf
         # One that an extension sheave or a spreader hangs on stretches under its weight.
         at_rest = scenario.load_has_settled and sling.lugs
@@ -288,6 +291,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             and (rise := float(end_to_end(parts, route)[2])) > 0.0
         ):
             below[sling.name] = rise
+    warn_of_off(parts, scenario, off)
     if below:
         deepest = max(below, key=lambda name: below[name])
         more = f" and {len(below) - 1} more" if len(below) > 1 else ""

@@ -26,9 +26,12 @@ _OFF_PLUMB = math.radians(1.0)
 def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """(max - min)/mean over the slings of one equalizer."""
     for equalizer in recording.rig.equalizers:
-        if equalizer.slings:
+        counts = during & series.are_whole(recording, equalizer.slings).any(axis=0)
+        if counts.any():
             spread = series.tension_spread(recording, equalizer)
-            yield from extreme(recording, spread, during, equalizer.name)
+            yield from extreme(recording, spread, counts, equalizer.name)
+        elif equalizer.slings:
+            yield Missing(equalizer.name, "none of its slings is on")
 
 
 def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:

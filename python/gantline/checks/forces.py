@@ -27,6 +27,10 @@ from gantline.units import format_quantity
 DYNAMIC = "dynamic_amplification_factor"
 SKEW = "skew_load_factor"
 NO_STATIC = "no static force: the load never hung still, clear of its supports"
+OTHER_SLINGS = (
+    "at its peak other slings are on than whenever the load hung still, so that nothing tells what of it is "
+    "static; a hold there does"
+)
 UNRAISED = "peak of the simulated weight alone: the load never hung still"
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
 

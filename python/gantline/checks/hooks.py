@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from gantline.checks.forces import NO_STATIC, Raised, as_it_is, hook_force, kilonewton, over
+from gantline.checks.forces import NO_STATIC, OTHER_SLINGS, Raised, as_it_is, hook_force, kilonewton, over
 from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, kept_back
 from gantline.results import series
@@ -50,7 +50,8 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
             highest = float(force.max())
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
             for found in extreme(recording, force / static, during, hook.name):
-                yield replace(found, formula=text)
+                hung_so = found.time is None or series.has_hung_so(recording, found.time)
+                yield replace(found, formula=text) if hung_so else Missing(hook.name, OTHER_SLINGS)
 
 
 def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

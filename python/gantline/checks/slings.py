@@ -8,11 +8,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.forces import NO_STATIC, kilonewton
+from gantline.checks.forces import NO_STATIC, OTHER_SLINGS, kilonewton
 from gantline.checks.measure import Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.parting import partings
+from gantline.results.parting import DETACHED, partings
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
 from gantline.results.variable import BoolArray
@@ -49,7 +49,7 @@ def taken_off(recording: Recording) -> list[Check]:
     """
     checks = []
     for one in [] if series.is_equilibrium(recording) else partings(recording):
-        if one.kind != "detached":
+        if one.kind != DETACHED:
             continue
         before = recording.column("rope_tension", one.rope)[recording.time <= one.time]
         failed = one.tension > _NOTHING * float(before.max(initial=0.0))
@@ -104,6 +104,8 @@ def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fi
             yield Missing(sling.name, "an equilibrium has no peak")
         elif not static:
             yield Missing(sling.name, NO_STATIC if static is None else "carries nothing at rest")
+        elif not series.has_hung_so(recording, time):
+            yield Missing(sling.name, OTHER_SLINGS)
         else:
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
             yield Found(highest / static, sling.name, time, text)

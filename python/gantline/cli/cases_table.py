@@ -101,11 +101,15 @@ def outcome(states: Sequence[State]) -> str:
         return "UNSTABLE"
     if any(state.stands for state in states):
         return "STANDS"
-    return "FAILED" if any(state.failed for state in states) else "ok"
+    if any(state.failed for state in states):
+        return "FAILED"
+    # What is asked for and cannot be done; that a change leaves all as it was may be the answer.
+    in_vain = all(state.changes_nothing and state.in_vain for state in states)
+    return "NO CHANGE" if in_vain else "ok"
 
 
 def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width: int) -> Iterator[str]:
-    """Why states are not sound, or warn of a limit that they are past, each reason once.
+    """Why states are not sound, change nothing, or warn of a limit that they are past, each reason once.
 
     Args:
         states: All of them.
@@ -127,6 +131,10 @@ def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width:
             reasons.setdefault(f"{check} failed", []).append(place)
         for check in state.past:
             reasons.setdefault(f"{check} past a limit that only warns", []).append(place)
+        for vain in state.in_vain:
+            reasons.setdefault(f"nothing is cut: {vain}", []).append(place)
+        if state.changes_nothing and not state.in_vain:
+            reasons.setdefault("nothing changes: forces, tilts and checks are as given", []).append(place)
     for reason, found in reasons.items():
         every = len(found) == len(states) and len(states) > 1
         line = f"{reason}: {'everywhere' if every else where(found)}"
@@ -248,10 +256,12 @@ def _verdict(result: CasesResult) -> str:
             counts["on its supports"] += 1
         elif state.failed:
             counts["failed a check"] += 1
+    idle = sum(all(state.changes_nothing for state in result.of(name)) for name in result.names)
+    without = f"; {idle} case{'' if idle == 1 else 's'} changed nothing" if idle else ""
     bad = ", ".join(f"{count} {what}" for what, count in counts.items() if count)
     cases = len(result.names) - 1
     head = f"{cases} case{'' if cases == 1 else 's'}, {len(result.states)} equilibria asked for"
-    return f"{head}: {bad or 'all sound'}"
+    return f"{head}: {bad or 'all sound'}{without}"
 
 
 def _shortened(text: str, room: int) -> str:

@@ -22,6 +22,7 @@ from gantline.cli.progress import progress
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
     from gantline.results.rig import Rig
+    from gantline.scenario import Scenario
     from gantline.simulation import Simulation
 
 
@@ -104,6 +105,7 @@ def _look_over(simulation: Simulation) -> None:
     from gantline.cli.summary import heading, weights
     from gantline.cli.table import show, table
     from gantline.results.rig import Rig
+    from gantline.units import format_by_size
 
     rig = Rig.from_json(simulation.assembly.rig)
     document = simulation.assembly.document
@@ -111,7 +113,7 @@ def _look_over(simulation: Simulation) -> None:
         (
             name,
             kind.construction or "-",
-            "inextensible" if kind.stiffness is None else show(kind.stiffness, "MN", 1),
+            "inextensible" if kind.stiffness is None else format_by_size(kind.stiffness, "force", 4),
             show(kind.mass_per_length, "kg/m", 2),
             show(kind.breaking_force, "kN", 0),
         )
@@ -119,7 +121,8 @@ def _look_over(simulation: Simulation) -> None:
     ]
     head = ("Kind of rope", "construction", "EA", "mass", "minimum breaking force")
     ropes = table(head, kinds, "llrrr") if kinds else []
-    typer.echo("\n".join([*heading(rig), *weights(rig), *ropes, *_rope_weights(rig), *_sheaves(rig)]))
+    later = _put_on_later(simulation.scenario)
+    typer.echo("\n".join([*heading(rig), *weights(rig), *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]))
     for warning in simulation.assembly.warnings:
         warn(warning)
     _warn_of_time(simulation)
@@ -157,6 +160,27 @@ def _rope_weights(rig: Rig) -> list[str]:
         if rope.mass > 0.0
     ]
     return table(("Rope", "weight", "mass", "on the world"), rows, "llrr") if rows else []
+
+
+def _put_on_later(scenario: Scenario) -> list[str]:
+    """Slings that are not there at the start; bodies keep their masses, so they hang at their upper ends."""
+    from gantline.assembly.yard import upper_lump
+    from gantline.cli.table import show, table
+    from gantline.scenario import resolve
+    from gantline.scenario.slinging import first_put_on
+
+    slings = resolve(scenario).slings
+    rows = [
+        (
+            name,
+            f"'{scenario.plan[step].step}'",
+            slings[name].upper_body,
+            show(upper_lump(slings[name]), "kg", 1),
+        )
+        for name, step in first_put_on(scenario).items()
+    ]
+    head = ("Sling put on later", "by step", "all its mass hangs at", "mass")
+    return table(head, rows, "lllr") if rows else []
 
 
 def _sheaves(rig: Rig) -> list[str]:

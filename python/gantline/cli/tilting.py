@@ -44,22 +44,21 @@ def tilting_lines(found: Sequence[Tilting], margins: Sequence[Margin]) -> list[s
 
 def _row(one: Tilting, axis: TiltAxis) -> tuple[str, ...]:
     from gantline.cli.table import ABSENT, show
+    from gantline.units import format_by_size
 
     x, y = (round(part, 2) + 0.0 for part in axis.direction)  # no negative zero
     by = show(math.atan2(_OFFSET, axis.height), "deg", 2) if axis.height > 0.0 else ABSENT
     return (
         one.load,
         f"({x:.2f}, {y:.2f}, 0)",
-        _shown(axis.stiffness, "MN m/rad"),
-        *(_shown(height, "m") for height in (axis.height, one.depth, axis.rig)),
+        _or_rigid(axis.stiffness, format_by_size(axis.stiffness, "rotational_stiffness")),
+        *(_or_rigid(height, show(height, "m", 2)) for height in (axis.height, one.depth, axis.rig)),
         by,
     )
 
 
-def _shown(value: float, unit: str) -> str:
-    from gantline.cli.table import show
-
-    return show(value, unit, 2) if math.isfinite(value) else "rigid"
+def _or_rigid(value: float, shown: str) -> str:
+    return shown if math.isfinite(value) else "rigid"
 
 
 def _notes(one: Tilting) -> list[str]:

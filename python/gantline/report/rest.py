@@ -158,7 +158,12 @@ class Cases(Section):
         return {
             "sound": cases.is_sound,
             "cases": [
-                {"name": one.name or "as given", "states": one.states, "troubles": "; ".join(one.troubles)}
+                {
+                    "name": one.name or "as given",
+                    "states": one.states,
+                    "sound": not one.troubles,
+                    "said": "; ".join((*one.troubles, *one.remarks)),
+                }
                 for one in cases.cases
             ],
             "worst": [

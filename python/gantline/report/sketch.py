@@ -307,7 +307,9 @@ def _numbers(
     ]
     lugs = [path[-1] for _, path in shown]
     marks = [Mark("dot", "sk-lug", x=float(x), y=float(y)) for x, y in lugs]
-    # In a plan hooks are over the slings that hang from them: only a side view has room beside them.
+    # In a plan hooks are over the slings that hang from them: numbers rather keep off their dots there, and
+    # always in a side view, which has room.
+    hooks = [np.array([mark.x, mark.y]) for mark in above if plan and mark.kind == "dot"]
     taken = [
         _box(mark) for mark in above if mark.kind == "centre" or (not plan and mark.kind in ("dot", "text"))
     ]
@@ -322,8 +324,9 @@ def _numbers(
         free = [box for box in boxes if has_room(box, taken) and (not plan or hides_none(box, lugs))]
         if not free:  # too many beside each other: those that have room stand for them
             continue
-        taken.append(free[0])
-        left, right, height = free[0]
+        chosen = next((box for box in free if hides_none(box, hooks)), free[0])
+        taken.append(chosen)
+        left, right, height = chosen
         marks.append(Mark("text", "sk-number", x=(left + right) / 2, y=height, text=name))
     return marks
 

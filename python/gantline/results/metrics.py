@@ -21,7 +21,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `skew_load_factor` [1]: largest static force of a sling over its force with perfect lengths, as
   `gantline.results.skew` defines it
 - `least_sling_tension_when_clear` [N]: smallest tension of any sling while the loads are clear
-- `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling
+- `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling, of those whose peak is
+  at a time with slings on on which the loads also hung still
 - `least_factor_on_breaking_force` [1]: smallest of minimum breaking force/peak tension of the same sling
 - `peak_tension_spread_when_clear` [1]: largest (max - min)/mean over one equalizer's slings while clear
 - `final_tension_spread` [1]: the same at the last sample
@@ -89,7 +90,7 @@ from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.lift_off import lift_off_time
-from gantline.results.parting import ATTACHED, PLANNED, partings
+from gantline.results.parting import ATTACHED, DETACHED, PLANNED, partings
 from gantline.results.rating import chart_used
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew
@@ -165,7 +166,7 @@ def _parted(recording: Recording) -> Iterator[_Metric]:
         yield f"parting_time.{one.rope}", one.time
         yield f"parting_tension.{one.rope}", one.tension
     for one in gone:
-        if one.kind == "detached":
+        if one.kind == DETACHED:
             yield f"detaching_tension.{one.rope}", one.tension
     for time, _, rope in recording.events(ATTACHED):
         yield f"attaching_time.{rope}", time
@@ -206,10 +207,10 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
     amplification, factors, least, angles = [], [], [], []
     for sling in slings:
         tension = series.sling_tension(recording, sling)
-        top = series.rope_peak(recording, sling.rope)[0]
+        top, time = series.rope_peak(recording, sling.rope)
         static, _ = series.greatest_static(recording, tension)
         yield f"static_sling_tension.{sling.rope}", static
-        if static:
+        if static and series.has_hung_so(recording, time):
             amplification.append(top / static)
         if sling.minimum_breaking_force and top > 0.0:
             factors.append(sling.minimum_breaking_force / top)

@@ -10,10 +10,12 @@ import numpy as np
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
+#: Kind of the event from which on a sling is off.
+DETACHED = "detached"
 #: Kinds of events after which a rope carries nothing any more.
-PARTING = ("cut", "broken", "detached")
+PARTING = ("cut", "broken", DETACHED)
 #: Kinds of partings that are as planned: slings taken off, tag lines that a step lets go of.
-PLANNED = ("detached", "let go")
+PLANNED = (DETACHED, "let go")
 #: Kind of the event from which on a sling may carry.
 ATTACHED = "attached"
 #: A sample at the time of an event shows the rope before it parted; rounding of that time [s].

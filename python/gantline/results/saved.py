@@ -66,11 +66,13 @@ class SavedCase:
         states: How many equilibria were asked for.
         troubles: What is wrong in them, each once: no start or no equilibrium and why, instability, loads
             that stand and should hang, failed checks.
+        remarks: What it asks for in vain, and that it changes nothing.
     """
 
     name: str
     states: int
     troubles: Sequence[str]
+    remarks: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
@@ -237,7 +239,11 @@ def _number(given: Mapping[str, Any], name: str) -> float:
 def _case(given: Mapping[str, Any]) -> SavedCase:
     states = [_object(one) for one in _list(given, "states")]
     troubles: list[str] = []
+    remarks: list[str] = []
     for state in states:
+        # Files from before there was the word say nothing of it.
+        vain = _list(state, "in_vain") if "in_vain" in state else []
+        remarks += [f"nothing is cut: {one}" for one in vain if isinstance(one, str)]
         if state.get("equilibrium") is not True:
             # Of files from before there was the word, every state could start.
             what = "cannot start" if state.get("starts") is False else "no equilibrium"
@@ -247,7 +253,10 @@ def _case(given: Mapping[str, Any]) -> SavedCase:
         standing = _list(state, "stands") if "stands" in state else []
         troubles += [f"{load} stands" for load in standing if isinstance(load, str)]
         troubles += [f"{name} failed" for name in _list(state, "failed") if isinstance(name, str)]
-    return SavedCase(_text(given, "case"), len(states), tuple(dict.fromkeys(troubles)))
+    if states and all(state.get("changes_nothing") is True for state in states):
+        remarks.append("changes nothing")
+    once = (tuple(dict.fromkeys(told)) for told in (troubles, remarks))
+    return SavedCase(_text(given, "case"), len(states), *once)
 
 
 def _worst(given: Mapping[str, Any]) -> SavedWorst:

@@ -22,7 +22,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import PARTING, while_there
+from gantline.results.parting import ATTACHED, DETACHED, PARTING, while_there
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes, heading, tilt
@@ -191,6 +191,23 @@ def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | N
     return static, window
 
 
+def has_hung_so(recording: Recording, time: float) -> bool:
+    """Whether the loads ever hung still on those slings that are on at a time [s].
+
+    Where they did not, a force of that time has no static value to be compared with: what slings that came or
+    went left to the others is no dynamics.
+    """
+    if not recording.events(ATTACHED) and not recording.events(DETACHED):
+        return True
+    on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
+    still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0)
+    # Between two samples either may be right: what comes or goes is slack.
+    last = len(recording.time) - 1
+    after = min(int(np.searchsorted(recording.time, time)), last)
+    around = (on[:, place, np.newaxis] for place in (max(after - 1, 0), after))
+    return any(bool(((on == then).all(axis=0) & still).any()) for then in around)
+
+
 def is_more(earlier: float, later: float) -> bool:
     """Whether a force at an earlier time that the loads hung still counts more than at a later one.
 
@@ -318,7 +335,7 @@ def are_whole(recording: Recording, ropes: Sequence[str]) -> BoolArray:
 
 def is_on(recording: Recording, rope: str) -> BoolArray:
     """Where a rope is put on and not taken off, parted or not, shape (time,)."""
-    on: BoolArray = while_there(recording, [rope], ["detached"])[0]
+    on: BoolArray = while_there(recording, [rope], [DETACHED])[0]
     return on
 
 

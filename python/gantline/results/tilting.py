@@ -8,10 +8,14 @@ line): the load hangs like a pendulum from the middle, by tan θ = e/h.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.results import series
+from gantline.results.gear import Sling
+from gantline.results.parting import DETACHED, while_there
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.skew import pinned_sheaves
@@ -56,18 +60,40 @@ class LooseTilt:
 def loose_tilt(recording: Recording, load: Load) -> LooseTilt | None:
     """Whether equalizers leave a load free to tilt; None if they do not, or that is not known.
 
+    Slings that steps put on or take off count while they are on and the load hangs; the first time counts at
+    which it is free.
+
     Args:
-        recording: Any recording; pins count as they are at its end.
+        recording: Any recording; pins count as they are at the end of such a time.
         load: A load of it.
     """
+    found = (_loose(recording, load, slings, until) for slings, until in _stages(recording, load))
+    return next((one for one in found if one is not None), None)
+
+
+def _stages(recording: Recording, load: Load) -> Iterator[tuple[list[Sling], float]]:
+    """The slings that are on while a load hangs, and until when [s], in turn; at the end if it never does."""
+    slings, times = recording.rig.slings, recording.time
+    clear = series.load_is_clear(recording, load)
+    if series.is_equilibrium(recording) or not clear.any():
+        clear = series.last_sample(recording)
+    on = while_there(recording, [sling.rope for sling in slings], [DETACHED])[:, clear]
+    changes = np.flatnonzero((on[:, 1:] != on[:, :-1]).any(axis=0))
+    for last in (*changes, on.shape[1] - 1) if on.shape[1] else ():
+        there = on[:, last]
+        yield [one for one, is_on in zip(slings, there, strict=True) if is_on], float(times[clear][last])
+
+
+def _loose(recording: Recording, load: Load, slings: Sequence[Sling], until: float) -> LooseTilt | None:
+    """The same of some slings, with pins as they are at a time [s]."""
     rig = recording.rig
     middles: dict[str, list[np.ndarray]] = {}
-    for sling in rig.slings:
+    for sling in slings:
         equalizer = rig.equalizer_of(sling)
         lug = load.lugs.get(sling.to_lug or "")
         if equalizer is None or sling.to_load != load.name or lug is None:
             return None
-        if equalizer.mechanism != "sheaves" or pinned_sheaves(recording, equalizer):
+        if equalizer.mechanism != "sheaves" or pinned_sheaves(recording, equalizer, until):
             return None
         middles.setdefault(equalizer.name, []).append(np.asarray(lug.at, dtype=np.float64))
     if not middles:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gantline.scenario.check_booms import check_booms
 from gantline.scenario.check_crawlers import check_crawlers
+from gantline.scenario.check_cut_lines import check_cut_lines
 from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_goliath import check_goliaths
 from gantline.scenario.check_load import check_load
@@ -30,7 +31,7 @@ from gantline.scenario.pins import check_pins, pins_of
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import SHEAVES, resolve, sheave_levels
 from gantline.scenario.sheave import taken_together
-from gantline.scenario.slinging import check_put_on
+from gantline.scenario.slinging import check_put_on, check_waits
 from gantline.scenario.times import wrong_times
 
 __all__ = ["check"]
@@ -56,6 +57,7 @@ def check(scenario: Scenario) -> None:
         check_spreaders(findings, rigging)
         check_pins(findings, rigging)
         check_put_on(findings, rigging)
+        check_waits(findings, rigging)
         check_kept_plumb(findings, rigging)
         if scenario.simulation.integrator == "explicit" and pins_of(scenario, rigging).at_start:
             sentence = "'explicit' knows no pins; 'adaptive' or 'del' is right"
@@ -80,6 +82,7 @@ def check(scenario: Scenario) -> None:
     _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)
+    check_cut_lines(findings)
     check_watches(findings)
     check_supports(findings)
     _check_simulation(findings)

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import NamedTuple
+
 from gantline.scenario.check_supports import check_beside, check_places, top_of
 from gantline.scenario.check_wind import check_areas
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.load import Load, LoadInertia
 from gantline.scenario.lug import Lug
+from gantline.scenario.model import Scenario
 
 __all__ = [
+    "Attached",
     "Extent",
+    "attached",
+    "check_attached",
     "check_centre",
     "check_inertia",
     "check_load",
-    "check_lug",
     "check_lug_type",
     "check_underside",
 ]
@@ -36,9 +42,8 @@ def check_load(findings: Findings, load: Load) -> None:
         check_centre(findings, load.centre_of_gravity.at, _box_of(box))
     for name, lug in load.lugs.items():
         check_lug_type(findings, ("load", "lugs", name), lug)
-        if box is not None:
-            check_lug(findings, name, lug.at, _box_of(box))
     if box is not None:
+        check_attached(findings, load, _box_of(box))
         check_places(findings, *_box_of(box))
         check_beside(findings, *_box_of(box))
     if isinstance(load.inertia, LoadInertia):
@@ -63,12 +68,36 @@ def check_centre(findings: Findings, centre: Triple, box: Extent) -> None:
         findings.add(("load", "centre_of_gravity", "at"), sentence)
 
 
-def check_lug(findings: Findings, name: str, at: Triple, box: Extent) -> None:
-    """Note a lug that is far outside the load's box."""
-    off = max(max(low - part, part - high) for low, part, high in zip(box[0], at, box[1], strict=True))
-    if off > max(high - low for low, high in zip(*box, strict=True)) / 2:
-        sentence = f"this lug is {off:g} m outside the load's box; {_measured(findings)}"
-        findings.add(("load", "lugs", name, "at"), sentence)
+class Attached(NamedTuple):
+    """What is made fast to a load: where the lift file says it, its kind and name, and the place."""
+
+    path: Path
+    kind: str
+    name: str
+    at: Triple
+
+    def off(self, box: Extent) -> float:
+        """How far it is outside a box, its least and largest x, y, z [m]; negative inside."""
+        sides = zip(box[0], self.at, box[1], strict=True)
+        return max(max(low - part, part - high) for low, part, high in sides)
+
+
+def attached(scenario: Scenario, load: Load) -> Iterator[Attached]:
+    """Lugs of a load, and ends of its tag lines."""
+    for name, lug in load.lugs.items():
+        yield Attached(("load", "lugs", name, "at"), "lug", name, lug.at)
+    for name, line in (scenario.tag_lines or {}).items():
+        yield Attached(("tag_lines", name, "at"), "tag line", name, line.at)
+
+
+def check_attached(findings: Findings, load: Load, box: Extent) -> None:
+    """Note lugs and ends of tag lines that are far outside the load's box."""
+    for one in attached(findings.scenario, load):
+        off = one.off(box)
+        if off > max(high - low for low, high in zip(*box, strict=True)) / 2:
+            what = "this lug" if one.kind == "lug" else "this end of the line"
+            sentence = f"{what} is {off:g} m outside the load's box; {_measured(findings)}"
+            findings.add(one.path, sentence)
 
 
 def _measured(findings: Findings) -> str:

@@ -12,6 +12,7 @@ from gantline.scenario.hooks import full_name
 from gantline.scenario.model import Scenario
 from gantline.scenario.movers import Mover, movers
 from gantline.scenario.steps import DrumStep, HoldStep, HookStep, LowerStep, MovingStep, PayOutStep, PumpStep
+from gantline.scenario.tag_line import tag_rope
 from gantline.scenario.tanks import bodies_afloat
 
 __all__ = ["check_plan", "place_of_step"]
@@ -84,6 +85,8 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
     """Each step moves what there is, once, and not faster than its hoist or drive can."""
     what, can, drive = _WORDS[step.kind]
     known = movers(findings.scenario, step.kind)
+    lines = findings.scenario.tag_lines or {}
+    tuggers = [tag_rope(name) for name, line in lines.items() if line.pull is not None]
     moved: list[str] = []
     for text in step.moved:
         name = full_name(text, known)
@@ -94,6 +97,11 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
         one = known[name]
         moved.append(name if one is None else one.name)
         if one is None:
+            if name in tuggers:
+                sentence = f"'{name}' hauls and gives way by itself, to keep its 'pull'"
+                right = "a line with a 'length' or 'pretension' and a 'winch' is moved by steps"
+                findings.add(("plan", place, step.verb), f"{sentence}; {right}")
+                continue
             sentence = f"{what} '{name}' has no '{drive}' that could {can} it"
             right = f"'{drive}: {{speed: 30 m/min, acceleration: 0.1 m/s^2}}'"
             findings.add(("plan", place, step.verb), f"{sentence}; give it one, such as {right}")

@@ -8,6 +8,7 @@ from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, is_moved_by, slings_under
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.rigging import Rigging
+from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import FollowingStep
 
 __all__ = ["check_kept_plumb"]
@@ -16,21 +17,31 @@ __all__ = ["check_kept_plumb"]
 def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
     """Note hooks that a step cannot keep plumb: the load hangs in falls between them and others."""
     scenario = findings.scenario
-    for place, step in enumerate(scenario.plan):
+    for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
         if not isinstance(step, FollowingStep) or not step.keep_plumb:
             continue
         one = mover(scenario, step.kind, step.moved[0])
         if one is None:
             continue  # `check_plan` says so
         path: Path = ("plan", place, "keep_plumb")
+        own = [full_name(text, scenario.hooks) for text in step.keep_plumb]
+        if len(set(own)) < len(own):
+            findings.add(path, "names a hook twice; each hook stands once")
         for text in step.keep_plumb:
-            _check_hook(findings, rigging, path, one, text)
-        if not hooks_beside(scenario, rigging, one):
+            _check_hook(findings, rigging, path, one, text, on)
+        others = hooks_beside(scenario, rigging, one)
+        if not others:
             sentence = f"no load hangs between hooks of '{one.name}' and others"
             findings.add(path, f"{sentence}; falls of one hook alone come plumb by themselves")
+        elif not any(sling.name in on for hook in others for sling in slings_under(rigging, hook)):
+            names = " and ".join(f"'{hook}'" for hook in others)
+            sentence = f"no sling of {names} is on in this step, so that nothing leads the load there"
+            findings.add(path, f"{sentence}; follow while the load hangs between hooks")
 
 
-def _check_hook(findings: Findings, rigging: Rigging, path: Path, one: Mover, text: str) -> None:
+def _check_hook(
+    findings: Findings, rigging: Rigging, path: Path, one: Mover, text: str, on: frozenset[str]
+) -> None:
     hooks = findings.scenario.hooks
     own = [name for name, hook in hooks.items() if is_moved_by(one, hook)]
     name = full_name(text, dict.fromkeys(own))
@@ -39,3 +50,6 @@ def _check_hook(findings: Findings, rigging: Rigging, path: Path, one: Mover, te
     elif not slings_under(rigging, name):
         sentence = f"no sling hangs from '{name}', so that it does not lead the load"
         findings.add(path, f"{sentence}; a hook with slings is right")
+    elif not any(sling.name in on for sling in slings_under(rigging, name)):
+        sentence = f"no sling of '{name}' is on in this step, so that it does not lead the load"
+        findings.add(path, f"{sentence}; follow while it does")

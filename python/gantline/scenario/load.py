@@ -22,6 +22,7 @@ from gantline.scenario.quantities import (
     Quantity,
     Sizes,
     Text,
+    Word,
     WordOr,
     refuse,
 )
@@ -131,7 +132,12 @@ def _inertia_kind(value: Any) -> str:
 
 
 InertiaOfLoad = Annotated[
-    Annotated[Literal["homogeneous", "from_cad"], Tag("a word")] | Annotated[LoadInertia, Tag("some values")],
+    Annotated[
+        str,
+        Word(("homogeneous", "from_cad"), ("values about the centre of gravity, {xx: 900 t m^2, ...}",)),
+        Tag("a word"),
+    ]
+    | Annotated[LoadInertia, Tag("some values")],
     Discriminator(_inertia_kind),
 ]
 

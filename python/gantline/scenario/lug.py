@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import Angle, Direction, Name, Position, PositiveMass, refuse
+from gantline.scenario.quantities import Angle, Direction, Name, Position, PositiveMass, Word, refuse
 from gantline.scenario.tree import MapNode
 
 __all__ = ["Lug", "LugType", "MainPlate"]
@@ -63,7 +63,15 @@ def _plate_kind(value: Any) -> str:
 
 
 PlateOfLug = Annotated[
-    Annotated[Literal["xz", "yz", "xy"], Tag("a word")] | Annotated[MainPlate, Tag("a direction")],
+    Annotated[
+        str,
+        Word(
+            tuple(PLATE_NORMALS),
+            ("{turned: 30 deg} of an upright plate", "{normal: [0.5, -0.5, 0.7]} of any"),
+        ),
+        Tag("a word"),
+    ]
+    | Annotated[MainPlate, Tag("a direction")],
     Discriminator(_plate_kind),
 ]
 

@@ -30,6 +30,7 @@ from gantline.scenario.quantities import (
     refuse,
 )
 from gantline.scenario.water import SEA_WATER
+from gantline.units import format_by_size
 
 if TYPE_CHECKING:
     from gantline.scenario.findings import Findings, Path
@@ -67,6 +68,15 @@ class Winch(Element):
         description="Largest pull, at which it slips: of tag lines, and of mooring lines of type 'spring'. "
         "Whatever it takes if not given.",
     )
+
+    def refuse_weak(self, pretension: float | None) -> None:
+        """Refuse a pretension [N] at which it would slip from the start."""
+        if self.capacity is not None and pretension is not None and pretension > self.capacity:
+            most = format_by_size(self.capacity, "force")
+            sentence = (
+                f"the winch slips at {most}, and the line shall pull {format_by_size(pretension, 'force')}"
+            )
+            raise refuse(f"{sentence} from the start; a stronger winch or less pretension is right", "winch")
 
 
 class MooringLine(Element):
@@ -116,6 +126,8 @@ class MooringLine(Element):
         elif self.winch is not None and self.winch.capacity is not None:
             sentence = "the winch of a catenary does not slip"
             raise refuse(f"{sentence}; leave 'capacity' out, or write 'type: spring'", "winch")
+        if self.winch is not None:
+            self.winch.refuse_weak(self.pretension)
         if self.sea_bed is not None and abs(self.to[2] - self.sea_bed) > _ON_BED:
             side = "above" if self.sea_bed > self.to[2] else "below"
             apart = abs(self.sea_bed - self.to[2])

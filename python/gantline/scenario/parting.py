@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Final, Literal
 
-from gantline.scenario.errors import nearest
 from gantline.scenario.quantities import Quantity, WordOr
 from gantline.scenario.reeving import hoist_ropes
 from gantline.scenario.slinging import check_slinging
@@ -115,10 +114,6 @@ def check_partings(findings: Findings) -> None:
     ]
     loose = [name for name in known if name.startswith("sling.") or name in mechanics]
     check_slinging(findings, known, loose)
-    for place, step in enumerate(scenario.plan):
-        for rope in step.cut:
-            if rope not in known:
-                findings.add(("plan", place, "cut"), f"'{rope}' is not a rope; {nearest(rope, known)}")
 
 
 def _check_force(findings: Findings, path: Path, rope: str | None, said: BreaksAt | None) -> None:

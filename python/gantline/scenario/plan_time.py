@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from gantline.scenario.steps import HoldStep, MovingStep, PumpStep
 
-__all__ = ["earliest_ends"]
+__all__ = ["earliest_begins", "earliest_ends"]
+
+
+def earliest_begins(plan: Sequence[MovingStep | PumpStep | HoldStep]) -> list[float]:
+    """When each step of a plan can begin at the earliest [s]; see `earliest_ends`."""
+    return [begin for begin, _ in _earliest(plan)]
 
 
 def earliest_ends(plan: Sequence[MovingStep | PumpStep | HoldStep]) -> list[float]:
@@ -18,17 +23,21 @@ def earliest_ends(plan: Sequence[MovingStep | PumpStep | HoldStep]) -> list[floa
     Args:
         plan: Its steps in order.
     """
-    ends: list[float] = []
+    return [end for _, end in _earliest(plan)]
+
+
+def _earliest(plan: Sequence[MovingStep | PumpStep | HoldStep]) -> Iterator[tuple[float, float]]:
+    """When each step can begin, and have ended [s]."""
     began = over = 0.0  # the step before, and all before
     for step in plan:
         if isinstance(step, HoldStep):
             began = over
             over += step.hold if isinstance(step.hold, float) else 0.0
-            ends.append(over)
+            yield began, over
             continue
         began = max(began if step.starts == "with_previous" else over, step.start_at or 0.0)
         rate = step.rate if isinstance(step, PumpStep) else step.speed
         stops = (getattr(step, key, None) or 0.0 for key in ("brake_from", "emergency_stop_at"))
-        ends.append(max(began + abs(step.by or 0.0) / rate, *stops))
-        over = max(over, ends[-1])
-    return ends
+        end = max(began + abs(step.by or 0.0) / rate, *stops)
+        over = max(over, end)
+        yield began, end

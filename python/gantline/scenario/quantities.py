@@ -211,14 +211,16 @@ class NameText(Reader):
 
 @dataclass(frozen=True)
 class Word(Reader):
-    """One of a few words, which may look like numbers."""
+    """One of a few words, which may look like numbers; `forms` are what may stand in place of a word."""
 
     words: tuple[str, ...]
+    forms: tuple[str, ...] = ()
 
     def read(self, value: object) -> str:
         """The word."""
         if value not in self.words:
-            raise refuse(f"found {found(value)}; right is {' or '.join(repr(word) for word in self.words)}")
+            right = " or ".join((*map(repr, self.words), *self.forms))
+            raise refuse(f"found {found(value)}; right is {right}")
         return str(value)
 
     def shown(self) -> JsonSchemaValue:

@@ -1,18 +1,29 @@
-"""Slings that steps of the plan take off and put on."""
+"""Slings that steps of the plan take off and put on, ropes that they cut."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from gantline.scenario.errors import nearest
+from gantline.scenario.steps import HoistStep
 
 if TYPE_CHECKING:
-    from gantline.scenario.findings import Findings, Path
+    from gantline.scenario.findings import Findings
     from gantline.scenario.model import Scenario
+    from gantline.scenario.plan import Step
     from gantline.scenario.rigging import Rigging, SlingRigging
 
-__all__ = ["check_put_on", "check_slinging", "first_put_on", "slings_on", "starts_off"]
+__all__ = [
+    "check_put_on",
+    "check_slinging",
+    "check_waits",
+    "first_put_on",
+    "ropes_cut",
+    "slings_on",
+    "starts_off",
+]
 
 _PREFIX = "sling."
 
@@ -29,11 +40,19 @@ def starts_off(scenario: Scenario) -> frozenset[str]:
 
 
 def slings_on(scenario: Scenario) -> Iterator[frozenset[str]]:
-    """Names of the slings that are on, by step of the plan; what a step does as it begins counts in it."""
+    """Names of the slings that are on, not cut, by step of the plan; what a step does as it begins counts."""
     on = set(scenario.slings or {}) - starts_off(scenario)
-    for step in scenario.plan:
+    for step, cut in zip(scenario.plan, ropes_cut(scenario), strict=True):
         on = (on - _named(step.detach)) | _named(step.attach)
-        yield frozenset(on)
+        yield frozenset(on - _named(cut))
+
+
+def ropes_cut(scenario: Scenario) -> Iterator[frozenset[str]]:
+    """Names of the ropes that steps have cut, by step of the plan; those that a step cuts count in it."""
+    cut: set[str] = set()
+    for step in scenario.plan:
+        cut |= set(step.cut)
+        yield frozenset(cut)
 
 
 def first_put_on(scenario: Scenario) -> dict[str, int]:
@@ -51,7 +70,7 @@ def _named(ropes: Iterable[str]) -> set[str]:
 
 
 def check_slinging(findings: Findings, known: Iterable[str], loose: Iterable[str]) -> None:
-    """Note what is wrong with slings that are taken off and put on.
+    """Note what is wrong with slings that are taken off and put on, and with ropes that are cut.
 
     Args:
         findings: where problems go.
@@ -60,39 +79,79 @@ def check_slinging(findings: Findings, known: Iterable[str], loose: Iterable[str
     """
     scenario = findings.scenario
     slings = [f"{_PREFIX}{name}" for name in scenario.slings or {}]
-    known, loose = list(known), list(loose)
     off = {f"{_PREFIX}{name}" for name in starts_off(scenario)}
+    ropes = _Ropes(list(known), slings, list(loose), off)
     for place, step in enumerate(scenario.plan):
-        path: Path = ("plan", place, "detach")
-        for rope in step.detach:
-            if rope not in known:
-                findings.add(path, f"'{rope}' is not a rope; {nearest(rope, loose)}")
-            elif rope not in loose:
-                sentence = f"'{rope}' cannot be taken off; slings and ropes of 'mechanics' can"
-                findings.add(path, f"{sentence}. 'cut' parts any rope")
-            elif rope in off:
-                findings.add(path, f"'{rope}' has been taken off already; once is right")
-            off.add(rope)
-        path = ("plan", place, "attach")
-        for rope in step.attach:
-            if rope not in known:
-                findings.add(path, f"'{rope}' is not a rope; {nearest(rope, slings)}")
-            elif rope not in slings:
-                findings.add(path, f"'{rope}' cannot be put on; slings can")
-            elif rope in step.detach:
-                sentence = f"'{rope}' is taken off and put on by one step"
-                findings.add(path, f"{sentence}; a step for each, with what moves between them, is right")
-            elif rope not in off:
-                findings.add(path, f"'{rope}' is on already; 'detach' takes it off")
-            off.discard(rope)
-        for rope in step.cut:
-            if rope in off and rope in slings:
-                findings.add(("plan", place, "cut"), f"'{rope}' is not on then; cut it while it is")
+        for key, wrong in (("detach", ropes.taken_off), ("attach", ropes.put_on), ("cut", ropes.parted)):
+            for rope in getattr(step, key):
+                sentence = wrong(rope, step)
+                if sentence is not None:
+                    findings.add(("plan", place, key), sentence)
         waits = step.until if step.until is not None and step.until.slings is not None else None
         for rope in waits.of if waits is not None else ():
-            if rope in off and rope in slings:
-                sentence = f"'{rope}' is not on in this step"
-                findings.add(("plan", place, "until", "of"), f"{sentence}; wait for slings that are")
+            path = ("plan", place, "until", "of")
+            if rope in ropes.cut:
+                findings.add(path, f"'{rope}' has been cut by then; wait for slings that are on")
+            elif rope in ropes.off and rope in slings:
+                findings.add(path, f"'{rope}' is not on in this step; wait for slings that are")
+
+
+@dataclass
+class _Ropes:
+    """What steps have done with ropes so far; of what one does to a rope a sentence where it is wrong.
+
+    Attributes:
+        known: names of all ropes.
+        slings: those of slings.
+        loose: those that can be taken off.
+        off: slings and ropes that are not on.
+        cut: ropes that have been cut.
+    """
+
+    known: list[str]
+    slings: list[str]
+    loose: list[str]
+    off: set[str]
+    cut: set[str] = field(default_factory=set)
+
+    def taken_off(self, rope: str, step: Step) -> str | None:
+        """A step takes one off."""
+        was_off = rope in self.off
+        self.off.add(rope)
+        if rope not in self.known:
+            return f"'{rope}' is not a rope; {nearest(rope, self.loose)}"
+        if rope not in self.loose:
+            sentence = f"'{rope}' cannot be taken off; slings and ropes of 'mechanics' can"
+            return f"{sentence}. 'cut' parts any rope"
+        if rope in self.cut:
+            return f"'{rope}' has been cut before; there is nothing to take off"
+        return f"'{rope}' has been taken off already; once is right" if was_off else None
+
+    def put_on(self, rope: str, step: Step) -> str | None:
+        """A step puts one on."""
+        was_off = rope in self.off
+        self.off.discard(rope)
+        if rope not in self.known:
+            return f"'{rope}' is not a rope; {nearest(rope, self.slings)}"
+        if rope not in self.slings:
+            return f"'{rope}' cannot be put on; slings can"
+        for order, others in (("taken off and put on", step.detach), ("put on and cut", step.cut)):
+            if rope in others:
+                right = "a step for each, with what moves between them, is right"
+                return f"'{rope}' is {order} by one step; {right}"
+        if rope in self.cut:
+            return f"'{rope}' has been cut before, and stays so; put another sling on"
+        return None if was_off else f"'{rope}' is on already; 'detach' takes it off"
+
+    def parted(self, rope: str, step: Step) -> str | None:
+        """A step cuts one."""
+        if rope in self.off:
+            return f"'{rope}' is not on then; cut it while it is"
+        was_cut = rope in self.cut
+        self.cut.add(rope)
+        if rope not in self.known:
+            return f"'{rope}' is not a rope; {nearest(rope, self.known)}"
+        return f"'{rope}' has been cut already; once is right" if was_cut else None
 
 
 def check_put_on(findings: Findings, rigging: Rigging) -> None:
@@ -103,6 +162,30 @@ def check_put_on(findings: Findings, rigging: Rigging) -> None:
             why = None if sling is None else _why_not(rigging, sling)
             if why is not None:
                 findings.add(("plan", place, "attach"), f"'{rope}' cannot be put on: {why}")
+
+
+def check_waits(findings: Findings, rigging: Rigging) -> None:
+    """Note steps that wait for slings, without naming any, or for what slings do, while none is on."""
+    scenario = findings.scenario
+    # Bodies and ropes of `mechanics` may lift a load too, and water.
+    lifts_by_slings = scenario.mechanics is None and scenario.vessels is None
+    for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
+        condition = step.until
+        if condition is None or not rigging.slings:
+            continue
+        asked = condition.of or tuple(rigging.equalizers)
+        path = ("plan", place, "until")
+        if condition.slings is not None and not condition.of and not on:
+            findings.add(path, "this waits for slings, and none is on in this step; 'attach' puts slings on")
+        lifted = condition.load_transferred is not None or condition.supports == "clear"
+        if isinstance(step, HoistStep) and lifted and lifts_by_slings and not on:
+            sentence = "this waits for the load to leave its supports, and no sling is on in this step"
+            findings.add(path, f"{sentence}; 'attach' puts slings on")
+        if condition.tension_spread is not None and not any(
+            sling.equalizer in asked and name in on for name, sling in rigging.slings.items()
+        ):
+            sentence = "this waits for slings of equalizers, and none of them is on in this step"
+            findings.add(path, f"{sentence}; 'attach' puts slings on")
 
 
 def _why_not(rigging: Rigging, sling: SlingRigging) -> str | None:

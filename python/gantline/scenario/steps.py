@@ -70,7 +70,8 @@ class _AnyStep(Element):
     attach: Names = Field(
         (),
         description="Sling or slings that are put on as it begins, like 'sling.S1'; they have to be long "
-        "enough for where their ends then are. Before, they are not there.",
+        "enough for where their ends then are. Before, they are not there; their mass hangs at their upper "
+        "ends all along.",
     )
     remove_supports: Names = Field(
         (),

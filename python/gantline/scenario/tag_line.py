@@ -82,6 +82,8 @@ class TagLine(Element):
                 raise refuse(f"'{key}' is of a line whose 'pull' is kept; this one is made fast", key)
         if self.pull is not None and self.winch is not None:
             raise refuse("a line whose 'pull' is kept moves by itself; 'winch' goes with a length", "winch")
+        if self.winch is not None:
+            self.winch.refuse_weak(self.pretension)
         return self
 
 

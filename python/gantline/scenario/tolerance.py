@@ -52,7 +52,8 @@ class _ToleranceReader(Reader):
         try:
             tolerance = Tolerance(Quantity(kind, "not_negative").read(value), kind)
         except PydanticCustomError as error:
-            raise refuse(f"{error.message()}; or a length like '25 mm'") from None
+            more = "; or a length like '25 mm'" if kind == "ratio" else ""
+            raise refuse(f"{error.message()}{more}") from None
         if kind == "ratio" and tolerance.amount > LARGEST_TOLERANCE:
             sentence = f"a sling that is {tolerance.amount * 100:g} % too long or too short is none"
             raise refuse(f"{sentence}; at most 10 % is right, such as 'tolerance: 0.25 %', or '25 mm'")

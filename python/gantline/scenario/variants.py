@@ -13,7 +13,9 @@ from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path
 from gantline.scenario.findings import Findings
 from gantline.scenario.from_tree import from_tree
 from gantline.scenario.model import Scenario
+from gantline.scenario.mooring import line_rope
 from gantline.scenario.rigging import resolve
+from gantline.scenario.tag_line import tag_rope
 from gantline.scenario.tree import MapNode, Node, TextNode, line_of
 from gantline.scenario.tree_path import PathError, node_at, node_of, put, text_node
 from gantline.units import UnitError, common_dimension, quantity, si_text
@@ -286,9 +288,18 @@ def _check_cut(findings: Findings, name: str, case: Case) -> None:
     scenario = findings.scenario
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
     known = [*(scenario.slings or {}), *(plain or {})]
-    for rope in case.cut:
-        if rope not in known:
-            findings.add(("cases", name, "cut"), f"'{rope}' is not a sling; {nearest(rope, known)}")
+    lines = {line_rope(line): f"mooring_lines.{line}" for line in scenario.mooring_lines or {}}
+    lines |= {tag_rope(line): f"tag_lines.{line}" for line in scenario.tag_lines or {}}
+    for place, rope in enumerate(case.cut):
+        if rope in lines:
+            sentence = f"'{rope}' is a line, and a case cuts slings and ropes of 'mechanics'"
+            right = f"'set: {{{lines[rope]}.cut_at: 0 s}}' is the lift without it"
+            findings.add(("cases", name, "cut"), f"{sentence}; {right}")
+        elif rope not in known:
+            right = nearest(rope.removeprefix("sling."), known)
+            findings.add(("cases", name, "cut"), f"'{rope}' is not a sling; {right}")
+        elif rope in case.cut[:place]:
+            findings.add(("cases", name, "cut"), f"'{rope}' is cut twice; once is right")
     if case.at is not None and case.at > scenario.duration:
         sentence = f"{case.at:g} s is after the end of the lift at {scenario.duration:g} s"
         findings.add(("cases", name, "at"), sentence)

@@ -11,7 +11,7 @@ import numpy as np
 
 from gantline import _core
 from gantline.assembly import assemble
-from gantline.assembly.origin import refused
+from gantline.assembly.origin import FALLS, refused
 from gantline.results.derive import recording_of
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, at_rest
@@ -28,8 +28,6 @@ from gantline.statics.answers import (
 from gantline.statics.motion import in_words
 from gantline.version import version
 
-#: What the core says of a body that nothing holds.
-_FALLS = "nothing holds it, it falls without end"
 #: What happens at the end of the lift is looked at so much later [s].
 _PAST = 1e-3
 #: Largest displacement of a mode that is shown, of any body's centre of gravity [m] or turn [rad].
@@ -144,7 +142,7 @@ class Statics:
         try:
             return self.equilibrium(time, slide=direction)
         except NoEquilibriumError as problem:
-            if problem.cause == _FALLS:
+            if problem.cause == FALLS:
                 return None
             raise
 

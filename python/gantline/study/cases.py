@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results import series
 from gantline.results.saved import digest_of
 from gantline.scenario import Scenario, ScenarioError, StartError, load_scenario
 from gantline.scenario.case import TOLERANCE
@@ -23,6 +24,7 @@ from gantline.scenario.variants import (
     without_cases,
 )
 from gantline.statics import Losses, NoEquilibriumError, Statics
+from gantline.study.effect import with_effect
 from gantline.study.moment import begin_of_step
 from gantline.study.pattern import (
     Floats,
@@ -141,7 +143,11 @@ def run_cases(
             pool.shutdown(wait=False, cancel_futures=True)
             raise
     given = states[0]
-    states = [replace(state, stands=stands(state, given)) for state in states]
+    as_given = {state.losses: state for state in states if not state.case}
+    states = [
+        with_effect(replace(state, stands=stands(state, given)), as_given.get(state.losses, given), base)
+        for state in states
+    ]
     return CasesResult(scenario.lift.title, scenario.text, given, states, scenario.left_out_at_rest)
 
 
@@ -232,10 +238,14 @@ def _tolerances(
     """Patterns of long and short slings, by sensitivities, and each solved anew."""
     case = (scenario.cases or {})[name]
     question = Statics(base)
-    off = tolerances(scenario)
     given = settled(question, time, State(name, "", "none", 0.0))
     if given.rest is None:
         yield _known(given)
+        return
+    on = {sling.name for sling in series.slings_on(given.rest.recording)}
+    off = {sling: amount for sling, amount in tolerances(scenario).items() if sling in on}
+    if not off:
+        yield _known(replace(given, variant="no sling with a tolerance is on"))
         return
     change = _changes(scenario, name, question, off)
     if change is None or case.pattern == "each":
@@ -252,6 +262,7 @@ def _tolerances(
         first_order = {
             sling.name: given.rest.tension(sling.rope) + float(one)
             for sling, one in zip(question.rig.slings, more, strict=change is not None)
+            if sling.name in on
         }
         state = State(name, pattern_label(longer), "none", 0.0, first_order=first_order)
         yield _of_case(pool, scenario, with_lengths(scenario, name, longer), time, state)

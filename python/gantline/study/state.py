@@ -18,6 +18,7 @@ __all__ = [
     "QUANTITIES",
     "State",
     "Worst",
+    "differs",
     "settled",
     "stands",
     "unstartable",
@@ -43,6 +44,8 @@ class State:
         starts: Whether its start can be put together; where it cannot there is no equilibrium to ask for.
         cause: Why there is none, in one sentence.
         cut: Slings and ropes that the case cuts.
+        in_vain: Of what it cuts, what is not there to be cut, and why; a sentence each.
+        changes_nothing: Whether all that is asked of it is as in the lift as it is given.
         stands: Loads that something supports, which hang clear at that time in the lift as it is given.
         checks: Its checks, of slings that the case cuts none.
         first_order: Tensions of slings by sensitivities about the lift as it is given [N]; of a case that
@@ -57,6 +60,8 @@ class State:
     starts: bool = True
     cause: str = ""
     cut: tuple[str, ...] = ()
+    in_vain: tuple[str, ...] = ()
+    changes_nothing: bool = False
     stands: tuple[str, ...] = ()
     checks: Sequence[Check] = ()
     first_order: Mapping[str, float] = field(default_factory=dict)
@@ -101,6 +106,8 @@ class State:
             "unstable_motions": None if rest is None else rest.unstable,
             "neutral_motions": None if rest is None else rest.neutral,
             "cut": list(self.cut),
+            "changes_nothing": self.changes_nothing,
+            "in_vain": list(self.in_vain),
             "stands": list(self.stands),
             **values_of(self),
             "first_order_sling_tension": dict(self.first_order) or None,
@@ -225,7 +232,12 @@ def _is_worse(quantity: str, value: float, than: float) -> bool:
     elif quantity == "smallest_sling_tension":
         value, than = -value, -than
     # Of values that differ by rounding alone the first is worst, so that tables do not depend on it.
-    return value > than + max(_ROUNDING * abs(than), _NOTHING[QUANTITIES[quantity][0]])
+    return value > than and differs(quantity, value, than)
+
+
+def differs(quantity: str, one: float, other: float) -> bool:
+    """Whether two values of one of `QUANTITIES` differ by more than rounding."""
+    return abs(one - other) > max(_ROUNDING * abs(other), _NOTHING[QUANTITIES[quantity][0]])
 
 
 def _without(recording: Recording, cut: Sequence[str]) -> Recording:

@@ -110,7 +110,7 @@ def tilting_of(question: Statics, rest: Equilibrium, modes: Sequence[Mode]) -> l
         load
         for load in rest.recording.rig.loads
         if series.load_is_clear(rest.recording, load)[-1]
-        and any(sling.to_load == load.name for sling in rest.recording.rig.slings)
+        and any(sling.to_load == load.name for sling in series.slings_on(rest.recording))
     ]
     return [_tilting(question, rest, modes, load) for load in clear]
 

@@ -13,6 +13,8 @@ use proptest::test_runner::{RngSeed, TestRunner};
 
 use super::{Seeds, seeds, torture};
 
+/// The rigs that are always run.
+pub const SEED: u64 = 2016;
 /// How long a rig runs [s].
 const DURATION: f64 = 1.0;
 /// More steps than any of the rigs needs: a stall.
