@@ -148,7 +148,9 @@ def test_an_emergency_stop_ends_it() -> None:
     less = 10 / 3 * jerk * LOOK**2
     expected = (wanted - less) ** 2 / 2.0 / TRAVERSE
     assert place[at] - place[-1] == pytest.approx(expected, abs=0.1 * less * wanted / TRAVERSE)
-    assert np.all(place[time > 200.0 + wanted / TRAVERSE] == place[-1])
+    # At rest, but for the last bits of the step in which it comes to rest.
+    still = place[time > 200.0 + wanted / TRAVERSE]
+    assert np.abs(still - place[-1]).max() <= 2 * np.spacing(place[-1])
 
 
 @pytest.mark.parametrize("slings", [(8.0, 8.0), (4.0, 14.0)])

@@ -21,7 +21,7 @@ from gantline.scenario.kept_plumb import hooks_beside, slings_under
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
-from gantline.scenario.steps import FollowingStep, HoldStep, HookStep
+from gantline.scenario.steps import AlongStep, HoldStep, HookStep
 from gantline.units import format_quantity
 
 __all__ = ["doubtful_following"]
@@ -42,7 +42,7 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
         scenario: The lift.
         rigging: Who carries whom.
     """
-    if not any(isinstance(step, FollowingStep) and step.keep_plumb for step in scenario.plan):
+    if not any(isinstance(step, AlongStep) and step.keep_plumb for step in scenario.plan):
         return
     heights: dict[str, float | None] = {name: hook.height for name, hook in scenario.hooks.items()}
     turned, before = _Turned(), frozenset[str]()
@@ -58,7 +58,7 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
         lugs = {hook: _lugs(scenario, rigging, [hook], on) for hook in scenario.hooks}
         after = turned.after(hoists, speeds, {hook: at for hook, at in lugs.items() if at is not None})
         for step in stage:
-            if not isinstance(step, FollowingStep) or not step.keep_plumb:
+            if not isinstance(step, AlongStep) or not step.keep_plumb:
                 continue
             one = mover(scenario, step.kind, step.moved[0])
             assert one is not None  # checked with the file
@@ -153,7 +153,7 @@ def _after(step: HookStep, before: float | None) -> float | None:
     return None if step.by is None or before is None else before + step.sign * step.by
 
 
-def _askew(scenario: Scenario, step: FollowingStep, one: Mover, line: Array) -> Iterator[str]:
+def _askew(scenario: Scenario, step: AlongStep, one: Mover, line: Array) -> Iterator[str]:
     """What goes across the line of lugs, axes of the load, does not follow along it."""
     assert scenario.load is not None  # it hangs between hooks
     crane = (scenario.cranes or {}).get(one.name)
@@ -165,7 +165,7 @@ def _askew(scenario: Scenario, step: FollowingStep, one: Mover, line: Array) -> 
         yield f"step '{step.step}': {goes}; falls do not stay plumb across its way"
 
 
-def _too_slow(step: FollowingStep, speed: float, steepest: tuple[float, str] | None) -> Iterator[str]:
+def _too_slow(step: AlongStep, speed: float, steepest: tuple[float, str] | None) -> Iterator[str]:
     if speed == 0.0 or steepest is None:
         return
     angle, when = steepest

@@ -8,7 +8,7 @@ from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, is_moved_by, slings_under
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.rigging import Rigging
-from gantline.scenario.steps import FollowingStep
+from gantline.scenario.steps import AlongStep
 
 __all__ = ["check_kept_plumb"]
 
@@ -17,7 +17,7 @@ def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
     """Note hooks that a step cannot keep plumb: the load hangs in falls between them and others."""
     scenario = findings.scenario
     for place, step in enumerate(scenario.plan):
-        if not isinstance(step, FollowingStep) or not step.keep_plumb:
+        if not isinstance(step, AlongStep) or not step.keep_plumb:
             continue
         one = mover(scenario, step.kind, step.moved[0])
         if one is None:

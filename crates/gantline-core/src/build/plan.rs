@@ -149,11 +149,11 @@ fn build_step(
             Until::Duration(*duration)
         }
         UntilSpec::EndOfRun {} => Until::EndOfRun,
-        UntilSpec::Follow { own, others } => match moves[..] {
-            [Move { drive, .. }] => {
-                Until::Follow(build_follow(name, drives[drive].dof, (own, others), tree, ropes)?)
+        UntilSpec::Follow { way, own, others } => match moves[..] {
+            [Move { drive, .. }, ..] => {
+                Until::Follow(build_follow(name, &drives[drive], (way, own, others), tree, ropes)?)
             }
-            _ => return error(name, "one drive follows"),
+            [] => return error(name, "a drive follows"),
         },
         condition => Until::Condition(build_condition(name, condition, tree, groups, ropes)?),
     };
