@@ -64,16 +64,18 @@ plan:
 {plan}
 simulation: {{sample_interval: 0.2 s{settings}}}
 """
-_TACKLES = """\
-      tackles: {count: 2, parts: 12, rope: luff, from: [-20 m, 3 m, 45 m]}
+#: Top of the tackles from the heel pins, along the boom from above and up [m].
+TOP = (-20.0, 35.0)
+_TACKLES = f"""\
+      tackles: {{count: 2, parts: 12, rope: luff, from: [{TOP[0]} m, 3 m, {HEEL + TOP[1]} m]}}
 """
 
 
 def heel_of(angle: float, *, inwards: bool) -> float:
     """Where the heel pins are so that the head is over its lug [m].
 
-    The lug comes nearer to the far hook: a boom that points away from that hook luffs in, one that points there
-    luffs out.
+    The lug comes nearer to the far hook: a boom that points away from that hook luffs in, one that points
+    there luffs out.
     """
     reach = BOOM * math.cos(math.radians(angle))
     return LUG - reach if inwards else LUG + reach
@@ -120,12 +122,12 @@ def by_a_boom(
         most=within[1],
         tackles=_TACKLES if tackles else "",
         sling=SLING,
-        block="below_head: 1 m, sheave_block_mass: 1 kg",
+        block="below_head: 1 m, sheave_block_mass: 1 t",
         settings=settings,
     )
 
 
-def upended(by: float, *, hoist: float = 4.0, follow: float = 12.0) -> str:
+def luffed_along(by: float, *, hoist: float = 4.0, follow: float = 12.0) -> str:
     """A plan in which hook `far` hoists [m, m/min], and the boom follows with so much at most [deg/min]."""
     beside = f"starts: with_previous, speed: {follow} deg/min"
     return "\n".join(

@@ -8,7 +8,7 @@ from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, is_moved_by, slings_under
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.rigging import Rigging
-from gantline.scenario.steps import AlongStep
+from gantline.scenario.steps import AlongStep, HoldStep
 
 __all__ = ["check_kept_plumb"]
 
@@ -16,7 +16,11 @@ __all__ = ["check_kept_plumb"]
 def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
     """Note hooks that a step cannot keep plumb: the load hangs in falls between them and others."""
     scenario = findings.scenario
+    hooks = scenario.hooks
+    beside: dict[str, Mover] = {}  # what keeps falls plumb side by side, by crane
     for place, step in enumerate(scenario.plan):
+        if isinstance(step, HoldStep) or step.starts != "with_previous":
+            beside = {}
         if not isinstance(step, AlongStep) or not step.keep_plumb:
             continue
         one = mover(scenario, step.kind, step.moved[0])
@@ -28,6 +32,16 @@ def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
         if not hooks_beside(scenario, rigging, one):
             sentence = f"no load hangs between hooks of '{one.name}' and others"
             findings.add(path, f"{sentence}; falls of one hook alone come plumb by themselves")
+        for crane in {hooks[name].crane for name in hooks if is_moved_by(one, hooks[name])}:
+            _check_beside(findings, ("plan", place, step.verb), beside.setdefault(crane, one), one)
+
+
+def _check_beside(findings: Findings, path: Path, first: Mover, one: Mover) -> None:
+    """A crane may travel along the way of its boom, so that each would make good what the other does too."""
+    kinds = {first.kind, one.kind}
+    if "crane" in kinds and kinds & {"boom", "upper"}:
+        sentence = f"'{first.name}' keeps falls of the same crane plumb beside it"
+        findings.add(path, f"{sentence}, maybe along the same way; a crane travels, or it luffs and slews")
 
 
 def _check_hook(findings: Findings, rigging: Rigging, path: Path, one: Mover, text: str) -> None:
