@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from lift_text import changed
+
 #: Distance of the column's lugs, their height at the start, length of the boom, height of its heel pins [m].
 LINE, LOW, BOOM, HEEL = 19.0, 30.0, 70.0, 10.0
 #: Where the lug under the boom is at the start [m]; that under the other hook is at -19 m from there.
@@ -46,7 +48,8 @@ ropes:
       B:
         height: {high} m
         block: {{mass: 5 t, height: 2 m}}
-        reeving: {{parts_each: 4, rope: hoist, sheave_diameter: 1 m, {block}}}
+        reeving:
+          {{parts_each: 4, rope: hoist, sheave_diameter: 1 m, below_head: 1 m, sheave_block_mass: 1 t}}
         drum: {{diameter: 1.6 m}}
         hoist: {{speed: 10 m/min, acceleration: {hoist} m/s^2}}
 load:
@@ -122,8 +125,37 @@ def by_a_boom(
         most=within[1],
         tackles=_TACKLES if tackles else "",
         sling=SLING,
-        block="below_head: 1 m, sheave_block_mass: 1 t",
         settings=settings,
+    )
+
+
+#: From the aft end of the barge of `afloat` to the heel pins [m].
+_ON_BARGE = 70.0
+_BARGE = """\
+water: {{density: 1025 kg/m^3, level: 0 m}}
+vessels:
+  barge:
+    position: [{aft} m, 0 m]
+    heading: 0 deg
+    draft: 4 m
+    hull: {{box: [80 m, 32 m, 8 m]}}
+    masses: {{hull: {{mass: 9000 t, at: [36 m, 0 m, 4 m]}}}}
+    radii_of_gyration: [11 m, 24 m, 24 m]
+    added_mass: {{heave: 12000 t, at: [40 m, 0 m, 0 m]}}
+    water_damping: {{critical: {{heave: 20 %, surge: 5 %, periods: {{surge: 60 s}}}}}}
+cranes:
+"""
+
+
+def afloat(lift: str, *, angle: float) -> str:
+    """The same crane, luffing in and in tackles, on a barge that only its waterplane holds in pitch."""
+    stands = heel_of(angle, inwards=True)
+    return changed(
+        lift,
+        (f"    position: [{stands} m, 0 m, 0 m]\n    heading: 0.0 deg\n", "    vessel: barge\n"),
+        ("cranes:\n", _BARGE.format(aft=stands - _ON_BARGE)),
+        (f"at: [0 m, 0 m, {HEEL} m], apart", f"at: [{_ON_BARGE} m, 0 m, {HEEL} m], apart"),
+        (f"from: [{TOP[0]} m", f"from: [{_ON_BARGE + TOP[0]} m"),
     )
 
 

@@ -8,6 +8,7 @@ from gantline.assembly.parting import pieces_of
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import upper_sheaves
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, slings_under
 from gantline.scenario.movers import Mover, mover
@@ -15,6 +16,9 @@ from gantline.scenario.rigging import SlingRigging
 from gantline.scenario.steps import AlongStep
 
 __all__ = ["followed"]
+
+#: Time between looks, on land and where a crane floats [s].
+_LOOKS, _LOOKS_AFLOAT = 1.0, 10.0
 
 
 def followed(
@@ -31,13 +35,25 @@ def followed(
     """
     one = mover(scenario, step.kind, step.moved[0])
     assert one is not None  # checked with the file
+    others = hooks_beside(scenario, rigging, one)
     own = [full_name(text, scenario.hooks) or text for text in hooks]
     return {
         "type": "follow",
         "way": _way(scenario, one, own),
+        "every": _every(scenario, [*own, *others]),
         "own": [_lead(scenario, rigging, parts, name) for name in own],
-        "others": [_lead(scenario, rigging, parts, name) for name in hooks_beside(scenario, rigging, one)],
+        "others": [_lead(scenario, rigging, parts, name) for name in others],
     }
+
+
+def _every(scenario: Scenario, hooks: list[str]) -> float:
+    """Time between looks [s]: longer than vessels take to pitch and roll where a crane among them floats.
+
+    A boom that goes along with every pitch pushes its vessel a quarter of a period later, and shakes it up.
+    """
+    cranes = [(scenario.cranes or {})[scenario.hooks[name].crane] for name in hooks]
+    is_afloat = any(isinstance(crane, FloatingCrane) and crane.vessel is not None for crane in cranes)
+    return _LOOKS_AFLOAT if is_afloat else _LOOKS
 
 
 def _way(scenario: Scenario, one: Mover, own: list[str]) -> Json:

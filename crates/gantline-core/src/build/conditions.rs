@@ -85,8 +85,8 @@ pub(super) fn build_condition(
 /// What a drive follows, of the step `name`.
 pub(super) fn build_follow(
     name: &str,
-    drive: &DriveJoint,
-    (way, own, others): (&WaySpec, &[LeadSpec], &[LeadSpec]),
+    (way, every): (Way, f64),
+    (own, others): (&[LeadSpec], &[LeadSpec]),
     tree: &Tree,
     ropes: (&[AnyConstraint], &Rows),
 ) -> Result<Follow, BuildError> {
@@ -105,12 +105,16 @@ pub(super) fn build_follow(
     if own.is_empty() || others.is_empty() {
         return error(name, "what follows needs a hook of its own, and another");
     }
-    let way = build_way(name, drive, way, tree)?;
-    Ok(Follow { way, own: leads(own)?, others: leads(others)?, down })
+    Ok(Follow { way, every, own: leads(own)?, others: leads(others)?, down })
 }
 
 /// How a drive of the step `name` takes hooks along.
-fn build_way(name: &str, drive: &DriveJoint, given: &WaySpec, tree: &Tree) -> Result<Way, BuildError> {
+pub(super) fn build_way(
+    name: &str,
+    drive: &DriveJoint,
+    given: &WaySpec,
+    tree: &Tree,
+) -> Result<Way, BuildError> {
     let carried = place(name, &given.carried, tree)?;
     let mut joint = (drive.body, drive.dof);
     let mut tackles = None;

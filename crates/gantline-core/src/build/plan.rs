@@ -1,6 +1,6 @@
 //! Drives and the steps of the plan.
 
-use super::conditions::{build_condition, build_follow};
+use super::conditions::{build_condition, build_follow, build_way};
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Plan, Step, StopAt, Switching, Until};
@@ -149,9 +149,11 @@ fn build_step(
             Until::Duration(*duration)
         }
         UntilSpec::EndOfRun {} => Until::EndOfRun,
-        UntilSpec::Follow { way, own, others } => match moves[..] {
+        UntilSpec::Follow { way, every, own, others } => match moves[..] {
             [Move { drive, .. }, ..] => {
-                Until::Follow(build_follow(name, &drives[drive], (way, own, others), tree, ropes)?)
+                positive(name, "the time between looks", *every)?;
+                let way = build_way(name, &drives[drive], way, tree)?;
+                Until::Follow(build_follow(name, (way, *every), (own, others), tree, ropes)?)
             }
             [] => return error(name, "a drive follows"),
         },

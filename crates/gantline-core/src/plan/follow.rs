@@ -1,6 +1,6 @@
 //! A trolley, crane or boom that goes along with its hook, so that falls stay plumb while a load turns between hooks.
 //!
-//! Every [`LOOK`] it is seen where the load pulls under the hook, against where it pulls under the others: a load that
+//! At every look it is seen where the load pulls under the hook, against where it pulls under the others: a load that
 //! swings goes aside under all of them alike, and that is not followed. What the drive is behind is counted as the drive
 //! counts: by how far it takes the hook along, level, for each metre or radian. It goes on as fast as its place above the
 //! load goes away, and makes good half of what it is behind until the next look.
@@ -13,9 +13,7 @@ use super::drive::Motion;
 use super::step::Move;
 use crate::tree::kinematics::Kinematics;
 
-/// Time between looks [s].
-pub const LOOK: f64 = 1.0;
-/// Longest time that a drive follows on when all that goes on beside it has ended [s].
+/// How many times its time between looks a drive follows on at most when all that goes on beside it has ended.
 pub const SETTLING: f64 = 20.0;
 /// It comes to rest then once the hook is taken along no faster than this at two looks [m/s].
 pub const CALM: f64 = 1e-3;
@@ -68,6 +66,8 @@ pub struct Way {
 pub struct Follow {
     /// How the drive takes its hooks along.
     pub way: Way,
+    /// Time between looks [s].
+    pub every: f64,
     /// Hooks that it moves.
     pub own: Vec<Lead>,
     /// The other hooks of the load.
@@ -170,36 +170,37 @@ impl View {
     /// - `along`: how fast its place goes on, as far as that is known.
     /// - `now`: velocity of the drive at this look.
     /// - `acceleration`: its acceleration, per s².
-    pub fn velocity(&self, along: f64, now: f64, acceleration: f64) -> f64 {
+    /// - `every`: time between looks [s].
+    pub fn velocity(&self, along: f64, now: f64, acceleration: f64, every: f64) -> f64 {
         // By how much it will be behind at the next look if it only comes to that velocity.
-        let behind = self.lag + 0.5 * LOOK * (along - now);
+        let behind = self.lag + 0.5 * every * (along - now);
         // No faster past that than half of its acceleration brakes.
         let most = (acceleration * behind.abs()).sqrt();
-        along + (SHARE * behind / LOOK).clamp(-most, most)
+        along + (SHARE * behind / every).clamp(-most, most)
     }
 }
 
 /// To which velocity a drive goes, and within which time, where `wanted` [m/s] is asked for: as far as its speed,
-/// acceleration and range allow it until the next look [m/s, s].
-pub fn within(wanted: f64, now: Motion, limits: &Move) -> (f64, f64) {
+/// acceleration and range allow it until the next look, `every` [s] from now [m/s, s].
+pub fn within(wanted: f64, now: Motion, limits: &Move, every: f64) -> (f64, f64) {
     let (a, fastest) = (limits.acceleration, limits.velocity.abs());
     let [low, high] = limits.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
     let [ahead, behind] = [high - now.position, now.position - low];
     let (u, room) = if now.velocity < 0.0 { (-now.velocity, behind) } else { (now.velocity, ahead) };
-    if u * LOOK > 2.0 * room {
+    if u * every > 2.0 * room {
         // It has to be at rest before the next look.
         return (0.0, 2.0 * room.max(0.0) / u);
     }
-    let up = ending_within(now.velocity, ahead, a).min(fastest);
-    let down = -ending_within(-now.velocity, behind, a).min(fastest);
-    (wanted.min(up).max(down).clamp(now.velocity - a * LOOK, now.velocity + a * LOOK), LOOK)
+    let up = ending_within(now.velocity, ahead, a, every).min(fastest);
+    let down = -ending_within(-now.velocity, behind, a, every).min(fastest);
+    (wanted.min(up).max(down).clamp(now.velocity - a * every, now.velocity + a * every), every)
 }
 
 /// The velocity v to which a drive may go from u until the next look so that braking with a ends within a room r:
 /// `(u + v)T/2 + v²/2a = r`.
-fn ending_within(u: f64, room: f64, a: f64) -> f64 {
-    let half = 0.5 * a * LOOK;
-    (half * half - a * u * LOOK + 2.0 * a * room).max(0.0).sqrt() - half
+fn ending_within(u: f64, room: f64, a: f64, every: f64) -> f64 {
+    let half = 0.5 * a * every;
+    (half * half - a * u * every + 2.0 * a * room).max(0.0).sqrt() - half
 }
 
 #[cfg(test)]
@@ -209,6 +210,7 @@ mod tests {
     use crate::spec::RampShape;
 
     const TOLERANCE: f64 = 1e-12;
+    const LOOK: f64 = 1.0;
 
     fn limits(velocity: f64, acceleration: f64, range: Option<[f64; 2]>) -> Move {
         Move { drive: 0, velocity, acceleration, shape: RampShape::Linear, range, emergency: None }
@@ -222,8 +224,8 @@ mod tests {
             let now = timeline.motion(at);
             let view = View { lag: place(at) - now.position, rate: 1.0 };
             let along = before.map_or(0.0, |before| (place(at) - before) / LOOK);
-            let wanted = view.velocity(along, now.velocity, limits.acceleration);
-            let (velocity, duration) = within(wanted, now, limits);
+            let wanted = view.velocity(along, now.velocity, limits.acceleration, LOOK);
+            let (velocity, duration) = within(wanted, now, limits, LOOK);
             timeline.ramp(at, duration, velocity, RampShape::Linear);
             before = Some(place(at));
             behind.push(view.lag);
@@ -274,8 +276,8 @@ mod tests {
             for at in (0..60).map(|look| f64::from(look) * LOOK) {
                 let now = timeline.motion(at);
                 let view = View { lag: place - now.position, rate: 1.0 };
-                let wanted = view.velocity(0.0, now.velocity, bounds.acceleration);
-                let (velocity, duration) = within(wanted, now, &bounds);
+                let wanted = view.velocity(0.0, now.velocity, bounds.acceleration, LOOK);
+                let (velocity, duration) = within(wanted, now, &bounds, LOOK);
                 timeline.ramp(at, duration, velocity, RampShape::Linear);
                 for part in 0..=20 {
                     let motion = timeline.motion(at + f64::from(part) * 0.05 * LOOK);

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::condition::Seen;
 use super::drive::Timeline;
-use super::follow::{CALM, Glance, LOOK, SETTLING, within};
+use super::follow::{CALM, Glance, SETTLING, within};
 use super::step::{EmergencyStop, Move, Plan, Step, StopAt, Until};
 use crate::event::{EventKind, EventLog};
 use crate::spec::RampShape;
@@ -100,7 +100,7 @@ impl PlanState {
                 let step = &plan.steps[index];
                 if matches!(self.phases[index], Phase::UntilCondition(_)) && is_met(step, seen) {
                     self.phases[index] = Phase::UntilTime(self.brake(step, from));
-                    self.look_soon(from);
+                    self.look_soon(plan, from);
                 }
             }
             let (at, due) = self.next_due(plan);
@@ -136,7 +136,7 @@ impl PlanState {
                 Phase::UntilLimit(end) => (end, Due::Limit(index)),
                 Phase::UntilCondition(end) if end < f64::MAX => (end, Due::Limit(index)),
                 Phase::Following { next, .. } => {
-                    let rest = self.led_until(plan) + SETTLING;
+                    let rest = self.led_until(plan) + SETTLING * look_every(&plan.steps[index]);
                     if rest <= next { (rest, Due::Rest(index)) } else { (next, Due::Look(index)) }
                 }
                 _ => continue,
@@ -189,12 +189,14 @@ impl PlanState {
             let place = view.map(|view| now.position + view.lag);
             let along = match (before, place) {
                 (Some(before), Some(place)) => {
-                    (place - before.place) / (at - before.at) * self.going_on(plan, before.at, at)
+                    (place - before.place) / (at - before.at)
+                        * self.going_on(plan, [before.at, at, at + follow.every])
                 }
                 _ => 0.0,
             };
-            let wanted = view.map_or(0.0, |view| view.velocity(along, now.velocity, first.acceleration));
-            let (velocity, duration) = within(wanted, now, first);
+            let wanted =
+                view.map_or(0.0, |view| view.velocity(along, now.velocity, first.acceleration, follow.every));
+            let (velocity, duration) = within(wanted, now, first, follow.every);
             for motion in &step.moves {
                 let timeline = &mut self.timelines[motion.drive];
                 timeline.forget(at);
@@ -207,20 +209,21 @@ impl PlanState {
         self.phases[index] = if is_calm {
             Phase::UntilTime(self.brake(step, at))
         } else {
-            Phase::Following { next: at + LOOK, before }
+            Phase::Following { next: at + follow.every, before }
         };
     }
 
     /// How fast what goes on beside drives that follow will go until the next look, over how fast it went since the
-    /// look `before` [s], as far as the plan knows it `at` a time [s]: of the drive that slows down least. 1 where
-    /// nothing went on.
-    fn going_on(&self, plan: &Plan, before: f64, at: f64) -> f64 {
+    /// look before, as far as the plan knows it: of the drive that slows down least. 1 where nothing went on.
+    ///
+    /// `looks` are the look before, this one and the next [s].
+    fn going_on(&self, plan: &Plan, looks: [f64; 3]) -> f64 {
         let stage = self.stage..self.begun;
         let leading = plan.steps[stage].iter().filter(|step| !matches!(step.until, Until::Follow(_)));
         let shares = leading.flat_map(|step| &step.moves).filter_map(|motion| {
             let timeline = &self.timelines[motion.drive];
-            let [first, now, next] = [before, at, at + LOOK].map(|time| timeline.motion(time).position);
-            let (was, will) = ((now - first) / (at - before), (next - now) / LOOK);
+            let [first, now, next] = looks.map(|time| timeline.motion(time).position);
+            let (was, will) = ((now - first) / (looks[1] - looks[0]), (next - now) / (looks[2] - looks[1]));
             (was.abs() > STILL * motion.velocity.abs()).then(|| (will / was).clamp(0.0, 1.0))
         });
         shares.reduce(f64::max).unwrap_or(1.0)
@@ -228,10 +231,10 @@ impl PlanState {
 
     /// What goes on beside drives that follow has changed at a time [s]: they look at once, though no sooner than half
     /// the usual time after the look before.
-    fn look_soon(&mut self, at: f64) {
-        for phase in &mut self.phases[self.stage..self.begun] {
-            if let Phase::Following { next, before: Some(before) } = phase {
-                *next = next.min(at.max(before.at + 0.5 * LOOK));
+    fn look_soon(&mut self, plan: &Plan, at: f64) {
+        for index in self.stage..self.begun {
+            if let Phase::Following { next, before: Some(before) } = &mut self.phases[index] {
+                *next = next.min(at.max(before.at + 0.5 * look_every(&plan.steps[index])));
             }
         }
     }
@@ -403,6 +406,11 @@ impl PlanState {
 /// When a step ended [s]; infinity while it has not.
 fn ended(phase: &Phase) -> f64 {
     if let Phase::Ended(at) = phase { *at } else { f64::INFINITY }
+}
+
+/// Time between looks of a drive that follows [s].
+fn look_every(step: &Step) -> f64 {
+    if let Until::Follow(follow) = &step.until { follow.every } else { f64::INFINITY }
 }
 
 fn is_met(step: &Step, seen: Option<&Seen>) -> bool {

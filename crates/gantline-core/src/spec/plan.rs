@@ -209,6 +209,8 @@ pub enum UntilSpec {
     Follow {
         /// How the first of them takes its hooks along.
         way: WaySpec,
+        /// Time between looks [s].
+        every: f64,
         /// Hooks that the drive moves.
         own: Vec<LeadSpec>,
         /// The other hooks of the load.
