@@ -315,7 +315,7 @@ def on_a_barge(plan: str, duration: float) -> Recording:
 
 
 def test_a_boom_afloat_does_not_shake_its_vessel_up() -> None:
-    """The barge pitches with 4.3 s and next to no damping, to which a boom that keeps falls plumb adds nothing.
+    """The barge pitches with 4.3 s and next to no damping, to which a boom that follows adds nothing.
 
     One that looked every second went along with that, and brought 0.03 deg to 0.36 deg within 150 s.
     """
