@@ -14,9 +14,13 @@ from gantline.cli.app import app
 from gantline.scenario import ScenarioError, load_scenario
 from gantline.scenario.tree import LARGEST_FILE
 from lift_text import AFLOAT, BASE, MECHANICS, MOORED, spoiled
-from upending import between_trolleys, upended
+from luffing_along import by_a_boom, luffed_along
+from upending import between_trolleys, by_crawlers, upended
 
 LUFF = "{step: luff out, luff: fc, speed: 20 deg/min, to: 50 deg}"
+TAIL = """\
+{step: upend, hoist: main.H, speed: 2 m/min, by: 10 m}
+{step: follow, travel: tail, starts: with_previous, speed: 1 km/h, keep_plumb: tail.H}"""
 SLEW = "{step: slew, slew: c1, speed: 0.2 rev/min, by: 30 deg}"
 BASES = {
     "yard": BASE,
@@ -27,6 +31,8 @@ BASES = {
     "tackles": boom_lift(LUFF, duration=60.0, luffing=TACKLES),
     "crawler": crawler_lift(150e3, SLEW, duration=60.0),
     "upending": between_trolleys(upended(), duration=60.0),
+    "luffing": by_a_boom(luffed_along(17.0), inwards=True, angle=60.0, duration=60.0),
+    "tail": by_crawlers(TAIL, duration=60.0),
 }
 CASES = YAML(typ="safe").load(Path(__file__).with_name("malformed.yaml"))
 NEEDED = "a lift file or its folder is needed"

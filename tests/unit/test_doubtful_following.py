@@ -9,6 +9,8 @@ import pytest
 from gantline.assembly import assemble
 from gantline.scenario import parse_scenario
 from lift_text import changed
+from luffing_along import BOOM, LUG, by_a_boom, heel_of, luffed_along
+from luffing_along import LINE as LUGS
 from upending import LINE, between_trolleys, by_crawlers, upended
 
 
@@ -72,3 +74,57 @@ def test_a_crane_that_goes_across_the_lugs_is_told(heading: int, askew: int | No
     told = [one for one in assemble(parse_scenario(text)).warnings if "between the lugs" in one]
     expected = f"step 'follow': 'tail' goes at {askew} deg to the line between the lugs as it starts"
     assert [one.partition(";")[0] for one in told] == ([] if askew is None else [expected])
+
+
+def of_boom(text: str) -> list[str]:
+    told = assemble(parse_scenario(text)).warnings
+    return [one for one in told if one.startswith("step 'follow'")]
+
+
+@pytest.mark.parametrize(("inwards", "by", "end"), [(True, 17.0, 65.56), (False, 8.0, 57.52)])
+def test_a_boom_that_falls_behind_is_told(inwards: bool, by: float, end: float) -> None:
+    """v sin t/(l sin(p + t)), or of one that luffs out sin(p - t), at the end of the hoist.
+
+    There sin t = (h - l (sin p - sin 60 deg))/L; p is that of the run, which comes there in verification.
+    """
+    boom = math.radians(end)
+    lugs = math.asin((by - BOOM * (math.sin(boom) - math.sin(math.radians(60.0)))) / LUGS)
+    most = 4.0 * math.sin(lugs) / (BOOM * math.sin(boom + lugs if inwards else boom - lugs))
+    for share, told in ((1.01, False), (0.9, True)):
+        follow = share * math.degrees(most)
+        text = by_a_boom(luffed_along(by, follow=follow), inwards=inwards, angle=60.0)
+        warnings = of_boom(text)
+        assert bool(warnings) is told
+    assert (
+        f"would have to go {math.degrees(most):.1f} deg/min, and may go {follow:.1f} deg/min" in warnings[0]
+    )
+
+
+@pytest.mark.parametrize(
+    ("inwards", "by", "within"),
+    [(True, 17.0, (40.0, 62.0)), (False, 16.0, (15.0, 85.0)), (False, 8.0, (59.0, 85.0))],
+)
+def test_a_boom_that_does_not_reach_is_told(inwards: bool, by: float, within: tuple[float, float]) -> None:
+    """l (cos 60 deg - cos p) = L (1 - cos t) in, and out l (cos p - cos 60 deg): t of the end of the range.
+
+    Luffing out ends where boom and line of lugs come in line, l cos 60 deg + L = (l + L) cos t.
+    """
+    ends = [BOOM * abs(math.cos(math.radians(60.0)) - math.cos(math.radians(end))) for end in within]
+    of_range = math.acos(1.0 - (ends[1] if inwards else ends[0]) / LUGS) if within[0] != 15.0 else math.pi
+    in_line = math.acos((BOOM * 0.5 + LUGS) / (BOOM + LUGS)) if not inwards else math.pi
+    reach = math.degrees(min(of_range, in_line))
+    (warning,) = of_boom(by_a_boom(luffed_along(by), inwards=inwards, angle=60.0, within=within))
+    assert f"falls do not stay plumb from {reach:.1f} deg of the lugs over level on" in warning
+    assert f"begin with it {'less steep' if inwards else 'steeper'}" in warning
+
+
+def test_a_boom_across_the_lugs_is_told() -> None:
+    """The lugs lie along x, and the boom is turned by 50 deg from there."""
+    reach, turned = BOOM * math.cos(math.radians(60.0)), math.radians(50.0)
+    stands = f"[{LUG - reach * math.cos(turned)} m, {-reach * math.sin(turned)} m, 0 m]"
+    text = changed(
+        by_a_boom(luffed_along(4.0), inwards=True, angle=60.0),
+        ("heading: 0.0 deg", "heading: 50 deg"),
+        (f"[{heel_of(60.0, inwards=True)} m, 0 m, 0 m]", stands),
+    )
+    assert any("'fc.boom' goes at 50 deg to the line between the lugs" in one for one in of_boom(text))

@@ -10,24 +10,23 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import takewhile
 
 import numpy as np
 
+from gantline.assembly.followed_ways import STEEPEST, Along, Luffing, Slewing, first_angle, way_of
 from gantline.assembly.spatial import Array
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.crawler import Crawler
+from gantline.scenario.base import Element
 from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, slings_under
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
-from gantline.scenario.steps import FollowingStep, HoldStep, HookStep
-from gantline.units import format_quantity
+from gantline.scenario.steps import AlongStep, HoldStep, HookStep
 
 __all__ = ["doubtful_following"]
 
-#: Upright lines of lugs have no length from above; short of this their angle is taken to be [rad].
-_STEEPEST = math.radians(89.9)
 #: Angle of the way of a drive to the line of lugs beyond which more than half of that lies across it [rad].
 _MOST_ASKEW = math.radians(30.0)
 
@@ -42,7 +41,7 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
         scenario: The lift.
         rigging: Who carries whom.
     """
-    if not any(isinstance(step, FollowingStep) and step.keep_plumb for step in scenario.plan):
+    if not any(isinstance(step, AlongStep) and step.keep_plumb for step in scenario.plan):
         return
     heights: dict[str, float | None] = {name: hook.height for name, hook in scenario.hooks.items()}
     turned, before = _Turned(), frozenset[str]()
@@ -58,7 +57,7 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
         lugs = {hook: _lugs(scenario, rigging, [hook], on) for hook in scenario.hooks}
         after = turned.after(hoists, speeds, {hook: at for hook, at in lugs.items() if at is not None})
         for step in stage:
-            if not isinstance(step, FollowingStep) or not step.keep_plumb:
+            if not isinstance(step, AlongStep) or not step.keep_plumb:
                 continue
             one = mover(scenario, step.kind, step.moved[0])
             assert one is not None  # checked with the file
@@ -67,10 +66,20 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
             near, far = (_lugs(scenario, rigging, names, on) for names in (own, others))
             if near is None or far is None:
                 continue
-            yield from _askew(scenario, step, one, far - near)
-            speed = abs(_mean(speeds, others) - _mean(speeds, own))
+            line = far - near
+            assert scenario.load is not None  # it hangs between hooks
+            towards = scenario.load.heading + math.atan2(line[1], line[0])
+            way = way_of(scenario, one, towards, (float(np.linalg.norm(line)), float(line[2])))
+            if _others_beside(scenario, stage, step):
+                continue
+            yield from _askew(step, one, way, towards, line)
+            speed = _mean(speeds, others) - _mean(speeds, own)
+            if isinstance(way, Luffing | Slewing) and (speed < 0.0 or _is_elsewhere(scenario, step)):
+                continue  # equations of both are for an end that stays low, and from where they start
             lifted = _lifted(scenario, heights, others) - _lifted(scenario, heights, own)
-            yield from _too_slow(step, speed, _steepest(far - near, turned, after, lifted))
+            steepest = _steepest(line, turned, after, lifted, way)
+            yield from _out_of_reach(step, one, way, steepest)
+            yield from _too_slow(step, abs(speed), steepest, way)
         turned, before = after, on
 
 
@@ -109,7 +118,9 @@ class _Turned:
         return along * cosine - high * sine, along * sine + high * cosine
 
 
-def _steepest(line: Array, before: _Turned, after: _Turned, lifted: float) -> tuple[float, str] | None:
+def _steepest(
+    line: Array, before: _Turned, after: _Turned, lifted: float, way: Along
+) -> tuple[float, str] | None:
     """Steepest angle of a line of lugs over level on its way [rad], and when that is; None if not known.
 
     Args:
@@ -117,17 +128,18 @@ def _steepest(line: Array, before: _Turned, after: _Turned, lifted: float) -> tu
         before: How the load was turned as the step began.
         after: The same as it ends.
         lifted: By how much more than the other its far end has been hoisted since the lift began [m], or NaN.
+        way: How its near end goes along.
     """
     length = float(np.linalg.norm(line))
     if not length > 0.0:
         return None
     if not after.is_known:
         sine = abs(float(line[2]) + lifted) / length
-        return None if math.isnan(sine) else (min(math.asin(min(sine, 1.0)), _STEEPEST), "in the end")
+        return None if math.isnan(sine) else (way.turned_by(sine), "in the end")
     ends = [one.line(line) for one in (replace(before, up=after.up), after)]
     if ends[0][0] * ends[1][0] < 0.0:
-        return _STEEPEST, "on the way"
-    first, last = (min(abs(math.atan2(high, abs(along))), _STEEPEST) for along, high in ends)
+        return STEEPEST, "on the way"
+    first, last = (min(abs(math.atan2(high, abs(along))), STEEPEST) for along, high in ends)
     return (first, "at first") if first > last else (last, "in the end")
 
 
@@ -153,35 +165,65 @@ def _after(step: HookStep, before: float | None) -> float | None:
     return None if step.by is None or before is None else before + step.sign * step.by
 
 
-def _askew(scenario: Scenario, step: FollowingStep, one: Mover, line: Array) -> Iterator[str]:
+def _followers(scenario: Scenario, step: Element) -> set[str]:
+    """Cranes whose hooks a step takes along to keep falls plumb."""
+    if not isinstance(step, AlongStep) or not step.keep_plumb:
+        return set()
+    return {scenario.hooks[name].crane for name in _named(scenario, step.keep_plumb)}
+
+
+def _others_beside(scenario: Scenario, stage: Sequence[Step], step: AlongStep) -> bool:
+    """Whether another step takes the same hooks along beside it, across its own way."""
+    own = _followers(scenario, step)
+    return any(own & _followers(scenario, other) for other in stage if other is not step)
+
+
+def _is_elsewhere(scenario: Scenario, step: AlongStep) -> bool:
+    """Whether a step before has brought the crane to another place, or its boom, than that of the start."""
+    own = _followers(scenario, step)
+    for before in takewhile(lambda other: other is not step, scenario.plan):
+        if not isinstance(before, AlongStep) or before.verb == "traverse":
+            continue
+        is_alike = before.verb == step.verb and before.keep_plumb is not None
+        if own & set(before.moved) and not is_alike:
+            return True
+    return False
+
+
+def _askew(step: AlongStep, one: Mover, way: Along, towards: float, line: Array) -> Iterator[str]:
     """What goes across the line of lugs, axes of the load, does not follow along it."""
-    assert scenario.load is not None  # it hangs between hooks
-    crane = (scenario.cranes or {}).get(one.name)
-    way = crane.heading if isinstance(crane, Crawler) else 0.0 if one.kind == "trolley" else math.pi / 2
-    turned = scenario.load.heading + math.atan2(line[1], line[0]) - way
-    askew = abs(math.remainder(turned, math.pi))
+    askew = abs(math.remainder(towards - way.way, math.pi))
     if askew > _MOST_ASKEW and np.hypot(line[0], line[1]) > 0.0:
         goes = f"'{one.name}' goes at {math.degrees(askew):.0f} deg to the line between the lugs as it starts"
         yield f"step '{step.step}': {goes}; falls do not stay plumb across its way"
 
 
-def _too_slow(step: FollowingStep, speed: float, steepest: tuple[float, str] | None) -> Iterator[str]:
+def _out_of_reach(
+    step: AlongStep, one: Mover, way: Along, steepest: tuple[float, str] | None
+) -> Iterator[str]:
+    if steepest is None or not isinstance(way, Luffing) or way.reaches(steepest[0]):
+        return
+    angle = first_angle(lambda angle: not way.reaches(angle), way.level, steepest[0])
+    goes = f"falls do not stay plumb from {math.degrees(angle):.1f} deg of the lugs over level on"
+    reach = f"there '{one.name}' comes to the end of its reach, or of its range, {way.range_in_words}"
+    right = "begin with it steeper" if way.side > 0.0 else "begin with it less steep"
+    yield f"step '{step.step}': {goes}: {reach}; {right}, or let the crane travel"
+
+
+def _too_slow(step: AlongStep, speed: float, steepest: tuple[float, str] | None, way: Along) -> Iterator[str]:
     if speed == 0.0 or steepest is None:
         return
     angle, when = steepest
-    keeps_up = math.atan(step.speed / speed)
-    if angle <= keeps_up:
+    if way.needed(angle, speed) <= step.speed or not way.reaches(angle):
         return
+    keeps_up = first_angle(lambda angle: way.needed(angle, speed) > step.speed, 0.0, angle)
     where = "down to" if when == "at first" else "from"
     goes = f"falls behind {where} {math.degrees(keeps_up):.1f} deg of the lugs over level"
     goes = goes if when == "at first" else f"{goes} on"
-    needed = f"{_shown(speed)} x tan {math.degrees(angle):.1f} deg = {_shown(speed * math.tan(angle))}"
-    may = f"{when} it would have to go {needed}, and may go {_shown(step.speed)}"
+    may = (
+        f"{when} it would have to go {way.needed_in_words(angle, speed)}, and may go {way.shown(step.speed)}"
+    )
     yield f"step '{step.step}' {goes}: {may}; hoist slower there, or let it go faster"
-
-
-def _shown(speed: float) -> str:
-    return format_quantity(speed, "m/min", 1)
 
 
 def _lugs(scenario: Scenario, rigging: Rigging, hooks: Iterable[str], on: frozenset[str]) -> Array | None:

@@ -1,22 +1,28 @@
-"""What a trolley or crane follows that keeps falls plumb, as the core reads it."""
+"""What a trolley, crane or boom follows that keeps falls plumb, as the core reads it."""
 
 from __future__ import annotations
 
-from gantline.assembly.conditions import falls_of
+import numpy as np
+
 from gantline.assembly.parting import pieces_of
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.reeving import upper_sheaves
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, slings_under
-from gantline.scenario.movers import mover
+from gantline.scenario.movers import Mover, mover
 from gantline.scenario.rigging import SlingRigging
-from gantline.scenario.steps import FollowingStep
+from gantline.scenario.steps import AlongStep
 
 __all__ = ["followed"]
 
+#: Time between looks, on land and where a crane floats [s].
+_LOOKS, _LOOKS_AFLOAT = 1.0, 10.0
+
 
 def followed(
-    scenario: Scenario, rigging: Rigging, parts: Parts, step: FollowingStep, hooks: tuple[str, ...]
+    scenario: Scenario, rigging: Rigging, parts: Parts, step: AlongStep, hooks: tuple[str, ...]
 ) -> Json:
     """The end of a step that follows.
 
@@ -29,19 +35,48 @@ def followed(
     """
     one = mover(scenario, step.kind, step.moved[0])
     assert one is not None  # checked with the file
+    others = hooks_beside(scenario, rigging, one)
     own = [full_name(text, scenario.hooks) or text for text in hooks]
     return {
         "type": "follow",
+        "way": _way(scenario, one, own),
+        "every": _every(scenario, [*own, *others]),
         "own": [_lead(scenario, rigging, parts, name) for name in own],
-        "others": [_lead(scenario, rigging, parts, name) for name in hooks_beside(scenario, rigging, one)],
+        "others": [_lead(scenario, rigging, parts, name) for name in others],
     }
+
+
+def _every(scenario: Scenario, hooks: list[str]) -> float:
+    """Time between looks [s]: longer than vessels take to pitch and roll where a crane among them floats.
+
+    A boom that goes along with every pitch pushes its vessel a quarter of a period later, and shakes it up.
+    """
+    cranes = [(scenario.cranes or {})[scenario.hooks[name].crane] for name in hooks]
+    is_afloat = any(isinstance(crane, FloatingCrane) and crane.vessel is not None for crane in cranes)
+    return _LOOKS_AFLOAT if is_afloat else _LOOKS
+
+
+def _way(scenario: Scenario, one: Mover, own: list[str]) -> Json:
+    """How what moves takes its hooks along: at a boom where their sheave blocks are pinned to its head."""
+    carriers = [hook.carrier for name in own if (hook := scenario.hooks[name]).carrier is not None]
+    assert carriers[0] is not None  # what moves takes them along
+    at = [0.0, 0.0, 0.0]
+    if carriers[0].kind == "boom":
+        at[:2] = np.mean([scenario.hooks[name].place for name in own], axis=0).tolist()
+    found: Json = {"carried": [carriers[0].name, at], "tackles": None}
+    placed = next((boom for boom in scenario.booms.values() if boom.name == one.name), None)
+    if placed is not None and placed.tackles is not None:
+        (x, _, z), middle = placed.tackles.from_, placed.heel[1]
+        top, head = [placed.base, [x, middle, z]], [placed.name, [placed.boom.length, 0.0, 0.0]]
+        found["tackles"] = {"turns": placed.name, "top": top, "head": head}
+    return found
 
 
 def _lead(scenario: Scenario, rigging: Rigging, parts: Parts, name: str) -> Json:
     """A hook with its falls, where it has any, and all slings down to the load."""
     hook = scenario.hooks[name]
-    itself = [name, [0.0, 0.0, 0.0]]
-    tip, at = (itself, itself) if hook.reeving is None else falls_of(hook)
+    at = [name, [0.0, 0.0, 0.0]]
+    tip = at if hook.reeving is None else [upper_sheaves(name), [0.0, 0.0, 0.0]]
     levels = []
     level = slings_under(rigging, name)
     while level:

@@ -15,7 +15,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.movers import Mover, boom_angles, mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
-from gantline.scenario.steps import FollowingStep, HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
+from gantline.scenario.steps import AlongStep, HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tanks import ends_of_pump, tanks_of
 
 __all__ = [
@@ -67,7 +67,7 @@ def operations(scenario: Scenario, rigging: Rigging, parts: Parts, weight: float
             made = _pumping(scenario, step)
         else:
             made = _moving(scenario, step, before)
-        if isinstance(step, FollowingStep) and step.keep_plumb:
+        if isinstance(step, AlongStep) and step.keep_plumb:
             made["until"] = followed(scenario, rigging, parts, step, step.keep_plumb)
         if step.until is not None:
             down = isinstance(step, (LowerStep, PayOutStep))
@@ -204,6 +204,8 @@ def _range_to_keep(step: MovingStep, one: Mover) -> Json:
     """Where a drive may go that finds its own way."""
     if not getattr(step, "keep_plumb", None) or one.range is None:
         return {}
+    if one.gear is not None:
+        return {"range": [one.gear.taken_up(end) for end in one.range]}
     return {"range": [end - one.zero for end in one.range]}
 
 

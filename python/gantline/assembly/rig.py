@@ -31,7 +31,7 @@ from gantline.scenario.hooks import full_name
 from gantline.scenario.lug import Lug
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
-from gantline.scenario.steps import FollowingStep, HoldStep, MovingStep, PumpStep
+from gantline.scenario.steps import AlongStep, HoldStep, MovingStep, PumpStep
 from gantline.scenario.stream import Wind
 from gantline.scenario.tanks import ends_of_pump, tanks_of
 
@@ -364,7 +364,7 @@ def _turns(step: Any) -> bool:
 
 def _kept_plumb(scenario: Scenario, step: Any) -> Json:
     """The hooks whose falls a step keeps plumb."""
-    if not isinstance(step, FollowingStep) or not step.keep_plumb:
+    if not isinstance(step, AlongStep) or not step.keep_plumb:
         return {}
     return {"keep_plumb": [full_name(text, scenario.hooks) or text for text in step.keep_plumb]}
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import numpy.typing as npt
 
 from gantline.results import series
 from gantline.results.progress import spans
@@ -65,7 +66,7 @@ def turning_in_words(recording: Recording, load: Load) -> list[tuple[str, str]]:
 
 
 def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
-    """How far out of plumb the falls of each hook came in the steps that keep them plumb.
+    """How far out of plumb the falls of each hook came in the steps that keep them plumb, and what booms did.
 
     Args:
         recording: The recording.
@@ -85,7 +86,7 @@ def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
             at = int(np.argmax(aside))
             found = (float(aside[at]), float(recording.time[at]), step.step)
             farthest[hook] = max(farthest.get(hook, found), found)
-    return [
+    rows = [
         (
             "falls kept plumb",
             f"{hook} within {format_quantity(most, 'deg', 2)}, farthest in '{step}' at "
@@ -93,3 +94,28 @@ def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
         )
         for hook, (most, time, step) in farthest.items()
     ]
+    return rows + _luffed_in_words(recording)
+
+
+def _luffed_in_words(recording: Recording) -> list[tuple[str, str]]:
+    """From where to where booms luffed that kept falls plumb, and how high their hooks were then."""
+    during = spans(recording)
+    followed = [one for one in recording.rig.plan if one.kind == "luff" and one.keep_plumb]
+    rows = []
+    for boom in recording.rig.booms:
+        hooks = [hook.name for hook in boom.hooks]
+        times = [
+            during[one.step] for one in followed if one.step in during and set(hooks) & set(one.keep_plumb)
+        ]
+        if not times:
+            continue
+        ends = np.searchsorted(recording.time, (times[0][0], times[-1][1])).clip(max=recording.time.size - 1)
+
+        def went(values: FloatArray, unit: str, ends: npt.NDArray[np.intp] = ends) -> str:
+            first, last = (format_quantity(float(value), unit, 1) for value in values[ends])
+            return f"{first} to {last}"
+
+        luffed = f"{boom.name} from {went(recording.column('boom_angle', boom.name), 'deg')}"
+        heights = [f"{hook} {went(recording.column('hook_height', hook), 'm')} high" for hook in hooks]
+        rows.append(("luffed to keep plumb", ", ".join([luffed, *heights[:_MOST_HOOKS]])))
+    return rows

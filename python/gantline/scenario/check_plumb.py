@@ -9,7 +9,7 @@ from gantline.scenario.kept_plumb import hooks_beside, is_moved_by, slings_under
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.rigging import Rigging
 from gantline.scenario.slinging import slings_on
-from gantline.scenario.steps import FollowingStep
+from gantline.scenario.steps import AlongStep, HoldStep
 
 __all__ = ["check_kept_plumb"]
 
@@ -17,8 +17,12 @@ __all__ = ["check_kept_plumb"]
 def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
     """Note hooks that a step cannot keep plumb: the load hangs in falls between them and others."""
     scenario = findings.scenario
+    hooks = scenario.hooks
+    beside: dict[str, Mover] = {}  # what keeps falls plumb side by side, by crane
     for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
-        if not isinstance(step, FollowingStep) or not step.keep_plumb:
+        if isinstance(step, HoldStep) or step.starts != "with_previous":
+            beside = {}
+        if not isinstance(step, AlongStep) or not step.keep_plumb:
             continue
         one = mover(scenario, step.kind, step.moved[0])
         if one is None:
@@ -37,6 +41,16 @@ def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
             names = " and ".join(f"'{hook}'" for hook in others)
             sentence = f"no sling of {names} is on in this step, so that nothing leads the load there"
             findings.add(path, f"{sentence}; follow while the load hangs between hooks")
+        for crane in {hooks[name].crane for name in hooks if is_moved_by(one, hooks[name])}:
+            _check_beside(findings, ("plan", place, step.verb), beside.setdefault(crane, one), one)
+
+
+def _check_beside(findings: Findings, path: Path, first: Mover, one: Mover) -> None:
+    """A crane may travel along the way of its boom, so that each would make good what the other does too."""
+    kinds = {first.kind, one.kind}
+    if "crane" in kinds and kinds & {"boom", "upper"}:
+        sentence = f"'{first.name}' keeps falls of the same crane plumb beside it"
+        findings.add(path, f"{sentence}, maybe along the same way; a crane travels, or it luffs and slews")
 
 
 def _check_hook(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.scenario.crawler import upper_body
 from gantline.scenario.hooks import Hook
 from gantline.scenario.model import Scenario
 from gantline.scenario.movers import Mover
@@ -16,13 +17,13 @@ def slings_under(rigging: Rigging, hook: str) -> list[SlingRigging]:
 
 
 def is_moved_by(one: Mover, hook: Hook) -> bool:
-    """Whether a trolley or crane takes a hook along."""
-    if one.kind == "trolley":
+    """Whether a trolley, crane, boom or upper structure takes a hook along."""
+    if one.kind in ("trolley", "boom"):
         return hook.carrier is not None and hook.carrier.name == one.name
-    return hook.crane == one.name
+    return one.name == (upper_body(hook.crane) if one.kind == "upper" else hook.crane)
 
 
 def hooks_beside(scenario: Scenario, rigging: Rigging, one: Mover) -> list[str]:
-    """Names of the hooks with slings that a trolley or crane does not take along."""
+    """Names of the hooks with slings that such a drive does not take along."""
     others = (name for name, hook in scenario.hooks.items() if not is_moved_by(one, hook))
     return [name for name in others if slings_under(rigging, name)]

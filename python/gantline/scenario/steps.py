@@ -31,7 +31,6 @@ from gantline.scenario.quantities import (
 __all__ = [
     "AlongStep",
     "DrumStep",
-    "FollowingStep",
     "HaulInStep",
     "HaulStep",
     "HoistStep",
@@ -145,7 +144,8 @@ class MovingStep(_StartingStep):
     @classmethod
     def _what_follows(cls, data: Any) -> Any:
         if isinstance(data, dict) and "keep_plumb" in data and "keep_plumb" not in cls.ends:
-            raise refuse("a traverse or travel step follows a load; leave 'keep_plumb' out", "keep_plumb")
+            sentence = "a traverse, travel, luff or slew step follows a load"
+            raise refuse(f"{sentence}; leave 'keep_plumb' out", "keep_plumb")
         return data
 
     @model_validator(mode="after")
@@ -177,16 +177,20 @@ class DrumStep(MovingStep):
 
 
 class AlongStep(MovingStep):
-    """A step that moves trolleys along the girder, or a crane along its rails."""
+    """A step that moves trolleys or cranes along, or turns them, or lets one follow the load."""
 
-    ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by", "to")
+    ends: ClassVar[tuple[str, ...]] = ("brake_from", "emergency_stop_at", "until", "by", "to", "keep_plumb")
     #: A way, as messages show it.
     way: ClassVar[str] = "75 m"
 
+    speed: PositiveSpeed = Field(description="Speed of trolleys or crane; the highest with 'keep_plumb'.")
     by: Length | None = Field(None, description="Way after which they are at rest; negative goes back.")
     to: Length | None = Field(None, description="Position in which they are at rest.")
     towards: Literal["plus", "minus"] = Field(
         "plus", description="Where they go if neither 'by' nor 'to' says it: to larger positions, or smaller."
+    )
+    keep_plumb: Names | None = Field(
+        None, description="Hook or hooks whose falls it keeps plumb, until what goes on beside it has ended."
     )
 
     @property
@@ -203,19 +207,8 @@ class AlongStep(MovingStep):
             raise refuse("'by' and 'to' say where it goes; leave 'towards' out", "towards")
         return self
 
-
-class FollowingStep(AlongStep):
-    """A step that moves trolleys or cranes along, or lets one follow the load."""
-
-    ends: ClassVar[tuple[str, ...]] = (*AlongStep.ends, "keep_plumb")
-
-    speed: PositiveSpeed = Field(description="Speed of trolleys or crane; the highest with 'keep_plumb'.")
-    keep_plumb: Names | None = Field(
-        None, description="Hook or hooks whose falls it keeps plumb, until what goes on beside it has ended."
-    )
-
     @model_validator(mode="after")
-    def _follows_something(self) -> FollowingStep:
+    def _follows_something(self) -> AlongStep:
         if self.keep_plumb is not None and "towards" in self.model_fields_set:
             raise refuse("what follows goes either way; leave 'towards' out", "towards")
         if self.keep_plumb is not None and self.starts != "with_previous":
@@ -231,7 +224,7 @@ class TurnStep(AlongStep):
 
     way: ClassVar[str] = "10 deg"
 
-    speed: PositiveAngularSpeed = Field(description="Angular speed.")
+    speed: PositiveAngularSpeed = Field(description="Angular speed; the highest with 'keep_plumb'.")
     acceleration: PositiveAngularAcceleration | None = Field(
         None, description="That of the drive itself if not given."
     )
@@ -285,7 +278,7 @@ class LowerStep(HookStep):
     direction: ClassVar[float] = -1.0
 
 
-class TraverseStep(FollowingStep):
+class TraverseStep(AlongStep):
     """A step in which trolleys traverse."""
 
     what: ClassVar[str] = "a traverse step"
@@ -296,7 +289,7 @@ class TraverseStep(FollowingStep):
     kind: ClassVar[Kind] = "trolley"
 
 
-class TravelStep(FollowingStep):
+class TravelStep(AlongStep):
     """A step in which cranes travel."""
 
     what: ClassVar[str] = "a travel step"

@@ -5,9 +5,9 @@ use glam::DVec3;
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::force::moorings;
-use crate::plan::{Condition, Falls, Follow, Lead, Strand};
-use crate::spec::{LeadSpec, PlaceSpec, StrandSpec, UntilSpec};
-use crate::system::{ContactGroup, Rows};
+use crate::plan::{Condition, Falls, Follow, Lead, Strand, Way};
+use crate::spec::{LeadSpec, PlaceSpec, StrandSpec, TacklesSpec, UntilSpec, WaySpec};
+use crate::system::{ContactGroup, DriveJoint, Rows};
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
 
@@ -85,7 +85,7 @@ pub(super) fn build_condition(
 /// What a drive follows, of the step `name`.
 pub(super) fn build_follow(
     name: &str,
-    dof: usize,
+    (way, every): (Way, f64),
     (own, others): (&[LeadSpec], &[LeadSpec]),
     tree: &Tree,
     ropes: (&[AnyConstraint], &Rows),
@@ -105,7 +105,35 @@ pub(super) fn build_follow(
     if own.is_empty() || others.is_empty() {
         return error(name, "what follows needs a hook of its own, and another");
     }
-    Ok(Follow { dof, own: leads(own)?, others: leads(others)?, down })
+    Ok(Follow { way, every, own: leads(own)?, others: leads(others)?, down })
+}
+
+/// How a drive of the step `name` takes hooks along.
+pub(super) fn build_way(
+    name: &str,
+    drive: &DriveJoint,
+    given: &WaySpec,
+    tree: &Tree,
+) -> Result<Way, BuildError> {
+    let carried = place(name, &given.carried, tree)?;
+    let mut joint = (drive.body, drive.dof);
+    let mut tackles = None;
+    if let Some(TacklesSpec { turns, top, head }) = &given.tackles {
+        let (body, _) = place(name, &(turns.clone(), [0.0; 3]), tree)?;
+        if !matches!(tree.bodies[body].joint, Joint::Hinge(_)) {
+            return error(name, format!("`{turns}` has no hinge about which tackles could turn it"));
+        }
+        joint = (body, tree.bodies[body].first_velocity);
+        tackles = Some([place(name, top, tree)?, place(name, head, tree)?]);
+    }
+    let mut above = Some(carried.0);
+    while let Some(body) = above.filter(|&body| body != joint.0) {
+        above = tree.bodies[body].parent;
+    }
+    if above.is_none() {
+        return error(name, format!("`{}` does not take `{}` along", drive.name, given.carried.0));
+    }
+    Ok(Way { joint, carried, tackles })
 }
 
 fn plumb(name: &str, tree: &Tree) -> Result<DVec3, BuildError> {

@@ -1,6 +1,6 @@
 //! Drives and the steps of the plan.
 
-use super::conditions::{build_condition, build_follow};
+use super::conditions::{build_condition, build_follow, build_way};
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Plan, Step, StopAt, Switching, Until};
@@ -149,11 +149,13 @@ fn build_step(
             Until::Duration(*duration)
         }
         UntilSpec::EndOfRun {} => Until::EndOfRun,
-        UntilSpec::Follow { own, others } => match moves[..] {
-            [Move { drive, .. }] => {
-                Until::Follow(build_follow(name, drives[drive].dof, (own, others), tree, ropes)?)
+        UntilSpec::Follow { way, every, own, others } => match moves[..] {
+            [Move { drive, .. }, ..] => {
+                positive(name, "the time between looks", *every)?;
+                let way = build_way(name, &drives[drive], way, tree)?;
+                Until::Follow(build_follow(name, (way, *every), (own, others), tree, ropes)?)
             }
-            _ => return error(name, "one drive follows"),
+            [] => return error(name, "a drive follows"),
         },
         condition => Until::Condition(build_condition(name, condition, tree, groups, ropes)?),
     };

@@ -1,26 +1,29 @@
-//! A trolley or crane that goes along with its hook, so that falls stay plumb while a load turns between hooks.
+//! A trolley, crane or boom that goes along with its hook, so that falls stay plumb while a load turns between hooks.
 //!
-//! Every [`LOOK`] it is seen where the load pulls under the hook, against where it pulls under the others: a load that
-//! swings goes aside under all of them alike, and that is not followed. The drive goes on as fast as its place above the
+//! At every look it is seen where the load pulls under the hook, against where it pulls under the others: a load that
+//! swings goes aside under all of them alike, and that is not followed. What the drive is behind is counted as the drive
+//! counts: by how far it takes the hook along, level, for each metre or radian. It goes on as fast as its place above the
 //! load goes away, and makes good half of what it is behind until the next look.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use super::condition::Seen;
 use super::drive::Motion;
 use super::step::Move;
+use crate::tree::kinematics::Kinematics;
 
-/// Time between looks [s].
-pub const LOOK: f64 = 1.0;
-/// Longest time that a drive follows on when all that goes on beside it has ended [s].
+/// How many times its time between looks a drive follows on at most when all that goes on beside it has ended.
 pub const SETTLING: f64 = 20.0;
-/// It comes to rest then once it is not faster than this at two looks [m/s].
+/// It comes to rest then once the hook is taken along no faster than this at two looks [m/s].
 pub const CALM: f64 = 1e-3;
 /// Share of what it is behind that a drive makes good until the next look.
 const SHARE: f64 = 0.5;
 
 /// Slings count as no shorter than this [m].
 const SHORTEST: f64 = 1e-9;
+/// A drive whose hooks come nearer to plumb by less than this share of the way that it moves them does not follow.
+const LEAST: f64 = 0.01;
 
 /// A body, and a point in its frame [m].
 pub type Place = (usize, DVec3);
@@ -47,11 +50,24 @@ pub struct Lead {
     pub levels: Vec<Vec<Strand>>,
 }
 
+/// How a drive takes its hooks along.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Way {
+    /// The body whose joint moves them, and its degree of freedom.
+    pub joint: (usize, usize),
+    /// Where they hang from what that joint moves, in the middle of them.
+    pub carried: Place,
+    /// Top and head of the tackles that turn the joint, where the drive counts by how much these come nearer.
+    pub tackles: Option<[Place; 2]>,
+}
+
 /// What a drive follows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Follow {
-    /// Degree of freedom of the drive.
-    pub dof: usize,
+    /// How the drive takes its hooks along.
+    pub way: Way,
+    /// Time between looks [s].
+    pub every: f64,
     /// Hooks that it moves.
     pub own: Vec<Lead>,
     /// The other hooks of the load.
@@ -60,17 +76,26 @@ pub struct Follow {
     pub down: DVec3,
 }
 
-/// What is seen at a look, along the way of the drive.
+/// What is seen at a look.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
-    /// How far the drive is behind [m].
+    /// How far the drive is behind, as it counts [m or rad].
     pub lag: f64,
-    /// Where it should be, from anywhere [m].
+    /// How far it takes its hooks along, level, for one unit of that.
+    pub rate: f64,
+}
+
+/// What a drive keeps of a look.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Glance {
+    /// When that was [s].
+    pub at: f64,
+    /// Where the drive should have been [m or rad].
     pub place: f64,
 }
 
 impl Lead {
-    /// Where its falls hang from, and how far from plumb below that the load pulls [m]; none where it does not.
+    /// Where the load pulls, and how far that is from plumb below where its falls hang from [m]; none where it does not.
     fn seen(&self, seen: &Seen) -> Option<[DVec3; 2]> {
         let point = |&(body, at): &Place| seen.kinematics.point(Some(body), at);
         let mut aside = point(&self.hook) - point(&self.tip);
@@ -89,65 +114,93 @@ impl Lead {
             }
             aside += sum / weight;
         }
-        Some([point(&self.tip), aside])
+        Some([point(&self.tip) + aside, aside])
+    }
+}
+
+impl Way {
+    /// How the place from which the hooks hang moves for one unit of the drive.
+    fn column(&self, kinematics: &Kinematics) -> DVec3 {
+        let (body, dof) = self.joint;
+        let column = &kinematics.columns[dof];
+        let point = |&(body, at): &Place| kinematics.point(Some(body), at);
+        let moved = |at: DVec3| column.linear + column.angular.cross(at - kinematics.pose[body].position);
+        let carried = moved(point(&self.carried));
+        match &self.tackles {
+            None => carried,
+            Some([top, head]) => {
+                let between = point(head) - point(top);
+                -carried / moved(point(head)).dot(between.normalize_or_zero())
+            }
+        }
     }
 }
 
 impl Follow {
-    /// What there is to see; none where the load does not pull at both ends.
+    /// What there is to see; none where the load does not pull at both ends, or the drive brings its hooks no nearer to
+    /// plumb.
+    ///
+    /// A drive that lifts its hooks by z' for each unit turns the load as well: the line r between where it pulls at both
+    /// ends keeps its length, and its level part h gets longer by -r_z z'/h.
     pub fn view(&self, seen: &Seen) -> Option<View> {
-        let along = seen.kinematics.columns[self.dof].linear;
-        let way = (along - along.dot(self.down) * self.down).normalize_or_zero();
         let mean = |leads: &[Lead]| {
             let carrying = leads.iter().filter_map(|lead| lead.seen(seen));
-            let (sum, count) = carrying.fold(([0.0; 2], 0), |([tip, aside], count), one| {
-                ([tip + one[0].dot(way), aside + one[1].dot(way)], count + 1)
+            let (sum, count) = carrying.fold(([DVec3::ZERO; 2], 0), |([pulled, aside], count), one| {
+                ([pulled + one[0], aside + one[1]], count + 1)
             });
             (count > 0).then(|| sum.map(|value| value / f64::from(count)))
         };
-        let ([tip, own], [_, others]) = (mean(&self.own)?, mean(&self.others)?);
-        Some(View { lag: own - others, place: tip + own - others })
+        let ([own, own_aside], [others, others_aside]) = (mean(&self.own)?, mean(&self.others)?);
+        let level = |vector: DVec3| vector - vector.dot(self.down) * self.down;
+        let (column, line) = (self.way.column(seen.kinematics), own - others);
+        let along = level(column);
+        let rate = along.length();
+        let way = along / rate;
+        let span = level(line).length_squared().max(SHORTEST);
+        let nearer = rate + line.dot(self.down) * column.dot(self.down) * line.dot(way) / span;
+        let is_led = rate.min(nearer) > LEAST * column.length();
+        is_led.then(|| View { lag: (own_aside - others_aside).dot(way) / nearer, rate })
     }
 }
 
 impl View {
-    /// Velocity with which a drive catches up, whatever its speed and range are [m/s].
+    /// Velocity with which a drive catches up, whatever its speed and range are [m/s or rad/s].
     ///
     /// # Arguments
-    /// - `before`: the place at the look before, if there was one [m].
-    /// - `now`: velocity of the drive at this look [m/s].
-    /// - `acceleration`: its acceleration [m/s²].
-    pub fn velocity(&self, before: Option<f64>, now: f64, acceleration: f64) -> f64 {
-        let along = before.map_or(0.0, |place| (self.place - place) / LOOK);
+    /// - `along`: how fast its place goes on, as far as that is known.
+    /// - `now`: velocity of the drive at this look.
+    /// - `acceleration`: its acceleration, per s².
+    /// - `every`: time between looks [s].
+    pub fn velocity(&self, along: f64, now: f64, acceleration: f64, every: f64) -> f64 {
         // By how much it will be behind at the next look if it only comes to that velocity.
-        let behind = self.lag + 0.5 * LOOK * (along - now);
+        let behind = self.lag + 0.5 * every * (along - now);
         // No faster past that than half of its acceleration brakes.
         let most = (acceleration * behind.abs()).sqrt();
-        along + (SHARE * behind / LOOK).clamp(-most, most)
+        along + (SHARE * behind / every).clamp(-most, most)
     }
 }
 
 /// To which velocity a drive goes, and within which time, where `wanted` [m/s] is asked for: as far as its speed,
-/// acceleration and range allow it until the next look [m/s, s].
-pub fn within(wanted: f64, now: Motion, limits: &Move) -> (f64, f64) {
+/// acceleration and range allow it until the next look, `every` [s] from now [m/s, s].
+pub fn within(wanted: f64, now: Motion, limits: &Move, every: f64) -> (f64, f64) {
     let (a, fastest) = (limits.acceleration, limits.velocity.abs());
     let [low, high] = limits.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
     let [ahead, behind] = [high - now.position, now.position - low];
     let (u, room) = if now.velocity < 0.0 { (-now.velocity, behind) } else { (now.velocity, ahead) };
-    if u * LOOK > 2.0 * room {
+    if u * every > 2.0 * room {
         // It has to be at rest before the next look.
         return (0.0, 2.0 * room.max(0.0) / u);
     }
-    let up = ending_within(now.velocity, ahead, a).min(fastest);
-    let down = -ending_within(-now.velocity, behind, a).min(fastest);
-    (wanted.min(up).max(down).clamp(now.velocity - a * LOOK, now.velocity + a * LOOK), LOOK)
+    let up = ending_within(now.velocity, ahead, a, every).min(fastest);
+    let down = -ending_within(-now.velocity, behind, a, every).min(fastest);
+    (wanted.min(up).max(down).clamp(now.velocity - a * every, now.velocity + a * every), every)
 }
 
 /// The velocity v to which a drive may go from u until the next look so that braking with a ends within a room r:
 /// `(u + v)T/2 + v²/2a = r`.
-fn ending_within(u: f64, room: f64, a: f64) -> f64 {
-    let half = 0.5 * a * LOOK;
-    (half * half - a * u * LOOK + 2.0 * a * room).max(0.0).sqrt() - half
+fn ending_within(u: f64, room: f64, a: f64, every: f64) -> f64 {
+    let half = 0.5 * a * every;
+    (half * half - a * u * every + 2.0 * a * room).max(0.0).sqrt() - half
 }
 
 #[cfg(test)]
@@ -157,6 +210,7 @@ mod tests {
     use crate::spec::RampShape;
 
     const TOLERANCE: f64 = 1e-12;
+    const LOOK: f64 = 1.0;
 
     fn limits(velocity: f64, acceleration: f64, range: Option<[f64; 2]>) -> Move {
         Move { drive: 0, velocity, acceleration, shape: RampShape::Linear, range, emergency: None }
@@ -168,11 +222,12 @@ mod tests {
         let (mut before, mut behind) = (None, Vec::new());
         for at in (0..looks).map(|look| look as f64 * LOOK) {
             let now = timeline.motion(at);
-            let view = View { lag: place(at) - now.position, place: place(at) };
-            let wanted = view.velocity(before, now.velocity, limits.acceleration);
-            let (velocity, duration) = within(wanted, now, limits);
+            let view = View { lag: place(at) - now.position, rate: 1.0 };
+            let along = before.map_or(0.0, |before| (place(at) - before) / LOOK);
+            let wanted = view.velocity(along, now.velocity, limits.acceleration, LOOK);
+            let (velocity, duration) = within(wanted, now, limits, LOOK);
             timeline.ramp(at, duration, velocity, RampShape::Linear);
-            before = Some(view.place);
+            before = Some(place(at));
             behind.push(view.lag);
         }
         (timeline, behind)
@@ -218,14 +273,12 @@ mod tests {
         let bounds = limits(0.1, 0.03, Some([-0.4, 0.9]));
         for place in [-5.0, 0.85, 5.0] {
             let mut timeline = Timeline::new(0.0, 4);
-            let mut before = None;
             for at in (0..60).map(|look| f64::from(look) * LOOK) {
                 let now = timeline.motion(at);
-                let view = View { lag: place - now.position, place };
-                let wanted = view.velocity(before, now.velocity, bounds.acceleration);
-                let (velocity, duration) = within(wanted, now, &bounds);
+                let view = View { lag: place - now.position, rate: 1.0 };
+                let wanted = view.velocity(0.0, now.velocity, bounds.acceleration, LOOK);
+                let (velocity, duration) = within(wanted, now, &bounds, LOOK);
                 timeline.ramp(at, duration, velocity, RampShape::Linear);
-                before = Some(view.place);
                 for part in 0..=20 {
                     let motion = timeline.motion(at + f64::from(part) * 0.05 * LOOK);
                     assert!(motion.velocity.abs() <= 0.1 + TOLERANCE, "{motion:?}");

@@ -12,7 +12,7 @@ pub mod switching;
 pub use condition::{Condition, Falls, Seen};
 pub use cut::{Cut, Due};
 pub use drive::Order;
-pub use follow::{Follow, Lead, Strand};
+pub use follow::{Follow, Lead, Strand, Way};
 pub use operation::PlanState;
 pub use removal::Removal;
 pub use step::{Emergency, EmergencyStop, Move, Plan, Step, StopAt, Until};

@@ -17,7 +17,7 @@ pub struct Move {
     pub acceleration: f64,
     /// Course of the ramps.
     pub shape: RampShape,
-    /// Positions beyond which it does not go [kg; m of one that follows].
+    /// Positions beyond which it does not go [kg; m or rad of one that follows].
     pub range: Option<[f64; 2]>,
     /// Acceleration with which it brakes at the end, where that is another, and what holds it from then on [N].
     pub emergency: Option<Emergency>,
@@ -47,7 +47,7 @@ pub enum Until {
     Duration(f64),
     /// Brakes when this first holds.
     Condition(Condition),
-    /// Follows until all that begins with it has ended. Velocity and acceleration of its one move are limits.
+    /// Follows until all that begins with it has ended. Velocity and acceleration of its moves, all alike, are limits.
     Follow(Follow),
     /// Never.
     EndOfRun,

@@ -204,9 +204,13 @@ pub enum UntilSpec {
         /// Bound [rad].
         bound: f64,
     },
-    /// Its one drive goes along with hooks so that their falls stay plumb, until all that begins with the step has
-    /// ended; velocity and acceleration of its move are limits.
+    /// Its drives, which move alike, go along with hooks so that their falls stay plumb, until all that begins with the
+    /// step has ended; velocity and acceleration of its moves are limits.
     Follow {
+        /// How the first of them takes its hooks along.
+        way: WaySpec,
+        /// Time between looks [s].
+        every: f64,
         /// Hooks that the drive moves.
         own: Vec<LeadSpec>,
         /// The other hooks of the load.
@@ -218,6 +222,28 @@ pub enum UntilSpec {
 
 /// A body, and a point in its frame [m].
 pub type PlaceSpec = (String, [f64; 3]);
+
+/// How a drive takes hooks along.
+#[derive(Debug, Clone, PartialEq, Deserialize, serde::Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct WaySpec {
+    /// Where they hang from what it moves, in the middle of them.
+    pub carried: PlaceSpec,
+    /// Of a body that hangs in tackles, whose drum the drive turns.
+    pub tackles: Option<TacklesSpec>,
+}
+
+/// Tackles that turn a body about its hinge.
+#[derive(Debug, Clone, PartialEq, Deserialize, serde::Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct TacklesSpec {
+    /// The body.
+    pub turns: String,
+    /// From where they pull; the drive counts by how much they get shorter.
+    pub top: PlaceSpec,
+    /// Where they pull at the body.
+    pub head: PlaceSpec,
+}
 
 /// A hook, with what hangs under it.
 #[derive(Debug, Clone, PartialEq, Deserialize, serde::Serialize)]
