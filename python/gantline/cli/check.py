@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from gantline.results.rig import Rig
     from gantline.simulation import Simulation
 
+#: EA below which a rope is rather a spring [N].
+_SOFT = 1e6
+
 
 def check(
     lift: Annotated[
@@ -111,7 +114,7 @@ def _look_over(simulation: Simulation) -> None:
         (
             name,
             kind.construction or "-",
-            "inextensible" if kind.stiffness is None else show(kind.stiffness, "MN", 1),
+            "inextensible" if kind.stiffness is None else _stiffness(kind.stiffness),
             show(kind.mass_per_length, "kg/m", 2),
             show(kind.breaking_force, "kN", 0),
         )
@@ -125,14 +128,21 @@ def _look_over(simulation: Simulation) -> None:
     _warn_of_time(simulation)
     nodes = sum(rope.nodes for rope in rig.ropes)
     numbers = {
-        "bodies": len(document["bodies"]) - nodes - len(rig.sheaves) - len(rig.drums),
-        "ropes": len(rig.ropes),
-        "nodes of ropes": nodes,
-        "drums": len(rig.drums),
-        "contacts": len(document["contacts"]),
+        ("body", "bodies"): len(document["bodies"]) - nodes - len(rig.sheaves) - len(rig.drums),
+        ("rope", "ropes"): len(rig.ropes),
+        ("node of a rope", "nodes of ropes"): nodes,
+        ("drum", "drums"): len(rig.drums),
+        ("contact", "contacts"): len(document["contacts"]),
     }
-    counts = ", ".join(f"{number} {what}" for what, number in numbers.items() if number)
+    counts = ", ".join(f"{number} {what[number > 1]}" for what, number in numbers.items() if number)
     typer.echo(f"{simulation.scenario.source}: in order ({counts}; {simulation.duration:g} s to simulate)")
+
+
+def _stiffness(value: float) -> str:
+    """EA in MN; of what is as soft as a spring in kN, so that it does not read 0."""
+    from gantline.cli.table import show
+
+    return show(value, "MN", 1) if value >= _SOFT else show(value, "kN", 3)
 
 
 def _warn_of_time(simulation: Simulation) -> None:
