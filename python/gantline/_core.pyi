@@ -114,6 +114,14 @@ class Statics:
     def modes(self, count: int | None = None) -> dict[str, npt.NDArray[np.float64]]:
         """Natural motions about the equilibrium found last, slowest first; NaN: no damping ratio."""
 
+    def linear(self, frequency: float | None = None) -> dict[str, Any]:
+        """The lift linearised about the equilibrium found last, by kind of matrix.
+
+        `mass`, `damping`, `stiffness`, shape (n, n), `held` (m, n), `rope_tension` and `rope_tension_rate`
+        (ropes, n), `body_motion` (n, bodies, 6); `coordinates`, n names. Water that remembers as at a
+        circular frequency [rad/s].
+        """
+
     def times_of(self, step: str) -> tuple[float | None, float | None]:
         """When a step of the plan began and ended on the way to the equilibrium found last [s]."""
 

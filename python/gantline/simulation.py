@@ -274,8 +274,9 @@ class Simulation:
         """A value of the present, without a recording.
 
         Args:
-            variable: As in a recording, such as `rope_tension`, `body_position`, `hook_load`; there are
-                those that the core itself gives, and the loads of hooks.
+            variable: As in a recording, such as `rope_tension`, `body_position`, `hook_load`, `load_tilt`,
+                `sheave_travel`, `vessel_heel`; not those of cranes and tanks. What the core gives as it is,
+                such as the first two, costs least.
             name: Name along it, such as `sling.S1`, as for `Recording.column`.
 
         Returns:
@@ -287,6 +288,8 @@ class Simulation:
         if self._present is None or self._present[0] != self.time:
             self._present = self.time, self._core.present()
         present = present_of(self._present[1], self._names, self._rig, variable)
+        if variable not in present:
+            raise KeyError(f"there is no {variable!r} at present; there are {', '.join(present)}")
         value: FloatArray = present.column(variable, name)[0]
         return value
 

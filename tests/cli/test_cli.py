@@ -186,7 +186,7 @@ mechanics:
     assert (
         "Rope weight mass on the world one lumped 320.0 kg 160.0 kg two distributed 336.0 kg 14.7 kg" in out
     )
-    assert "(1 bodies, 2 ropes, 9 nodes of ropes; 1 s to simulate)" in out
+    assert "(1 body, 2 ropes, 9 nodes of ropes; 1 s to simulate)" in out
 
 
 def test_check_lists_an_inextensible_rope() -> None:
@@ -279,7 +279,7 @@ mechanics:
     out = " ".join(gantline_says("check", str(lift))[1].split())
     # 1/0.98, and half of the mass of a disc
     assert "fall/sheave_1 fall 1.0204 - 75.0 kg half of its mass" in out
-    assert "(2 bodies, 1 ropes, 1 drums; 1 s to simulate)" in out
+    assert "(2 bodies, 1 rope, 1 drum; 1 s to simulate)" in out
     code, out, err = gantline_says("run", str(lift), "-o", str(tmp_path / "out"), "--integrator", "del")
     assert code == 2
     assert "the integrator del knows no friction of sheaves, drums and joints; use adaptive" in err

@@ -243,3 +243,26 @@ def test_an_empty_choice_is_refused(names: str) -> None:
     result = statics("equalizer", "--level", "--adjust", names)
     assert result.returncode == 2
     assert "--adjust: names nothing" in result.stderr
+
+
+def test_a_spring_has_no_sensitivities_and_is_not_said_to_be_without_stiffness(tmp_path: Path) -> None:
+    """A lift of `mechanics:` alone is told that there is nothing to ask about; 2 kN of EA are not 0.0 MN."""
+    path = tmp_path / "pendulum.yaml"
+    path.write_text(
+        """\
+format: 1
+lift: {title: Pendulum}
+duration: 1 s
+ropes: {spring: {axial_stiffness: 2 kN}, rope: {axial_stiffness: 90 MN}}
+mechanics:
+  bodies:
+    bob: {at: [0 m, 0 m, -2 m], joint: {type: point}, mass: 10 kg}
+  ropes:
+    r: {rope: spring, length: 2 m, route: [{type: end, body: world}, {type: end, body: bob}]}
+"""
+    )
+    result = statics(path, "--sensitivities")
+    assert "--sensitivities is about slings and loads, and there are none." in result.stdout
+    looked = " ".join(program("check", path).stdout.split())
+    assert "spring - 2.000 kN" in looked and "rope - 90.0 MN" in looked
+    assert "in order (1 body, 1 rope; 1 s to simulate)" in looked

@@ -95,8 +95,35 @@ def test_a_look_at_the_present_is_what_a_recording_has() -> None:
         assert run.now(variable, name) == pytest.approx(last, rel=1e-9, abs=1e-9), variable
     with pytest.raises(KeyError, match=r"rope_tension has no 'hoist'"):
         run.now("rope_tension", "hoist")
-    with pytest.raises(KeyError, match="hook_lode"):
+    with pytest.raises(KeyError, match=r"no 'hook_lode' at present; there are .*rope_tension, .*hook_load, "):
         run.now("hook_lode", "gol.A")
+
+
+@pytest.mark.parametrize("lift", ["equalizer", "crane_barge_in_swell", "reeved_hoist"])
+def test_the_present_has_what_follows_from_a_sample(lift: str) -> None:
+    """Tilts, travels, vessels and moorings of the present are those of the last sample."""
+    run = Simulation(lift, sample_interval=0.5)
+    run.advance_to(1.0)
+    recording = run.recording()
+    asked = []
+    for name in (
+        "load_tilt",
+        "load_transferred",
+        "sheave_travel",
+        "vessel_heel",
+        "vessel_draft",
+        "mooring_tension",
+        "rope_paid_out",
+        "hoist_load",
+        "vessel_wave_elevation",
+    ):
+        if name not in recording:
+            continue
+        asked.append(name)
+        label = recording.coordinates[recording[name].dims[1]][0]
+        last = recording.column(name, label)[-1]
+        assert run.now(name, label) == pytest.approx(last, rel=1e-9, abs=1e-9), name
+    assert len(asked) >= 3
 
 
 def test_a_drum_pays_out_at_a_positive_speed() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 import databases
 from databases import ADDED, DAMPING, DENSITY, EXCITATION, INFINITE, OMEGA
-from gantline.hydro import DatabaseError, HydrodynamicDatabase, read_database
+from gantline.hydro import DatabaseError, HydrodynamicDatabase, read_database, write_database
 
 WRITERS: dict[str, Callable[[Path], Path]] = {
     "a.nc": databases.capytaine,
@@ -42,6 +42,34 @@ def test_every_format_gives_the_same(name: str, tmp_path: Path) -> None:
         assert found.displacement == 77.0
     if name != "a.dhyd":
         assert found.reference == pytest.approx([1.0, 0.0, -2.0])
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_what_is_written_is_read_again(name: str, tmp_path: Path) -> None:
+    """Of every format, with and without waves, an infinite frequency, a density."""
+    known = read_database(WRITERS[name](tmp_path / name))
+    path = write_database(known, tmp_path / "own.nc")
+    read = read_database(path)
+    assert read.source == "own.nc (Capytaine)"
+    for field in ("name", "density", "displacement", "water_depth"):
+        assert getattr(read, field) == getattr(known, field), field
+    for field in ("frequencies", "added_mass", "damping", "directions"):
+        np.testing.assert_array_equal(getattr(read, field), getattr(known, field), err_msg=field)
+    for field in ("infinite_added_mass", "reference", "excitation"):
+        one, other = getattr(read, field), getattr(known, field)
+        assert (one is None) == (other is None), field
+        if one is not None:
+            np.testing.assert_array_equal(one, other, err_msg=field)
+    with pytest.raises(DatabaseError, match=r"own\.h5: has to end in '\.nc'"):
+        write_database(known, tmp_path / "own.h5")
+
+
+def test_a_database_says_in_a_line_what_it_has(tmp_path: Path) -> None:
+    database = read_database(databases.capytaine(tmp_path / "box.nc"))
+    assert repr(database) == (
+        "<HydrodynamicDatabase 'box', box.nc (Capytaine): 4 periods from 6.283 s to 15.71 s, "
+        "wave forces in 2 directions>"
+    )
 
 
 def test_a_matrix_at_a_period_in_another_water(tmp_path: Path) -> None:

@@ -14,6 +14,10 @@ from gantline.hydro import Attitude, Hull, HullError, box_hull, hydrostatics, ra
 BOX = box_hull((10.0, 4.0, 3.0))
 
 
+def test_a_hull_says_in_a_line_what_it_is() -> None:
+    assert repr(BOX) == f"<Hull {BOX.name!r}: 10 m by 4 m by 3 m, 12 triangles>"
+
+
 def text_stl(hull: Hull) -> bytes:
     vertices, triangles = hull.mesh
     lines = ["solid box"]

@@ -66,6 +66,15 @@ def test_the_least_pretension_is_named() -> None:
         Statics(parse_scenario(text))
 
 
+def test_a_pretension_that_stretches_a_line_too_far_is_named() -> None:
+    """150 kN on EA of 1 MN are 15 %: what was given is named, and not the length that it would take."""
+    soft = MOORED.replace("  bare: {axial_stiffness: 90 MN}", "  bare: {axial_stiffness: 1 MN, mass: 2 kg/m}")
+    text = spoiled("rope: moor_44, pretension: 150 kN", "rope: bare, pretension: 150 kN", soft)
+    stretched = r"its pretension of 150000 N stretches it by 15\.\d %, and a start allows 10 %; give it less"
+    with pytest.raises(ScenarioError, match=rf":\d+: mooring_lines\.stern: {stretched}"):
+        Simulation(parse_scenario(text))
+
+
 def test_cut_lines_and_limits() -> None:
     """A line is cut by its name among ropes; limits hold peak tension and force against what they may be."""
     cut = ("by: 0.2 m}", "by: 0.2 m, cut: mooring.stern}\nlimits: {mooring_tension_of_breaking_force: 1 %}")

@@ -21,6 +21,19 @@ def short_lift(**given: Any) -> Recording:
     return sample_recording(np.array([0.0, 1.0, 2.0]), tension=np.full((3, 5), 1e5), **given)
 
 
+def test_numpy_takes_a_variable_for_its_values() -> None:
+    values = np.array([[1.0, 2.0], [3.0, 4.0]])
+    variable = Variable(("time", "rope"), values, "N", "tension")
+    assert np.asarray(variable).shape == (2, 2)
+    assert np.max(variable) == 4.0
+    np.testing.assert_array_equal(np.array(variable, dtype=np.float32), values.astype(np.float32))
+    copied = np.array(variable)
+    copied[0, 0] = 9.0  # a copy may be changed, the recording not
+    assert np.asarray(variable)[0, 0] == 1.0
+    with pytest.raises(ValueError, match="read-only"):
+        np.asarray(variable)[0, 0] = 9.0
+
+
 def test_variables_cannot_be_changed() -> None:
     values = np.array([1.0, 2.0])
     variable = Variable(("time",), values, "N", "a force")

@@ -42,6 +42,12 @@ def weights(count: int) -> dict[str, Any]:
     }
 
 
+def test_a_scenario_says_in_a_line_what_it_is() -> None:
+    scenario = gantline.parse_scenario(weights(3), source="ten.yaml")
+    assert repr(scenario) == str(scenario)
+    assert repr(scenario) == "<Scenario 'Weights: \"ten\" # of them, é': ten.yaml, 0.1 s>"
+
+
 def test_a_mapping_is_a_lift() -> None:
     """T = m g of each, and the recording holds a text that gives the same lift again."""
     scenario = gantline.parse_scenario(weights(3))

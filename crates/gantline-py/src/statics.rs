@@ -154,14 +154,21 @@ impl Statics {
         let wanted: Vec<Parameter> =
             parameters.iter().map(|(kind, name)| self.parameter(kind, name)).collect::<PyResult<_>>()?;
         let found = py.detach(|| self.inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
-        let ropes: Vec<usize> = self.inner.system().rows.first[..self.inner.system().rope_count].to_vec();
-        let values = found.iter().flat_map(|one| ropes.iter().map(|&row| one.tension[row])).collect();
-        let bodies = self.inner.names().body.len();
-        let motion = found.iter().zip(&wanted);
-        let motion = motion.flat_map(|(one, parameter)| self.inner.body_change(*parameter, &one.motion));
+        let (ropes, bodies) = (self.inner.system().all_ropes(), self.inner.names().body.len());
+        let answers = || found.iter().zip(&wanted);
+        let values = answers().flat_map(|(one, parameter)| self.inner.tension_change(*parameter, one));
+        let motion = answers().flat_map(|(one, parameter)| self.inner.body_change(*parameter, &one.motion));
         let out = PyDict::new(py);
-        out.set_item("rope_tension", array(py, values, &[wanted.len(), ropes.len()])?)?;
+        out.set_item("rope_tension", array(py, values.collect(), &[wanted.len(), ropes])?)?;
         out.set_item("body_motion", array(py, motion.collect(), &[wanted.len(), bodies, 6])?)?;
+        Ok(out)
+    }
+
+    /// The lift linearised about the equilibrium found last, water as at a circular frequency [rad/s] or an infinite one.
+    #[pyo3(signature = (frequency=None))]
+    fn linear<'py>(&mut self, py: Python<'py>, frequency: Option<f64>) -> PyResult<Bound<'py, PyDict>> {
+        let out = dictionary(py, py.detach(|| self.inner.linear(frequency)))?;
+        out.set_item("coordinates", self.inner.coordinates())?;
         Ok(out)
     }
 

@@ -128,10 +128,19 @@ class Parts:
         """Add a drive, at rest unless `ramps` give its motion in advance."""
         self.drives[name] = {"name": name, "ramps": list(ramps)}
 
-    def add_rope(self, name: str, length: float | None, rope_material: Json, route: Sequence[Json]) -> None:
+    def add_rope(
+        self,
+        name: str,
+        length: float | None,
+        rope_material: Json,
+        route: Sequence[Json],
+        *,
+        is_stretched: bool = False,
+    ) -> None:
         """Add a rope with its unstretched length [m]; None is just taut at the start."""
         self.rope_names.append(name)
-        self.ropes.append(_rope(name, length, rope_material, route))
+        spring = {"is_stretched": True} if is_stretched else {}
+        self.ropes.append(_rope(name, length, rope_material, route) | spring)
 
     def add_rope_with_nodes(
         self,

@@ -136,13 +136,13 @@ def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) 
     if not any(guide["type"] == "sheave" for guide in route):
         routed = route_length(parts, route)
         allowed = _ROUNDING if kind.inextensible else MOST_STRAIN
-        if length is not None and routed > length * (1 + allowed):
+        if length is not None and not rope.stretched and routed > length * (1 + allowed):
             sentence = f"the rope is {length:g} m, but its route has {routed:.9g} m at the start"
-            sentence += "" if kind.inextensible else f": {too_far(routed, length)}"
-            raise scenario.start_error(
-                ("mechanics", "ropes", name, "length"),
-                f"{sentence}; make it longer, or write 'length: as_routed'",
-            )
+            advice = "make it longer, or write 'length: as_routed'"
+            if not kind.inextensible:
+                sentence += f": {too_far(routed, length)}"
+                advice += ", or 'stretched: true' for a spring"
+            raise scenario.start_error(("mechanics", "ropes", name, "length"), f"{sentence}; {advice}")
         if routed < _ROUNDING:
             raise scenario.start_error(
                 ("mechanics", "ropes", name, "route"), "has no length; its ends are in one place"
@@ -153,7 +153,8 @@ def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) 
         known = routed if length is None else length
         add_free_rope(parts, scenario, ("mechanics", "ropes", name), name, kind, weight, known, route)
     else:
-        parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
+        made_of = material(kind.stiffness, kind.damping_time)
+        parts.add_rope(name, length, made_of, route, is_stretched=rope.stretched)
 
 
 def _parents_first(mechanics: Mechanics) -> list[str]:

@@ -128,14 +128,15 @@ def _look_over(simulation: Simulation) -> None:
     _warn_of_time(simulation)
     nodes = sum(rope.nodes for rope in rig.ropes)
     numbers = {
-        "bodies": len(document["bodies"]) - nodes - len(rig.sheaves) - len(rig.drums),
-        "ropes": len(rig.ropes),
-        "nodes of ropes": nodes,
-        "drums": len(rig.drums),
-        "contacts": len(document["contacts"]),
+        ("body", "bodies"): len(document["bodies"]) - nodes - len(rig.sheaves) - len(rig.drums),
+        ("rope", "ropes"): len(rig.ropes),
+        ("node of a rope", "nodes of ropes"): nodes,
+        ("drum", "drums"): len(rig.drums),
+        ("contact", "contacts"): len(document["contacts"]),
     }
-    counts = ", ".join(f"{number} {what}" for what, number in numbers.items() if number)
+    counts = ", ".join(f"{number} {what[number > 1]}" for what, number in numbers.items() if number)
     typer.echo(f"{simulation.scenario.source}: in order ({counts}; {simulation.duration:g} s to simulate)")
+
 
 
 def _warn_of_time(simulation: Simulation) -> None:

@@ -147,6 +147,8 @@ def changes(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[list[str]
     tensions = ("Change of tension", *(sling.name for sling in rig.slings))
     axes = (f"{load.name} about {axis}" for load in rig.loads for axis in "xyz")
     tables = ((tensions, pulls), (("Change of attitude", *axes), turns))
+    if not (rig.slings or rig.loads):
+        return [["--sensitivities is about slings and loads, and there are none."]]
     return [table(head, rows, "l" + "r" * (len(head) - 1)) for head, rows in tables if len(head) > 1]
 
 

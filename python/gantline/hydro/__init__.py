@@ -6,7 +6,13 @@ Vessel axes: x forward, y to port, z up from the keel. Heel is positive to starb
 from __future__ import annotations
 
 from gantline.hydro.attitude import Attitude
-from gantline.hydro.database import DATABASE_FORMATS, DatabaseError, HydrodynamicDatabase, read_database
+from gantline.hydro.database import (
+    DATABASE_FORMATS,
+    DatabaseError,
+    HydrodynamicDatabase,
+    read_database,
+    write_database,
+)
 from gantline.hydro.floating import CannotFloatError, Floating, float_free
 from gantline.hydro.hull import Closure, Hull
 from gantline.hydro.hydrostatics import Hydrostatics, hydrostatics
@@ -41,4 +47,5 @@ __all__ = [
     "read_hull",
     "righting_arms",
     "wigley_hull",
+    "write_database",
 ]

@@ -109,6 +109,11 @@ class Hull:
         vertices, triangles = self._core.mesh()
         return vertices, triangles.astype(np.int64)
 
+    def __repr__(self) -> str:
+        length, breadth, depth = self.box[1] - self.box[0]
+        triangles = f"{len(self.mesh[1])} triangles"
+        return f"<Hull {self.name!r}: {length:.4g} m by {breadth:.4g} m by {depth:.4g} m, {triangles}>"
+
     @property
     def box(self) -> Array:
         """Least and largest x, y, z (2, 3) [m]."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -43,16 +43,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     columns, names, contents, tanks = tank_contents(columns, names, lift)
     variables, coordinates = direct(columns, names, of_nodes)
     variables |= commands(columns, names)
-    for derived, labels in (
-        (contents, tanks),
-        _sheave_travel(columns, names, lift),
-        hook_loads(columns, names, lift),
-        _load_state(columns, names, lift),
-        rope_flows(columns, names, lift),
-        wind_at_loads(columns, names, {load.name: load.body for load in lift.loads}, lift.wind),
-        vessel_state(columns, names, lift.vessels, lift.sea),
-        mooring_state(columns, names, lift.mooring_lines, lift.fenders),
-    ):
+    for derived, labels in ((contents, tanks), *_of_each_sample(columns, names, lift)):
         variables |= derived
         coordinates |= labels
     of_cranes, labels = _cranes(columns, names, lift, variables)
@@ -63,8 +54,19 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     return Recording(variables, _used(coordinates, variables), {**attributes, "rig": dict(rig)})
 
 
+def _of_each_sample(columns: Columns, names: Names, lift: Rig) -> Iterator[Derived]:
+    """What follows from the columns of a sample by themselves, the cheapest first."""
+    yield hook_loads(columns, names, lift)
+    yield _load_state(columns, names, lift)
+    yield _sheave_travel(columns, names, lift)
+    yield rope_flows(columns, names, lift)
+    yield wind_at_loads(columns, names, {load.name: load.body for load in lift.loads}, lift.wind)
+    yield mooring_state(columns, names, lift.mooring_lines, lift.fenders)
+    yield vessel_state(columns, names, lift.vessels, lift.sea)
+
+
 def present_of(columns: Columns, names: Names, lift: Rig, wanted: str) -> Recording:
-    """A variable of one moment: one that is a column of the core, or the loads of hooks.
+    """A variable of one moment: one that is a column of the core, or follows from one sample.
 
     Args:
         columns: Columns of the core by name, of one sample.
@@ -73,16 +75,20 @@ def present_of(columns: Columns, names: Names, lift: Rig, wanted: str) -> Record
         wanted: Name of the variable.
 
     Returns:
-        A recording of one sample that has this variable; where it is not one of these, all of the core's.
+        A recording of one sample that has this variable; where it is not one of these, all that are.
     """
     columns, names, of_nodes = joined(columns, {**names, "event_kind": (), "event_name": ()}, lift)
-    if wanted in ("hook_load", "hoist_load"):
-        loads, hooks = hook_loads(columns, names, lift)
-        return Recording(loads, hooks, {})
     found = only(columns, names, wanted)
     if found is not None:
         return Recording({wanted: found[0]}, found[1], {})
     variables, coordinates = direct(columns, names, of_nodes)
+    variables = {name: one for name, one in variables.items() if one.dims[0] == "time" and one.dims[1:]}
+    for derived, labels in _of_each_sample(columns, names, lift):
+        if wanted in derived:
+            one = {wanted: derived[wanted]}
+            return Recording(one, _used(labels, one), {})
+        variables |= derived
+        coordinates |= labels
     return Recording(variables, _used(coordinates, variables), {})
 
 

@@ -51,6 +51,11 @@ class Variable:
         unit = "" if self.unit == "1" else f" [{self.unit}]"
         return f"<Variable{unit} ({sizes}): {self.description}>"
 
+    def __array__(self, dtype: npt.DTypeLike | None = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        """Its values, where numpy or what builds on it is given the variable itself."""
+        is_copied = copy or (dtype is not None and self.values.dtype != dtype)
+        return np.array(self.values, dtype=dtype) if is_copied else self.values
+
     @property
     def is_text(self) -> bool:
         """Whether the values are text and not numbers."""

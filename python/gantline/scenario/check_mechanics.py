@@ -60,6 +60,7 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
             findings.add((*path, "rope"), sentence)
         else:
             _check_weight(findings, path, rope)
+            _check_spring(findings, path, rope)
             _check_flows(findings, path, rope, mechanics.drums or {})
         for place, guide in enumerate(rope.route):
             is_last = place in (0, len(rope.route) - 1)
@@ -172,6 +173,21 @@ def _check_weight(findings: Findings, path: Path, rope: MechanicsRope) -> None:
         over_sheaves="this rope" if len(rope.route) > 2 else "",
         gravity=scenario.simulation.gravity,
     )
+
+
+def _check_spring(findings: Findings, path: Path, rope: MechanicsRope) -> None:
+    """A rope that starts stretched can stretch, is longer than something, and is one piece."""
+    if not rope.stretched:
+        return
+    if (findings.scenario.ropes or {})[rope.rope].inextensible:
+        wrong = f"rope '{rope.rope}' is inextensible; give it an axial stiffness"
+    elif isinstance(rope.length, str):
+        wrong = "'length: as_routed' is just taut at the start; give it a length"
+    elif rope.rope_weight == "distributed":
+        wrong = "a rope with nodes starts as it hangs; write 'rope_weight: lumped', or 'none'"
+    else:
+        return
+    findings.add((*path, "stretched"), wrong)
 
 
 def _check_drums(findings: Findings, mechanics: Mechanics) -> None:

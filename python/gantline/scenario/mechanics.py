@@ -310,6 +310,9 @@ class MechanicsRope(Element):
     length: Annotated[
         float | Literal["as_routed"], WordOr(("as_routed",), Quantity("length", "positive"))
     ] = Field(description="Unstretched length; 'as_routed': just taut at the start.")
+    stretched: Flag = Field(
+        False, description="It may be longer at the start than 'length' by more than 2 %, as a spring may."
+    )
     rope_weight: RopeWeightWord | None = Field(None, description=WEIGHT_SHOWN)
     rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
     breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")

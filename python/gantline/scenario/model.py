@@ -178,6 +178,12 @@ class Scenario(Element):
         """The same of a start that cannot be put together, by a file that is right as such."""
         return StartError(self._source, [self.problem(path, sentence)])
 
+    def __repr__(self) -> str:
+        """Title and file; its parts have all that they are made of."""
+        return f"<Scenario {self.lift.title!r}: {self.source}, {self.duration:g} s>"
+
+    __str__ = __repr__
+
     def _repr_html_(self) -> str:
         """For notebooks: what the lift file describes."""
         from gantline.html import facts_table

@@ -2,5 +2,15 @@
 
 from gantline.statics.answers import ContactForce, Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity
 from gantline.statics.lift import Statics
+from gantline.statics.linear import LinearModel
 
-__all__ = ["ContactForce", "Equilibrium", "Losses", "Mode", "NoEquilibriumError", "Sensitivity", "Statics"]
+__all__ = [
+    "ContactForce",
+    "Equilibrium",
+    "LinearModel",
+    "Losses",
+    "Mode",
+    "NoEquilibriumError",
+    "Sensitivity",
+    "Statics",
+]

@@ -17,8 +17,9 @@ Losses = Literal["none", "forward", "backward", "held"]
 
 #: ω² within this of zero is no stiffness at all [1/s²], as in the core.
 _NEUTRAL = 1e-6
-#: Kinds of a `Sensitivity`: of a rope the first two, of a body the others.
-KINDS = ("length", "stiffness", "mass", "centre_x", "centre_y", "centre_z", "place_x", "place_y", "place_z")
+#: Kinds of a `Sensitivity` of a rope; of a rope or a body.
+OF_ROPES = ("length", "stiffness")
+KINDS = (*OF_ROPES, "mass", "centre_x", "centre_y", "centre_z", "place_x", "place_y", "place_z")
 #: Most names that a message lists.
 _MOST_NAMED = 12
 
@@ -135,12 +136,13 @@ class Mode:
     """A natural motion about an equilibrium.
 
     Attributes:
-        number: Its number, from the slowest on.
+        number: Its place in the list, 0 for the slowest; what is shown to people counts from 1.
         square: ω² [1/s²]; negative where the motion leads away.
         damping_ratio: Of this mode by itself; None where it does not swing.
         body_motion: Velocity of each body's centre of gravity and its angular velocity, world axes, shape
-            (body, 6), of the shape with xᵀ M x = 1 [1/√kg].
+            (body, 6), in the order of `bodies`, of the shape with xᵀ M x = 1 [1/√kg].
         motion: What moves, in words.
+        bodies: Their names.
     """
 
     number: int
@@ -148,6 +150,7 @@ class Mode:
     damping_ratio: float | None
     body_motion: Floats
     motion: str
+    bodies: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         if self.period is not None:
@@ -160,6 +163,15 @@ class Mode:
     def period(self) -> float | None:
         """Natural period [s]; None where it does not swing."""
         return 2 * math.pi / math.sqrt(self.square) if self.square > _NEUTRAL else None
+
+    def of_body(self, body: str) -> Floats:
+        """How a body moves, shape (6,), as in `body_motion`.
+
+        Raises:
+            KeyError: If there is no such body.
+        """
+        row: Floats = self.body_motion[_place(body, self.bodies)]
+        return row
 
     def to_json(self) -> dict[str, Any]:
         """All but the shape as a JSON object, SI units."""
@@ -185,7 +197,7 @@ class Sensitivity:
         kind: `length`, `stiffness` (EA) of a rope; `centre_x`, `centre_y`, `centre_z`, `mass` of a body;
             `place_x`, `place_y`, `place_z` of its joint, along the axes of the world, such as of a hook.
         name: The rope or body.
-        tension: dT/dp of every rope [N per m, N per N, N per kg], in the order of `ropes`.
+        tension: dT/dp of every rope and mooring line [N per m, N per N, N per kg], in the order of `ropes`.
         ropes: Their names.
         motion: Derivatives of each body's centre of gravity [m] and of its attitude as a rotation vector
             [rad], world axes, shape (body, 6), in the order of `bodies`. Of a body whose centre of gravity is
@@ -225,6 +237,11 @@ class Sensitivity:
 
 def _place(name: str, names: Sequence[str]) -> int:
     if name not in names:
-        likely = [one for one in names if one.endswith(f".{name}")] or list(names)
-        raise KeyError(f"no {name!r}; there are {', '.join(likely[:_MOST_NAMED])}")
+        raise KeyError(f"no {name!r}; there are {likely(name, names)}")
     return names.index(name)
+
+
+def likely(name: str, names: Sequence[str]) -> str:
+    """Of the names that there are those that end like one that is none, or else all, for a message."""
+    alike = [one for one in names if one.endswith(f".{name}")] or list(names)
+    return ", ".join(alike[:_MOST_NAMED]) or "none"

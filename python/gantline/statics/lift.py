@@ -18,13 +18,16 @@ from gantline.results.rig import Rig, at_rest
 from gantline.scenario import Scenario, load_scenario
 from gantline.statics.answers import (
     KINDS,
+    OF_ROPES,
     ContactForce,
     Equilibrium,
     Losses,
     Mode,
     NoEquilibriumError,
     Sensitivity,
+    likely,
 )
+from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import in_words
 from gantline.version import version
 
@@ -234,10 +237,30 @@ class Statics:
                 square=float(square),
                 damping_ratio=None if math.isnan(ratios[number]) else float(ratios[number]),
                 body_motion=found["body_motion"][number],
+                bodies=tuple(names),
                 motion=in_words(found["body_motion"][number], names, self._bodies, turned),
             )
             for number, square in enumerate(found["square"])
         ]
+
+    def linear_model(self, frequency: float | None = None) -> LinearModel:
+        """Matrices of small motions about the equilibrium found last.
+
+        Ropes that are taut there stay so, and slack ones slack; contacts and brakes likewise. Where none was
+        asked for, that at the end of the lift counts.
+
+        Args:
+            frequency: Circular frequency [rad/s] of which water that remembers has its added mass and
+                damping; None for an infinite one, without damping. Of no meaning for any other water.
+
+        Raises:
+            NoEquilibriumError: If there is none.
+            ValueError: If the frequency is no number above zero.
+        """
+        if frequency is not None and not (math.isfinite(frequency) and frequency > 0.0):
+            raise ValueError(f"frequency: {frequency!r} is no frequency above zero in radians per second")
+        self._of_last()
+        return linear_model(self._core.linear(frequency), self._core.names())
 
     def swing(self, mode: Mode, *, amplitude: float = _SHOWN, frames: int = 61) -> Recording:
         """One period of a mode as a recording, so that everything that shows recordings shows it.
@@ -273,15 +296,18 @@ class Statics:
         """
         self._of_last()
         wanted = list(parameters) if parameters is not None else self._uncertain()
-        for kind, _ in wanted:
+        names = self._core.names()
+        ropes, bodies = tuple(names["rope"]), tuple(names["body"])
+        for kind, name in wanted:
             if kind not in KINDS:
                 raise ValueError(f"there is no sensitivity to {kind!r}; there are {', '.join(KINDS)}")
+            known = ropes if kind in OF_ROPES else bodies
+            if name not in known:
+                raise ValueError(f"there is no {name} to ask the {kind} of; there are {likely(name, known)}")
         try:
             found = self._core.sensitivities(wanted)
         except RuntimeError as problem:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
-        names = self._core.names()
-        ropes, bodies = tuple(names["rope"]), tuple(names["body"])
         return [
             Sensitivity(kind, name, tension, ropes, motion, bodies)
             for (kind, name), tension, motion in zip(

@@ -47,6 +47,9 @@ def run_sweep(
         count: How many values, from 1 on; 1 is the first alone.
         time: Time of the plan [s]; None for the end of the lift.
 
+    Yields:
+        Each value with what was found, as soon as it is; errors come with the first.
+
     Raises:
         ValueError: If there are to be none.
         PathError: If the path leads nowhere or to no quantity.

@@ -115,13 +115,22 @@ pub(super) fn place_moorings(
         let breaks = given.breaking_force.is_some_and(|force| tension >= force);
         if breaks || strain > STRAIN {
             let Mooring { length, .. } = **mooring;
-            return error(
-                &given.name,
-                format!(
+            let sentence = match given.pretension {
+                Some(pretension) if breaks => {
+                    format!("its pretension of {pretension} N is no less than its breaking force")
+                }
+                Some(pretension) => format!(
+                    "its pretension of {pretension} N stretches it by {:.1} %, and a start allows {} %; give it less, or \
+                     a rope of more axial stiffness",
+                    100.0 * strain,
+                    100.0 * STRAIN
+                ),
+                None => format!(
                     "its length of {length} m is too short for ends that are {chord} m apart: it would pull with \
                      {tension} N"
                 ),
-            );
+            };
+            return error(&given.name, sentence);
         }
         mooring.mark = tree.positions;
         tree.positions += 1;

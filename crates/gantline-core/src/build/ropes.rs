@@ -242,7 +242,7 @@ pub(super) fn build_rope(
     let length = given.length.unwrap_or(routed);
     positive(name, "its length", length)?;
     // Where a rope touches its sheaves only the core knows, so that the check of its length is here.
-    if !route.is_plain && routed > length * (1.0 + MOST_STRAIN) {
+    if !(route.is_plain || given.is_stretched) && routed > length * (1.0 + MOST_STRAIN) {
         return error(
             name,
             format!("its length is {length} m, but its route has {routed:.6} m at the start"),

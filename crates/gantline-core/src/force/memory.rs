@@ -227,14 +227,25 @@ pub fn arrive(tree: &Tree, kinematics: &mut Kinematics, (v, h): (&[f64], f64), p
 
 /// xᵀ B(ω) x [W] for the rates `x` of all degrees of freedom.
 pub fn resistance(tree: &Tree, kinematics: &Kinematics, omega: f64, x: &[f64]) -> f64 {
-    let of = |memory: &Memory| {
-        let mut motion = [0.0; 6];
-        for (column, &dof) in memory.columns(tree, kinematics).iter().zip(&tree.support[memory.body]) {
-            (0..6).for_each(|k| motion[k] += column[k] * x[dof]);
+    let mut sum = 0.0;
+    resistances(tree, kinematics, omega, |[one, other], entry| {
+        sum += if one == other { 1.0 } else { 2.0 } * entry * x[one] * x[other];
+    });
+    sum
+}
+
+/// Entries of the symmetric B(ω), each pair of degrees of freedom once.
+pub fn resistances(tree: &Tree, kinematics: &Kinematics, omega: f64, mut visit: impl FnMut([usize; 2], f64)) {
+    for memory in memories(tree) {
+        let damping = memory.at_frequency(omega)[0].rows();
+        let (columns, support) = (memory.columns(tree, kinematics), &tree.support[memory.body]);
+        for (index, one) in columns.iter().enumerate() {
+            for (place, other) in columns[..=index].iter().enumerate() {
+                let both = form(&damping, one, other) + form(&damping, other, one);
+                visit([support[index], support[place]], 0.5 * both);
+            }
         }
-        form(&memory.at_frequency(omega)[0].rows(), &motion, &motion)
-    };
-    memories(tree).map(of).sum()
+    }
 }
 
 /// aᵀ M b.

@@ -10,6 +10,9 @@ pub struct RopeSpec {
     pub name: String,
     /// Unstretched length [m], arcs included; none is just taut at the start.
     pub length: Option<f64>,
+    /// Whether it may be much longer at the start, as a spring may.
+    #[serde(default)]
+    pub is_stretched: bool,
     /// What it is made of.
     pub material: MaterialSpec,
     /// Guides in order, from end to end.

@@ -1,6 +1,8 @@
 //! A lift at rest, from its document: where it hangs at any time of its plan, how it moves about that, and what it
 //! answers to what is uncertain. What the border hands on.
 
+use glam::DVec3;
+
 use super::losses::{Contacts, Losses, Sheaves};
 use super::modes::Mode;
 use super::sensitivity::{Parameter, Sensitivity};
@@ -11,6 +13,7 @@ use crate::event::{Event, EventKind, EventLog};
 use crate::plan::condition::Seen;
 use crate::record::Samples;
 use crate::record::columns::Columns;
+use crate::record::named::Named;
 use crate::record::names::Names;
 use crate::simulation::{SetupError, fingerprint, saved_state};
 use crate::solver::complementarity::Mode as RowMode;
@@ -19,6 +22,7 @@ use crate::state::State;
 use crate::stepper::flows;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+use crate::tree::joint::Motion;
 use crate::tree::kinematics::{Kinematics, Twist};
 
 /// Time between looks at the conditions of a plan [s].
@@ -246,6 +250,68 @@ impl StaticLift {
             }
         }
         change
+    }
+
+    /// The derivative over a parameter of what each rope pulls with, mooring lines last [N].
+    pub fn tension_change(&self, parameter: Parameter, change: &Sensitivity) -> Vec<f64> {
+        let Self { system, state, .. } = self;
+        let rows = &system.rows.first[..system.rope_count];
+        let ropes = rows.iter().map(|&row| change.tension[row]);
+        let kinematics = &placed(system, state).kinematics;
+        let moorings = system.moorings().map(|mooring| {
+            let carried = match parameter {
+                Parameter::Place(body, axis) if system.tree.subtree[body].contains(&mooring.body) => {
+                    DVec3::AXES[axis]
+                }
+                _ => DVec3::ZERO,
+            };
+            mooring.tension_rates(&system.tree, kinematics, &change.motion, carried)[0]
+        });
+        ropes.chain(moorings).collect()
+    }
+
+    /// The lift linearised about the equilibrium that was found last, see [`Statics::linear`]: matrices by name with their
+    /// shapes, and `body_motion`, what a unit of each x does, see [`StaticLift::body_motion`].
+    pub fn linear(&mut self, omega: Option<f64>) -> Vec<Named> {
+        let found = self.statics.linear(&self.system, &self.state, omega);
+        let (size, ropes) = (found.free.len(), self.system.all_ropes());
+        let mut unit = vec![0.0; self.system.tree.velocities];
+        let mut motion = Vec::new();
+        for &dof in &found.free {
+            unit[dof] = 1.0;
+            motion.extend(self.body_motion(&unit));
+            unit[dof] = 0.0;
+        }
+        let holding = found.held.len() / size.max(1);
+        let bodies = motion.len() / (6 * size.max(1));
+        vec![
+            ("mass", found.mass, vec![size, size]),
+            ("damping", found.damping, vec![size, size]),
+            ("stiffness", found.stiffness, vec![size, size]),
+            ("held", found.held, vec![holding, size]),
+            ("rope_tension", found.tension, vec![ropes, size]),
+            ("rope_tension_rate", found.tension_rate, vec![ropes, size]),
+            ("body_motion", motion, vec![size, bodies, 6]),
+        ]
+    }
+
+    /// Names of the degrees of freedom that no drive moves: that of the body, or of the flow, and which of several it is.
+    pub fn coordinates(&self) -> Vec<String> {
+        let name = |dof: &usize| {
+            let bodies = &self.system.tree.bodies;
+            let body = bodies.iter().find(|body| body.dofs().contains(dof))?;
+            let motions = body.joint.motions();
+            let place = dof - body.first_velocity;
+            let turns = motions[place] == Motion::Turn;
+            let along = motions[..place].iter().filter(|&&one| one == motions[place]).count();
+            let axis = ["x", "y", "z"][along];
+            Some(match (motions.len(), turns) {
+                (1, _) => body.name.clone(),
+                (_, false) => format!("{}.{axis}", body.name),
+                (_, true) => format!("{}.r{axis}", body.name),
+            })
+        };
+        self.statics.search.matrix.layout.free.iter().filter_map(name).collect()
     }
 
     /// Derivatives of the equilibrium that was found last.

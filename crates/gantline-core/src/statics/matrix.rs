@@ -254,11 +254,19 @@ impl Matrix {
 
     /// xᵀ D x of the linear resistance of water, over all degrees of freedom.
     pub fn resistance(&self, system: &System, x: &[f64]) -> f64 {
-        if system.tree.forces.is_empty() {
-            return 0.0;
-        }
+        let mut sum = 0.0;
+        self.resistances(system, |[one, other], entry| {
+            sum += if one == other { 1.0 } else { 2.0 } * entry * x[one] * x[other];
+        });
+        sum
+    }
+
+    /// Entries of that D, each pair of degrees of freedom once.
+    pub fn resistances(&self, system: &System, visit: impl FnMut([usize; 2], f64)) {
         // At rest velocities enter nothing but resistance.
-        self.dynamics.velocity_form(&system.tree, x)
+        if !system.tree.forces.is_empty() {
+            self.dynamics.over_velocity(&system.tree, visit);
+        }
     }
 
     /// Unknowns and gradient entries of a row, without driven degrees of freedom.

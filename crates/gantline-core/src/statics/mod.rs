@@ -12,6 +12,7 @@ pub mod eigen;
 mod friction;
 pub mod guard;
 pub mod lift;
+pub mod linear;
 pub mod losses;
 mod lowest;
 pub mod matrix;

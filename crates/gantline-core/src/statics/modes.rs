@@ -9,8 +9,8 @@
 //! what couples modes through D is left out. Water that remembers has the M and D of the mode's own frequency,
 //! A(ω) and B(ω).
 
+use super::Statics;
 use super::eigen::{Square, vibrations};
-use super::{Part, Statics};
 use crate::force::memory::{self, memories};
 use crate::state::State;
 use crate::system::System;
@@ -80,14 +80,7 @@ impl Statics {
         let (follows, matrix) = (&self.search.here.follows, &self.search.matrix);
         let size = matrix.layout.free.len();
         let (mass, stiffness) = matrix.dense(system, &self.bearings, follows);
-        let rigid = (0..follows.len()).filter(|&row| follows[row] && self.bearings[row].is_rigid);
-        let held: Vec<Vec<f64>> = rigid
-            .map(|row| {
-                let mut entries = vec![0.0; size];
-                matrix.row_entries(system, row).for_each(|(unknown, entry)| entries[unknown] += entry);
-                entries
-            })
-            .collect();
+        let held = self.held_rows(system);
         let found = vibrations(&Square::new(size, mass), &Square::new(size, stiffness), &held);
         let (squares, shapes) = found.unwrap_or_default();
         let whole = |free: Vec<f64>| {
@@ -108,12 +101,10 @@ impl Statics {
         let kinematics = &self.search.here.frame.kinematics;
         damping += memory::resistance(&system.tree, kinematics, square.max(0.0).sqrt(), &shape);
         let mut tension = vec![0.0; system.rows.count()];
-        for (row, bearing) in self.bearings.iter().enumerate() {
-            if self.search.here.follows[row] && bearing.part == Part::Pull && !bearing.is_rigid {
-                let rate = system.rows.rate(&self.search.here.frame.gradient, row, &shape);
-                tension[row] = rate / bearing.compliance;
-                damping += system.rows.laws[row].damping_time() * tension[row] * rate;
-            }
+        for row in (0..tension.len()).filter(|&row| self.stretches(row)) {
+            let rate = system.rows.rate(&self.search.here.frame.gradient, row, &shape);
+            tension[row] = rate / self.bearings[row].compliance;
+            damping += system.rows.laws[row].damping_time() * tension[row] * rate;
         }
         let swings = square > super::NEUTRAL;
         let damping_ratio = swings.then(|| 0.5 * damping / square.sqrt());

@@ -145,19 +145,17 @@ fn work(motion: &Twist, wrench: &Wrench) -> f64 {
 }
 
 impl DynamicsTangent {
-    /// xᵀ (∂τ/∂v) x.
-    pub fn velocity_form(&self, tree: &Tree, x: &[f64]) -> f64 {
+    /// The symmetric part of ∂τ/∂v, each pair of degrees of freedom once.
+    pub fn over_velocity(&self, tree: &Tree, mut visit: impl FnMut([usize; 2], f64)) {
         let mass = MassMatrix::new(tree);
-        let mut sum = 0.0;
-        for dof in 0..x.len() {
+        for dof in 0..tree.velocities {
             let diagonal = mass.row_start[dof + 1] - 1;
             for slot in mass.row_start[dof]..diagonal {
-                sum +=
-                    (self.velocity.lower[slot] + self.velocity.upper[slot]) * x[dof] * x[mass.columns[slot]];
+                let both = self.velocity.lower[slot] + self.velocity.upper[slot];
+                visit([dof, mass.columns[slot]], 0.5 * both);
             }
-            sum += self.velocity.lower[diagonal] * x[dof] * x[dof];
+            visit([dof, dof], self.velocity.lower[diagonal]);
         }
-        sum
     }
 }
 

@@ -179,7 +179,15 @@ pub fn rope_of(
     material: MaterialSpec,
     route: Vec<GuideSpec>,
 ) -> RopeSpec {
-    RopeSpec { name: name.into(), length, material, route, breaking_force: None, cut_at: None }
+    RopeSpec {
+        name: name.into(),
+        length,
+        is_stretched: false,
+        material,
+        route,
+        breaking_force: None,
+        cut_at: None,
+    }
 }
 
 fn rope(draw: &mut Draw, index: usize) -> RopeSpec {

@@ -6,8 +6,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.writing import write_database
 
-__all__ = ["AXES", "DATABASE_FORMATS", "DatabaseError", "HydrodynamicDatabase", "read_database"]
+__all__ = [
+    "AXES",
+    "DATABASE_FORMATS",
+    "DatabaseError",
+    "HydrodynamicDatabase",
+    "read_database",
+    "write_database",
+]
 
 #: Endings of names, and what writes such files.
 DATABASE_FORMATS = {".nc": "Capytaine", ".h5": "BEMIO", ".hdf5": "BEMIO", ".dhyd": "DAVE", ".hyd": "text"}

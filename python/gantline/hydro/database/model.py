@@ -31,7 +31,7 @@ class DatabaseError(ValueError):
     """A hydrodynamic database cannot be used; the message is one plain sentence."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class HydrodynamicDatabase:
     """Radiation, and what waves do, of one body. SI units, x forward, y to port, z up.
 
@@ -90,6 +90,13 @@ class HydrodynamicDatabase:
 
         if self.excitation is not None and not np.isfinite(self.excitation).all():
             raise DatabaseError(f"{self.source}: its wave forces have numbers that are not finite")
+
+    def __repr__(self) -> str:
+        count = len(self.directions)
+        waves = f"wave forces in {count} directions" if self.excitation is not None else "no wave forces"
+        least, most = self.periods[[-1, 0]]
+        periods = f"{len(self.frequencies)} periods from {least:.4g} s to {most:.4g} s"
+        return f"<HydrodynamicDatabase {self.name!r}, {self.source}: {periods}, {waves}>"
 
     @property
     def asymmetry(self) -> tuple[float, float]:

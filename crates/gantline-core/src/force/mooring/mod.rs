@@ -235,6 +235,22 @@ impl Mooring {
         self.tension(&under(tree, kinematics, self.body, v))
     }
 
+    /// How its tension at rest changes in a time under the velocity coordinates `v`, on a body that is carried along with
+    /// `carried` besides: by where they bring it, and by its damper because they do [N/s, N].
+    pub fn tension_rates(&self, tree: &Tree, kinematics: &Kinematics, v: &[f64], carried: DVec3) -> [f64; 2] {
+        let mut at = under(tree, kinematics, self.body, v);
+        at.twist.linear += carried;
+        if !self.is_whole(at.q) {
+            return [0.0; 2];
+        }
+        let Reach { velocity, energy, strain, damper, paid_out, .. } = self.reach(&at);
+        let paying = self.winch.map_or(0.0, |winch| winch.unstretched * v[winch.dof]);
+        let way = (energy.place + paid_out).normalize_or_zero();
+        let up = -at.gravity / at.gravity.length();
+        let change = energy.place_place * velocity + (energy.place_length + up * self.line.weight) * paying;
+        [way.dot(change), way.dot(strain.place) * damper]
+    }
+
     /// Its stretched length [m], and places along it from its upper end to its lower, [`CHORDS`] + 1 of them.
     pub fn draw(&self, pose: &Pose, gravity: DVec3, q: &[f64], mut place: impl FnMut(DVec3)) -> f64 {
         let top = pose.point(self.at);

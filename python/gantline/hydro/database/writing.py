@@ -1,0 +1,69 @@
+"""Databases as files in the form of Capytaine's, for numbers that come from anywhere else."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+
+__all__ = ["write_database"]
+
+
+def write_database(database: HydrodynamicDatabase, path: str | Path) -> Path:
+    """Write a database as NetCDF, so that a lift file can name it: what `read_database` reads is the same.
+
+    Matrices are [force, motion] over surge, sway, heave, roll, pitch and yaw, about `reference`. Time goes as
+    exp(−iωt): of a program with exp(+iωt) wave forces are the conjugates.
+
+    Args:
+        database: What it says about one body. `source` and `doubts` are not written.
+        path: File to write, ending in `.nc`; an existing one is replaced.
+
+    Returns:
+        The path written.
+
+    Raises:
+        DatabaseError: If the name does not end in `.nc`.
+        OSError: If it cannot be written there.
+    """
+    import xarray
+
+    place = Path(path)
+    if place.suffix.lower() != ".nc":
+        raise DatabaseError(f"{place}: has to end in '.nc'")
+    omega, mass, damping = database.frequencies, database.added_mass, database.damping
+    waves = database.excitation
+    if database.infinite_added_mass is not None:
+        nothing = np.zeros((1, 6, 6))
+        omega = np.append(omega, np.inf)
+        mass = np.concatenate([mass, database.infinite_added_mass[np.newaxis]])
+        damping = np.concatenate([damping, nothing])
+        waves = None if waves is None else np.concatenate([waves, np.zeros((1, *waves.shape[1:]))])
+    of_matrix = ("omega", "influenced_dof", "radiating_dof")
+    tables: dict[str, Any] = {"added_mass": (of_matrix, mass), "radiation_damping": (of_matrix, damping)}
+    motions = [axis.capitalize() for axis in AXES]
+    coordinates: dict[str, Any] = {
+        "omega": omega,
+        "influenced_dof": motions,
+        "radiating_dof": motions,
+        "body_name": database.name,
+    }
+    if database.density is not None:
+        coordinates["rho"] = database.density
+    if waves is not None:
+        parts = np.stack([waves.real, waves.imag])
+        of_waves = ("complex", "omega", "wave_direction", "influenced_dof")
+        # Only their sum counts.
+        tables |= {"Froude_Krylov_force": (of_waves, parts), "diffraction_force": (of_waves, 0.0 * parts)}
+        coordinates |= {"wave_direction": database.directions, "complex": ["re", "im"]}
+    if database.water_depth is not None:
+        coordinates["water_depth"] = database.water_depth
+    if database.reference is not None:
+        tables["rotation_center"] = (("xyz",), database.reference)
+    if database.displacement is not None:
+        tables["disp_volume"] = ((), np.asarray(database.displacement))
+    xarray.Dataset(tables, coordinates).to_netcdf(place, engine="h5netcdf")
+    return place
