@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import wraps
 from pathlib import Path
-from typing import Any
+from threading import RLock
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -36,8 +38,27 @@ _PAST = 1e-3
 _SHOWN = 0.5
 
 
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+def _one_at_a_time(
+    ask: Callable[Concatenate[Statics, _P], _R],
+) -> Callable[Concatenate[Statics, _P], _R]:
+    """What is asked while another thread is being answered waits for that."""
+
+    @wraps(ask)
+    def waiting(self: Statics, /, *args: _P.args, **kwargs: _P.kwargs) -> _R:
+        with self._lock:
+            return ask(self, *args, **kwargs)
+
+    return waiting
+
+
 class Statics:
-    """A lift whose equilibria are asked for.
+    """A lift whose equilibria are asked for, by one thread at a time: others wait.
+
+    What is asked of the equilibrium found last is so of whichever thread found it.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
@@ -53,6 +74,7 @@ class Statics:
             self._core = _core.Statics(self.assembly.document_text())
         except ValueError as problem:
             raise refused(self.scenario, str(problem)) from problem
+        self._lock = RLock()
         self._last: Losses | NoEquilibriumError | None = None
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
 
@@ -64,6 +86,7 @@ class Statics:
         """Who carries whom, in still water and steady wind."""
         return Rig.from_json(at_rest(self.assembly.rig))
 
+    @_one_at_a_time
     def equilibrium(
         self,
         time: float | None = None,
@@ -108,6 +131,7 @@ class Statics:
             raise self._nowhere(moment, *problem.args) from None
         return self._found(found, losses)
 
+    @_one_at_a_time
     def equilibrium_of(self, state: bytes, *, losses: Losses = "held") -> Equilibrium:
         """The equilibrium of where a simulation has got to, as if everything stopped there.
 
@@ -128,6 +152,7 @@ class Statics:
             raise self._nowhere(self._core.time(), *problem.args) from None
         return self._found(found, losses)
 
+    @_one_at_a_time
     def slid(self, direction: Sequence[float], time: float | None = None) -> Equilibrium | None:
         """Where loads come to rest that slide along a direction of the world.
 
@@ -148,6 +173,7 @@ class Statics:
                 return None
             raise
 
+    @_one_at_a_time
     def stick_range(
         self, direction: Sequence[float], time: float | None = None
     ) -> tuple[Equilibrium | None, Equilibrium | None]:
@@ -158,6 +184,7 @@ class Statics:
         """
         return self.slid(direction, time), self.slid([-part for part in direction], time)
 
+    @_one_at_a_time
     def step_off(self) -> Equilibrium | None:
         """From the unstable equilibrium found last to the stable one downhill of it.
 
@@ -212,6 +239,7 @@ class Statics:
             ),
         )
 
+    @_one_at_a_time
     def modes(self, count: int | None = None) -> list[Mode]:
         """Natural motions about the equilibrium found last, slowest first, after those that lead away.
 
@@ -241,6 +269,7 @@ class Statics:
             for number, square in enumerate(found["square"])
         ]
 
+    @_one_at_a_time
     def swing(self, mode: Mode, *, amplitude: float = _SHOWN, frames: int = 61) -> Recording:
         """One period of a mode as a recording, so that everything that shows recordings shows it.
 
@@ -259,6 +288,7 @@ class Statics:
         self._core.swing(mode.number, amplitude / largest if largest > 0.0 else 0.0, frames)
         return self._recording(f"mode {mode.number + 1}: {mode.motion}")
 
+    @_one_at_a_time
     def sensitivities(self, parameters: Sequence[tuple[str, str]] | None = None) -> list[Sensitivity]:
         """Derivatives of tensions and motions about the equilibrium found last, from its factorised tangent.
 
@@ -291,6 +321,7 @@ class Statics:
             )
         ]
 
+    @_one_at_a_time
     def times_of(self, step: str) -> tuple[float | None, float | None]:
         """When a step of the plan began and ended on the way to the equilibrium found last [s].
 
