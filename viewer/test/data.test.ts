@@ -181,6 +181,16 @@ describe("a lift", () => {
     expect([...lift.drawnPath(0)]).toEqual([0, 0, 4, 3.5, 0, 4]);
   });
 
+  it("turns the short way between an attitude and its opposite quaternion", () => {
+    const unpacked = smallUnpacked([1, 1]);
+    unpacked.arrays.set("turn", Int32Array.of(0, 5, 0, 0, -3, -4, 0, 0));
+    const lift = new Lift(unpacked);
+    lift.seek(1);
+    const size = Math.hypot(3, 9);
+    for (const [part, value] of [3 / size, 9 / size, 0, 0].entries())
+      expect(lift.poses[3 + part]).toBeCloseTo(value, 12);
+  });
+
   it("draws a slack rope hanging, a taut one as it was recorded", () => {
     const slack = smallLift([0, 0]);
     const path = slack.drawnPath(0);

@@ -138,7 +138,6 @@ def _look_over(simulation: Simulation) -> None:
     typer.echo(f"{simulation.scenario.source}: in order ({counts}; {simulation.duration:g} s to simulate)")
 
 
-
 def _warn_of_time(simulation: Simulation) -> None:
     """Tell of a plan that cannot be over when the run ends."""
     from gantline.scenario.plan_time import earliest_ends

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -186,8 +185,8 @@ def _rest(question: Statics, moment: float | None, state: Path | None, *, held: 
     except OSError as problem:
         stop(f"--state: {state}: cannot be read ({(problem.strerror or str(problem)).lower()})")
     except ValueError as problem:
-        if re.search(r"at line \d+ column \d+$", str(problem)):  # of the text that a state is
-            found = "is no state of a run, or is cut off"
+        if str(problem).endswith("cut off"):
+            found = "is no state of a run, or is damaged or cut off"
             stop(f"--state: {state}: {found}; a run that cannot go on leaves one, 'state.bin'")
         stop(f"--state: {state}: {problem}")
 

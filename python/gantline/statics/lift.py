@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import wraps
 from pathlib import Path
-from typing import Any
+from threading import RLock
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -37,8 +39,27 @@ _PAST = 1e-3
 _SHOWN = 0.5
 
 
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+def _one_at_a_time(
+    ask: Callable[Concatenate[Statics, _P], _R],
+) -> Callable[Concatenate[Statics, _P], _R]:
+    """What is asked while another thread is being answered waits for that."""
+
+    @wraps(ask)
+    def waiting(self: Statics, /, *args: _P.args, **kwargs: _P.kwargs) -> _R:
+        with self._lock:
+            return ask(self, *args, **kwargs)
+
+    return waiting
+
+
 class Statics:
-    """A lift whose equilibria are asked for.
+    """A lift whose equilibria are asked for, by one thread at a time: others wait.
+
+    What is asked of the equilibrium found last is so of whichever thread found it.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
@@ -54,6 +75,7 @@ class Statics:
             self._core = _core.Statics(self.assembly.document_text())
         except ValueError as problem:
             raise refused(self.scenario, str(problem)) from problem
+        self._lock = RLock()
         self._last: Losses | NoEquilibriumError | None = None
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
 
@@ -65,6 +87,7 @@ class Statics:
         """Who carries whom, in still water and steady wind."""
         return Rig.from_json(at_rest(self.assembly.rig))
 
+    @_one_at_a_time
     def equilibrium(
         self,
         time: float | None = None,
@@ -109,6 +132,7 @@ class Statics:
             raise self._nowhere(moment, *problem.args) from None
         return self._found(found, losses)
 
+    @_one_at_a_time
     def equilibrium_of(self, state: bytes, *, losses: Losses = "held") -> Equilibrium:
         """The equilibrium of where a simulation has got to, as if everything stopped there.
 
@@ -129,6 +153,7 @@ class Statics:
             raise self._nowhere(self._core.time(), *problem.args) from None
         return self._found(found, losses)
 
+    @_one_at_a_time
     def slid(self, direction: Sequence[float], time: float | None = None) -> Equilibrium | None:
         """Where loads come to rest that slide along a direction of the world.
 
@@ -149,6 +174,7 @@ class Statics:
                 return None
             raise
 
+    @_one_at_a_time
     def stick_range(
         self, direction: Sequence[float], time: float | None = None
     ) -> tuple[Equilibrium | None, Equilibrium | None]:
@@ -159,6 +185,7 @@ class Statics:
         """
         return self.slid(direction, time), self.slid([-part for part in direction], time)
 
+    @_one_at_a_time
     def step_off(self) -> Equilibrium | None:
         """From the unstable equilibrium found last to the stable one downhill of it.
 
@@ -213,6 +240,7 @@ class Statics:
             ),
         )
 
+    @_one_at_a_time
     def modes(self, count: int | None = None) -> list[Mode]:
         """Natural motions about the equilibrium found last, slowest first, after those that lead away.
 
@@ -243,6 +271,7 @@ class Statics:
             for number, square in enumerate(found["square"])
         ]
 
+    @_one_at_a_time
     def linear_model(self, frequency: float | None = None) -> LinearModel:
         """Matrices of small motions about the equilibrium found last.
 
@@ -262,6 +291,7 @@ class Statics:
         self._of_last()
         return linear_model(self._core.linear(frequency), self._core.names())
 
+    @_one_at_a_time
     def swing(self, mode: Mode, *, amplitude: float = _SHOWN, frames: int = 61) -> Recording:
         """One period of a mode as a recording, so that everything that shows recordings shows it.
 
@@ -280,6 +310,7 @@ class Statics:
         self._core.swing(mode.number, amplitude / largest if largest > 0.0 else 0.0, frames)
         return self._recording(f"mode {mode.number + 1}: {mode.motion}")
 
+    @_one_at_a_time
     def sensitivities(self, parameters: Sequence[tuple[str, str]] | None = None) -> list[Sensitivity]:
         """Derivatives of tensions and motions about the equilibrium found last, from its factorised tangent.
 
@@ -315,6 +346,7 @@ class Statics:
             )
         ]
 
+    @_one_at_a_time
     def times_of(self, step: str) -> tuple[float | None, float | None]:
         """When a step of the plan began and ended on the way to the equilibrium found last [s].
 

@@ -130,7 +130,7 @@ export class Lift {
     this.between("clearance_point", frame, next, share, this.nearest);
     const { places, turns, poses } = this;
     this.between("position", frame, next, share, places);
-    this.between("turn", frame, next, share, turns);
+    this.turned(frame, next, share);
     for (let body = 0; body < this.header.bodies.length; body++) {
       const [from3, from4, to] = [3 * body, 4 * body, 7 * body];
       const size = Math.hypot(turns[from4]!, turns[from4 + 1]!, turns[from4 + 2]!, turns[from4 + 3]!) || 1;
@@ -149,6 +149,22 @@ export class Lift {
     for (let place = 0; place < width; place++) {
       const begin = array[frame * width + place]!;
       out[place] = step * (begin + share * (array[next * width + place]! - begin));
+    }
+  }
+
+  /** Turns between frames, the short way: a quaternion and its opposite are one attitude. */
+  private turned(frame: number, next: number, share: number): void {
+    const { arrays, turns } = this;
+    const array = arrays.get("turn");
+    if (!array) return;
+    const step = this.header.arrays.turn!.step ?? 1;
+    for (let first = 0; first < turns.length; first += 4) {
+      const [begin, end] = [frame * turns.length + first, next * turns.length + first];
+      let along = 0;
+      for (let part = 0; part < 4; part++) along += array[begin + part]! * array[end + part]!;
+      const side = along < 0 ? -1 : 1;
+      for (let part = 0; part < 4; part++)
+        turns[first + part] = step * ((1 - share) * array[begin + part]! + share * side * array[end + part]!);
     }
   }
 

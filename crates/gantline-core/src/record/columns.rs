@@ -78,6 +78,7 @@ impl Columns {
             applied: vec![Wrench::default(); system.tree.bodies.len()],
             unused: vec![0.0; system.tree.velocities],
             straights: Vec::new(),
+            turns: vec![DQuat::IDENTITY; system.tree.bodies.len()],
             presence: Presence::of(system, log),
         };
         let (positions, velocities) = (system.tree.positions, system.tree.velocities);
@@ -186,6 +187,9 @@ struct Sampled {
     applied: Vec<Wrench>,
     unused: Vec<f64>,
     straights: Vec<Straight>,
+    /// How bodies were turned a sample ago: a quaternion and its opposite are one attitude, and what goes from one sample to
+    /// the next shall go the short way.
+    turns: Vec<DQuat>,
     presence: Presence,
 }
 
@@ -363,6 +367,8 @@ impl Sampled {
             }
             let centre = self.kinematics.centre_of_gravity[index];
             let turn = DQuat::from_mat3(&self.kinematics.pose[index].rotation);
+            let turn = turn * self.turns[index].dot(turn).signum();
+            self.turns[index] = turn;
             let velocity = self.kinematics.point_velocity(twists, Some(index), centre);
             columns.body_position.extend_from_slice(centre.as_ref());
             columns.body_orientation.extend_from_slice(&[turn.w, turn.x, turn.y, turn.z]);

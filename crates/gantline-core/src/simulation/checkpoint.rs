@@ -23,8 +23,28 @@ struct Checkpoint {
 
 /// FNV-1a, to tell whether a checkpoint belongs to a document.
 pub(crate) fn fingerprint<const COUNT: usize>(texts: [&str; COUNT]) -> u64 {
-    let bytes = texts.iter().flat_map(|text| text.bytes().chain([0]));
+    hash(texts.iter().flat_map(|text| text.bytes().chain([0])))
+}
+
+fn hash(bytes: impl Iterator<Item = u8>) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// Characters of the digest that ends a saved state.
+const DIGEST: usize = 16;
+
+fn digest(bytes: &[u8]) -> String {
+    format!("{:0DIGEST$x}", hash(bytes.iter().copied()))
+}
+
+/// What [`Simulation::save`] gave, which a digest of all that stands before ends: numbers that have changed or are missing
+/// would be met somewhere in a step.
+fn checkpoint_of(bytes: &[u8]) -> Result<Checkpoint, SetupError> {
+    let (text, end) = bytes.split_at(bytes.len().saturating_sub(DIGEST));
+    if digest(text).as_bytes() != end {
+        return Err(SetupError::State("it is none, or it is damaged or cut off".to_owned()));
+    }
+    serde_json::from_slice(text).map_err(|error| SetupError::State(error.to_string()))
 }
 
 /// The state in what [`Simulation::save`] gave of the document with a fingerprint, whatever the settings.
@@ -32,8 +52,7 @@ pub(crate) fn fingerprint<const COUNT: usize>(texts: [&str; COUNT]) -> u64 {
 /// # Errors
 /// [`SetupError::State`] where it is not that.
 pub(crate) fn saved_state(document: u64, bytes: &[u8]) -> Result<State, SetupError> {
-    let checkpoint: Checkpoint =
-        serde_json::from_slice(bytes).map_err(|error| SetupError::State(error.to_string()))?;
+    let checkpoint = checkpoint_of(bytes)?;
     if checkpoint.document != document {
         return Err(SetupError::State("it was saved from another lift".to_owned()));
     }
@@ -52,7 +71,10 @@ impl Simulation {
             commands: self.commands.clone(),
             counters: self.counters,
         };
-        Ok(serde_json::to_vec(&checkpoint)?)
+        let mut bytes = serde_json::to_vec(&checkpoint)?;
+        let end = digest(&bytes);
+        bytes.extend_from_slice(end.as_bytes());
+        Ok(bytes)
     }
 
     /// Takes up a saved run of the same document and settings.
@@ -60,8 +82,7 @@ impl Simulation {
     /// # Errors
     /// [`SetupError::State`] where it is not that.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SetupError> {
-        let state = |error: serde_json::Error| SetupError::State(error.to_string());
-        let checkpoint: Checkpoint = serde_json::from_slice(bytes).map_err(state)?;
+        let checkpoint = checkpoint_of(bytes)?;
         if checkpoint.fingerprint != self.fingerprint {
             let problem = "it was saved from another lift, or with other settings";
             return Err(SetupError::State(problem.to_owned()));
@@ -71,6 +92,7 @@ impl Simulation {
         self.events = checkpoint.events;
         self.commands = checkpoint.commands;
         self.counters = checkpoint.counters;
+        self.asked = (self.counters.steps, self.state.time);
         self.before.copy_from(&self.state);
         self.frame.update(&self.system, &self.state);
         if let Method::Adaptive(adaptive) = &mut self.method {

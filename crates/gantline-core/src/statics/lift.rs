@@ -189,7 +189,7 @@ impl StaticLift {
                 stride = 0.5 * (next - now);
             }
         }
-        Ok(rest.unwrap_or_else(|| statics.rest(system, state)))
+        rest.map_or_else(|| statics.rest(system, state), Ok)
     }
 
     /// The samples are the start of the lift, where `from_start`, and the equilibrium.

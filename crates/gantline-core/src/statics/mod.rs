@@ -30,6 +30,7 @@ use crate::constraint::Law;
 use crate::event::afloat::Vessel;
 use crate::force::AnyForce;
 use crate::solver::complementarity::Mode;
+use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::stepper::flows;
 use crate::system::System;
@@ -50,6 +51,8 @@ const ROUNDS: usize = 40;
 const FRICTION_ROUNDS: usize = 200;
 /// What a hull does that bears less than its weight.
 const SINKS: &str = "it sinks: no hull bears that weight";
+/// A shift beside another one, as a share of it.
+const BESIDE: f64 = 0.9;
 /// ω² of a motion that nothing moves and nothing holds is within this of zero [1/s²]: a period of two hours.
 pub const NEUTRAL: f64 = 1e-6;
 
@@ -124,19 +127,22 @@ impl Statics {
         flows::set_driven(system, state);
         self.balance(system, state, losses)?;
         winding::lay(system, state, &self.search.here.frame);
-        Ok(self.rest(system, state))
+        self.rest(system, state)
     }
 
     /// What the equilibrium found last is like.
-    fn rest(&mut self, system: &System, state: &State) -> Rest {
-        let (unstable, neutral) = self.inertia(system, state);
-        Rest {
+    fn rest(&mut self, system: &System, state: &State) -> Result<Rest, NoEquilibrium> {
+        let (unstable, neutral) = self.inertia(system, state).map_err(|pivot| NoEquilibrium {
+            element: self.search.matrix.layout.element(system, pivot.unknown).to_owned(),
+            cause: "whether it is stable there cannot be told".to_owned(),
+        })?;
+        Ok(Rest {
             residual: self.search.here.residual(system),
             neutral,
             unstable,
             effort: self.search.effort,
             factorisations: self.search.matrix.factorisations,
-        }
+        })
     }
 
     /// Counts anew, with drives where they are at the time of `state`.
@@ -214,18 +220,23 @@ impl Statics {
     }
 
     /// How many motions have ω² below and about zero, by the signs of pivots at two shifts.
-    fn inertia(&mut self, system: &System, state: &State) -> (usize, usize) {
+    ///
+    /// # Errors
+    /// [`ZeroPivot`] where no shift near them tells.
+    fn inertia(&mut self, system: &System, state: &State) -> Result<(usize, usize), ZeroPivot> {
         let Self { search, bearings, .. } = self;
         search.linearise(system, state);
         search.matrix.extra.fill(0.0);
         let follows = &search.here.follows;
         let compliance = |row: usize| follows[row].then_some(bearings[row].compliance);
         let mut below = |shift: f64| {
+            // A shift may meet a motion, of which the one beside it tells the same.
             let made = search.matrix.factorise(system, shift, compliance);
-            made.map(|()| search.matrix.below(system)).unwrap_or(0)
+            made.or_else(|_| search.matrix.factorise(system, BESIDE * shift, compliance))?;
+            Ok(search.matrix.below(system))
         };
-        let unstable = below(NEUTRAL);
-        (unstable, below(-NEUTRAL).saturating_sub(unstable))
+        let unstable = below(NEUTRAL)?;
+        Ok((unstable, below(-NEUTRAL)?.saturating_sub(unstable)))
     }
 
     /// Forces and modes into the state, which is at rest.

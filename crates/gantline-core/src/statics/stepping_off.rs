@@ -42,7 +42,7 @@ impl Statics {
             step.iter_mut().for_each(|entry| *entry *= factor);
             system.tree.advance(&mut state.q, &step);
             self.balance(system, state, losses)?;
-            found = Some(self.rest(system, state));
+            found = Some(self.rest(system, state)?);
         }
         Ok(found)
     }

@@ -123,7 +123,7 @@ impl Statics {
         losses: Losses,
     ) -> Result<Rest, NoEquilibrium> {
         self.follow(system, state, losses)?;
-        Ok(self.rest(system, state))
+        self.rest(system, state)
     }
 
     /// The same, without asking what the equilibrium is like.

@@ -170,7 +170,7 @@ impl Del {
         }
         // c, which holds −f of gravity, at the mean velocity by fixed point, with the waves of half-way.
         frame.kinematics.time = state.time + 0.5 * h;
-        let mut scale = 0.0;
+        let (mut scale, mut settled) = (0.0, false);
         for round in 0..BIAS_ROUNDS {
             for (middle, (old, new)) in self.middle.iter_mut().zip(state.v.iter().zip(&self.v)) {
                 *middle = 0.5 * (old + new);
@@ -181,6 +181,7 @@ impl Del {
             });
             let change = distance(&self.c, &self.previous);
             if round > 0 && change <= BIAS_TOLERANCE * largest(&self.c) {
+                settled = true;
                 break;
             }
             if round == 0 {
@@ -202,11 +203,12 @@ impl Del {
                 .time(Stage::Events, || self.rows.solve(system, &mut self.kkt, &problem, &mut self.v));
             let outcome = solved.map_err(|pivot| self.singular(system, state.time, pivot))?;
             report.factorisations += outcome.factorisations;
-            report.converged = outcome.converged && !runs_away;
+            report.converged = outcome.converged;
             if runs_away {
                 break;
             }
         }
+        report.converged &= settled;
         if let Some(dof) = self.v.iter().position(|velocity| !velocity.is_finite()) {
             let element = system.tree.bodies[system.tree.owner[dof]].name.clone();
             let cause = format!(

@@ -27,7 +27,7 @@ use crate::system::{LightSheaves, System};
 
 /// How far the tensions over a row of light sheaves, root mean square, may be from what they should be before the step is
 /// cut, in tolerances of tension.
-const TURNED: f64 = 0.25;
+pub(super) const TURNED: f64 = 0.25;
 
 /// Where rope lies on all light sheaves.
 #[derive(Debug, Clone, Default)]

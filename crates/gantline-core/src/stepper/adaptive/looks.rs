@@ -37,13 +37,15 @@ pub struct Looks {
     terms: [Vec<f64>; POINTS],
     /// How far every look is from its law, the worst row [N].
     pub far: [f64; LOOKS.len()],
+    /// How far the worst of them is from its law, as a force [N].
+    pub broken: f64,
 }
 
 impl Looks {
     /// Room for `system`.
     pub fn new(system: &System) -> Self {
         let rows = || std::array::from_fn(|_| vec![0.0; system.rows.count()]);
-        Self { forces: rows(), terms: rows(), far: [0.0; LOOKS.len()] }
+        Self { forces: rows(), terms: rows(), far: [0.0; LOOKS.len()], broken: 0.0 }
     }
 
     /// Keeps the forces at point k: 0 the start, k the look k − 1.

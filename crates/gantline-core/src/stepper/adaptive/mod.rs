@@ -239,6 +239,7 @@ impl Adaptive {
         state.next_step = h * (0.9 * error.max(1e-8).powf(-1.0 / tableau::ERROR_ORDER)).clamp(0.2, 6.0);
         system.clock.time(Stage::Events, || self.look(system, state));
         report.cut = self.made < 1.0;
+        report.complementarity_residual = self.looks.broken;
         let whole = self.made == 1.0 && h == stop - state.time;
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
             .map_err(|pivot| self.singular(system, state, pivot))?;

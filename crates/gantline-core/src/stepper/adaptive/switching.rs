@@ -2,7 +2,7 @@
 
 use super::books::WEIGHTS;
 use super::evaluation::Evaluation;
-use super::light::Laying;
+use super::light::{Laying, TURNED};
 use super::point::Point;
 use super::{Adaptive, LOOKS, STEP_FLOOR, SWITCHING};
 use crate::constraint::brake::Brake;
@@ -48,12 +48,13 @@ impl Adaptive {
     fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
         self.begin_looks(system, state);
         self.laid_before.start(system, state);
+        self.looks.broken = 0.0;
         let length = self.made * self.rodas.course.h;
         for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
             self.book_look(system, state, theta * self.made, weight * length);
             self.laid.follow(system, &self.probe, state.time + theta * length);
             self.looks.note(system, index + 1, &self.probe);
-            self.looks.far[index] = self.farthest(system, state, &self.probe);
+            self.note_far(system, state, index);
             if self.looks.far[index] > allowed {
                 return Some(index);
             }
@@ -61,8 +62,16 @@ impl Adaptive {
         self.arrive(system, state);
         self.note_arrival(system, state);
         let last = LOOKS.len() - 1;
-        self.looks.far[last] = self.farthest(system, state, &self.next);
+        self.note_far(system, state, last);
         (self.looks.far[last] > allowed).then_some(last)
+    }
+
+    /// Keeps how far the look `index` is from what it should be.
+    fn note_far(&mut self, system: &System, state: &State, index: usize) {
+        let at = if index + 1 == LOOKS.len() { &self.next } else { &self.probe };
+        let (rows, light) = (self.farthest_row(system, state, at), self.turned(system, &state.modes, at));
+        self.looks.far[index] = rows.max(SWITCHING * light);
+        self.looks.broken = self.looks.broken.max(rows).max(TURNED * light);
     }
 
     /// Keeps the forces at the end of the part that is made, before light sheaves turn over: forces jump there, and no
@@ -167,11 +176,14 @@ impl Adaptive {
         state.plan.is_fulfilled(&system.plan, &Seen { support: &self.support, tension: &tension, kinematics })
     }
 
-    /// The largest distance of a row from its law [N].
+    /// How far a place is from what it should be, against the switching tolerance [N].
     fn farthest(&self, system: &System, state: &State, at: &Evaluation) -> f64 {
-        (0..system.rows.count())
-            .map(|row| self.distance(system, state, row, at))
-            .fold(self.turned(system, &state.modes, at) * SWITCHING, f64::max)
+        self.farthest_row(system, state, at).max(SWITCHING * self.turned(system, &state.modes, at))
+    }
+
+    /// The largest distance of a row from its law [N].
+    fn farthest_row(&self, system: &System, state: &State, at: &Evaluation) -> f64 {
+        (0..system.rows.count()).map(|row| self.distance(system, state, row, at)).fold(0.0, f64::max)
     }
 
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
