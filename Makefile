@@ -34,7 +34,7 @@ lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 	ruff check --quiet
 	ruff format --check --quiet
-	mypy python/gantline tests
+	mypy python/gantline tests benchmarks tools docs
 	lint-imports --no-cache
 	npm --prefix viewer run lint --silent
 	npm --prefix viewer run check --silent
