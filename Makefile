@@ -13,7 +13,7 @@ export VIRTUAL_ENV := $(CURDIR)/.venv
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 unexport PYTHONPATH PYTHONHOME
 
-.PHONY: help setup demo test lint bench docs pictures lock clean
+.PHONY: help setup demo test lint bench docs packages pictures lock clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
@@ -53,6 +53,12 @@ bench: setup ## race with other codes on the benchmark lifts, growth, stages, ti
 docs: setup ## the documentation as web pages in build/docs
 	sphinx-build -W --keep-going -q -b html docs build/docs
 	@echo "build/docs/index.html"
+
+packages: setup ## sdist and wheel in build/packages, and whether they are whole
+	rm -rf build/packages
+	maturin sdist --out build/packages
+	maturin build --release --locked --out build/packages
+	python tools/packages.py build/packages/*
 
 pictures: setup ## draw the pictures of README and documentation anew
 	python tools/pictures.py
