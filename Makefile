@@ -64,10 +64,11 @@ pictures: setup ## draw the pictures of README and documentation anew
 	python tools/pictures.py
 	python tools/report_pictures.py
 
-lock: setup ## renew the locks of Python and of the player
+lock: setup ## renew the locks of Python and of the player, and THIRD_PARTY_LICENSES
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 requirements/uv.in -o requirements/uv.txt
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --extra cad --group dev --group docs pyproject.toml -o requirements/dev.txt
 	npm --prefix viewer update --omit-lockfile-registry-resolved
+	python tools/licences.py
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --group bench -c requirements/dev.txt -o requirements/bench.txt
 
 clean: ## remove everything that the other targets made

@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PLAYER = ("gantline/viewer/static/player.js", "gantline/viewer/static/player.css")
-LICENCES = ("LICENSE",)
+LICENCES = ("LICENSE", "THIRD_PARTY_LICENSES")
 CORE = "gantline/_core.abi3.so"
 BUILT = {".so", ".pyc"}
 
