@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
 import tarfile
+import tomllib
 import zipfile
-from importlib import import_module
+from importlib import import_module, metadata
 from pathlib import Path
 from typing import Any
 
 import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+import gantline.cli.doctor as doctor
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -69,3 +75,45 @@ def test_the_player_says_what_its_parts_are_licensed_under(packages: Any) -> Non
     for text in ("viewer/node_modules/three/LICENSE", "viewer/licences/earcut.txt"):
         assert (ROOT / text).read_text(encoding="utf-8").strip() in player, text
     assert "@license" in player, "what the sources say of themselves is kept"
+
+
+# --- what it asks to be installed beside it -------------------------------------------------------
+
+
+def imported(source: str) -> set[str]:
+    """First names of all that a module imports from elsewhere, wherever in it."""
+    found = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            found |= {name.name.partition(".")[0] for name in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            found.add((node.module or "").partition(".")[0])
+    return found - sys.stdlib_module_names - {"gantline"}
+
+
+def undeclared(names: set[str]) -> set[str]:
+    """Imports whose package neither the project asks for nor `gantline doctor` names as optional."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    asked = [project["dependencies"], *project["optional-dependencies"].values()]
+    declared = {canonicalize_name(Requirement(item).name) for items in asked for item in items}
+    optional = {module for module, *_ in doctor._PACKAGES}
+    known = metadata.packages_distributions()
+    return {
+        name
+        for name in names - optional
+        if not declared & {canonicalize_name(one) for one in known.get(name, [])}
+    }
+
+
+def test_the_package_asks_for_all_that_it_imports() -> None:
+    """What comes along with another package may stay away with its next version."""
+    modules = sorted((ROOT / "python" / "gantline").rglob("*.py"))
+    names = set().union(*(imported(path.read_text(encoding="utf-8")) for path in modules))
+    assert {"PIL", "markupsafe", "numpy", "pydantic_core"} <= names
+    assert undeclared(names) == set()
+
+
+def test_an_import_that_nothing_asks_for_is_found() -> None:
+    source = "import json, numpy.linalg\nfrom . import x\ndef late():\n    from pandas.core import frame\n"
+    assert imported(source) == {"numpy", "pandas"}
+    assert undeclared(imported(source)) == {"pandas"}
