@@ -13,7 +13,7 @@ export VIRTUAL_ENV := $(CURDIR)/.venv
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 unexport PYTHONPATH PYTHONHOME
 
-.PHONY: help setup demo test lint bench docs pictures lock clean
+.PHONY: help setup demo test lint bench docs packages pictures lock clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
@@ -34,7 +34,7 @@ lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 	ruff check --quiet
 	ruff format --check --quiet
-	mypy python/gantline tests
+	mypy python/gantline tests benchmarks tools docs
 	lint-imports --no-cache
 	npm --prefix viewer run lint --silent
 	npm --prefix viewer run check --silent
@@ -54,14 +54,21 @@ docs: setup ## the documentation as web pages in build/docs
 	sphinx-build -W --keep-going -q -b html docs build/docs
 	@echo "build/docs/index.html"
 
+packages: setup ## sdist and wheel in build/packages, and whether they are whole
+	rm -rf build/packages
+	maturin sdist --out build/packages
+	maturin build --release --locked --out build/packages
+	python tools/packages.py build/packages/*
+
 pictures: setup ## draw the pictures of README and documentation anew
 	python tools/pictures.py
 	python tools/report_pictures.py
 
-lock: setup ## renew the locks of Python and of the player
+lock: setup ## renew the locks of Python and of the player, and THIRD_PARTY_LICENSES
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 requirements/uv.in -o requirements/uv.txt
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --extra cad --group dev --group docs pyproject.toml -o requirements/dev.txt
 	npm --prefix viewer update --omit-lockfile-registry-resolved
+	python tools/licences.py
 	.venv-tools/bin/uv pip compile --upgrade --quiet --universal --generate-hashes --no-header --python-version 3.11 --group bench -c requirements/dev.txt -o requirements/bench.txt
 
 clean: ## remove everything that the other targets made

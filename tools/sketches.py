@@ -27,9 +27,12 @@ def direction(angle: float) -> FloatArray:
 def arrow(panel: Axes, start: FloatArray, end: FloatArray, ink: str, label: str, at: FloatArray) -> None:
     """An arrow, with its name at an offset from its tip."""
     panel.annotate(
-        "", end, start, arrowprops={"arrowstyle": "-|>", "color": ink, "lw": 1.6, "shrinkA": 0, "shrinkB": 0}
+        "",
+        (end[0], end[1]),
+        (start[0], start[1]),
+        arrowprops={"arrowstyle": "-|>", "color": ink, "lw": 1.6, "shrinkA": 0, "shrinkB": 0},
     )
-    panel.text(*(end + at), label, color=ink, fontsize=12, ha="center", va="center")
+    panel.text(end[0] + at[0], end[1] + at[1], label, color=ink, fontsize=12, ha="center", va="center")
 
 
 def arc(panel: Axes, radius: float, first: float, last: float, ink: str, centre: FloatArray) -> None:

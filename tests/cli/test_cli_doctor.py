@@ -17,6 +17,7 @@ from typer.testing import CliRunner, Result
 import gantline.cli.doctor as module
 from gantline.cli.app import app
 from gantline.cli.examples import EXAMPLES
+from gantline.viewer.chromium import NAMES
 
 
 def says(*words: object) -> Result:
@@ -49,6 +50,32 @@ def test_as_json() -> None:
     assert (states["Python"], states["gantline"]) == ("ok", "ok")
     assert {"core", "player", "pyarrow", "xarray", "ffmpeg", "chromium"} <= set(states)
     assert set(states.values()) <= {"ok", "absent", "wrong"}
+
+
+def browser_found(monkeypatch: pytest.MonkeyPatch, named: str | None, here: str) -> module.Finding:
+    """What doctor says of a browser where the one program that can be found is `here`."""
+    monkeypatch.delenv("GANTLINE_CHROMIUM", raising=False)
+    if named is not None:
+        monkeypatch.setenv("GANTLINE_CHROMIUM", named)
+    places = {here: f"/bin/{here}", f"/bin/{here}": f"/bin/{here}", "/opt/my-chrome": "/opt/my-chrome"}
+    monkeypatch.setattr(shutil, "which", places.get)
+    return next(one for one in module.findings() if one.part == "chromium")
+
+
+@pytest.mark.usefixtures("whole")
+@pytest.mark.parametrize("name", NAMES)
+def test_a_browser_of_any_name_is_found(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    found = browser_found(monkeypatch, None, name)
+    assert (found.state, found.version) == ("ok", f"/bin/{name}")
+
+
+@pytest.mark.usefixtures("whole")
+def test_the_browser_is_the_one_that_the_variable_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = browser_found(monkeypatch, "/opt/my-chrome", "chromium")
+    assert (found.state, found.version) == ("ok", "/opt/my-chrome")
+    found = browser_found(monkeypatch, "/opt/no-chrome", "chromium")
+    assert found.state == "absent"
+    assert found.gives.endswith("(GANTLINE_CHROMIUM names '/opt/no-chrome', which is no program here)")
 
 
 def test_a_missing_player_is_wrong(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

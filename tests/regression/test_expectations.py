@@ -12,7 +12,9 @@ import pytest
 from ruamel.yaml import YAML
 
 import gantline
+from gantline.results.metrics import ENERGY_BOUNDS
 from gantline.results.recording import Recording
+from gantline.scenario import load_scenario
 from gantline.units import DIMENSIONS, UnitError, quantity
 from shown import PAGES, lift_that_runs, shown_on, stale, table_of
 
@@ -53,6 +55,15 @@ def test_a_scenario_does_what_it_promises(folder: Path) -> None:
             wrong.append(f"{key}: {metrics[key]:g}, not {entry['value']} within {entry['within']}")
     assert wrong == []
     assert stale_of(folder.name, recording) == {}
+
+
+@pytest.mark.parametrize("folder", SCENARIOS, ids=lambda folder: folder.name)
+def test_energy_is_held_at_least_as_closely_as_the_program_does(folder: Path) -> None:
+    """A wider margin could fail only after the run itself had said that its balance does not close."""
+    entry = YAML(typ="safe").load(folder / "expect.yaml").get("energy_remainder")
+    if entry is not None:
+        bound = ENERGY_BOUNDS[load_scenario(folder).simulation.integrator]
+        assert margin(entry["within"], 0.0, "ratio") <= bound * (1 + 1e-12)  # 0.001 % read as a number
 
 
 def stale_of(lift: str, recording: Recording) -> dict[str, list[str]]:

@@ -25,15 +25,6 @@ _PACKAGES = (
     ("xarray", "xarray", "recordings as datasets (`recording.dataset`)", "pip install xarray"),
     ("rerun", "rerun-sdk", "recordings for the Rerun viewer (.rrd)", "pip install rerun-sdk"),
 )
-#: Programs, by the names under which they may be found.
-_PROGRAMS = (
-    (("ffmpeg",), "films as MP4; GIF needs nothing", "a package of the system"),
-    (
-        ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable"),
-        "the tests of report and player in a browser; any browser opens reports",
-        "a package of the system",
-    ),
-)
 _OLDEST_PYTHON = (3, 11)
 _MARKS = {"ok": "ok", "absent": "-", "wrong": "WRONG"}
 
@@ -89,11 +80,8 @@ def findings() -> Iterator[Finding]:
     yield _player()
     for module, distribution, gives, how in _PACKAGES:
         yield _package(module, distribution, gives, how)
-    for names, gives, how in _PROGRAMS:
-        place = next((found for name in names if (found := shutil.which(name))), None)
-        yield Finding(
-            names[0], "ok" if place else "absent", place or "", gives if place else f"{gives} ({how})"
-        )
+    yield _program("ffmpeg", shutil.which("ffmpeg"), "films as MP4; GIF needs nothing")
+    yield _browser()
 
 
 def _core() -> Finding:
@@ -132,6 +120,23 @@ def _package(module: str, distribution: str, gives: str, how: str) -> Finding:
     except metadata.PackageNotFoundError:
         installed = ""
     return Finding(distribution, "ok", installed, gives)
+
+
+def _program(name: str, place: str | None, gives: str, how: str = "a package of the system") -> Finding:
+    if place is None:
+        return Finding(name, "absent", "", f"{gives} ({how})")
+    return Finding(name, "ok", place, gives)
+
+
+def _browser() -> Finding:
+    """The browser that tests look with: a variable may name one that is not there."""
+    from gantline.viewer.chromium import VARIABLE, chromium
+
+    gives = "the tests of report and player in a browser; any browser opens reports"
+    place = chromium()
+    if place is not None and shutil.which(place) is None:
+        return _program("chromium", None, gives, f"{VARIABLE} names '{place}', which is no program here")
+    return _program("chromium", place, gives)
 
 
 def _lines(found: list[Finding]) -> list[str]:
