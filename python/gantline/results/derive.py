@@ -16,7 +16,7 @@ from gantline.results.flows import rope_flows
 from gantline.results.hook_load import hook_loads
 from gantline.results.moorings import mooring_state
 from gantline.results.nodes import joined
-from gantline.results.rating import rated_groups
+from gantline.results.rating import counted_load, rated_groups
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import tilt
@@ -168,10 +168,8 @@ def _overloads(
     """Moments at which more hangs from a crane, or one of its hooks, than its chart allows where it is."""
     events = []
     for chart in rig.rating_charts:
-        of = loads["hoist_load" if chart.includes_hook_block else "hook_load"]
-        borne = np.sum([loads["hook_load"][hook] for hook in chart.hooks], axis=0)
         for group in rated_groups(chart):
-            load = np.where(borne > 0, np.sum([of[hook] for hook in group.hooks], axis=0), 0.0)
+            load = counted_load(rig, chart, group.hooks, loads)
             if chart.over == "angle":
                 places = found["boom_angle"].values[:, [labels["boom"].index(chart.crane)]]
             else:

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
+from gantline.results.rig import Rig
 from gantline.results.variable import FloatArray
 
-__all__ = ["RatedGroup", "chart_load", "chart_places", "chart_used", "rated_groups", "rated_load"]
+__all__ = [
+    "RatedGroup",
+    "chart_load",
+    "chart_places",
+    "chart_used",
+    "counted_load",
+    "rated_groups",
+    "rated_load",
+]
+
+#: What may count.
+_LOADS = ("hook_load", "hoist_load")
 
 
 @dataclass(frozen=True)
@@ -44,7 +56,15 @@ def rated_load(recording: Recording, chart: RatingChart, group: RatedGroup) -> F
 
 
 def chart_load(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -> FloatArray:
-    """What hangs in hooks of a crane together, as its chart counts it, shape (time,) [N].
+    """What hangs in hooks of a crane together, as its chart counts it, shape (time,) [N]."""
+    loads = {name: {hook: recording.column(name, hook) for hook in chart.hooks} for name in _LOADS}
+    return counted_load(recording.rig, chart, hooks, loads)
+
+
+def counted_load(
+    rig: Rig, chart: RatingChart, hooks: Sequence[str], loads: Mapping[str, Mapping[str, FloatArray]]
+) -> FloatArray:
+    """The same of hook and hoist loads by name of the variable and of the hook [N].
 
     What the hooks bear counts from when it does: a hoist load of hook block and falls alone is no lift. Where
     nothing is known to hang in them but what `mechanics` hangs there, it always does.
@@ -52,12 +72,12 @@ def chart_load(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     bears = any(
         hook.bearing_joints or hook.direct_slings or hook.direct_ropes or hook.ropes_over
-        for hook in recording.rig.hooks
+        for hook in rig.hooks
         if hook.name in chart.hooks
     )
     seen = "hook_load" if bears else "hoist_load"
-    borne = np.sum([recording.column(seen, hook) for hook in chart.hooks], axis=0)
-    total = np.sum([recording.column(variable, hook) for hook in hooks], axis=0)
+    borne = np.sum([loads[seen][hook] for hook in chart.hooks], axis=0)
+    total = np.sum([loads[variable][hook] for hook in hooks], axis=0)
     load: FloatArray = np.where(borne > 0, total, 0.0)
     return load
 
