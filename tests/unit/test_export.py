@@ -22,7 +22,7 @@ from gantline.export.surroundings import surroundings
 from gantline.export.video import VideoError, write_still, write_video
 from gantline.results import Recording
 from hostile import hostile_recording
-from sample_lift import ringing_lift, sample_scene
+from sample_lift import ringing_lift, sample_recording, sample_scene
 
 Array = npt.NDArray[np.float64]
 
@@ -71,6 +71,18 @@ def test_poses_in_gltf_are_those_of_the_recording() -> None:
         signs = np.sign(np.sum(turns * recorded, axis=1, keepdims=True))
         assert np.abs(turns * signs - recorded).max() < 1e-5
         assert (np.sum(turns[1:] * turns[:-1], axis=1) > 0.0).all()
+
+
+@pytest.mark.parametrize("interval", [0.1e-3, 0.4e-3, 1e-3])
+def test_fine_sampling_keeps_the_motion_from_start_to_end(interval: float) -> None:
+    """Times are a millisecond apart or as little more as the samples allow, the whole lift through."""
+    time = interval * np.arange(1001)
+    recording = sample_recording(time, tension=np.full((len(time), 5), 6e5), load_z=2.5 + time)
+    times, places = Glb(gltf_binary(recording)).motion(recording.rig.loads[0].body, "translation")
+    apart = np.ceil(1e-3 / interval - 1e-6) * interval
+    assert np.diff(times) == pytest.approx(apart, abs=1e-7)
+    assert times[-1] > time[-1] - apart
+    assert places[:, 2] - places[0, 2] == pytest.approx(times, abs=1e-5)
 
 
 def test_pieces_of_ropes_go_from_point_to_point() -> None:
