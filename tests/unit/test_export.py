@@ -76,7 +76,7 @@ def test_poses_in_gltf_are_those_of_the_recording() -> None:
 @pytest.mark.parametrize("interval", [0.1e-3, 0.4e-3, 1e-3])
 def test_fine_sampling_keeps_the_motion_from_start_to_end(interval: float) -> None:
     """Times are a millisecond apart or as little more as the samples allow, the whole lift through."""
-    time = interval * np.arange(1001)
+    time = np.linspace(0.0, 1000 * interval, 1001)
     recording = sample_recording(time, tension=np.full((len(time), 5), 6e5), load_z=2.5 + time)
     times, places = Glb(gltf_binary(recording)).motion(recording.rig.loads[0].body, "translation")
     apart = np.ceil(1e-3 / interval - 1e-6) * interval
@@ -217,6 +217,21 @@ def test_a_film_has_its_pictures_at_its_speed(tmp_path: Path) -> None:
         assert film.info["duration"] == 100
     with pytest.raises(VideoError, match="more than 20000 pictures"):
         write_video(recording, tmp_path / "long.gif", speed=1e-4)
+
+
+@pytest.mark.parametrize("speed", ["inf", "nan", "0", "-1"])
+def test_a_film_has_a_finite_speed_above_zero(tmp_path: Path, speed: str) -> None:
+    recording = ringing_lift()
+    with pytest.raises(VideoError, match=rf"a speed of {speed} is not a finite number above zero"):
+        write_video(recording, tmp_path / "lift.gif", speed=float(speed))
+    recording.save(tmp_path / "lift.nc")
+    words = ["export", str(tmp_path / "lift.nc"), str(tmp_path / "lift.gif"), f"--speed={speed}"]
+    result = CliRunner().invoke(app, words)
+    assert result.exit_code == 2
+    assert result.stderr == (
+        f"error: --speed: {speed} is not a finite number above zero; 2 is twice as fast as the lift\n"
+    )
+    assert [one.name for one in tmp_path.iterdir()] == ["lift.nc"]
 
 
 def test_a_film_goes_through_ffmpeg(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -54,11 +55,11 @@ def export(
         ("--time", time, _STILLS, "pictures"),
         ("--speed", speed, _FILMS, "films"),
     ):
-        if given and kind not in kinds:
+        if given is not None and kind not in kinds:
             stop(f"{option} is about {what} ({', '.join(kinds)}); {output} is none")
     moment = quantity_of("--time", time, "time")
-    if speed is not None and not speed > 0.0:
-        stop(f"--speed: {speed:g} is not above zero")
+    if speed is not None and not 0.0 < speed < math.inf:
+        stop(f"--speed: {speed:g} is not a finite number above zero; 2 is twice as fast as the lift")
     file = asked_for(recording)
     found = opened(file)
     try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import subprocess
 from collections.abc import Iterator
@@ -56,10 +57,13 @@ def write_video(recording: Recording, path: Path, speed: float | None = None) ->
         speed: Simulated seconds in a second of the film; None so that it takes 20 s.
 
     Raises:
-        VideoError: If ffmpeg is missing or fails, or the film would be too long.
+        VideoError: If ffmpeg is missing or fails, the speed is not finite and above zero, or the film would
+            be too long.
         ValueError: If there is nothing to draw.
         OSError: If it cannot be written there.
     """
+    if speed is not None and not 0.0 < speed < math.inf:
+        raise VideoError(f"a speed of {speed:g} is not a finite number above zero")
     is_gif = path.suffix.lower() == ".gif"
     ffmpeg = None if is_gif else _ffmpeg()
     film = Film(recording, _GIF_WIDTH) if is_gif else Film(recording)
