@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["replaced"]
+__all__ = ["replace_bytes", "replace_text", "replaced"]
 
 
 @contextmanager
@@ -39,6 +39,25 @@ def replaced(path: Path) -> Iterator[Path]:
     except BaseException:
         trial.unlink(missing_ok=True)
         raise
+
+
+def replace_text(path: Path, text: str) -> None:
+    """Write a text file; an existing one is replaced, and only once the new one is complete.
+
+    Raises:
+        OSError: If it cannot be written there.
+    """
+    replace_bytes(path, text.encode("utf-8"))
+
+
+def replace_bytes(path: Path, content: bytes) -> None:
+    """Write a file; an existing one is replaced, and only once the new one is complete.
+
+    Raises:
+        OSError: If it cannot be written there.
+    """
+    with replaced(path) as trial:
+        trial.write_bytes(content)
 
 
 def _umask() -> int:

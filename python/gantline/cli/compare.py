@@ -23,6 +23,7 @@ from gantline.cli.lift import (
 )
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, complain, stop, warn, writing
 from gantline.cli.progress import progress
+from gantline.replacing import replace_bytes, replace_text
 
 if TYPE_CHECKING:
     from gantline.results.comparison import Comparison
@@ -178,7 +179,7 @@ def _simulate(side: _Side, folder: Path) -> None:
             side.recording = problem.recording
             state = folder / f"{side.letter.lower()}.state.bin"
             with writing(state):
-                state.write_bytes(problem.state)
+                replace_bytes(state, problem.state)
             complain(f"{side.letter}: {problem}\n  last good state: {state}")
         side.integration_time = simulation.integration_time
     assert side.recording is not None
@@ -205,8 +206,8 @@ def _compare(sides: list[_Side], folder: Path) -> Comparison:
     with writing(folder):
         document = {**comparison.to_json(), "verdicts": [of_a or None, of_b or None]}
         numbers = json.dumps(document, indent=2, allow_nan=False)
-        (folder / "comparison.json").write_text(f"{numbers}\n", encoding="utf-8")
-        (folder / "comparison.txt").write_text(f"{text}\n", encoding="utf-8")
+        replace_text(folder / "comparison.json", f"{numbers}\n")
+        replace_text(folder / "comparison.txt", f"{text}\n")
     typer.echo(text)
     for side in (a, b):
         warn_of_gaps(side, "A: " if side is a else "B: ")

@@ -80,9 +80,10 @@ def _write(
     speed: float | None,
 ) -> None:
     from gantline import export
+    from gantline.replacing import replace_bytes
 
     if kind == ".glb":
-        output.write_bytes(export.gltf_binary(recording))
+        replace_bytes(output, export.gltf_binary(recording))
     elif kind == ".rrd":
         export.write_rerun(recording, output)
     elif kind == ".csv":

@@ -11,6 +11,7 @@ import typer
 
 from gantline.cli.lift import quantity_of
 from gantline.cli.messages import DONE, stop, warn, writing
+from gantline.replacing import replaced
 
 if TYPE_CHECKING:
     from gantline.hydro import Hull, Hydrostatics, RightingArms
@@ -278,6 +279,6 @@ def _draw(
         figures={name: np.array(values) for name, values in figures.items()},
         arms=[(row.attitude.draft, row.mass, curve.heel, curve.arm) for row, curve in arms],
     )
-    with writing(output):
-        hydrostatic_curves(curves).savefig(output)
+    with writing(output), replaced(output) as trial:
+        hydrostatic_curves(curves).savefig(trial, format=output.suffix[1:].lower())
     typer.echo(f"picture: {output}", err=True)

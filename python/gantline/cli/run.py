@@ -24,6 +24,7 @@ from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPT
 from gantline.cli.progress import progress
 from gantline.cli.report import REPORT, write_beside
 from gantline.interrupt import noted_interrupt
+from gantline.replacing import replace_bytes
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -149,7 +150,7 @@ def _save_failure(problem: SimulationError, folder: Path) -> NoReturn:
     with writing(folder):
         written = problem.recording.save(folder / RECORDING)
         state = folder / "state.bin"
-        state.write_bytes(problem.state)
+        replace_bytes(state, problem.state)
     stop(f"{problem}\n  recording up to then: {written}\n  last good state: {state}", COULD_NOT_GO_ON)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from PIL import Image
 
 from gantline.plot.film import Film
+from gantline.replacing import replaced
 from gantline.results.recording import Recording
 
 #: Seconds that a film takes if no speed is asked for, and pictures in each of them.
@@ -45,7 +46,8 @@ def write_still(recording: Recording, path: Path, time: float | None = None) -> 
             f"{time:g} s is not within the recording, which goes from {times[0]:g} s to {times[-1]:g} s"
         )
     sample = len(times) - 1 if time is None else int(np.argmin(np.abs(times - time)))
-    Image.fromarray(film.picture(sample)).save(path, format="PNG")
+    with replaced(path) as trial:
+        Image.fromarray(film.picture(sample)).save(trial, format="PNG")
 
 
 def write_video(recording: Recording, path: Path, speed: float | None = None) -> None:
@@ -75,10 +77,11 @@ def write_video(recording: Recording, path: Path, speed: float | None = None) ->
             f"a film at {chosen:g} times real time would have more than {_MOST_PICTURES} pictures"
         )
     pictures = (Image.fromarray(picture) for picture in film.frames(chosen, rate))
-    if ffmpeg is None:
-        _gif(pictures, path, rate)
-    else:
-        _mp4(ffmpeg, pictures, path, rate)
+    with replaced(path) as trial:
+        if ffmpeg is None:
+            _gif(pictures, trial, rate)
+        else:
+            _mp4(ffmpeg, pictures, trial, rate)
 
 
 def _ffmpeg() -> str:
