@@ -19,6 +19,7 @@ from gantline.cli.lift import (
     prepare,
     quantity_of,
     recording_file,
+    refuse_to_replace,
     warn_of_gaps,
 )
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, complain, stop, warn, writing
@@ -43,6 +44,8 @@ _SETTINGS: dict[str, str] = {
     "adjusting_factor": "ratio",
     "equalizers": "text",
 }
+#: Files that are written, but for pictures.
+_WRITTEN = ("a.nc", "b.nc", "a.state.bin", "b.state.bin", "comparison.json", "comparison.txt")
 _SWITCH = {"true": True, "false": False}
 
 _LIFT_HELP = "Lift file, its folder, the name of a lift that comes with gantline, or a recording (.nc)"
@@ -106,7 +109,10 @@ def compare(
         for letter, lift, changes in (("A", first, changes_a), ("B", second or first, changes_b))
     ]
     names = dict.fromkeys(name_of(lift) for lift in (first, second or first))
-    folder = output_folder(output if output is not None else Path("results") / "-".join(["compare", *names]))
+    place = output if output is not None else Path("results") / "-".join(["compare", *names])
+    read = [recording_file(lift) or lift for lift in (first, second or first)]
+    refuse_to_replace(read, (place / name for name in _WRITTEN), "--output needs another folder")
+    folder = output_folder(place)
     for side in sides:
         _simulate(side, folder)
         if _was_stopped(side) and sides[1].status == "ready":

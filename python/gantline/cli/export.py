@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import opened, quantity_of, warn_of_gaps
+from gantline.cli.lift import opened, quantity_of, refuse_to_replace, warn_of_gaps
 from gantline.cli.messages import stop, writing
 from gantline.cli.report import Recorded, asked_for
 
@@ -61,6 +61,7 @@ def export(
     if speed is not None and not 0.0 < speed < math.inf:
         stop(f"--speed: {speed:g} is not a finite number above zero; 2 is twice as fast as the lift")
     file = asked_for(recording)
+    refuse_to_replace([file], [output], "FILE is another one")
     found = opened(file)
     try:
         with writing(output):
