@@ -21,7 +21,7 @@ from lift_text import DEAD_CENTRE
 from sample_lift import ringing_lift
 
 SOURCE = Path(gantline.__file__).parent
-BLOCK = "cad block new/block.3docx --length 12m --breadth 8m --height 4m --mass 60t"
+SHIP_BLOCK = "cad block new/ship.3docx --length 12m --breadth 8m --height 4m --mass 60t"
 VERBS = {
     "export lift.nc new/a.csv": ["a.csv"],
     "export lift.nc new/a.glb": ["a.glb"],
@@ -30,7 +30,7 @@ VERBS = {
     "compare lift.nc lift.nc -o new --no-plots": ["comparison.json", "comparison.txt"],
     "schema -o new/lift.schema.json": ["lift.schema.json"],
     "hydro box:100m,30m,8m -o new/hull.svg": ["hull.svg"],
-    BLOCK: ["block.3docx", "block.glb"],
+    SHIP_BLOCK: ["ship.3docx", "ship.glb"],
     "new new": ["lift.schema.json"],
     "run stuck.yaml -o new --no-plots": ["state.bin"],
 }

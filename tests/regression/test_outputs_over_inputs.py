@@ -25,7 +25,7 @@ REFUSED = {
     "export sw link.csv": f"link.csv: {LOST}; FILE is another one",
     "compare sw/b.nc sw/a.nc -o sw": f"sw/a.nc: {LOST}; --output needs another folder",
     "compare sw/a.nc sw/recording.nc -o sw/../sw": f"sw/../sw/a.nc: {LOST}; --output needs another folder",
-    "compare pulleys sw/b.nc -o sw": f"sw/b.nc: {LOST}; --output needs another folder",
+    "compare equalizer sw/b.nc -o sw": f"sw/b.nc: {LOST}; --output needs another folder",
     "hydro hull.svg -o hull.svg": f"hull.svg: {LOST}; --output needs another file",
 }
 
