@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["replace_bytes", "replace_text", "replaced"]
+__all__ = ["remove_file", "replace_bytes", "replace_text", "replaced"]
 
 
 @contextmanager
@@ -58,6 +58,17 @@ def replace_bytes(path: Path, content: bytes) -> None:
     """
     with replaced(path) as trial:
         trial.write_bytes(content)
+
+
+def remove_file(path: Path) -> None:
+    """Remove a file if it is there; a link stays a link, and what it leads to goes.
+
+    Raises:
+        OSError: If it cannot be removed.
+    """
+    target = Path(os.path.realpath(path))
+    if target.is_file():
+        target.unlink()
 
 
 def _umask() -> int:

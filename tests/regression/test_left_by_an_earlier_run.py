@@ -70,6 +70,16 @@ def test_pictures_of_the_equalizers_before_go_too(core: type[FakeCore], tmp_path
     assert run(tmp_path) == (3, {"recording.nc", "state.bin", "equalizer_e8.png"})
 
 
+def test_a_comparison_leaves_no_state_of_the_one_before(core: type[FakeCore], tmp_path: Path) -> None:
+    words = ["compare", "lift.yaml", "lift.yaml", "-o", str(tmp_path), "--no-plots"]
+    core.fails_at = 2
+    assert CliRunner().invoke(app, words).exit_code == 3
+    assert (tmp_path / "a.state.bin").is_file() and (tmp_path / "b.state.bin").is_file()
+    core.fails_at = float("inf")
+    assert CliRunner().invoke(app, words).exit_code == 0
+    assert not list(tmp_path.glob("*.state.bin"))
+
+
 def test_a_link_stays_and_what_it_leads_to_goes(core: type[FakeCore], tmp_path: Path) -> None:
     """As where a report is written: the link stays a link."""
     folder, there = tmp_path / "out", tmp_path / "there.html"

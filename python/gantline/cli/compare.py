@@ -24,7 +24,7 @@ from gantline.cli.lift import (
 )
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, complain, stop, warn, writing
 from gantline.cli.progress import progress
-from gantline.replacing import replace_bytes, replace_text
+from gantline.replacing import remove_file, replace_bytes, replace_text
 
 if TYPE_CHECKING:
     from gantline.results.comparison import Comparison
@@ -173,6 +173,9 @@ def _side(
 
 def _simulate(side: _Side, folder: Path) -> None:
     """Run a side that is no recording yet; save its recording, and the last good state if it failed."""
+    state = folder / f"{side.letter.lower()}.state.bin"
+    with writing(state):
+        remove_file(state)  # of an earlier comparison
     if side.simulation is not None:
         from gantline.simulation import SimulationError
 
@@ -183,7 +186,6 @@ def _simulate(side: _Side, folder: Path) -> None:
                 side.recording = simulation.run(on_progress=report)
         except SimulationError as problem:
             side.recording = problem.recording
-            state = folder / f"{side.letter.lower()}.state.bin"
             with writing(state):
                 replace_bytes(state, problem.state)
             complain(f"{side.letter}: {problem}\n  last good state: {state}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING
 from gantline.cli.lift import RECORDING
 from gantline.cli.messages import writing
 from gantline.cli.report import REPORT
+from gantline.replacing import remove_file
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -31,10 +31,7 @@ def save_run(recording: Recording, folder: Path) -> Path:
     """
     with writing(folder):
         for path in _left_by_a_run(folder, recording):
-            # Of a link what it leads to is the file, as where one is written.
-            file = Path(os.path.realpath(path))
-            if file.is_file():
-                file.unlink()
+            remove_file(path)
         return recording.save(folder / RECORDING)
 
 
