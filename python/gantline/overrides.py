@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from contextlib import suppress
+from numbers import Real
+from typing import Any, TypeGuard
+
+import numpy as np
 
 from gantline.assembly import integrator_settings
 from gantline.scenario import Scenario, resolve
@@ -22,6 +26,7 @@ _ABOVE_ZERO = {
     "tension_tolerance": "a force above zero in newtons",
     "position_tolerance": "a length above zero in metres",
 }
+_SWITCHES = ("paper", "geometric_stiffness")
 
 
 class SettingError(ValueError):
@@ -34,13 +39,15 @@ def with_adjusting_factor(scenario: Scenario, factor: object) -> Scenario:
     Raises:
         SettingError: If it is no number above zero, or no equalizer is approximated.
     """
-    if not isinstance(factor, int | float) or isinstance(factor, bool) or not 0.0 < factor < math.inf:
+    if not _is_above_zero(factor):
         raise SettingError(f"adjusting_factor: {factor!r} is not a number above zero")
     given = scenario.equalizers or {}
     approximated = [name for name, one in resolve(scenario).equalizers.items() if not one.has_sheaves]
     if not approximated:
         raise SettingError("adjusting_factor: no equalizer of this lift has 'mechanism: approximated'")
-    changed = {name: given[name].model_copy(update={"adjusting_factor": factor}) for name in approximated}
+    changed = {
+        name: given[name].model_copy(update={"adjusting_factor": float(factor)}) for name in approximated
+    }
     return scenario.model_copy(update={"equalizers": {**given, **changed}})
 
 
@@ -85,35 +92,53 @@ def overridden(
         SettingError: If there is no such setting, or not with this value.
     """
     given = {name: value for name, value in overrides.items() if value is not None}
-    integrator = dict(settings["integrator"])
-    kind = given.pop("integrator", integrator["type"])
-    if kind != integrator["type"]:
-        try:
-            integrator = integrator_settings(kind, scenario.simulation)
-        except KeyError:
-            raise SettingError(
-                f"integrator: {kind!r} is none; there are adaptive, del and explicit"
-            ) from None
+    integrator = _integrator(scenario, settings["integrator"], given.pop("integrator", None))
     merged: dict[str, Any] = {**settings, "integrator": integrator}
     for name, value in given.items():
-        wanted = _ABOVE_ZERO.get(name)
-        if wanted and not (is_number(value) and math.isfinite(value) and value > 0.0):
-            raise SettingError(f"{name}: {value!r} is not {wanted}")
-        if wanted and value < SMALLEST:
-            raise SettingError(f"{name}: {value!r} is absurdly small; check the number and its unit")
-        if name in _OF_RUN:
-            merged[name] = float(value)
-        elif name in integrator:
-            integrator[name] = value
-        else:
+        place = merged if name in _OF_RUN else integrator
+        if name not in place or name == "type":
             known = ", ".join(("integrator", *list(integrator)[1:], *_OF_RUN))
+            kind = integrator["type"]
             raise SettingError(f"{name}: not a setting of the integrator {kind}; there are {known}")
+        place[name] = _switch(name, value) if name in _SWITCHES else _above_zero(name, value)
     times = wrong_times(merged["duration"], integrator.get("step"), merged["sample_interval"])
     for name, sentence in times:
         raise SettingError(f"{name}: {sentence}")
     return merged
 
 
-def is_number(value: object) -> bool:
-    """Whether it is a number; truth values are none."""
-    return isinstance(value, int | float) and not isinstance(value, bool)
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether it is a number, those of NumPy among them; truth values are none."""
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def _integrator(scenario: Scenario, settings: Mapping[str, Any], kind: object) -> dict[str, Any]:
+    """Settings of the integrator that is asked for; of the lift file's where none is."""
+    if kind is None or kind == settings["type"]:
+        return dict(settings)
+    if isinstance(kind, str):
+        with suppress(KeyError):
+            return integrator_settings(kind, scenario.simulation)
+    raise SettingError(f"integrator: {kind!r} is none; there are adaptive, del and explicit")
+
+
+def _switch(name: str, value: object) -> bool:
+    if not isinstance(value, bool | np.bool_):
+        raise SettingError(f"{name}: {value!r} is neither True nor False")
+    return bool(value)
+
+
+def _above_zero(name: str, value: object) -> float:
+    if not _is_above_zero(value):
+        raise SettingError(f"{name}: {value!r} is not {_ABOVE_ZERO[name]}")
+    if value < SMALLEST:
+        raise SettingError(f"{name}: {value!r} is absurdly small; check the number and its unit")
+    return float(value)
+
+
+def _is_above_zero(value: object) -> TypeGuard[float]:
+    """Whether it is a number above zero that a float can hold."""
+    if is_number(value):
+        with suppress(OverflowError):
+            return 0.0 < float(value) < math.inf
+    return False

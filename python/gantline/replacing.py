@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["replaced"]
+__all__ = ["remove_file", "replace_bytes", "replace_text", "replaced"]
 
 
 @contextmanager
@@ -39,6 +39,36 @@ def replaced(path: Path) -> Iterator[Path]:
     except BaseException:
         trial.unlink(missing_ok=True)
         raise
+
+
+def replace_text(path: Path, text: str) -> None:
+    """Write a text file; an existing one is replaced, and only once the new one is complete.
+
+    Raises:
+        OSError: If it cannot be written there.
+    """
+    replace_bytes(path, text.encode("utf-8"))
+
+
+def replace_bytes(path: Path, content: bytes) -> None:
+    """Write a file; an existing one is replaced, and only once the new one is complete.
+
+    Raises:
+        OSError: If it cannot be written there.
+    """
+    with replaced(path) as trial:
+        trial.write_bytes(content)
+
+
+def remove_file(path: Path) -> None:
+    """Remove a file if it is there; a link stays a link, and what it leads to goes.
+
+    Raises:
+        OSError: If it cannot be removed.
+    """
+    target = Path(os.path.realpath(path))
+    if target.is_file():
+        target.unlink()
 
 
 def _umask() -> int:

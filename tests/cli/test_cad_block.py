@@ -47,3 +47,16 @@ def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:
     result = run(tmp_path / "file" / "a.3docx", *SIZES)
     assert result.exit_code == 2
     assert "cannot be written" in result.output
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("mine.glb", "is where the GLB goes; the OCX file has another ending, such as '.3docx'"),
+        ("", "is a folder; a file is needed"),
+    ],
+)
+def test_the_ocx_file_has_a_place_of_its_own(tmp_path: Path, name: str, says: str) -> None:
+    result = run(tmp_path / name, *SIZES)
+    assert (result.exit_code, result.stderr) == (2, f"error: {tmp_path / name}: {says}\n")
+    assert not list(tmp_path.iterdir())

@@ -229,7 +229,8 @@ def test_a_sweep_that_cannot_be(lift: Path, sweep: str, says: str) -> None:
 def test_a_sweep_takes_no_options_of_one_equilibrium(lift: Path) -> None:
     result = gantline("statics", str(lift), "--sensitivities", "--sweep", "load.weight.calculated=1 t..2 t/3")
     assert result.exit_code == 2
-    assert "--sensitivities and --output are for one" in result.stderr
+    said = "--sensitivities does not go with it, --time and --json do"
+    assert result.stderr == f"error: --sweep: makes a table of many equilibria; {said}\n"
 
 
 def test_cases_are_saved_for_a_report_and_do_not_depend_on_the_workers(lift: Path, tmp_path: Path) -> None:

@@ -88,7 +88,7 @@ def test_what_cannot_be_ends_with_three(lift: Path, arguments: tuple[str, ...], 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--level", "--plumb"), "--plumb: moves hooks until no one is pulled aside"),
+        (("--level", "--plumb"), "--plumb: moves hooks until none is pulled aside; --level does not"),
         (("--want", "S1"), "--want: 'S1' says nothing; wanted is written like 'slope_x=0 deg"),
         (("--want", "slope_x=0 deg"), "--want: 'slope_y' is not given"),
         (("--want", "slope_x=0 deg,slope_y=95 deg"), "--want: a slope is less than 90 deg"),
@@ -100,7 +100,8 @@ def test_what_cannot_be_ends_with_three(lift: Path, arguments: tuple[str, ...], 
         ),
         (("--level", "--adjust", "S9"), "error: --level: 'S9' is not a sling"),
         (("--level", "--most", "-1 m"), "--most: '-1 m' is no change of a length"),
-        (("--adjust", "S1"), "--adjust and --most belong to --level, --want or --plumb"),
+        (("--adjust", "S1"), "--adjust: belongs to --plumb, --want or --level"),
+        (("--most", "1 m"), "--most: belongs to --want or --level"),
         (("--plumb", "--adjust", "C"), "--plumb: 'C' is not a hook in which slings hang"),
     ],
 )

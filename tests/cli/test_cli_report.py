@@ -120,6 +120,15 @@ def test_view_serves_the_report_and_notices_that_its_recording_has_changed(
     state = read("version")
     ringing_lift(events=[]).save(recording)
     assert read("version") != state
+    for beside in ("cases.json", "equilibrium.nc"):
+        state = read("version")
+        (tmp_path / beside).write_text("{}")
+        assert read("version") != state, f"the report shows {beside} too"
+    state = read("version")
+    (tmp_path / "cases.json").unlink()
+    assert read("version") != state
+    recording.unlink()
+    assert read("version") == "gone", "then the page stays as it is"
     servers[0].shutdown()
     thread.join(timeout=30)
     assert not thread.is_alive()

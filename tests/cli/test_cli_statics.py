@@ -9,8 +9,10 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
 import gantline
+from gantline.cli.app import app
 from lift_text import changed
 from program import program
 
@@ -186,7 +188,7 @@ def test_where_a_run_has_got_to(tmp_path: Path) -> None:
             ("equalizer", "--state", REFERENCE),
             "is no state of a run, or is damaged or cut off; a run that cannot go on leaves one",
         ),
-        (("equalizer", "--state", "nowhere.bin", "--time", "1 s"), "--time and --sweep do not go with it"),
+        (("equalizer", "--state", "nowhere.bin", "--time", "1 s"), "--time does not go with it"),
         (("mechanisms",), "e1 adjusts lengths step by step, which statics does not know"),
     ],
 )
@@ -195,6 +197,45 @@ def test_bad_input_is_named(arguments: tuple[str, ...], message: str) -> None:
     assert result.returncode == 2
     assert message in result.stderr
     assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (
+            "--level --held --sensitivities --state nowhere",
+            "--state: {state}; --level and --held do not go with it, {of_state} do",
+        ),
+        ("--state nowhere --held", "--state: {state}; --held does not go with it, {of_state} do"),
+        (
+            "--state nowhere --sweep x=1..2/3 --time '1 s' --margins",
+            "--state: {state}; --time, --margins and --sweep do not go with it, {of_state} do",
+        ),
+        (
+            "--sweep x=1..2/3 --level --margins",
+            "--sweep: {sweep}; --margins and --level do not go with it, {of_sweep} do",
+        ),
+        ("--sweep x=1..2/3 --modes 6", "--sweep: {sweep}; --modes does not go with it, {of_sweep} do"),
+        ("--level --margins", "--level: {lengths}; --margins does not go with it, --want, {of_lengths} do"),
+        ("--level --modes 6", "--level: {lengths}; --modes does not go with it, --want, {of_lengths} do"),
+        ("--want S1=20% --json", "--want: {lengths}; --json does not go with it, --level, {of_lengths} do"),
+        ("--plumb --most 1m --held", "--plumb: {hooks}; --most and --held do not go with it, {of_hooks} do"),
+    ],
+)
+def test_what_does_not_go_with_a_question_is_refused(words: str, said: str) -> None:
+    """No option is passed over in silence, not even one that is given its default."""
+    result = CliRunner().invoke(app, f"statics equalizer {words}")
+    expected = said.format(
+        state="is about where a run had got to, at a time of its own",
+        of_state="--modes, --sensitivities, --json and --output",
+        sweep="makes a table of many equilibria",
+        of_sweep="--time and --json",
+        lengths="finds lengths of slings",
+        of_lengths="--adjust, --most, --time and --output",
+        hooks="moves hooks until none is pulled aside",
+        of_hooks="--adjust, --time and --output",
+    )
+    assert (result.exit_code, result.stdout, result.stderr) == (2, "", f"error: {expected}\n")
 
 
 def test_what_keeps_a_load_upright(tmp_path: Path) -> None:
@@ -227,6 +268,15 @@ def test_all_numbers_as_json(tmp_path: Path) -> None:
     saved = gantline.open_recording(tmp_path / "out" / "equilibrium.nc")
     assert saved.attributes["modes"] == document["modes"]
     assert saved.attributes["statics"]["stable"] is True
+
+
+def test_margins_as_json() -> None:
+    """The same as in the table: a sideways shift of 80 mm tilts the load by 2°."""
+    result = statics("equalizer", "--json", "--margins", "--modes", 0)
+    margins = {one["direction"]: one for one in json.loads(result.stdout)["margins"]}
+    assert margins["+x"]["distance"] == pytest.approx(0.080, abs=1e-3)
+    assert margins["+x"]["cause"] == "tilt beyond its limit of 2.00 deg"
+    assert margins["up"]["distance"] == pytest.approx(2.302, abs=1e-3)
 
 
 def test_a_sweep_as_json() -> None:

@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 import gantline.report.page
+from gantline.replacing import replace_text
 from gantline.report import render_report, write_report
 from gantline.report.first_page import FirstPage
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.saved import CASES, EQUILIBRIUM, SavedCases, digest_of, read_beside, replace_text
+from gantline.results.saved import CASES, EQUILIBRIUM, SavedCases, digest_of, read_beside
 from gantline.viewer.bundle import Bundle
 from hostile import EVIL
 from sample_lift import ringing_lift

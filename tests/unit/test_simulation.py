@@ -4,6 +4,7 @@ import os
 import signal
 from typing import Any
 
+import numpy as np
 import pytest
 
 from fake_core import SETTINGS, FakeCore, core
@@ -73,6 +74,17 @@ def test_settings_in_place_of_those_of_the_lift_file(core: type[FakeCore]) -> No
     assert SETTINGS["duration"] == 4.0
 
 
+def test_settings_may_be_numbers_of_numpy(core: type[FakeCore]) -> None:
+    """Studies take them from arrays; what the core and recordings get are plain numbers."""
+    two: Any = np.int64(2)
+    overrides: Any = {"duration": two, "step": np.float32(0.5), "paper": np.bool_(True)}
+    settings = simulate("lift.yaml", **overrides).attributes["settings"]
+    assert settings["duration"] == 2.0 and settings["integrator"]["step"] == 0.5
+    assert type(settings["integrator"]["step"]) is float
+    assert settings["integrator"]["paper"] is True
+    assert Simulation("lift.yaml").run(until=two).time[-1] == 2.0
+
+
 @pytest.mark.parametrize(
     ("override", "message"),
     [
@@ -81,6 +93,12 @@ def test_settings_in_place_of_those_of_the_lift_file(core: type[FakeCore]) -> No
         ({"sample_interval": "20 ms"}, "sample_interval: '20 ms' is not a time above zero"),
         ({"steps": 3}, "steps: not a setting of the integrator del; there are integrator, step"),
         ({"tension_tolerance": 5.0}, "tension_tolerance: not a setting of the integrator del"),
+        ({"type": "explicit"}, "type: not a setting of the integrator del; there are integrator, step"),
+        ({"duration": 10**400}, "duration: 10+ is not a time above zero"),
+        ({"step": True}, "step: True is not a time above zero"),
+        ({"paper": "yes"}, "paper: 'yes' is neither True nor False"),
+        ({"geometric_stiffness": 1}, "geometric_stiffness: 1 is neither True nor False"),
+        ({"integrator": ["del"]}, r"integrator: \['del'\] is none; there are adaptive, del and explicit"),
     ],
 )
 def test_settings_that_are_not_right(core: type[FakeCore], override: dict[str, Any], message: str) -> None:

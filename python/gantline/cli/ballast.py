@@ -11,6 +11,7 @@ import typer
 from gantline.cli.lift import Lift, quantity_of
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
 from gantline.cli.progress import telling
+from gantline.replacing import replace_text
 
 
 def ballast(
@@ -91,6 +92,6 @@ def ballast(
         typer.echo("\n".join([*scenario.left_out_at_rest, *report(answer)]))
     if write is not None:
         with writing(write):
-            write.write_text(answer.text, encoding="utf-8")
+            replace_text(write, answer.text)
         typer.echo(f"\nLift file   {write}", err=as_json)
     raise typer.Exit(DONE)

@@ -9,6 +9,7 @@ import typer
 
 from gantline.cli.lift import quantity_of
 from gantline.cli.messages import stop, writing
+from gantline.replacing import replace_bytes
 
 if TYPE_CHECKING:
     from gantline.cad.ship_block import ShipBlock
@@ -49,6 +50,11 @@ def make_ship_block(
     from gantline.cad.ocx_writer import write_ocx
     from gantline.cad.ship_block import ShipBlockSizes, ship_block
 
+    if output.is_dir():
+        stop(f"{output}: is a folder; a file is needed")
+    beside = output.with_suffix(".glb")
+    if beside == output:
+        stop(f"{output}: is where the GLB goes; the OCX file has another ending, such as '.3docx'")
     try:
         sizes = ShipBlockSizes(
             length=quantity_of("--length", length, "length"),
@@ -64,11 +70,10 @@ def make_ship_block(
         made = ship_block(sizes)
     except CadError as problem:
         stop(str(problem))
-    beside = output.with_suffix(".glb")
     with writing(output):
         output.parent.mkdir(parents=True, exist_ok=True)
-        output.write_bytes(write_ocx(made))
-        beside.write_bytes(write_glb(made.model))
+        replace_bytes(output, write_ocx(made))
+        replace_bytes(beside, write_glb(made.model))
     typer.echo("\n".join([*_summary(made), f"Written     {output}, {beside}"]))
 
 

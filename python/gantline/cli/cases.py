@@ -31,7 +31,8 @@ def cases(
     Ends with code 1 where a check fails, an equilibrium is unstable or a case cannot start, and with 3
     where there is no equilibrium.
     """
-    from gantline.results.saved import CASES, replace_text
+    from gantline.replacing import replace_text
+    from gantline.results.saved import CASES
 
     moment = moment_of(time)
     folder = None if output is None else output_folder(output)

@@ -19,10 +19,12 @@ from gantline.cli.lift import (
     prepare,
     quantity_of,
     recording_file,
+    refuse_to_replace,
     warn_of_gaps,
 )
 from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, complain, stop, warn, writing
 from gantline.cli.progress import progress
+from gantline.replacing import remove_file, replace_bytes, replace_text
 
 if TYPE_CHECKING:
     from gantline.results.comparison import Comparison
@@ -42,6 +44,8 @@ _SETTINGS: dict[str, str] = {
     "adjusting_factor": "ratio",
     "equalizers": "text",
 }
+#: Files that are written, but for pictures.
+_WRITTEN = ("a.nc", "b.nc", "a.state.bin", "b.state.bin", "comparison.json", "comparison.txt")
 _SWITCH = {"true": True, "false": False}
 
 _LIFT_HELP = "Lift file, its folder, the name of a lift that comes with gantline, or a recording (.nc)"
@@ -105,7 +109,10 @@ def compare(
         for letter, lift, changes in (("A", first, changes_a), ("B", second or first, changes_b))
     ]
     names = dict.fromkeys(name_of(lift) for lift in (first, second or first))
-    folder = output_folder(output if output is not None else Path("results") / "-".join(["compare", *names]))
+    place = output if output is not None else Path("results") / "-".join(["compare", *names])
+    read = [recording_file(lift) or lift for lift in (first, second or first)]
+    refuse_to_replace(read, (place / name for name in _WRITTEN), "--output needs another folder")
+    folder = output_folder(place)
     for side in sides:
         _simulate(side, folder)
         if _was_stopped(side) and sides[1].status == "ready":
@@ -166,6 +173,9 @@ def _side(
 
 def _simulate(side: _Side, folder: Path) -> None:
     """Run a side that is no recording yet; save its recording, and the last good state if it failed."""
+    state = folder / f"{side.letter.lower()}.state.bin"
+    with writing(state):
+        remove_file(state)  # of an earlier comparison
     if side.simulation is not None:
         from gantline.simulation import SimulationError
 
@@ -176,9 +186,8 @@ def _simulate(side: _Side, folder: Path) -> None:
                 side.recording = simulation.run(on_progress=report)
         except SimulationError as problem:
             side.recording = problem.recording
-            state = folder / f"{side.letter.lower()}.state.bin"
             with writing(state):
-                state.write_bytes(problem.state)
+                replace_bytes(state, problem.state)
             complain(f"{side.letter}: {problem}\n  last good state: {state}")
         side.integration_time = simulation.integration_time
     assert side.recording is not None
@@ -205,8 +214,8 @@ def _compare(sides: list[_Side], folder: Path) -> Comparison:
     with writing(folder):
         document = {**comparison.to_json(), "verdicts": [of_a or None, of_b or None]}
         numbers = json.dumps(document, indent=2, allow_nan=False)
-        (folder / "comparison.json").write_text(f"{numbers}\n", encoding="utf-8")
-        (folder / "comparison.txt").write_text(f"{text}\n", encoding="utf-8")
+        replace_text(folder / "comparison.json", f"{numbers}\n")
+        replace_text(folder / "comparison.txt", f"{text}\n")
     typer.echo(text)
     for side in (a, b):
         warn_of_gaps(side, "A: " if side is a else "B: ")

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import opened, quantity_of, warn_of_gaps
+from gantline.cli.lift import opened, quantity_of, refuse_to_replace, warn_of_gaps
 from gantline.cli.messages import stop, writing
 from gantline.cli.report import Recorded, asked_for
 
@@ -54,12 +55,13 @@ def export(
         ("--time", time, _STILLS, "pictures"),
         ("--speed", speed, _FILMS, "films"),
     ):
-        if given and kind not in kinds:
+        if given is not None and kind not in kinds:
             stop(f"{option} is about {what} ({', '.join(kinds)}); {output} is none")
     moment = quantity_of("--time", time, "time")
-    if speed is not None and not speed > 0.0:
-        stop(f"--speed: {speed:g} is not above zero")
+    if speed is not None and not 0.0 < speed < math.inf:
+        stop(f"--speed: {speed:g} is not a finite number above zero; 2 is twice as fast as the lift")
     file = asked_for(recording)
+    refuse_to_replace([file], [output], "FILE is another one")
     found = opened(file)
     try:
         with writing(output):
@@ -79,9 +81,10 @@ def _write(
     speed: float | None,
 ) -> None:
     from gantline import export
+    from gantline.replacing import replace_bytes
 
     if kind == ".glb":
-        output.write_bytes(export.gltf_binary(recording))
+        replace_bytes(output, export.gltf_binary(recording))
     elif kind == ".rrd":
         export.write_rerun(recording, output)
     elif kind == ".csv":

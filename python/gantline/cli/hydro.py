@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gantline.cli.lift import quantity_of
+from gantline.cli.lift import quantity_of, refuse_to_replace
 from gantline.cli.messages import DONE, stop, warn, writing
+from gantline.replacing import replaced
 
 if TYPE_CHECKING:
     from gantline.hydro import Hull, Hydrostatics, RightingArms
@@ -102,7 +103,7 @@ def hydro(
         stop(f"--density: {density!r} is not the density of water; sea water has '1.025 t/m^3'")
     if tilt is not None and abs(tilt) > math.radians(45):
         stop(f"--trim: {trim!r} is too steep; at most 45 deg, to either side")
-    _refuse_picture(output)
+    _refuse_picture(hull, output)
     from gantline.hydro import Attitude, HullError, hydrostatics, read_hull
 
     try:
@@ -137,13 +138,14 @@ def _refuse_angles(angles: list[float] | None, kg: float | None) -> None:
         stop("--heel: angles go up to 180 deg, to either side")
 
 
-def _refuse_picture(output: Path | None) -> None:
+def _refuse_picture(hull: str, output: Path | None) -> None:
     if output is None:
         return
     from gantline.plot.hydrostatics import FORMATS
 
     if output.suffix.lower() not in FORMATS:
         stop(f"--output: '{output}' is no picture that can be drawn; names end in {', '.join(FORMATS)}")
+    refuse_to_replace([Path(hull)], [output], "--output needs another file")
 
 
 def _refuse_drafts(hull: Hull, rows: list[Hydrostatics]) -> None:
@@ -278,6 +280,6 @@ def _draw(
         figures={name: np.array(values) for name, values in figures.items()},
         arms=[(row.attitude.draft, row.mass, curve.heel, curve.arm) for row, curve in arms],
     )
-    with writing(output):
-        hydrostatic_curves(curves).savefig(output)
+    with writing(output), replaced(output) as trial:
+        hydrostatic_curves(curves).savefig(trial, format=output.suffix[1:].lower())
     typer.echo(f"picture: {output}", err=True)

@@ -56,8 +56,6 @@ def hang_as_wanted(
     Raises:
         typer.Exit: Always; with 3 where it cannot be had.
     """
-    if plumb and (level or want is not None or most is not None):
-        stop("--plumb: moves hooks until no one is pulled aside; --level, --want and --most are for slings")
     wanted = _wanted(level, want)
     limit = quantity_of("--most", most, "length")
     if limit is not None and limit <= 0.0:

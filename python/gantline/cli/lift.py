@@ -5,7 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, overload
 
@@ -157,3 +157,18 @@ def output_folder(folder: Path) -> Path:
         os.close(handle)
         os.unlink(trial)
     return folder
+
+
+def refuse_to_replace(read: Iterable[Path], written: Iterable[Path], right: str) -> None:
+    """Ends the program where a file to write is one that is read, whatever name it has there.
+
+    Args:
+        read: Files that are read; those that are not there are passed over.
+        written: Files to write.
+        right: What would be right.
+    """
+    there = [file for file in read if file.exists()]
+    for output in written:
+        with writing(output):
+            if output.exists() and any(output.samefile(file) for file in there):
+                stop(f"{output}: is read here and would be lost; {right}")

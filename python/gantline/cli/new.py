@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from gantline.cli.messages import stop, writing
+from gantline.replacing import replace_bytes
 
 
 def new(
@@ -34,7 +35,7 @@ def new(
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
         for path, content in files.items():
-            path.write_bytes(content)
+            replace_bytes(path, content)
     for path in files:
         typer.echo(path)
     typer.echo(f"Next: gantline run {folder}")

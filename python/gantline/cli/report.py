@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import opened, recording_file, warn_of_gaps
+from gantline.cli.lift import opened, recording_file, refuse_to_replace, warn_of_gaps
 from gantline.cli.messages import stop, warn, writing
 
 if TYPE_CHECKING:
@@ -39,13 +39,17 @@ def report(
     It opens by a double click, prints to A4, and reads nothing from a network.
     """
     from gantline.report import write_report
-    from gantline.results.saved import read_beside
+    from gantline.results.saved import CASES, EQUILIBRIUM, read_beside
     from gantline.viewer import BundleMissing
 
     file = asked_for(recording)
     target = output if output is not None else file.parent / REPORT
     if target.is_dir():
         stop(f"{target}: is a folder; --output needs a file")
+    if target.suffix.lower() == ".nc":
+        stop(f"{target}: ends with '.nc' as recordings do; a report is a file such as {REPORT}")
+    read = [file, *(file.parent / name for name in (CASES, EQUILIBRIUM))]
+    refuse_to_replace(read, [target], "--output needs another file")
     try:
         found = opened(file)
         beside = read_beside(file.parent, found)

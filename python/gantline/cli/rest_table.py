@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
 from gantline.checks import Check, verdict_of
@@ -12,6 +13,7 @@ from gantline.cli.table import ABSENT, show, table
 from gantline.results import series
 from gantline.statics import Equilibrium, Mode, Sensitivity, Statics
 from gantline.study.state import State, values_of
+from gantline.study.tilting import Margin
 
 
 def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
@@ -163,6 +165,7 @@ def statics_json(
     bounds: list[Equilibrium],
     modes: list[Mode],
     sensitivities: list[Sensitivity],
+    margins: list[Margin],
     checks: Sequence[Check],
     left_out: Sequence[str],
 ) -> dict[str, Any]:
@@ -188,6 +191,7 @@ def statics_json(
             }
             for one in sensitivities
         ],
+        "margins": [asdict(one) for one in margins],
         "verdict": verdict_of(checks),
         "checks": [check.to_json() for check in checks],
         "left_out": list(left_out),

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 from gantline.cli.lift import (
-    RECORDING,
     Lift,
     Setting,
     folder_option,
@@ -23,7 +22,9 @@ from gantline.cli.live import live_view
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
 from gantline.cli.report import REPORT, write_beside
+from gantline.cli.run_folder import STATE, save_run
 from gantline.interrupt import noted_interrupt
+from gantline.replacing import replace_bytes
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -88,8 +89,7 @@ def run(
         with noted_interrupt() as is_interrupted:
             recording = _simulate(simulation, folder, view)
             clock.lap("simulate")
-            with writing(folder):
-                written = recording.save(folder / RECORDING)
+            written = save_run(recording, folder)
             clock.lap("save")
         if is_interrupted():
             warn(f"interrupted after the last step; the recording is {written}")
@@ -146,10 +146,10 @@ def _simulate(simulation: Simulation, folder: Path, view: LiveView | None) -> Re
 
 
 def _save_failure(problem: SimulationError, folder: Path) -> NoReturn:
-    with writing(folder):
-        written = problem.recording.save(folder / RECORDING)
-        state = folder / "state.bin"
-        state.write_bytes(problem.state)
+    written = save_run(problem.recording, folder)
+    state = folder / STATE
+    with writing(state):
+        replace_bytes(state, problem.state)
     stop(f"{problem}\n  recording up to then: {written}\n  last good state: {state}", COULD_NOT_GO_ON)
 
 

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from gantline.cli.messages import writing
+from gantline.replacing import replace_text
 
 
 def schema(
@@ -23,5 +24,5 @@ def schema(
         typer.echo(text, nl=not text.endswith("\n"))
         return
     with writing(output):
-        output.write_text(text, encoding="utf-8")
+        replace_text(output, text)
     typer.echo(output)

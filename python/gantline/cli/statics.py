@@ -3,15 +3,34 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
-from gantline.cli.lift import Lift, Moment, folder_option, moment_of, output_folder, refuse_beyond
+from gantline.cli.lift import Lift, Moment, moment_of, output_folder, refuse_beyond
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
+from gantline.cli.statics_options import (
+    Adjust,
+    AsJson,
+    Held,
+    Level,
+    Margins,
+    Modes,
+    Most,
+    Output,
+    Plumb,
+    Sensitivities,
+    StateFile,
+    Sweep,
+    Want,
+    refuse_unrelated,
+)
 
 if TYPE_CHECKING:
+    from gantline.checks import Check
     from gantline.statics import Equilibrium, Mode, Statics
     from gantline.study.tilting import Margin
 
@@ -20,140 +39,141 @@ _MODES = 6
 
 
 def statics(
+    context: typer.Context,
     lift: Lift,
     time: Moment = None,
-    modes: Annotated[int, typer.Option(min=0, help="How many natural motions to show.")] = _MODES,
-    sensitivities: Annotated[
-        bool, typer.Option("--sensitivities", help="Show what lengths, stiffness and weight change.")
-    ] = False,
-    margins: Annotated[
-        bool,
-        typer.Option(
-            "--margins", help="Show how far the centre of gravity may be elsewhere, by solving anew."
-        ),
-    ] = False,
-    sweep: Annotated[
-        str | None,
-        typer.Option(
-            metavar="PATH=FROM..TO/N",
-            help="Show tensions and tilt over N values of a quantity of the lift file, such as "
-            "'cranes.hook.at.z=36 m..37 m/5'.",
-        ),
-    ] = None,
-    level: Annotated[
-        bool, typer.Option("--level", help="Find lengths of slings with which the load hangs level.")
-    ] = False,
-    want: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME=VALUE,…",
-            help="Find lengths of slings for 'slope_x', 'slope_y' and 'heading' of the load, or a sling's "
-            "share of it, such as 'heading=90 deg, S1=25 %'.",
-        ),
-    ] = None,
-    plumb: Annotated[
-        bool, typer.Option("--plumb", help="Find places of the hooks from which none is pulled aside.")
-    ] = False,
-    adjust: Annotated[
-        str | None,
-        typer.Option(metavar="NAME,…", help="Slings or hooks that these may change.  [default: all]"),
-    ] = None,
-    most: Annotated[
-        str | None,
-        typer.Option(metavar="LENGTH", help="Most by which a length may change.  [default: a tenth of it]"),
-    ] = None,
-    held: Annotated[
-        bool,
-        typer.Option(
-            "--held", help="Let friction of contacts and sheaves hold what it can, from the start on."
-        ),
-    ] = False,
-    state: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="Ask for the equilibrium of where a run had got to, by the state that it left.",
-        ),
-    ] = None,
-    output: Annotated[
-        Path | None,
-        folder_option("Folder for the equilibrium and one period of each motion shown, as recordings."),
-    ] = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print all numbers as JSON, SI units, and nothing else.")
-    ] = False,
+    modes: Modes = _MODES,
+    sensitivities: Sensitivities = False,
+    margins: Margins = False,
+    sweep: Sweep = None,
+    level: Level = False,
+    want: Want = None,
+    plumb: Plumb = False,
+    adjust: Adjust = None,
+    most: Most = None,
+    held: Held = False,
+    state: StateFile = None,
+    output: Output = None,
+    as_json: AsJson = False,
 ) -> None:
     """Find the equilibrium of a lift, and its natural motions about it; nothing is simulated.
 
     An unstable equilibrium is told first, then the stable one that it leads to. Ends with code 1 where the
     equilibrium is unstable or a check fails, and with 3 where there is none.
     """
+    refuse_unrelated(context)
     moment = moment_of(time)
-    if state is not None and (time is not None or sweep is not None):
-        stop("--state: a run had got to a time of its own; --time and --sweep do not go with it")
     if sweep is not None:
         from gantline.cli.sweep import sweep as run_sweep
 
-        if sensitivities or held or output is not None:
-            stop(
-                "--sweep: makes a table of many equilibria; --held, --sensitivities and --output are for one"
-            )
         run_sweep(lift, sweep, moment, as_json=as_json)
-    if (level or plumb or want is not None) and as_json:
-        stop("--json: is for an equilibrium and --sweep; --level, --want and --plumb print tables")
     if level or plumb or want is not None:
         from gantline.cli.inverse import hang_as_wanted
 
         hang_as_wanted(
             lift, level=level, want=want, plumb=plumb, adjust=adjust, most=most, time=moment, output=output
         )
-    if adjust is not None or most is not None:
-        stop("--adjust and --most belong to --level, --want or --plumb")
+    question = _question(lift, moment)
+    answer = _answer(question, moment, state, held=held, modes=modes)
+    if margins:
+        answer.margins = _margins(question, answer.rest)
+    if output is not None:
+        _write(question, answer.rest, answer.shown, output, aside=as_json)
+    text = _as_json if as_json else _as_tables
+    typer.echo(text(question, answer, sensitivities))
+    raise typer.Exit(DONE if answer.is_sound else CHECK_FAILED)
+
+
+@dataclass
+class _Answer:
+    """What was found of a lift at rest.
+
+    Attributes:
+        rest: The equilibrium.
+        bounds: With all sheaves slipping one way and the other.
+        ranges: Lines on what friction may hold.
+        found: The slowest natural motions, of which the first are shown.
+        shown: Those that are shown.
+        checks: What was checked.
+        margins: How far the centre of gravity may be elsewhere; nothing where that was not asked for.
+    """
+
+    rest: Equilibrium
+    bounds: list[Equilibrium]
+    ranges: list[str]
+    found: list[Mode]
+    shown: list[Mode]
+    checks: Sequence[Check]
+    margins: list[Margin] = field(default_factory=list)
+
+    @property
+    def is_sound(self) -> bool:
+        from gantline.checks import has_failed
+
+        return self.rest.is_stable and not has_failed(self.checks)
+
+
+def _question(lift: Path, moment: float | None) -> Statics:
     with scenario_errors():
         from gantline.statics import Statics
 
         question = Statics(lift)
     refuse_beyond(question.scenario, moment)
-    from gantline.checks import check_recording, has_failed
+    return question
+
+
+def _answer(
+    question: Statics, moment: float | None, state: Path | None, *, held: bool, modes: int
+) -> _Answer:
+    from gantline.checks import check_recording
+
+    rest, bounds, ranges = _settled(question, moment, state, held=held)
+    found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
+    shown = found[: max(modes, rest.unstable)]
+    return _Answer(rest, bounds, ranges, found, shown, check_recording(rest.recording))
+
+
+def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
+    from gantline.cli.rest_table import statics_json
+
+    numbers = statics_json(
+        answer.rest,
+        answer.bounds,
+        answer.shown,
+        question.sensitivities() if sensitivities else [],
+        answer.margins,
+        answer.checks,
+        question.scenario.left_out_at_rest,
+    )
+    return json.dumps(numbers, indent=2, allow_nan=False)
+
+
+def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     from gantline.cli import rest_table
     from gantline.cli.friction import contact_forces
     from gantline.cli.tilting import tilting_lines
     from gantline.cli.vessels import vessels_at_rest
     from gantline.study.tilting import tilting_of
 
-    rest, bounds, ranges = _settled(question, moment, state, held=held)
-    found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
-    far = _margins(question, rest) if margins else []
-    shown = found[: max(modes, rest.unstable)]
-    if output is not None:
-        _write(question, rest, shown, output, aside=as_json)
-    checks = check_recording(rest.recording)
-    is_sound = rest.is_stable and not has_failed(checks)
-    if as_json:
-        more = question.sensitivities() if sensitivities else []
-        left_out = question.scenario.left_out_at_rest
-        numbers = rest_table.statics_json(rest, bounds, shown, more, checks, left_out)
-        typer.echo(json.dumps(numbers, indent=2, allow_nan=False))
-        raise typer.Exit(DONE if is_sound else CHECK_FAILED)
+    rest = answer.rest
     parts = [
-        rest_table.heading_of(question, rest, found),
-        rest_table.slings_of(rest, bounds),
+        rest_table.heading_of(question, rest, answer.found),
+        rest_table.slings_of(rest, answer.bounds),
         rest_table.ropes(rest),
         rest_table.hooks(rest),
         vessels_at_rest(question, rest),
         rest_table.loads(rest),
-        tilting_lines(tilting_of(question, rest, found), far),
+        tilting_lines(tilting_of(question, rest, answer.found), answer.margins),
         contact_forces(rest) if rest.losses == "held" else [],
-        ranges,
+        answer.ranges,
         rest_table.moving_sheaves(rest),
-        rest_table.motions(shown),
+        rest_table.motions(answer.shown),
         *(rest_table.changes(rest, question.sensitivities()) if sensitivities else []),
-        rest_table.checks_at_rest(rest, checks),
+        rest_table.checks_at_rest(rest, answer.checks),
     ]
     if not rest.is_stable:
         parts += _beyond(question, rest)
-    typer.echo("\n".join(line for part in parts if part for line in (*part, "")))
-    raise typer.Exit(DONE if is_sound else CHECK_FAILED)
+    return "\n".join(line for part in parts if part for line in (*part, ""))
 
 
 def _settled(

@@ -1,8 +1,9 @@
-"""`gantline view`: the report in a browser, made anew whenever its recording changes."""
+"""`gantline view`: the report in a browser, made anew whenever what it shows changes."""
 
 from __future__ import annotations
 
 import webbrowser
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -10,6 +11,9 @@ import typer
 
 from gantline.cli.messages import stop
 from gantline.cli.report import Recorded, asked_for
+
+#: What a page is told while there is nothing to load: it stays as it is.
+_GONE = "gone"
 
 
 def view(
@@ -19,15 +23,17 @@ def view(
 ) -> None:
     """Show a recording in the browser of this machine, and again whenever it changes; Ctrl-C ends it.
 
-    The page is served to this machine alone, at an address that nobody can guess.
+    Equilibrium and cases of the same lift beside it are shown and watched too. The page is served to this
+    machine alone, at an address that nobody can guess.
     """
     from gantline.report import render_report
     from gantline.results import open_recording
-    from gantline.results.saved import read_beside
+    from gantline.results.saved import CASES, EQUILIBRIUM, read_beside
     from gantline.viewer import BundleMissing
     from gantline.viewer.server import PageServer
 
     file = asked_for(recording)
+    beside = [file.parent / name for name in (CASES, EQUILIBRIUM)]
 
     def page() -> str:
         recording = open_recording(file)
@@ -38,7 +44,7 @@ def view(
     except (BundleMissing, FileNotFoundError, ValueError) as problem:
         stop(f"{file}: {problem}" if str(file) not in str(problem) else str(problem))
     try:
-        server = PageServer(page, lambda: _state(file), port)
+        server = PageServer(page, lambda: _state(file, beside), port)
     except OSError as problem:
         stop(f"port {port}: cannot be used ({(problem.strerror or str(problem)).lower()})")
     typer.echo(f"{server.address}\nCtrl-C ends it.")
@@ -52,10 +58,15 @@ def view(
         server.server_close()
 
 
-def _state(file: Path) -> str:
-    """Changes whenever the file is written anew."""
+def _state(recording: Path, beside: Sequence[Path]) -> str:
+    """Changes whenever one of the files is written anew; 'gone' while there is no recording to show."""
+    own = _state_of(recording)
+    return own if own == _GONE else " ".join([own, *map(_state_of, beside)])
+
+
+def _state_of(file: Path) -> str:
     try:
         about = file.stat()
     except OSError:
-        return "gone"
+        return _GONE
     return f"{about.st_mtime_ns}-{about.st_size}"

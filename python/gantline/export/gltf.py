@@ -102,9 +102,13 @@ def _samples(recording: Recording, bodies: int) -> Places:
     """Samples that become times of the animation: as many as fit, far enough apart for float32."""
     numbers = 10 * recording.sizes.get("rope_point", 0) + 11 * bodies
     at = frames(recording, int(np.clip(_NUMBERS // max(numbers, 1), 50, _MOST_FRAMES)))
-    apart = np.concatenate([[True], np.diff(recording.time[at]) > _SHORTEST])
-    kept: Places = at[apart]
-    return kept
+    times = recording.time[at]
+    kept = [0]
+    # A sample a millisecond after another may be less than that by rounding.
+    while (following := int(np.searchsorted(times, times[kept[-1]] + _SHORTEST * (1 - 1e-6)))) < len(times):
+        kept.append(following)
+    apart: Places = at[kept]
+    return apart
 
 
 def _body(

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from gantline.export.surroundings import surroundings
+from gantline.replacing import replaced
 from gantline.results.recording import Recording
 from gantline.results.solids import solid_of
 from gantline.results.variable import FloatArray
@@ -54,8 +55,12 @@ def write_rerun(recording: Recording, path: str | Path) -> None:
         ) from None
     if not len(recording.time):
         raise ValueError("this recording has nothing to show")
-    path = Path(path)
-    path.touch()  # the package only warns where a file cannot be written
+    # The package only warns where a file cannot be written.
+    with replaced(Path(path)) as trial:
+        _write(rerun, recording, trial)
+
+
+def _write(rerun: Any, recording: Recording, path: Path) -> None:
     stream = rerun.RecordingStream(
         "gantline", recording_id=recording.rig.title or "lift", send_properties=False
     )

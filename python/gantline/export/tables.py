@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from pathlib import Path
 
+from gantline.replacing import replaced
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
@@ -58,7 +59,7 @@ def write_csv(recording: Recording, path: str | Path, variables: Sequence[str] =
         OSError: If it cannot be written there.
     """
     found = list(columns(recording, variables))
-    with Path(path).open("w", encoding="utf-8", newline="") as file:
+    with replaced(Path(path)) as trial, trial.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([f"'{name}" if name.startswith(("=", "+", "-", "@")) else name for name, _ in found])
         writer.writerows(zip(*(map(repr, map(float, values)) for _, values in found), strict=True))
@@ -78,4 +79,6 @@ def write_parquet(recording: Recording, path: str | Path, variables: Sequence[st
         raise TableError(
             "Parquet needs the package pyarrow, which is not installed; CSV needs nothing"
         ) from None
-    parquet.write_table(pyarrow.table(dict(columns(recording, variables))), path)
+    found = pyarrow.table(dict(columns(recording, variables)))
+    with replaced(Path(path)) as trial:
+        parquet.write_table(found, trial)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import subprocess
 from collections.abc import Iterator
@@ -11,6 +12,7 @@ import numpy as np
 from PIL import Image
 
 from gantline.plot.film import Film
+from gantline.replacing import replaced
 from gantline.results.recording import Recording
 
 #: Seconds that a film takes if no speed is asked for, and pictures in each of them.
@@ -44,7 +46,8 @@ def write_still(recording: Recording, path: Path, time: float | None = None) -> 
             f"{time:g} s is not within the recording, which goes from {times[0]:g} s to {times[-1]:g} s"
         )
     sample = len(times) - 1 if time is None else int(np.argmin(np.abs(times - time)))
-    Image.fromarray(film.picture(sample)).save(path, format="PNG")
+    with replaced(path) as trial:
+        Image.fromarray(film.picture(sample)).save(trial, format="PNG")
 
 
 def write_video(recording: Recording, path: Path, speed: float | None = None) -> None:
@@ -56,10 +59,13 @@ def write_video(recording: Recording, path: Path, speed: float | None = None) ->
         speed: Simulated seconds in a second of the film; None so that it takes 20 s.
 
     Raises:
-        VideoError: If ffmpeg is missing or fails, or the film would be too long.
+        VideoError: If ffmpeg is missing or fails, the speed is not finite and above zero, or the film would
+            be too long.
         ValueError: If there is nothing to draw.
         OSError: If it cannot be written there.
     """
+    if speed is not None and not 0.0 < speed < math.inf:
+        raise VideoError(f"a speed of {speed:g} is not a finite number above zero")
     is_gif = path.suffix.lower() == ".gif"
     ffmpeg = None if is_gif else _ffmpeg()
     film = Film(recording, _GIF_WIDTH) if is_gif else Film(recording)
@@ -71,10 +77,11 @@ def write_video(recording: Recording, path: Path, speed: float | None = None) ->
             f"a film at {chosen:g} times real time would have more than {_MOST_PICTURES} pictures"
         )
     pictures = (Image.fromarray(picture) for picture in film.frames(chosen, rate))
-    if ffmpeg is None:
-        _gif(pictures, path, rate)
-    else:
-        _mp4(ffmpeg, pictures, path, rate)
+    with replaced(path) as trial:
+        if ffmpeg is None:
+            _gif(pictures, trial, rate)
+        else:
+            _mp4(ffmpeg, pictures, trial, rate)
 
 
 def _ffmpeg() -> str:

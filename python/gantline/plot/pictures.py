@@ -49,12 +49,22 @@ def figures(recording: Recording) -> Iterator[tuple[str, Figure]]:
         return
     makers = dict(PICTURES)
     for equalizer in recording.rig.equalizers:
-        makers[f"equalizer_{equalizer.name}"] = partial(views.equalizer, which=equalizer)
+        makers[_of_equalizer(equalizer.name)] = partial(views.equalizer, which=equalizer)
     for name, make in makers.items():
         with matplotlib.rc_context(RC):
             figure = make(recording)
         if figure is not None:
             yield name, figure
+
+
+def picture_files(equalizers: Iterable[str]) -> list[str]:
+    """Names of all files that pictures of a recording with these equalizers may have."""
+    return [f"{name}.png" for name in (*PICTURES, *map(_of_equalizer, equalizers))]
+
+
+def _of_equalizer(name: str) -> str:
+    """Name of the picture of an equalizer."""
+    return f"equalizer_{name}"
 
 
 def save_pictures(recording: Recording, directory: str | Path) -> list[Path]:

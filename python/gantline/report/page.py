@@ -9,6 +9,7 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
+from gantline.replacing import replace_text
 from gantline.report.events import Events
 from gantline.report.first_page import FirstPage
 from gantline.report.holds import HoldPoints
@@ -18,7 +19,7 @@ from gantline.report.section import Section
 from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, LiftFile
 from gantline.results.recording import Recording
-from gantline.results.saved import Beside, read_beside, replace_text
+from gantline.results.saved import Beside, read_beside
 from gantline.viewer import bundle, pack
 from gantline.viewer.inline import json_for_script, policy, script_is_safe
 

@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from gantline.replacing import replaced
 from gantline.results.recording import Recording, open_recording
 
 __all__ = [
@@ -29,7 +28,6 @@ __all__ = [
     "SavedWorst",
     "digest_of",
     "read_beside",
-    "replace_text",
 ]
 
 #: Names of the files.
@@ -172,16 +170,6 @@ def read_beside(folder: Path, recording: Recording) -> Beside:
         equilibrium = None
         left_out.append(f"{EQUILIBRIUM}: is of another lift file; 'gantline statics' renews it")
     return Beside(equilibrium, cases, left_out)
-
-
-def replace_text(path: Path, text: str) -> None:
-    """Write a text file; an existing one is replaced, and only once the new one is complete.
-
-    Raises:
-        OSError: If it cannot be written there.
-    """
-    with replaced(path) as trial:
-        trial.write_text(text, encoding="utf-8", newline="\n")
 
 
 def _read_cases(path: Path) -> SavedCases | None:

@@ -95,8 +95,9 @@ class BallastAnswer:
     def text(self) -> str:
         """The lift file with the contents found; what did not change stays as it was written."""
         where = _path(self.scenario, self.vessel)
+        room = _room(self.scenario, self.vessel)
         changed: dict[tuple[PathPart, ...], str] = {
-            (*where, "tanks", tank, "content"): _written(content)
+            (*where, "tanks", tank, "content"): _written(content, *room[tank])
             for tank, content in self.contents.items()
             if content != self.given[tank]
         }
@@ -183,20 +184,12 @@ class _Search:
     ) -> None:
         self._scenario, self._vessel, self._time, self._tell = scenario, vessel, time, tell
         self._tanks = list(tanks)
-        bodies = bodies_afloat(scenario)
-        self._all: Mapping[str, BallastTank] = bodies[vessel].tanks or {}
+        self._all = _tanks(scenario, vessel)
         given = [self._all[tank].content for tank in self._tanks]
         self._given: Floats = np.array(given)
         self._contents = self._given
-        # A tank holds what it has at the start, and what the plan pumps into it and out of it.
-        pumped = pumped_at_most(scenario)
-        ends = [pumped.get(f"{vessel}.{tank}", (0.0, 0.0)) for tank in self._tanks]
-        self._room: Floats = np.array(
-            [
-                (-end[0], self._all[tank].capacity - end[1])
-                for tank, end in zip(self._tanks, ends, strict=True)
-            ]
-        ).T
+        room = _room(scenario, vessel)
+        self._room: Floats = np.array([room[tank] for tank in self._tanks]).T
         self._acts_against = any(isinstance(step, PumpStep) and step.until for step in scenario.plan)
         tell(f"how {vessel} floats at {time:g} s with the contents given")
         self.now = Afloat(scenario, vessel, time)
@@ -381,6 +374,22 @@ def _path(scenario: Scenario, vessel: str) -> tuple[str, ...]:
     return ("vessels", vessel) if vessel in (scenario.vessels or {}) else ("mechanics", "bodies", vessel)
 
 
-def _written(content: float) -> str:
-    """A content as a yard writes it, to the kilogram."""
-    return f"{content / 1e3:.3f} t"
+def _room(scenario: Scenario, vessel: str) -> dict[str, tuple[float, float]]:
+    """Least and most that may be in each tank at the start [kg].
+
+    It holds what it has then, and what the plan pumps into it and out of it.
+    """
+    pumped = pumped_at_most(scenario)
+    tanks = _tanks(scenario, vessel)
+    ends = {name: pumped.get(f"{vessel}.{name}", (0.0, 0.0)) for name in tanks}
+    return {name: (-ends[name][0], one.capacity - ends[name][1]) for name, one in tanks.items()}
+
+
+def _tanks(scenario: Scenario, vessel: str) -> Mapping[str, BallastTank]:
+    return bodies_afloat(scenario)[vessel].tanks or {}
+
+
+def _written(content: float, least: float, most: float) -> str:
+    """A content as a yard writes it, to the kilogram, of those between its ends."""
+    lowest, highest = math.ceil(least * (1 - _ROUNDING)), math.floor(most * (1 + _ROUNDING))
+    return f"{min(max(round(content), lowest), highest) / 1e3:.3f} t"

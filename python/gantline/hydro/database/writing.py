@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+from gantline.replacing import replaced
 
 __all__ = ["write_database"]
 
@@ -65,5 +66,6 @@ def write_database(database: HydrodynamicDatabase, path: str | Path) -> Path:
         tables["rotation_center"] = (("xyz",), database.reference)
     if database.displacement is not None:
         tables["disp_volume"] = ((), np.asarray(database.displacement))
-    xarray.Dataset(tables, coordinates).to_netcdf(place, engine="h5netcdf")
+    with replaced(place) as written:
+        xarray.Dataset(tables, coordinates).to_netcdf(written, engine="h5netcdf")
     return place
