@@ -314,5 +314,5 @@ mechanics:
     result = statics(path, "--sensitivities")
     assert "--sensitivities is about slings and loads, and there are none." in result.stdout
     looked = " ".join(program("check", path).stdout.split())
-    assert "spring - 2.000 kN" in looked and "rope - 90.0 MN" in looked
+    assert "spring - 2 kN" in looked and "rope - 90 MN" in looked
     assert "in order (1 body, 1 rope; 1 s to simulate)" in looked
