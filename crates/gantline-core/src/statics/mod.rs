@@ -51,8 +51,9 @@ const ROUNDS: usize = 40;
 const FRICTION_ROUNDS: usize = 200;
 /// What a hull does that bears less than its weight.
 const SINKS: &str = "it sinks: no hull bears that weight";
-/// A shift beside another one, as a share of it.
-const BESIDE: f64 = 0.9;
+/// Wider shifts, as multiples, where one leaves nothing but rounding of a light node between stiff parts. The widest
+/// takes motions of more than three minutes for neutral.
+const WIDER: [f64; 5] = [1.0, 3.0, 10.0, 100.0, 1000.0];
 /// ω² of a motion that nothing moves and nothing holds is within this of zero [1/s²]: a period of two hours.
 pub const NEUTRAL: f64 = 1e-6;
 
@@ -230,10 +231,14 @@ impl Statics {
         let follows = &search.here.follows;
         let compliance = |row: usize| follows[row].then_some(bearings[row].compliance);
         let mut below = |shift: f64| {
-            // A shift may meet a motion, of which the one beside it tells the same.
-            let made = search.matrix.factorise(system, shift, compliance);
-            made.or_else(|_| search.matrix.factorise(system, BESIDE * shift, compliance))?;
-            Ok(search.matrix.below(system))
+            let mut made = Ok(());
+            for wider in WIDER {
+                made = search.matrix.factorise(system, wider * shift, compliance);
+                if made.is_ok() {
+                    break;
+                }
+            }
+            made.map(|()| search.matrix.below(system))
         };
         let unstable = below(NEUTRAL)?;
         Ok((unstable, below(-NEUTRAL)?.saturating_sub(unstable)))
