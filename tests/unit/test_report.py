@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 
 import gantline.report.page
-import gantline.report.steps
 from gantline.checks import LIMITS, check_recording
 from gantline.checks.measure import Missing
 from gantline.report import render_report, write_report
@@ -318,7 +317,6 @@ def test_a_hold_point_is_one_that_something_waits_for(
     ],
 )
 def test_no_step_is_left_out_of_the_sheets(
-    monkeypatch: pytest.MonkeyPatch,
     count: int,
     vessels: tuple[dict[str, str], ...],
     told: str,
@@ -329,10 +327,9 @@ def test_no_step_is_left_out_of_the_sheets(
     rig["plan"] = [{"step": f"step {one}", "kind": "hoist"} for one in range(1, count + 1)]
     # Whoever signs looks for hold points above all.
     rig["plan"][-1] |= {"kind": "hold", "require": {"load_tilt": {"below": 0.02}}}
-    rig["vessels"] = vessels
-    # The vessel does not move in this recording, and how hooks share is none of this test.
-    monkeypatch.setattr(gantline.report.steps, "shares", lambda subject: {})
-    subject = Subject(ringing_lift(rig=rig))
+    plain = ringing_lift(rig=rig)
+    attributes = {**plain.attributes, "rig": {**rig, "vessels": vessels}}
+    subject = Subject(Recording(plain.variables, plain.coordinates, attributes))
     first, rest = first_steps(subject), StepsContinued().content(subject)
     assert first["elsewhere"] == told
     rows = [] if rest is None else rest["rows"]
@@ -374,7 +371,7 @@ TRACKS = {"name": "crawler", "allowed_pressure": 3e5}
         (
             {
                 "vessels": [{"name": "barge", "body": "barge"}],
-                "booms": [{"name": "sheerleg", "base": "barge"}],
+                "booms": [{"name": "sheerleg"}],
                 "hooks": [{"name": "h", "crane": "sheerleg"}],
             },
             "wind",

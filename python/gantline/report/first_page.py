@@ -170,10 +170,11 @@ def _listed(names: list[str]) -> str:
 def beyond(rig: Rig) -> str:
     """What no check of the program looks at in this lift, in words."""
     tracks = {one.name for one in rig.crawlers}
-    afloat = {one.name for one in rig.booms if one.base in {vessel.body for vessel in rig.vessels}}
+    # What has a boom and no tracks is afloat.
+    booms = {one.name for one in rig.booms}
     under = [
         *(["supports"] if rig.supports else ["load"] if any(load.contacts for load in rig.loads) else []),
-        *(["crane"] if any(hook.crane not in tracks | afloat for hook in rig.hooks) else []),
+        *(["crane"] if any(hook.crane not in tracks | booms for hook in rig.hooks) else []),
         *(["tracks"] if any(one.allowed_pressure is None for one in rig.crawlers) else []),
     ]
     parts = ["local strength of the load at its lugs", "wind on cranes and ropes" if rig.wind else "wind"]
