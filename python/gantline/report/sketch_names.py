@@ -54,8 +54,8 @@ def names_in_a_row(
         taken: What names may not lie on.
 
     Returns:
-        x and y of each name [mm], and the place on its line to which it is led, None if it stands on it. None at
-        all where lines hide each other, or where there is no room for a row.
+        x and y of each name [mm], and the place on its line to which it is led, None if it stands on it.
+        None at all where lines hide each other, or where there is no room for a row.
     """
     if not 1 < len(names) <= _MOST_IN_A_ROW:
         return None
