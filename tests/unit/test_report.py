@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import gantline
 import gantline.report.page
 from gantline.checks import LIMITS, check_recording
 from gantline.checks.measure import Missing
@@ -399,3 +400,24 @@ def test_settings_have_their_units() -> None:
     about = dict(LiftFile().content(Subject(recording))["about"])
     assert about["duration"] == "40 s" and about["sample interval"] == "0.02 s"
     assert about["integrator"] == "del, step 0.001 s"
+
+
+def test_a_recording_says_its_tolerances_and_its_start_as_they_were() -> None:
+    """A run that took its tolerances by default could not be cited, and `settled` was said to be `as_given`.
+
+    By default tensions are kept to a ten-thousandth of what a rope carries on the average: 321.5 t, the load
+    and the equalizer with its sheaves, on five slings and one rope.
+    """
+    scenario = Path(__file__).resolve().parents[2] / "scenarios" / "equalizer"
+    settings = gantline.simulate(scenario, duration=0.1).attributes["settings"]
+    assert settings["start"] == "settled"
+    share = 321.5e3 * 9.81 / 6
+    assert settings["integrator"]["tension_tolerance"] == pytest.approx(1e-4 * share, rel=1e-12)
+    assert settings["integrator"]["position_tolerance"] == 1e-4
+    told = gantline.simulate(scenario, duration=0.1, tension_tolerance=50.0)
+    assert told.attributes["settings"]["integrator"]["tension_tolerance"] == 50.0
+    about = dict(LiftFile().content(Subject(told))["about"])
+    assert about["integrator"] == "adaptive, tension tolerance 50 N, position tolerance 0.0001 m"
+    assert about["start"] == "settled"
+    fixed = gantline.simulate(scenario, duration=0.1, integrator="del", step=0.01)
+    assert "tension_tolerance" not in fixed.attributes["settings"]["integrator"]
