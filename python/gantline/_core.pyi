@@ -47,6 +47,9 @@ class Simulation:
     def names(self) -> dict[str, list[str]]:
         """Names along the dimensions of the columns."""
 
+    def tolerances(self) -> dict[str, float]:
+        """What the error of a step may be, `tension` [N] and `position` [m]; empty where steps are fixed."""
+
     def measure(self) -> None:
         """Measure from now on where the time goes; costs a few per cent."""
 

@@ -352,7 +352,7 @@ class Simulation:
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,
-            settings=self.settings,
+            settings=self._settings_used(),
             warnings=warnings,
             scene=self.assembly.scene,
             counters=self._core.counters(),
@@ -360,6 +360,12 @@ class Simulation:
             status=self.status,
             **failure,
         )
+
+    def _settings_used(self) -> dict[str, Any]:
+        """The settings with what they leave to a default, and `start` in the lift file's own word."""
+        used = {f"{name}_tolerance": value for name, value in self._core.tolerances().items()}
+        integrator = {**self.settings["integrator"], **used}
+        return {**self.settings, "integrator": integrator, "start": self.scenario.starts}
 
     def measure(self) -> None:
         """Measure from now on where the time goes; costs a few per cent."""

@@ -63,6 +63,14 @@ def test_every_verb_is_in_the_help() -> None:
     assert "3 the simulation could" in out
 
 
+def test_no_line_of_the_help_is_cut_short() -> None:
+    _, out, _ = gantline_says("--help")
+    lines = out.split("Commands:\n")[1].split("\n\n")[0].splitlines()
+    assert len(lines) == 14
+    for line in lines:
+        assert line.endswith(".") and not line.endswith("..."), line
+
+
 def completed(*words: str, folder: Path) -> list[str]:
     """What bash is offered for the last of these words."""
     asked = {

@@ -81,6 +81,9 @@ class FakeCore:
     def stages(self) -> dict[str, float]:
         return {"kinematics": 0.003, "assembly": 0.001, "recording": 0.002} if self.measures else {}
 
+    def tolerances(self) -> dict[str, float]:
+        return {}
+
     def counters(self) -> dict[str, int]:
         return {"steps": self.now}
 
@@ -92,7 +95,8 @@ def core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
     class Core(FakeCore):
         pass
 
-    scenario = SimpleNamespace(text="format: 1\n", source="lift.yaml", mechanics=None, water=None)
+    given = {"text": "format: 1\n", "source": "lift.yaml", "starts": "as_given"}
+    scenario = SimpleNamespace(**given, mechanics=None, water=None)
     assembly = SimpleNamespace(
         document={},
         settings=SETTINGS,

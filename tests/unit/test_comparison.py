@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 import gantline
 from gantline.results.common_time import CommonTime, Deviation
-from gantline.results.comparison import Comparison, Difference, compare, method_of, peak_sling
+from gantline.results.comparison import Comparison, Difference, compare, method_of, peak_sling, tolerances_of
 from gantline.results.recording import Recording
 from gantline.results.rotation import angle_between
 from sample_lift import ringing_lift, sample_recording, sample_rig
@@ -218,6 +218,14 @@ def test_methods_in_words() -> None:
         method(type="adaptive", tension_tolerance=50.0, position_tolerance=1e-4)
         == "adaptive, tension tolerance 50 N, position tolerance 0.1 mm"
     )
+    recording = ringing_lift()
+    kept = {"type": "adaptive", "tension_tolerance": 50.0, "position_tolerance": 1e-4}
+    attributes = {**recording.attributes, "settings": {"integrator": kept}}
+    kept_to = Recording(recording.variables, recording.coordinates, attributes)
+    assert method_of(kept_to, with_tolerances=False) == "adaptive" and tolerances_of(kept_to) == (50.0, 1e-4)
+    # Names say only what tells the two apart.
+    assert all(name.endswith("(adaptive)") for name in compare(kept_to, kept_to).names)
+    assert "tension tolerance 50 N" in compare(kept_to, recording).names[0]
     assert method(type="del", step=0.001, paper=False, geometric_stiffness=True) == "del, step 1 ms"
     assert method(type="del", step=0.05, paper=True) == "del, step 50 ms, as in the paper"
     assert (

@@ -110,12 +110,12 @@ def test_pictures_show_where_a_load_that_hangs_is_set_down() -> None:
     text = hooked_lift(HOOKS, LUGS, SLINGS, mass=MASS, position=(0.0, 0.0, 2.0), more=FEET)
     text = text.replace("duration: 10 s", "duration: 60 s").replace("as_given", "rest")
     recording = gantline.simulate(parse_scenario(text))
-    names = [name for name, _ in moments(recording)]
+    names = [name for name, *_ in moments(recording)]
     assert names[0] == "start" and names[-1] == "end" and "set-down" in names
     shown = stages(recording)
-    assert [name for name, _ in shown if name.startswith("end of")] == [
+    assert [name for name, *_ in shown if name.startswith("end of")] == [
         "end of 'down'",
         "end of 'set down'",
         "end of 'further'",
     ]
-    assert [sample for _, sample in shown] == sorted(sample for _, sample in shown)
+    assert [one.sample for one in shown] == sorted(one.sample for one in shown)

@@ -20,7 +20,7 @@ def test_a_lift_runs_to_its_end(core: type[FakeCore]) -> None:
     assert recording.time[-1] == 4.0
     assert recording.attributes["status"] == "done"
     assert recording.attributes["scenario"] == "format: 1\n"
-    assert recording.attributes["settings"] == SETTINGS
+    assert recording.attributes["settings"] == {**SETTINGS, "start": "as_given"}
     assert recording.attributes["counters"] == {"steps": 4}
     assert recording.attributes["warnings"] == []
     assert recording.title == "One equalizer lifts a 300 t load"
@@ -69,6 +69,7 @@ def test_settings_in_place_of_those_of_the_lift_file(core: type[FakeCore]) -> No
         "integrator": {"type": "del", "step": 5e-4, "paper": True, "geometric_stiffness": True},
         "duration": 2.0,
         "sample_interval": 1.0,
+        "start": "as_given",
     }
     assert recording.time[-1] == 2.0
     assert SETTINGS["duration"] == 4.0

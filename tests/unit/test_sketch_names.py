@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gantline.report.sketch_names import around_dot, has_room, names_beside, text_box
+from gantline.report.sketch_names import around_dot, has_room, names_beside, names_in_a_row, text_box
 
 
 def test_dots_that_look_like_one_have_one_name() -> None:
@@ -47,3 +47,40 @@ def test_the_room_of_a_text(anchor: str, box: tuple[float, float]) -> None:
     assert found == (*box, 5.0)
     assert not has_room(found, [around_dot(np.array([box[1], 5.0]))])
     assert has_room(found, [around_dot(np.array([box[1] + 1.3, 5.0])), around_dot(np.array([10.0, 9.0]))])
+
+
+def hanging(*across: float, top: float = 15.0, bottom: float = 45.0) -> list[tuple[np.ndarray, np.ndarray]]:
+    return [(np.array([x, top]), np.array([x, bottom])) for x in across]
+
+
+def test_names_of_slings_near_each_other_stand_in_one_row_and_are_led_to_them() -> None:
+    """Five slings 2 mm apart had their names upon each other."""
+    names = ["S5", "S4", "S3", "S2", "S1"]
+    row = names_in_a_row(hanging(42.0, 44.0, 46.0, 48.0, 50.0), names, 90.0, [])
+    assert row is not None
+    places, heights = [x for x, _, _ in row], {y for _, y, _ in row}
+    assert len(heights) == 1 and places == sorted(places)
+    # Two bold letters are 4.4 mm wide at most.
+    assert min(np.diff(places)) >= 4.4
+    assert np.mean(places) == pytest.approx(46.0)
+    led = [float(place[0]) for _, _, place in row if place is not None]
+    assert led == pytest.approx([42.0, 44.0, 46.0, 48.0, 50.0])
+
+
+def test_names_of_slings_apart_stand_on_them() -> None:
+    row = names_in_a_row(hanging(60.0, 20.0), ["S1", "S2"], 90.0, [])
+    assert row is not None and [(x, led) for x, _, led in row] == [(60.0, None), (20.0, None)]
+
+
+def test_a_row_keeps_off_what_is_taken() -> None:
+    free = names_in_a_row(hanging(20.0, 60.0), ["S1", "S2"], 90.0, [])
+    assert free is not None and free[0][1] == pytest.approx(30.0)
+    kept = names_in_a_row(hanging(20.0, 60.0), ["S1", "S2"], 90.0, [(15.0, 25.0, 30.0)])
+    assert kept is not None and abs(kept[0][1] - 30.0) >= 3.4
+
+
+def test_lines_that_hide_each_other_and_a_crowd_have_no_row() -> None:
+    assert names_in_a_row(hanging(20.0, 20.1), ["S1", "S2"], 90.0, []) is None
+    crowd = hanging(*np.arange(10.0, 40.0, 2.0))
+    assert names_in_a_row(crowd, [f"S{one}" for one in range(len(crowd))], 90.0, []) is None
+    assert names_in_a_row(hanging(20.0, 60.0, bottom=20.0), ["S1", "S2"], 90.0, []) is None

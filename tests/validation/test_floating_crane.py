@@ -332,7 +332,7 @@ def test_the_balance_closes_and_it_is_fast(recording: Recording) -> None:
 
 def test_pictures_show_its_stages(recording: Recording) -> None:
     """Steps side by side are one stage, anchors do not decide the scale, and water ends at the quay."""
-    assert [name for name, _ in stages_of(recording)] == [
+    assert [name for name, *_ in stages_of(recording)] == [
         "start",
         "slings taut",
         "lift-off",

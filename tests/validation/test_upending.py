@@ -90,7 +90,7 @@ def test_nothing_of_it_fails(upended: Recording) -> None:
 
 def test_stages_show_it_on_the_way(upended: Recording) -> None:
     """At a third and two thirds of a right angle."""
-    assert [name for name, _ in stages(upended)] == [
+    assert [name for name, *_ in stages(upended)] == [
         "start",
         "lift-off",
         "tilted by 30 deg",

@@ -21,6 +21,7 @@ use crate::state::State;
 use crate::statics::losses::Losses;
 use crate::statics::{NoEquilibrium, Statics};
 use crate::stepper::StepError;
+use crate::stepper::adaptive::Tolerance;
 use crate::stepper::frame::Frame;
 use crate::system::System;
 pub(crate) use checkpoint::{fingerprint, saved_state};
@@ -282,11 +283,6 @@ impl Simulation {
             .collect()
     }
 
-    /// Entries of the factor of the step's matrix.
-    pub fn fill(&self) -> usize {
-        self.method.fill()
-    }
-
     /// Name of the step of the plan that is under way, if any.
     pub fn current_step(&self) -> Option<&str> {
         self.state.plan.current(&self.system.plan)
@@ -297,8 +293,27 @@ impl Simulation {
         tensions_of(&self.system, &self.state.tension, &self.state.q).collect()
     }
 
-    /// What the run counted.
-    pub fn counters(&self) -> Counters {
-        self.counters
+    /// What the run counted, by name, with the entries of its factor.
+    pub fn counted(&self) -> [(&'static str, u64); 6] {
+        let Counters { steps, factorisations, unconverged, rejected, cut } = self.counters;
+        [
+            ("steps", steps),
+            ("factorisations", factorisations),
+            ("unconverged", unconverged),
+            ("rejected", rejected),
+            ("cut", cut),
+            ("fill", self.method.fill() as u64),
+        ]
+    }
+
+    /// What the error of a step may be, by name [N, m]; empty where steps are fixed.
+    pub fn tolerances(&self) -> Vec<(&'static str, f64)> {
+        match &self.method {
+            Method::Del(_) | Method::Explicit(_) => Vec::new(),
+            Method::Adaptive(adaptive) => {
+                let Tolerance { tension, position } = adaptive.tolerance();
+                vec![("tension", tension), ("position", position)]
+            }
+        }
     }
 }

@@ -139,17 +139,12 @@ impl Simulation {
 
     /// What the run counted.
     fn counters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let inner = self.inner(py)?;
-        let counters = inner.counters();
-        let counted = [
-            ("steps", counters.steps),
-            ("factorisations", counters.factorisations),
-            ("unconverged", counters.unconverged),
-            ("rejected", counters.rejected),
-            ("cut", counters.cut),
-            ("fill", inner.fill() as u64),
-        ];
-        counted.into_py_dict(py)
+        self.inner(py)?.counted().into_py_dict(py)
+    }
+
+    /// What the error of a step may be, by name [N, m]; empty where steps are fixed.
+    fn tolerances<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.inner(py)?.tolerances().into_py_dict(py)
     }
 
     /// Measures from now on where the time goes.

@@ -47,20 +47,25 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command(epilog=examples_of("run"))(run)
-app.command(epilog=examples_of("statics"))(statics)
-app.command(epilog=examples_of("cases"))(cases)
-app.command(epilog=examples_of("compare"))(compare)
-app.command(epilog=examples_of("check"))(check)
-app.add_typer(cad_app, name="cad")
-app.command(epilog=examples_of("hydro"))(hydro)
-app.command(epilog=examples_of("ballast"))(ballast)
-app.command(epilog=examples_of("report"))(report)
-app.command(epilog=examples_of("view"))(view)
-app.command(epilog=examples_of("export"))(export)
-app.command(epilog=examples_of("new"))(new)
-app.command(epilog=examples_of("schema"))(schema)
-app.command(epilog=examples_of("doctor"))(doctor)
+#: Verbs in the order of the help, each with a line that is not cut short there.
+_VERBS = (
+    (run, "Simulate a lift, write its report."),
+    (statics, "How it hangs, without simulating."),
+    (cases, "The worst of what may differ."),
+    (compare, "Two lifts side by side."),
+    (check, "Check a file or a result."),
+    (hydro, "Hydrostatics of a hull."),
+    (ballast, "Find tank contents."),
+    (report, "Write the report again."),
+    (view, "Show a result in the browser."),
+    (export, "Write pictures, films, tables."),
+    (new, "Start a lift file."),
+    (schema, "Print the JSON Schema."),
+    (doctor, "Say what is installed."),
+)
+for verb, line in _VERBS:
+    app.command(short_help=line, epilog=examples_of(verb.__name__))(verb)
+app.add_typer(cad_app, name="cad", short_help="Weigh and draw CAD files.")
 
 
 def _print_version(is_wanted: bool) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 from gantline.cli.table import ABSENT, show, table
@@ -14,7 +14,9 @@ from gantline.results.comparison import (
     MotionComparison,
     method_of,
     peak_sling,
+    tolerances_of,
 )
+from gantline.results.recording import Recording
 from gantline.units import quantity
 
 _Row = tuple[str, ...]
@@ -119,11 +121,20 @@ def _headlines(comparison: Comparison) -> list[str]:
     return table(("Lift", "A", "B", "B - A", "of A"), rows, "lrrrr") if rows else []
 
 
+def _tolerances(a: Recording, b: Recording) -> Iterator[_Row]:
+    """What the error of a step might be, where one of them was told."""
+    kinds = (("tension tolerance", "N", 2), ("position tolerance", "mm", 3))
+    for (title, unit, digits), *both in zip(kinds, tolerances_of(a), tolerances_of(b), strict=True):
+        if any(both):
+            yield title, *(show(one, unit, digits) if one else ABSENT for one in both), "", ""
+
+
 def _run(comparison: Comparison, integration: Difference) -> list[str]:
     a, b = comparison.a, comparison.b
     sides = comparison.stability
     rows: list[_Row] = [
-        ("method", method_of(a), method_of(b), "", ""),
+        ("method", *(method_of(one, with_tolerances=False) for one in (a, b)), "", ""),
+        *_tolerances(a, b),
         ("status", sides[0].status, sides[1].status, "", ""),
         _row("simulated", Difference(sides[0].end, sides[1].end), "s", lambda v: show(v, "s", 2)),
     ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from gantline.results import series
@@ -14,8 +16,22 @@ from gantline.units import format_quantity
 _STAGES = 6
 
 
-def moments(recording: Recording) -> list[tuple[str, int]]:
-    """Name and sample of each moment in order: start, slings taut, lift-off, peak, end.
+class Moment(NamedTuple):
+    """What is worth a picture.
+
+    Attributes:
+        name: What happens; empty where nothing does.
+        sample: The sample that is drawn: the first that is not before it.
+        time: When it happens, which may be a sample interval before that [s].
+    """
+
+    name: str
+    sample: int
+    time: float
+
+
+def moments(recording: Recording) -> list[Moment]:
+    """Each moment in order: start, slings taut, lift-off, peak, end.
 
     A load that hangs from the start on has no lift-off, but may have a set-down.
 
@@ -42,16 +58,16 @@ def moments(recording: Recording) -> list[tuple[str, int]]:
     else:
         start = float(recording.time[0])
         times = [("", start + (end - start) / 3.0), ("", start + 2.0 * (end - start) / 3.0)]
-    named = [("start", 0)]
-    named += [(name, _sample(recording, time)) for name, time in times if time is not None]
-    named.append(("end", len(recording.time) - 1))
-    taken: dict[int, str] = {}
-    for name, sample in named:
-        taken.setdefault(sample, name)
-    return [(name, sample) for sample, name in sorted(taken.items())]
+    named = [("start", float(recording.time[0])), *times, ("end", end)]
+    taken: dict[int, Moment] = {}
+    for name, time in named:
+        if time is not None:
+            found = _moment(recording, name, time)
+            taken.setdefault(found.sample, found)
+    return [taken[sample] for sample in sorted(taken)]
 
 
-def stages(recording: Recording) -> list[tuple[str, int]]:
+def stages(recording: Recording) -> list[Moment]:
     """Up to six stages: start, slings taut, lift-off or set-down, ends of the last steps that move something.
 
     Steps side by side are one stage, under the name of the first of them. A load that is turned as it hangs
@@ -61,19 +77,19 @@ def stages(recording: Recording) -> list[tuple[str, int]]:
         recording: Any recording.
 
     Returns:
-        Name and sample of each; fewer than four where the plan does little after the load is clear.
+        Each in order; fewer than four where the plan does little after the load is clear.
     """
     clear_from = 0.0 if _hang(recording) else lift_off_time(recording)
-    known = [(name, sample) for name, sample in moments(recording) if name not in ("peak tension", "end")]
+    known = [one for one in moments(recording) if one.name not in ("peak tension", "end")]
     known += _turning(recording)[: _STAGES - 1 - len(known)]
     after = [
-        (f"end of '{name}'", _sample(recording, time))
+        _moment(recording, f"end of '{name}'", time)
         for time, name in _motions(recording)
         if clear_from is not None and time > clear_from
     ]
     shown = known + after[-(_STAGES - len(known)) :]
     # A set-down may come after the ends of some steps, which all others come before.
-    return sorted(shown, key=lambda one: one[1])
+    return sorted(shown, key=lambda one: one.sample)
 
 
 def _hang(recording: Recording) -> bool:
@@ -82,7 +98,7 @@ def _hang(recording: Recording) -> bool:
     return bool(loads) and all(hangs_from_the_start(recording, load) for load in loads)
 
 
-def _turning(recording: Recording) -> list[tuple[str, int]]:
+def _turning(recording: Recording) -> list[Moment]:
     """Where the first load that is turned has come a third and two thirds of the way."""
     for load in recording.rig.loads:
         if not is_turned(recording, load):
@@ -91,7 +107,8 @@ def _turning(recording: Recording) -> list[tuple[str, int]]:
         tilt = recording.column("load_tilt", load.name)
         turned = np.where(clear, np.abs(tilt - tilt[np.argmax(clear)]), 0.0)
         samples = [int(np.argmax(turned >= share * turned.max())) for share in (1 / 3, 2 / 3)]
-        return [(f"tilted by {format_quantity(float(tilt[at]), 'deg', 0)}", at) for at in samples]
+        names = [f"tilted by {format_quantity(float(tilt[at]), 'deg', 0)}" for at in samples]
+        return [Moment(name, at, float(recording.time[at])) for name, at in zip(names, samples, strict=True)]
     return []
 
 
@@ -128,5 +145,5 @@ def _all_taut(recording: Recording, slings: set[str], peak: float) -> float | No
     return float(recording.time[before[-1] + 1])
 
 
-def _sample(recording: Recording, time: float) -> int:
-    return min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1)
+def _moment(recording: Recording, name: str, time: float) -> Moment:
+    return Moment(name, min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1), time)

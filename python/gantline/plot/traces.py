@@ -25,7 +25,8 @@ from gantline.plot.style import (
     widen,
 )
 from gantline.results import series
-from gantline.results.drift import is_taken_along, load_drift
+from gantline.results.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
+from gantline.results.drift import is_taken_along
 from gantline.results.families import MOST, families
 from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
@@ -147,7 +148,10 @@ def sling_lengthening(recording: Recording) -> Figure | None:
 
 
 def attitude(recording: Recording) -> Figure | None:
-    """Tilt, heading, height, drift and gusts of loads, with headings of frames; None without loads."""
+    """Tilt, heading, height, drift or swing, and gusts of loads, headings of frames; None without loads.
+
+    What is less than could be seen has no panel.
+    """
     loads = recording.rig.loads
     if not loads:
         return None
@@ -156,14 +160,15 @@ def attitude(recording: Recording) -> Figure | None:
     every = {name: np.degrees(series.body_heading(recording, body)) for name, body in bodies.items()}
     # What is upended has no heading.
     degrees = {name: curve for name, curve in every.items() if np.isfinite(curve).all()}
-    tilt = {load.name: np.degrees(recording.column("load_tilt", load.name)) for load in loads}
+    tilt = {name: np.degrees(curve) for name, curve in tilt_of(recording).items()}
     height = {name: place[:, 2] - place[0, 2] for name, place in position.items()}
-    drift = {load.name: load_drift(recording, load) for load in loads}
+    drift, swing = drift_of(recording), swing_of(recording)
     rows = [
         ("Tilt [deg]", tilt, 0.1),
         ("Heading [deg]", degrees, 1.0),
         ("Height above\nstart [m]", height, 0.01),
         ("Drift off the\nplan's way [m]" if is_taken_along(recording.rig) else "Drift [m]", drift, 0.01),
+        ("Swing [m]", swing, 0.01),
     ]
     rows = [row for row in rows if row[1]]
     if "wind_at_load" in recording:
@@ -175,10 +180,13 @@ def attitude(recording: Recording) -> Figure | None:
             panel.plot(recording.time, curve, color=colour(index))
         panel.set_ylabel(label)
         widen(panel, least_span)
-        if values is tilt or values is drift:
+        if values is tilt or values is drift or values is swing:
             panel.set_ylim(bottom=0.0)
         few_ticks(panel)
         label_ends(panel, recording.time, values)
+    missing = not_worth_a_plot(recording)
+    if missing:
+        panels[-1].set_xlabel(f"Time [s]\n{missing}")
     figure.align_ylabels(panels)
     return figure
 

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from gantline.plot.drawing import SIDE, TOP, View, draw, norm_of
 from gantline.plot.labels import label_lugs, label_sheaves
-from gantline.plot.moments import moments
+from gantline.plot.moments import Moment, moments
 from gantline.plot.moments import stages as stages_of
 from gantline.plot.panels import draw_ground, draw_holes, draw_water, scale_bar, strip, tension_bar, window_of
 from gantline.plot.scene import Snapshot, snapshot
@@ -26,7 +26,8 @@ _MOST_DRAWN = 60  # moving sheaves of an equalizer: more could not be told from 
 
 def system(recording: Recording) -> Figure | None:
     """Side and top view at start, slings taut, lift-off, peak and end; None if there is nothing to draw."""
-    shown = [(name, snapshot(recording, sample)) for name, sample in moments(recording)]
+    found = moments(recording)
+    shown = [(one.name, snapshot(recording, one.sample)) for one in found]
     if not any(len(snap.ropes) or len(snap.boxes) for _, snap in shown):
         return None
     extent = np.concatenate([snap.extent() for _, snap in shown])
@@ -42,14 +43,14 @@ def system(recording: Recording) -> Figure | None:
     windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
     windows[1][0] = windows[0][0] = _hull(windows[0][0], windows[1][0])
     figure, panels = strip(recording, "The system", len(shown), windows)
-    for column, (name, snap) in enumerate(shown):
+    for column, (moment, (_, snap)) in enumerate(zip(found, shown, strict=True)):
         for view, row in ((SIDE, panels[0]), (TOP, panels[1])):
             draw(row[column], snap, view, norm)
         if ground is not None:
             draw_ground(panels[0][column], ground, lift)
             draw_holes(panels[1][column], ground, water_level(recording))
         draw_water(panels[0][column], recording, lift)
-        _title(panels[0][column], name, snap.time)
+        _title(panels[0][column], moment)
         label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
     panels[1][0].set_ylabel("top view (x, y)", fontsize=8, color=QUIET)
@@ -63,7 +64,7 @@ def stages(recording: Recording) -> Figure | None:
     found = stages_of(recording)
     if not (recording.rig.cranes or recording.rig.booms) or len(found) < 4:
         return None
-    shown = [(name, snapshot(recording, sample)) for name, sample in found]
+    shown = [(one.name, snapshot(recording, one.sample)) for one in found]
     norm = norm_of(shown)
     extent = lift = np.concatenate([snap.extent() for _, snap in shown])
     ground = ground_of(recording)
@@ -72,12 +73,12 @@ def stages(recording: Recording) -> Figure | None:
     window = window_of(SIDE.project(extent))
     figure, rows = strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
     panels = [panel for row in rows for panel in row]
-    for panel, (name, snap) in zip(panels, shown, strict=False):
+    for panel, moment, (_, snap) in zip(panels, found, shown, strict=False):
         if ground is not None:
             draw_ground(panel, ground, lift)
         draw(panel, snap, SIDE, norm)
         draw_water(panel, recording, lift)
-        _title(panel, name, snap.time)
+        _title(panel, moment)
     for panel in panels[len(shown) :]:
         panel.set_visible(False)
     scale_bar(panels[min(len(shown), 6) - 1])
@@ -90,7 +91,8 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
 
     None if it is not drawn, or has no sheaves or more than could be told from each other.
     """
-    shown = [(name, snapshot(recording, sample)) for name, sample in moments(recording)]
+    found = moments(recording)
+    shown = [(one.name, snapshot(recording, one.sample)) for one in found]
     has_sheaves = 0 < len(which.moving_sheaves) <= _MOST_DRAWN and which.mechanism == "sheaves"
     if not has_sheaves or which.name not in shown[0][1].frame_axes:
         return None
@@ -112,12 +114,12 @@ def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
         recording, f"Equalizer {which.name}", columns, [window] * titles, titles=titles, **room
     )
     row = [panel for panels in rows for panel in panels]
-    for panel, view, origin, (name, snap) in zip(row, views, origins, shown, strict=True):
+    for panel, view, origin, moment, (_, snap) in zip(row, views, origins, found, shown, strict=True):
         panel.set_xlim(*(window[0] + origin[0]))
         panel.set_ylim(*(window[1] + origin[1]))
         _draw_strokes(panel, recording, snap, view, which)
         draw(panel, snap, view, norm, large=True)
-        _title(panel, name, snap.time)
+        _title(panel, moment)
         label_sheaves(panel, snap, view, which)
     rows[titles // 2][0].set_ylabel(
         "seen across the frame\n(ticks: ends of stroke)", fontsize=7.5, color=QUIET
@@ -163,5 +165,6 @@ def _at_least(limits: FloatArray, span: float) -> FloatArray:
     return wider
 
 
-def _title(panel: Axes, name: str, time: float) -> None:
-    panel.set_title(f"{name}\n{time:.2f} s" if name else f"{time:.2f} s", fontsize=9, color=INK)
+def _title(panel: Axes, moment: Moment) -> None:
+    when = f"{moment.time:.2f} s"
+    panel.set_title(f"{moment.name}\n{when}" if moment.name else when, fontsize=9, color=INK)

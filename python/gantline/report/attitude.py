@@ -52,11 +52,11 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
     place = recording.column("body_position", load.body)
     drift = load_drift(recording, load)
     clear = series.load_is_clear(recording, load)
-    rows = [("largest tilt", f"{show(tilt[0], 'deg', 2)} at {show(tilt[1], 's', 1)}" if tilt else ABSENT)]
+    rows = [("largest tilt", _peak(tilt) if tilt else ABSENT)]
     turned = series.load_yaw(recording, load)
     yaw = None if turned is None else subject.peak(np.abs(turned))
     if yaw is not None:
-        rows.append(("largest yaw from the start", f"{show(yaw[0], 'deg', 2)} at {show(yaw[1], 's', 1)}"))
+        rows.append(("largest yaw from the start", _peak(yaw)))
     if lift_off is not None:
         at = min(int(np.searchsorted(recording.time, lift_off)), len(drift) - 1)
         rows.append(("drift at lift-off", show(float(drift[at]), "m", 3)))
@@ -69,6 +69,12 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
         rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
     rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))
     return rows
+
+
+def _peak(found: tuple[float, float]) -> str:
+    """The largest of an angle and when that was; no time of what rounds to nothing."""
+    angle = show(found[0], "deg", 2)
+    return angle if angle == show(0.0, "deg", 2) else f"{angle} at {show(found[1], 's', 1)}"
 
 
 def _tag_lines(subject: Subject) -> list[tuple[str, str]]:

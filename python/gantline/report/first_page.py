@@ -7,27 +7,25 @@ from typing import Any
 
 import numpy as np
 
-from gantline.checks import LIMITS, NO_WARNINGS, Check, Verdict, foremost, past_limits, verdict_of
+from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, past_limits, verdict_of
 from gantline.checks.forces import hook_force
 from gantline.checks.measure import everywhere
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
 from gantline.report.booms import boom_rows
 from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
-from gantline.report.holds import shares
 from gantline.report.rest import what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
+from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, share, show, typeset
 from gantline.results.metrics import energy_bound
-from gantline.results.rig import Step
+from gantline.results.rig import Rig
 from gantline.results.saved import digest_of
 
 _MOST_SLINGS = 16
-_MOST_STEPS = 16
 #: Of lifts afloat, whose vessels take room on the sheet.
 _MOST_SLINGS_AFLOAT = 4
-_MOST_STEPS_AFLOAT = 12
 _MOST_NAMED = 4
 _MOST_WARNINGS = 3
 #: Failed checks with their numbers, and such as are no more than named after them.
@@ -36,11 +34,8 @@ _MOST_FAILED_NAMED = 12
 #: Tilt at which a lift is stopped where it sets no limit of its own [rad]: 1 deg.
 _USUAL_TILT = float(np.deg2rad(1.0))
 
-#: Steps whose speed is that of something that goes along a line.
-_ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out")
-
-#: What no check of the program looks at, whatever the lift.
-_BEYOND = "local strength of the load at its lugs, {wind}, and the ground under supports and crane"
+#: Where whoever signs writes a wind limit that nobody has told.
+_BLANK = "not in the lift file; from the crane's manual: ______ m/s"
 
 
 class FirstPage(Section):
@@ -74,7 +69,7 @@ class FirstPage(Section):
             "afloat": afloat_facts(subject),
             "booms": boom_rows(subject),
             "stands_on_tracks": bool(subject.rig.crawlers),
-            "steps": _steps(subject, _MOST_STEPS_AFLOAT if is_afloat else _MOST_STEPS),
+            "steps": first_steps(subject),
             "stop_if": stop_if(subject),
             "what_if": what_if(subject),
             "trust": _trust(subject),
@@ -118,7 +113,7 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         "nearest": [] if failed else foremost(compared)[:3],
         "missing": _listed(missing) if missing else "",
         "without": _listed(without) if without else "",
-        "beyond": _BEYOND.format(wind="wind" if subject.rig.wind is None else "wind on cranes and ropes"),
+        "beyond": beyond(subject.rig),
     }
 
 
@@ -172,6 +167,25 @@ def _listed(names: list[str]) -> str:
     return ", ".join(names[:_MOST_NAMED]) + more
 
 
+def beyond(rig: Rig) -> str:
+    """What no check of the program looks at in this lift, in words."""
+    tracks = {one.name for one in rig.crawlers}
+    # What has a boom and no tracks is afloat.
+    booms = {one.name for one in rig.booms}
+    under = [
+        *(["supports"] if rig.supports else ["load"] if any(load.contacts for load in rig.loads) else []),
+        *(["crane"] if any(hook.crane not in tracks | booms for hook in rig.hooks) else []),
+        *(["tracks"] if any(one.allowed_pressure is None for one in rig.crawlers) else []),
+    ]
+    parts = ["local strength of the load at its lugs", "wind on cranes and ropes" if rig.wind else "wind"]
+    if under:
+        parts.append(f"bearing capacity of the ground under the {' and '.join(under)}")
+    only = [one.name for one in rig.crawlers if one.allowed_pressure is not None]
+    of = "" if len(only) == len(tracks) else f" of {', '.join(only)}"
+    looked = f"; ground under the tracks{of} only against the allowed pressure given" if only else ""
+    return ", ".join(parts[:-1]) + f" and {parts[-1]}" + looked
+
+
 def _weights(subject: Subject) -> list[tuple[str, str]]:
     """From calculated weight to hoist load, as the trade counts [t]."""
     rig = subject.rig
@@ -214,64 +228,10 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     return rows
 
 
-def _steps(subject: Subject, most: int) -> dict[str, Any]:
-    times = {name: time for time, _, name in subject.recording.events("step_begin")}
-    plan = subject.rig.plan
-    shared = shares(subject)
-    rows = [
-        {
-            "name": step.step,
-            "begin": show(times.get(step.step), "s", 1),
-            "does": _does(step),
-            "is_hold": _is_hold_point(step, plan[-1]),
-            "shares": shared.get(step.step, ""),
-            "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
-        }
-        for step in plan[:most]
-    ]
-    return {"rows": rows, "left_out": max(0, len(plan) - most)}
-
-
-def _is_hold_point(step: Step, last: Step) -> bool:
-    """Whether something waits for a release: after the last step nothing does, unless it requires some."""
-    return step.kind == "hold" and (step is not last or bool(step.require))
-
-
-def _does(step: Step) -> str:
-    """What a step does, at which speed, with which pins, and what goes or comes as it begins."""
-    speed = f" {60.0 * step.speed:.3g} m/min" if step.speed is not None and step.kind in _ALONG else ""
-    pins = [
-        f"{words} pins of {', '.join(names)}"
-        for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))
-        if names
-    ]
-    gear = [
-        f"{words} {', '.join(name.removeprefix('sling.') for name in names)}"
-        for words, names in (
-            ("take off", step.detach),
-            ("put on", step.attach),
-            ("cut", step.cut),
-            ("take away", step.remove_supports),
-        )
-        if names
-    ]
-    verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
-    return "; ".join(part for part in (f"{verb}{speed}", *pins, *gear) if part)
-
-
-def _requirement(key: str, bounds: Any) -> str:
-    measure = LIMITS.get(key)
-    texts = []
-    for side, limit in bounds.items():
-        bound = show(float(limit), measure.unit, measure.digits) if measure else str(limit)
-        texts.append(f"{key.replace('_', ' ')} {side} {bound}")
-    return ", ".join(texts)
-
-
 def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
-    found = ["a hook load is off its reading above by 10 %"]
+    found = ["a load cell differs by more than 10 % from its reading in the table “Hooks”"]
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         travel = limits.get("equalizer_travel_used")
@@ -310,8 +270,8 @@ def _wind(subject: Subject) -> list[str]:
     known = {crane.name: crane.wind_limit for crane in rig.cranes if crane.wind_limit is not None}
     found = [f"wind is over {show(limit, 'm/s', 0)}, the limit of {name}" for name, limit in known.items()]
     if not known or any(hook.crane not in known for hook in rig.hooks):
-        rest = "of the crane" if not known else "of any other crane"
-        found.append(f"wind is over the limit {rest}, which the lift file does not say")
+        whose = "the crane's limit" if not known else "the limit of any other crane"
+        found.append(f"wind exceeds {whose} ({_BLANK})")
     if rig.wind is not None:
         gusts = rig.wind.gust_speed
         what, most = ("wind is", rig.wind.speed) if gusts is None else ("gusts are", gusts)

@@ -16,6 +16,7 @@ from gantline.report.holds import HoldPoints
 from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tensions, Vessels
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.section import Section
+from gantline.report.steps import StepsContinued
 from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, LiftFile
 from gantline.results.recording import Recording
@@ -26,6 +27,7 @@ from gantline.viewer.inline import json_for_script, policy, script_is_safe
 #: Sections in the order of the report.
 SECTIONS: tuple[Section, ...] = (
     FirstPage(),
+    StepsContinued(),
     Player(),
     Tensions(),
     Equalizers(),

@@ -8,10 +8,12 @@ from typing import Any
 
 from gantline.report.section import Section
 from gantline.report.subject import Subject
+from gantline.results.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
 from gantline.results.drift import is_taken_along
 
 Plot = dict[str, Any]
 
+_SWING = "Swing of the load: how far its hooks hang aside of their upper sheaves"
 _WAVES = "Undisturbed waves amidships, above still water"
 
 
@@ -41,11 +43,14 @@ class _Plots(Section):
     def content(self, subject: Subject) -> dict[str, Any] | None:
         """What the template is given."""
         found = self.plots(subject) if subject.has_motion else []
-        return (
-            {"plots": [{**plot, "spec": json.dumps(plot, allow_nan=False)} for plot in found]}
-            if found
-            else None
-        )
+        if not found:
+            return None
+        plots = [{**plot, "spec": json.dumps(plot, allow_nan=False)} for plot in found]
+        return {"plots": plots, "missing": self.missing(subject)}
+
+    def missing(self, subject: Subject) -> str:
+        """What there is too little of for a plot, in words."""
+        return ""
 
 
 def _plot(title: str, group: str, unit: str, **more: Any) -> Plot:
@@ -126,13 +131,13 @@ class HookLoads(_Plots):
 
 
 class Attitude(_Plots):
-    """How loads hang: tilt, drift, height, and the gusts that they hang in."""
+    """How loads hang: tilt, drift or swing, height, and the gusts that they hang in."""
 
     anchor = "attitude"
     title = "Attitude"
 
     def plots(self, subject: Subject) -> list[Plot]:
-        """Tilt, drift, height, gusts."""
+        """Tilt, drift or swing, height, gusts; what is less than could be seen has no plot."""
         if not subject.rig.loads or "load_tilt" not in subject.recording:
             return []
         tilt = subject.rig.limits.get("load_tilt")
@@ -140,16 +145,28 @@ class Attitude(_Plots):
         drift = "Horizontal drift of the centre of gravity"
         if is_taken_along(subject.rig):
             drift += ", off the way of the plan"
-        found = [
-            _plot("Tilt of the load", "tilt", "deg", height=180, smallest=0.05, zero=True, limits=limits),
-            _plot(drift, "drift", "m", height=180, smallest=0.01, zero=True),
-            _plot(
-                "Height of the centre of gravity above its start", "height", "m", height=180, smallest=0.01
-            ),
-        ]
+        recording = subject.recording
+        # While a lift runs, what is too little for a plot may still come.
+        goes_on = not _is_over(subject)
+        found = []
+        if goes_on or tilt_of(recording):
+            found.append(
+                _plot("Tilt of the load", "tilt", "deg", height=180, smallest=0.05, zero=True, limits=limits)
+            )
+        if goes_on or drift_of(recording):
+            found.append(_plot(drift, "drift", "m", height=180, smallest=0.01, zero=True))
+        if not goes_on and swing_of(recording):
+            found.append(_plot(_SWING, "swing", "m", height=180, smallest=0.01, zero=True))
+        found.append(
+            _plot("Height of the centre of gravity above its start", "height", "m", height=180, smallest=0.01)
+        )
         if "wind_at_load" in subject.recording:
             found.append(_plot("Wind at the load, gusts included", "wind", "m/s", height=180, smallest=0.1))
         return found
+
+    def missing(self, subject: Subject) -> str:
+        """Tilt, drift and swing, where there is none that could be seen."""
+        return not_worth_a_plot(subject.recording) if _is_over(subject) else ""
 
 
 class Vessels(_Plots):
@@ -205,6 +222,10 @@ class Clearances(_Plots):
                 limits=limits,
             )
         ]
+
+
+def _is_over(subject: Subject) -> bool:
+    return subject.recording.attributes.get("status", "done") in ("done", "stopped", "failed")
 
 
 def _of_ropes(subject: Subject) -> str:

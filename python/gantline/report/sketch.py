@@ -8,7 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from gantline.report.sketch_names import Box, around_dot, has_room, hides_none, names_beside, text_box
+from gantline.report.sketch_names import (
+    Box,
+    around_dot,
+    has_room,
+    hides_none,
+    names_beside,
+    names_in_a_row,
+    text_box,
+)
 from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
 from gantline.results.boom import Boom
@@ -313,6 +321,12 @@ def _numbers(
     taken = [
         _box(mark) for mark in above if mark.kind == "centre" or (not plan and mark.kind in ("dot", "text"))
     ]
+    if not plan:
+        long = [(name, path) for name, path in shown if np.linalg.norm(path[-1] - path[0]) >= _NUMBERED]
+        ends = [(path[0], path[-1]) for _, path in long]
+        row = names_in_a_row(ends, [name for name, _ in long], WIDTH - MARGIN, taken)
+        if row is not None:
+            return marks + _row([name for name, _ in long], row)
     for name, path in shown:
         upper, lug = path[0], path[-1]
         tries = [upper + part * (lug - upper) for part in _ALONG]
@@ -329,6 +343,19 @@ def _numbers(
         left, right, height = chosen
         marks.append(Mark("text", "sk-number", x=(left + right) / 2, y=height, text=name))
     return marks
+
+
+def _row(names: list[str], row: list[tuple[float, float, FloatArray | None]]) -> list[Mark]:
+    """Names of slings in a row, each with what leads from it to its sling."""
+    marks = []
+    for x, y, led in row:
+        if led is not None:
+            marks.append(Mark("line", "sk-leader", drawn_path(np.array([(x, y), led]))))
+            marks.append(Mark("dot", "sk-led", x=float(led[0]), y=float(led[1])))
+    numbers = [
+        Mark("text", "sk-number", x=x, y=y, text=name) for name, (x, y, _) in zip(names, row, strict=True)
+    ]
+    return marks + numbers
 
 
 def _box(mark: Mark) -> Box:

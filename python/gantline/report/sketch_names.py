@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
 from gantline.results.variable import FloatArray
 
-__all__ = ["Box", "around_dot", "has_room", "hides_none", "names_beside", "text_box"]
+__all__ = ["Box", "around_dot", "has_room", "hides_none", "names_beside", "names_in_a_row", "text_box"]
 
 _LETTER = 1.75  # mm, mean width of a letter
 _LINE = 3.4  # mm, between lines
 _BESIDE = 2.5  # mm, from a dot to its name
 _DOT = 1.2  # mm, of a dot with its edge
 _LETTERS = 2.1  # mm, from the middle of a dot to the middle of a line of letters that just leaves it in sight
+_BOLD = 2.2  # mm, mean width of a bold letter, in the widest fonts
+_BETWEEN = 1.0  # mm, between names in a row
+_APART = 0.6  # mm, between lines that can be told from each other
+_LED = 4.5  # mm, how far below its name a line is met by what leads to it
+_MOST_IN_A_ROW = 8
 _TOGETHER = 1.5  # mm, between dots that look like one
 _DOWN = (0.0, 4.0, -4.0, 8.0)  # mm
 
@@ -32,6 +38,64 @@ def text_box(x: float, y: float, text: str, anchor: str = "middle") -> Box:
     wide = _LETTER * len(text)
     left = x - {"start": 0.0, "middle": wide / 2, "end": wide}[anchor]
     return left, left + wide, y
+
+
+def names_in_a_row(
+    ends: Sequence[tuple[FloatArray, FloatArray]], names: Sequence[str], right: float, taken: Sequence[Box]
+) -> list[tuple[float, float, FloatArray | None]] | None:
+    """Where names of lines that go down beside each other stand in one row.
+
+    Where the lines are too near to each other the names are spread in the same order, and led to their lines.
+
+    Args:
+        ends: Upper and lower end of each line on paper [mm], shape (2,) each.
+        names: One for each.
+        right: Where the paper ends [mm].
+        taken: What names may not lie on.
+
+    Returns:
+        x and y of each name [mm], and the place on its line to which it is led, None if it stands on it.
+        None at all where lines hide each other, or where there is no room for a row.
+    """
+    if not 1 < len(names) <= _MOST_IN_A_ROW:
+        return None
+    wide = [_BOLD * len(name) for name in names]
+    for height in _row_heights(ends):
+        on_line = [_at_height(*pair, height) for pair in ends]
+        order = sorted(range(len(names)), key=lambda one: float(on_line[one][0]))
+        gaps = [float(on_line[b][0] - on_line[a][0]) for a, b in pairwise(order)]
+        if min(gaps) < _APART:
+            continue
+        needed = [(wide[a] + wide[b]) / 2 + _BETWEEN for a, b in pairwise(order)]
+        is_spread = any(gap < need for gap, need in zip(gaps, needed, strict=True))
+        middles = [float(on_line[one][0]) for one in order]
+        if is_spread:
+            offsets = np.concatenate(
+                [[0.0], np.cumsum([max(*pair) for pair in zip(gaps, needed, strict=True)])]
+            )
+            middles = list(offsets - offsets.mean() + np.mean(middles))
+        found: dict[int, tuple[float, float, FloatArray | None]] = {}
+        for one, x in zip(order, middles, strict=True):
+            led = _at_height(*ends[one], height + _LED) if is_spread else None
+            found[one] = (float(x), height, led)
+        boxes = [(found[one][0] - wide[one] / 2, found[one][0] + wide[one] / 2, height) for one in found]
+        if all(has_room(box, taken) and box[0] >= 0.0 and box[1] <= right for box in boxes):
+            return [found[one] for one in range(len(names))]
+    return None
+
+
+def _row_heights(ends: Sequence[tuple[FloatArray, FloatArray]]) -> list[float]:
+    """Heights [mm] at which all lines are, with room to lead names to them; the best first."""
+    top, bottom = (choose(float(pair[end][1]) for pair in ends) for end, choose in ((0, max), (1, min)))
+    room = bottom - top - 2 * _LED
+    return [top + _LED + share * room for share in (0.5, 0.3, 0.7, 0.1, 0.9)] if room > 0.0 else []
+
+
+def _at_height(upper: FloatArray, lower: FloatArray, height: float) -> FloatArray:
+    """Where a line that goes down is at a height [mm]."""
+    share = (height - float(upper[1])) / float(lower[1] - upper[1])
+    place: FloatArray = upper + share * (lower - upper)
+    return place
 
 
 def has_room(box: Box, taken: Sequence[Box]) -> bool:

@@ -49,7 +49,7 @@ class Paper:
     def __init__(self, view: FloatArray, extent: FloatArray) -> None:
         flat = extent @ view.T
         low, high = flat.min(axis=0), flat.max(axis=0)
-        room = np.array([WIDTH - 14.0, HEIGHT - 10.0 - _BELOW])
+        room = np.array([WIDTH - 10.0, HEIGHT - 6.0 - _BELOW])
         self.scale = float(np.max((high - low) / room)) or 0.01
         self._view, self._middle = view, (low + high) / 2
         self._centre = np.array([WIDTH / 2, (HEIGHT - _BELOW) / 2 + 1.0])

@@ -238,7 +238,9 @@ class LiftFile(Section):
 
 def _setting(name: str, value: Any) -> str:
     if isinstance(value, dict):
-        return ", ".join(f"{key} {_setting(key, one)}" for key, one in value.items() if one is not None)
+        said = [(key, _setting(key, one)) for key, one in value.items() if one is not None]
+        # What kind of a thing it is needs no key before it.
+        return ", ".join(text if key == "type" else f"{key.replace('_', ' ')} {text}" for key, text in said)
     if name in _SETTING_UNITS and isinstance(value, int | float):
         return f"{value:.6g} {_SETTING_UNITS[name]}"
     return str(value)

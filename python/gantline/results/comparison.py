@@ -188,10 +188,11 @@ def compare(
     bodies_a, bodies_b = ({load.name: load.body for load in rig.loads} for rig in (rig_a, rig_b))
     sampled = bool(len(a.time) and len(b.time))
     only_a, only_b = _only(a, b)
+    differ = tolerances_of(a) != tolerances_of(b)
     return Comparison(
         a=a,
         b=b,
-        names=names or (f"{a.title} ({method_of(a)})", f"{b.title} ({method_of(b)})"),
+        names=names or (_name(a, differ), _name(b, differ)),
         common=common,
         metrics=_differences(a.metrics(), b.metrics()),
         counters=_differences(a.attributes.get("counters") or {}, b.attributes.get("counters") or {}),
@@ -208,9 +209,17 @@ def compare(
     )
 
 
-def method_of(recording: Recording) -> str:
-    """The integrator of a recording with what was set for it: `adaptive`, `del, step 1 ms`."""
+def tolerances_of(recording: Recording) -> tuple[float | None, float | None]:
+    """What the error of a step might be, of tensions [N] and positions [m]; None where nothing says."""
+    settings = recording.attributes["settings"]["integrator"]
+    return settings.get("tension_tolerance"), settings.get("position_tolerance")
+
+
+def method_of(recording: Recording, *, with_tolerances: bool = True) -> str:
+    """The integrator of a recording with what it went by: `del, step 1 ms`; tolerances too, or not."""
     settings = dict(recording.attributes["settings"]["integrator"])
+    if not with_tolerances:
+        settings |= {"tension_tolerance": None, "position_tolerance": None}
     words = [str(settings["type"])]
     if settings.get("step"):
         words.append(f"step {_short(settings['step'], 'ms')}")
@@ -223,6 +232,10 @@ def method_of(recording: Recording) -> str:
     elif settings.get("geometric_stiffness") is False:
         words.append("without geometric stiffness")
     return ", ".join(words)
+
+
+def _name(recording: Recording, with_tolerances: bool) -> str:
+    return f"{recording.title} ({method_of(recording, with_tolerances=with_tolerances)})"
 
 
 def peak_sling(recording: Recording) -> str | None:

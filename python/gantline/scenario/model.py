@@ -227,10 +227,15 @@ class Scenario(Element):
         return booms_of(self.cranes or {}, self.vessels or {})
 
     @property
+    def starts(self) -> str:
+        """The word of `start` that holds, also where none is written."""
+        has_rest = self.load is not None or self.vessels is not None
+        return self.start or ("rest" if has_rest else "as_given")
+
+    @property
     def starts_at_rest(self) -> bool:
         """Whether everything is in equilibrium before the lift begins."""
-        has_rest = self.load is not None or self.vessels is not None
-        return self.start == "rest" or (self.start is None and has_rest)
+        return self.starts == "rest"
 
     @property
     def load_has_settled(self) -> bool:

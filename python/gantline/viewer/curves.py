@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.aside import swing_of
 from gantline.results.drift import load_drift
 from gantline.results.families import families
 from gantline.results.recording import Recording
@@ -97,6 +98,8 @@ def _loads(recording: Recording) -> Iterator[Curve]:
         if load.contacts:
             force = series.support_force(recording, load)
             yield Curve("support", load.name, load.name, "kN", 1e-3, force)
+    for name, swing in swing_of(recording).items():
+        yield Curve("swing", name, name, "m", 1.0, swing)
     clear = series.is_clear(recording)
     for equalizer in recording.rig.equalizers:
         if equalizer.slings and clear.any():

@@ -169,6 +169,11 @@ impl Adaptive {
         }
     }
 
+    /// What an error may be in one step.
+    pub fn tolerance(&self) -> Tolerance {
+        self.tolerance
+    }
+
     /// Entries of the factors.
     pub fn fill(&self) -> usize {
         self.rodas.matrix.layout.symbolic.l_rows.len()

@@ -1,0 +1,99 @@
+"""Steps of the plan: on the first page as far as it has room, the rest in a table on the second sheet."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gantline.checks import LIMITS
+from gantline.report.holds import shares
+from gantline.report.section import Section
+from gantline.report.subject import Subject, show
+from gantline.results.rig import Step
+
+_MOST = 16
+#: Of lifts afloat, whose vessels take room on the sheet.
+_MOST_AFLOAT = 12
+
+#: Steps whose speed is that of something that goes along a line.
+_ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out")
+
+
+class StepsContinued(Section):
+    """The steps for which the first page has no room: nobody signs for steps that the sheets leave out."""
+
+    anchor = "steps"
+    title = "Steps, continued"
+    template = "steps.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        first = _most(subject)
+        rows = step_rows(subject)[first:]
+        return {"rows": rows, "first": first + 1} if rows else None
+
+
+def first_steps(subject: Subject) -> dict[str, Any]:
+    """Steps of the first page, and in words where the others are."""
+    rows, most = step_rows(subject), _most(subject)
+    left = len(rows) - most
+    joint = "and" if left == 2 else "to"
+    numbers = f"Step {len(rows)}" if left == 1 else f"Steps {most + 1} {joint} {len(rows)}"
+    return {"rows": rows[:most], "elsewhere": f"{numbers}: see sheet 2." if left > 0 else ""}
+
+
+def step_rows(subject: Subject) -> list[dict[str, Any]]:
+    """Each step of the plan: when it begins, what it does, holds and requires, how hooks share at its end."""
+    times = {name: time for time, _, name in subject.recording.events("step_begin")}
+    plan = subject.rig.plan
+    shared = shares(subject)
+    return [
+        {
+            "name": step.step,
+            "begin": show(times.get(step.step), "s", 1),
+            "does": _does(step),
+            "is_hold": _is_hold_point(step, plan[-1]),
+            "shares": shared.get(step.step, ""),
+            "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
+        }
+        for step in plan
+    ]
+
+
+def _most(subject: Subject) -> int:
+    return _MOST_AFLOAT if subject.rig.vessels else _MOST
+
+
+def _is_hold_point(step: Step, last: Step) -> bool:
+    """Whether something waits for a release: after the last step nothing does, unless it requires some."""
+    return step.kind == "hold" and (step is not last or bool(step.require))
+
+
+def _does(step: Step) -> str:
+    """What a step does, at which speed, with which pins, and what goes or comes as it begins."""
+    speed = f" {60.0 * step.speed:.3g} m/min" if step.speed is not None and step.kind in _ALONG else ""
+    pins = [
+        f"{words} pins of {', '.join(names)}"
+        for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))
+        if names
+    ]
+    gear = [
+        f"{words} {', '.join(name.removeprefix('sling.') for name in names)}"
+        for words, names in (
+            ("take off", step.detach),
+            ("put on", step.attach),
+            ("cut", step.cut),
+            ("take away", step.remove_supports),
+        )
+        if names
+    ]
+    verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
+    return "; ".join(part for part in (f"{verb}{speed}", *pins, *gear) if part)
+
+
+def _requirement(key: str, bounds: Any) -> str:
+    measure = LIMITS.get(key)
+    texts = []
+    for side, limit in bounds.items():
+        bound = show(float(limit), measure.unit, measure.digits) if measure else str(limit)
+        texts.append(f"{key.replace('_', ' ')} {side} {bound}")
+    return ", ".join(texts)
