@@ -166,7 +166,7 @@ def test_check_lists_what_follows_from_the_construction_of_a_rope(tmp_path: Path
     assert gantline_says("new", str(tmp_path / "lift"))[0] == 0
     out = gantline_says("check", str(tmp_path / "lift"))[1]
     # 0.460 d² 100 kN/mm², 0.409 d²/100 kg/m, 0.356 d² 1960 N with d = 44 mm
-    assert "sling_44 6x36 IWRC 89.1 MN 7.92 kg/m 1351 kN" in " ".join(out.split())
+    assert "sling_44 6x36 IWRC 89.06 MN 7.92 kg/m 1351 kN" in " ".join(out.split())
 
 
 def test_check_lists_how_the_weight_of_each_rope_acts(tmp_path: Path) -> None:
