@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -92,10 +93,8 @@ def draw_parts() -> Figure:
     panel.axis("off")
     radius, rail, over, top, bottom = 0.5, 4.1, 3.7, -1.9, -2.9
     moving, fixed = {0.5: 1.35, 2.5: 2.05, 4.5: 0.95}, (1.5, 3.5)
-    steel, load = (
-        {"facecolor": "#F1E4C8", "edgecolor": "#C98A10"},
-        {"facecolor": "#DDEBF5", "edgecolor": "#2777AE"},
-    )
+    steel: dict[str, Any] = {"facecolor": "#F1E4C8", "edgecolor": "#C98A10"}
+    load: dict[str, Any] = {"facecolor": "#DDEBF5", "edgecolor": "#2777AE"}
     panel.add_patch(Rectangle((-0.5, rail), 6.0, 0.9, lw=1.2, **steel))
     panel.plot([0.6, 2.5, 4.4], [rail + 0.9, 6.0, rail + 0.9], color=INK, lw=1.6)
     panel.plot(2.5, 6.0, marker="o", ms=9, mfc="white", mec=INK, mew=1.8)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 import signal
 import sys
@@ -20,7 +21,8 @@ def interrupt_a_search() -> None:
     """Ctrl-C for the main thread once it searches: its innermost frame is the one that called the core."""
     main = threading.main_thread().ident
     assert main is not None
-    while sys._current_frames()[main].f_code is not Statics.equilibrium.__code__:
+    search = inspect.unwrap(Statics.equilibrium)
+    while sys._current_frames()[main].f_code is not search.__code__:
         time.sleep(0.001)
     time.sleep(0.02)  # from the call into the core
     os.kill(os.getpid(), signal.SIGINT)
