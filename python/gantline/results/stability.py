@@ -17,6 +17,7 @@ import numpy as np
 from gantline.results.metrics import energy_bound
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
+from gantline.units import format_by_size
 
 #: Energy from nowhere up to which a run counts as stable, of the largest energy [1]. It is wider than the
 #: bound of the remainder, which leaves out what the method itself takes or gives within its tolerances.
@@ -91,7 +92,7 @@ class Stability:
         elif self.energy_gain is not None:
             yield f"no energy from nowhere beyond {100 * ENERGY_GAIN_BOUND:g} % of the largest energy"
         if self.complementarity_residual is not None:
-            yield f"forces keep their laws to {self.complementarity_residual:.2g} N"
+            yield f"forces keep their laws to {format_by_size(self.complementarity_residual, 'force', 2)}"
         if self.constraint_residual:
             yield f"inextensible ropes keep their length to {self.constraint_residual:.2g} m"
         if self.unconverged:
