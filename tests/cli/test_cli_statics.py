@@ -186,7 +186,7 @@ def test_where_a_run_has_got_to(tmp_path: Path) -> None:
         ),
         (
             ("equalizer", "--state", REFERENCE),
-            "is no state of a run, or is damaged or cut off; a run that cannot go on leaves one",
+            "it is no state of a run, or is damaged or cut off; a run of this lift that cannot go on leaves",
         ),
         (("equalizer", "--state", "nowhere.bin", "--time", "1 s"), "--time does not go with it"),
         (("mechanisms",), "e1 adjusts lengths step by step, which statics does not know"),

@@ -30,7 +30,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 LIFT = "a lift file or its folder is needed"
-NO_STATE = "is no state of a run, or is damaged or cut off; a run that cannot go on leaves one, 'state.bin'"
+NO_STATE = (
+    "the saved state cannot be used: it is no state of a run, or is damaged or cut off; "
+    "a run of this lift that cannot go on leaves one, 'state.bin'"
+)
 NO_RECORDING = "is no recording (.nc) and no folder with one; 'gantline run' makes recordings"
 CUT_OFF = "not a recording of gantline (it is cut off: copy it anew, or run the lift again)"
 SHARE = "needed is a share, written like '5 %' or '0.05'; angles are those of slope_x, slope_y and heading"

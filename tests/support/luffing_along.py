@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from lift_text import changed
+from upending import COLUMN
 
 #: Distance of the column's lugs, their height at the start, length of the boom, height of its heel pins [m].
 LINE, LOW, BOOM, HEEL = 19.0, 30.0, 70.0, 10.0
@@ -17,7 +18,8 @@ HOIST, LUFF = 0.05, math.radians(0.1)
 #: Before anything moves [s].
 WAIT = 10.0
 
-_LIFT = """\
+_LIFT = (
+    """\
 format: 1
 lift: {{title: A column between a hook and a boom}}
 duration: {duration} s
@@ -52,13 +54,9 @@ ropes:
           {{parts_each: 4, rope: hoist, sheave_diameter: 1 m, below_head: 1 m, sheave_block_mass: 1 t}}
         drum: {{diameter: 1.6 m}}
         hoist: {{speed: 10 m/min, acceleration: {hoist} m/s^2}}
-load:
-  name: column
-  shape: {{box: [20 m, 3 m, 3 m]}}
-  position: [0 m, 0 m, 28.5 m]
-  weight: {{calculated: 100 t}}
-  centre_of_gravity: {{at: [0 m, 0 m, 1.5 m]}}
-  lugs: {{a: {{at: [-9.5 m, 0 m, 1.5 m]}}, b: {{at: [9.5 m, 0 m, 1.5 m]}}}}
+"""
+    + COLUMN
+    + """\
 sling_defaults: {{rope: sling, length: {sling} m}}
 slings:
   S1: {{from: far, to: column.a}}
@@ -67,6 +65,7 @@ plan:
 {plan}
 simulation: {{sample_interval: 0.2 s{settings}}}
 """
+)
 #: Top of the tackles from the heel pins, along the boom from above and up [m].
 TOP = (-20.0, 35.0)
 _TACKLES = f"""\

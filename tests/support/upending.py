@@ -12,7 +12,18 @@ HOIST, TRAVERSE = 0.05, 0.05
 #: Before anything moves [s].
 WAIT = 10.0
 
-_TROLLEYS = """\
+#: The column of every lift here and in `luffing_along`, and where it lies at the start.
+COLUMN = """\
+load:
+  name: column
+  shape: {{box: [20 m, 3 m, 3 m]}}
+  position: [0 m, 0 m, 28.5 m]
+  weight: {{calculated: 100 t}}
+  centre_of_gravity: {{at: [0 m, 0 m, 1.5 m]}}
+  lugs: {{a: {{at: [-9.5 m, 0 m, 1.5 m]}}, b: {{at: [9.5 m, 0 m, 1.5 m]}}}}
+"""
+_TROLLEYS = (
+    """\
 format: 1
 lift: {{title: A column between two trolleys}}
 duration: {duration} s
@@ -44,13 +55,9 @@ cranes:
         position: 9.5 m
         traverse: {{speed: 10 m/min, acceleration: {traverse} m/s^2, range: [{least} m, 60 m]}}
         hooks: {{B: {{type: H, height: {high_b} m}}}}
-load:
-  name: column
-  shape: {{box: [20 m, 3 m, 3 m]}}
-  position: [0 m, 0 m, 28.5 m]
-  weight: {{calculated: 100 t}}
-  centre_of_gravity: {{at: [0 m, 0 m, 1.5 m]}}
-  lugs: {{a: {{at: [-9.5 m, 0 m, 1.5 m]}}, b: {{at: [9.5 m, 0 m, 1.5 m]}}}}
+"""
+    + COLUMN
+    + """\
 sling_defaults: {{rope: sling}}
 slings:
   S1: {{from: gol.A, to: column.a, length: {sling_a} m}}
@@ -59,6 +66,7 @@ plan:
 {plan}
 simulation: {{sample_interval: 0.2 s{settings}}}
 """
+)
 
 
 def between_trolleys(

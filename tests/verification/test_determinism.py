@@ -140,5 +140,5 @@ def test_a_state_of_another_lift_is_refused() -> None:
         with pytest.raises(ValueError, match="saved state"):
             other.restore(state)
     for damaged in (state[:-10], state.replace(b"0", b"1", 1), b""):
-        with pytest.raises(ValueError, match="it is none, or it is damaged or cut off"):
+        with pytest.raises(ValueError, match="it is no state of a run, or is damaged or cut off"):
             Simulation(SCENARIOS / "equalizer").restore(damaged)

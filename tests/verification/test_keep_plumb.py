@@ -164,7 +164,8 @@ def test_an_emergency_stop_ends_it() -> None:
     less = 10 / 3 * jerk * LOOK**2
     expected = (wanted - less) ** 2 / 2.0 / TRAVERSE
     assert place[at] - place[-1] == pytest.approx(expected, abs=0.1 * less * wanted / TRAVERSE)
-    # At rest, but for the last bits of the step in which it comes to rest.
+    # A place is its last one and what the drive lacks of it, rounded twice in the step that comes to rest;
+    # after it the difference is exact.
     still = place[time > 200.0 + wanted / TRAVERSE]
     assert np.abs(still - place[-1]).max() <= 2 * np.spacing(place[-1])
 

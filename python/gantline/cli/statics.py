@@ -205,10 +205,7 @@ def _rest(question: Statics, moment: float | None, state: Path | None, *, held: 
     except OSError as problem:
         stop(f"--state: {state}: cannot be read ({(problem.strerror or str(problem)).lower()})")
     except ValueError as problem:
-        if str(problem).endswith("cut off"):
-            found = "is no state of a run, or is damaged or cut off"
-            stop(f"--state: {state}: {found}; a run that cannot go on leaves one, 'state.bin'")
-        stop(f"--state: {state}: {problem}")
+        stop(f"--state: {state}: {problem}; a run of this lift that cannot go on leaves one, 'state.bin'")
 
 
 def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:

@@ -42,7 +42,7 @@ fn digest(bytes: &[u8]) -> String {
 fn checkpoint_of(bytes: &[u8]) -> Result<Checkpoint, SetupError> {
     let (text, end) = bytes.split_at(bytes.len().saturating_sub(DIGEST));
     if digest(text).as_bytes() != end {
-        return Err(SetupError::State("it is none, or it is damaged or cut off".to_owned()));
+        return Err(SetupError::State("it is no state of a run, or is damaged or cut off".to_owned()));
     }
     serde_json::from_slice(text).map_err(|error| SetupError::State(error.to_string()))
 }

@@ -1,6 +1,8 @@
 //! A lift at rest, from its document: where it hangs at any time of its plan, how it moves about that, and what it
 //! answers to what is uncertain. What the border hands on.
 
+mod way;
+
 use glam::DVec3;
 
 use super::losses::{Contacts, Losses, Sheaves};
@@ -10,7 +12,6 @@ use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{Event, EventKind, EventLog};
-use crate::plan::condition::Seen;
 use crate::record::Samples;
 use crate::record::columns::Columns;
 use crate::record::named::Named;
@@ -19,21 +20,10 @@ use crate::simulation::{SetupError, fingerprint, saved_state};
 use crate::solver::complementarity::Mode as RowMode;
 use crate::spec::SystemSpec;
 use crate::state::State;
-use crate::stepper::flows;
 use crate::stepper::frame::Frame;
 use crate::system::System;
 use crate::tree::joint::Motion;
 use crate::tree::kinematics::{Kinematics, Twist};
-
-/// Time between looks at the conditions of a plan [s].
-const LOOK: f64 = 0.1;
-/// Farthest look ahead: where a condition holds there, what lies before it is looked at by halves [s].
-const AHEAD: f64 = 16.0 * LOOK;
-/// Longest and shortest part of a plan that is followed at once [s].
-const LONGEST: f64 = 5.0;
-const SHORTEST: f64 = 1e-3;
-/// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
-const DOUBT: f64 = 1e-6;
 
 /// What is asked whether a search shall go on.
 pub type GoesOn<'a> = &'a mut dyn FnMut() -> bool;
@@ -125,71 +115,6 @@ impl StaticLift {
         let Self { system, state, statics, .. } = self;
         statics.resume(system, state);
         Ok(statics.go_on(system, state, losses).inspect(|_| self.sample(true)))
-    }
-
-    /// Whether the plan waits for a condition, or follows what there is to see, before `time` [s].
-    fn looks(&self, time: f64) -> bool {
-        let mut ahead = self.state.plan.clone();
-        ahead.advance(&self.system.plan, 0.0, time, None, &mut EventLog::new());
-        ahead.has_looked(&self.system.plan)
-    }
-
-    /// At once.
-    fn jump(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
-        let Self { system, state, statics, log, .. } = self;
-        log.events.clear();
-        state.plan.advance(&system.plan, 0.0, time, None, log);
-        state.time = time;
-        part(system, state);
-        statics.settle(system, state, losses)
-    }
-
-    /// From rest to rest. A condition is met at the first look at which it holds, `LOOK` apart: what holds for less than
-    /// `AHEAD`, and not at its end, may be missed.
-    fn follow(&mut self, time: f64, losses: Losses, goes_on: GoesOn) -> Result<Rest, NoEquilibrium> {
-        let Self { system, state, statics, log, .. } = self;
-        log.events.clear();
-        let mut support = vec![0.0; system.groups.len()];
-        part(system, state);
-        let mut rest = Some(statics.settle(system, state, losses)?);
-        let (mut before, mut stride) = (state.clone(), LONGEST);
-        while state.time < time {
-            unless_stopped(goes_on)?;
-            before.copy_from(state);
-            let now = state.time;
-            flows::supports(system, &state.tension, &mut support);
-            // What is due now begins now, so that it is known what that waits for.
-            let known = log.events.len();
-            flows::advance_plan(system, state, &placed(system, state), (now.next_up(), &support), log);
-            let waits = state.plan.waits_for_condition();
-            stride = stride.min(if waits { AHEAD } else { LONGEST });
-            let mut due = state.plan.next_time(&system.plan, now);
-            if waits {
-                // Nothing but the condition may come in between.
-                stride = if due < now + stride { stride.min(LOOK) } else { stride };
-                due = f64::INFINITY;
-            }
-            let next = (now + stride).min(due).min(time);
-            flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
-            state.time = next;
-            part(system, state);
-            let found = statics.follow(system, state, losses);
-            let is_short = next - now <= SHORTEST;
-            let is_late =
-                found.is_ok() && waits && stride > LOOK && is_fulfilled(system, state, &mut support);
-            if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
-                found?;
-                rest = None;
-                // The doubt is of second order in the length of a part: twice as long, four times as much.
-                stride *= if statics.doubt > 0.25 * DOUBT { 1.0 } else { 2.0 };
-            } else {
-                state.copy_from(&before);
-                log.events.truncate(known);
-                statics.resume(system, state);
-                stride = 0.5 * (next - now);
-            }
-        }
-        rest.map_or_else(|| statics.rest(system, state), Ok)
     }
 
     /// The samples are the start of the lift, where `from_start`, and the equilibrium.
@@ -440,58 +365,9 @@ impl StaticLift {
     }
 }
 
-fn unless_stopped(goes_on: GoesOn) -> Result<(), NoEquilibrium> {
-    if goes_on() {
-        return Ok(());
-    }
-    Err(NoEquilibrium { element: "the search".to_owned(), cause: "it was stopped".to_owned() })
-}
-
 /// Where everything is in a state.
 fn placed(system: &System, state: &State) -> Frame {
     let mut frame = Frame::new(system);
     frame.kinematics.update(&system.tree, &state.q, 0.0);
     frame
-}
-
-/// Whether a step under way waits for what holds now.
-fn is_fulfilled(system: &System, state: &State, support: &mut [f64]) -> bool {
-    flows::supports(system, &state.tension, support);
-    let kinematics = &placed(system, state).kinematics;
-    let tension =
-        |row: usize| flows::tension_at(system, kinematics, (row, &state.tension), [&state.q, &state.v]);
-    state.plan.is_fulfilled(&system.plan, &Seen { support, tension: &tension, kinematics })
-}
-
-/// Ropes that have been cut before now; slings and pins as the steps that have begun have them.
-fn part(system: &System, state: &mut State) {
-    for cut in &system.cuts {
-        if cut.due.is_before(state.time, &state.plan) {
-            if let Some(line) = cut.rope.checked_sub(system.rope_count) {
-                system.moorings().skip(line).take(1).for_each(|mooring| state.q[mooring.mark] = 1.0);
-                continue;
-            }
-            state.modes[system.rows.first[cut.rope]..system.rows.first[cut.rope + 1]].fill(RowMode::Parted);
-        }
-    }
-    for removal in system.removals.iter().filter(|removal| removal.due.is_before(state.time, &state.plan)) {
-        let rows = system.rows.first[removal.touch]..system.rows.first[removal.touch + 1];
-        state.modes[rows].fill(RowMode::Parted);
-    }
-    for sling in &system.slings {
-        let (is_on, _) = sling.wanted(state.plan.begun());
-        let rows = system.rows.first[sling.constraint]..system.rows.first[sling.constraint + 1];
-        for mode in state.modes[rows].iter_mut().filter(|mode| is_on == (**mode == RowMode::Off)) {
-            *mode = match *mode {
-                RowMode::Parted => RowMode::Parted,
-                _ if is_on => RowMode::Slack,
-                _ => RowMode::Off,
-            };
-        }
-    }
-    for pinning in &system.pins {
-        let (is_in, _) = pinning.wanted(state.plan.begun());
-        state.modes[system.rows.first[pinning.constraint]] =
-            if is_in { RowMode::Acting } else { RowMode::Slack };
-    }
 }
