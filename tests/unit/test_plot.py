@@ -1,5 +1,6 @@
 """Pictures: which a lift has, what stands on them, and that they are drawn where things are."""
 
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -8,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
@@ -15,6 +17,7 @@ from gantline.plot import figures, save_pictures
 from gantline.plot.drawing import SIDE, TOP, draw, norm_of
 from gantline.plot.labels import beside
 from gantline.plot.moments import moments
+from gantline.plot.panels import TENSION
 from gantline.plot.scene import Box, snapshot
 from gantline.plot.views import equalizer, system
 from gantline.results.recording import Recording
@@ -288,3 +291,12 @@ def test_the_link_of_a_frame_that_leans_ends_in_the_middle_of_its_top() -> None:
     draw(panel, snap, SIDE, norm_of([("start", snap)]))
     [link] = [line.get_xydata() for line in panel.lines]
     assert link == pytest.approx(np.array([[0.0, 0.0], [-3 * np.sin(lean), -3 * np.cos(lean)]]))
+
+
+def test_tensions_have_the_colours_of_the_player() -> None:
+    """One report has pictures and the player: `ramp` of the palette for light paper."""
+    theme = (Path(__file__).parents[2] / "viewer/src/theme.ts").read_text(encoding="utf-8")
+    ramp = re.search(r"LIGHT: Palette = \{\s*ramp: (\[.*?\]),\s*slack", theme, re.DOTALL)
+    assert ramp
+    stops = yaml.safe_load(ramp[1])
+    assert np.allclose(TENSION(np.linspace(0.0, 1.0, len(stops)))[:, :3], stops, atol=0.01)

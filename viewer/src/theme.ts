@@ -3,7 +3,8 @@
 export interface Palette {
   /**
    * From no tension to the largest: a quarter of it makes a difference to people who see no red, no green or no blue,
-   * and all of it stands out from ground and sky.
+   * and all of it stands out from ground and sky. On light paper it darkens throughout, so that it can be printed in
+   * grey; `gantline/plot/panels.py` draws with the same.
    */
   ramp: readonly [number, number, number][];
   slack: [number, number, number];
@@ -33,11 +34,11 @@ export interface Palette {
 
 const LIGHT: Palette = {
   ramp: [
-    [0.22, 0.5, 0.88],
-    [0.16, 0.3, 0.7],
-    [0.4, 0.14, 0.48],
-    [0.74, 0.12, 0.27],
-    [0.79, 0.4, 0.02],
+    [0.18, 0.52, 0.91],
+    [0.42, 0.34, 0.92],
+    [0.61, 0.12, 0.52],
+    [0.62, 0.02, 0.3],
+    [0.59, 0.0, 0.04],
   ],
   slack: [0.49, 0.51, 0.53],
   load: 0xdfe5ea,

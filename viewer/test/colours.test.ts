@@ -68,6 +68,15 @@ function parts(hex: number): Colour {
   return [hex >> 16, (hex >> 8) & 255, hex & 255].map((part) => part / 255);
 }
 
+it("ropes on light paper darken with their tension", () => {
+  const light = [...Array(33).keys()].map((place) => {
+    const out = new Float32Array(3);
+    rampInto(paletteOf("light"), place / 32, out, 0);
+    return lab(linear([...out]))[0]!;
+  });
+  for (let place = 1; place < light.length; place++) expect(light[place]!).toBeLessThan(light[place - 1]!);
+});
+
 describe.each(["light", "dark"] as const)("ropes in the %s", (theme) => {
   const palette = paletteOf(theme);
   const eighths = [...Array(9).keys()].map((place) => {

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, Normalize
@@ -20,8 +19,11 @@ from gantline.results.recording import Recording
 from gantline.results.surroundings import Ground, ground_of, water_cut, water_level
 from gantline.results.variable import FloatArray
 
-#: Colours of tensions.
-TENSION = LinearSegmentedColormap.from_list("tension", colormaps["YlOrRd"](np.linspace(0.3, 1.0, 64)))
+#: Colours of tensions, from none to the largest: those of the player on light paper (`viewer/src/theme.ts`).
+TENSION = LinearSegmentedColormap.from_list(
+    "tension",
+    [(0.18, 0.52, 0.91), (0.42, 0.34, 0.92), (0.61, 0.12, 0.52), (0.62, 0.02, 0.3), (0.59, 0.0, 0.04)],
+)
 _TITLES = 0.6  # height of the titles of a further row [inch]
 _BAR_BELOW = 8.0  # points from a panel to the bar of lengths below it
 _BOLD = 0.72 / 72.0  # mean width of a bold letter, inch per point of size
