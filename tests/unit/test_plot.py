@@ -1,5 +1,6 @@
 """Pictures: which a lift has, what stands on them, and that they are drawn where things are."""
 
+import ast
 import re
 import subprocess
 import sys
@@ -9,15 +10,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import yaml
 from matplotlib.figure import Figure
+from matplotlib.patches import Polygon
 from matplotlib.text import Text
 
 from gantline.plot import figures, save_pictures
 from gantline.plot.drawing import SIDE, TOP, draw, norm_of
 from gantline.plot.labels import beside
 from gantline.plot.moments import moments
-from gantline.plot.panels import TENSION
+from gantline.plot.panels import TENSION, draw_water
 from gantline.plot.scene import Box, snapshot
 from gantline.plot.views import equalizer, system
 from gantline.results.recording import Recording
@@ -258,6 +259,32 @@ def test_a_label_stands_clear_with_its_whole_length() -> None:
     assert short > right, "a short one has room farther to the right"
 
 
+def test_a_label_stays_on_its_paper_with_its_whole_length() -> None:
+    """A place 0.4 from the right edge: a name of 1.4 has its middle to the left of it."""
+    alone = np.zeros((1, 2))
+    right, _ = beside(np.zeros(2), 0.7, alone, 0.3, ((-5.0, 0.4), (-5.0, 5.0)))
+    assert right + 0.7 <= 0.4
+
+
+def test_waves_run_over_the_water_of_a_side_view() -> None:
+    """z = 2 m + a cos(k_x x + k_y y - w t + e), y = 3 m in the middle of the lift."""
+    wave = {"frequency": 0.7, "wave_number": [0.04, 0.03], "amplitude": 0.5, "phase": 0.2}
+    rig = {"title": "", "sea": {"components": [wave], "rise_time": 1.0}}
+    plain = ringing_lift(rig=rig)
+    water = {**plain.attributes, "scene": {"water": {"level": 2.0}}}
+    recording = Recording(plain.variables, plain.coordinates, water)
+    panel = Figure().add_subplot()
+    panel.set(xlim=(-50.0, 50.0), ylim=(-10.0, 20.0))
+    draw_water(panel, recording, np.array([[0.0, 1.0, 0.0], [0.0, 5.0, 0.0]]), 9.0)
+    (line,) = panel.lines
+    x, z = np.asarray(line.get_xdata()), np.asarray(line.get_ydata())
+    assert (x.min(), x.max()) == (-50.0, 50.0)
+    assert z == pytest.approx(2.0 + 0.5 * np.cos(0.04 * x + 0.03 * 3.0 - 0.7 * 9.0 + 0.2))
+    (filled,) = panel.patches
+    assert isinstance(filled, Polygon)
+    assert np.asarray(filled.get_xy())[:, 1].min() == -10.0
+
+
 def test_times_of_an_equalizer_with_many_sheaves_are_rows() -> None:
     """Side by side twenty sheaves would have a tenth of an inch each; a hundred none at all."""
     recording = ringing_lift()
@@ -298,5 +325,5 @@ def test_tensions_have_the_colours_of_the_player() -> None:
     theme = (Path(__file__).parents[2] / "viewer/src/theme.ts").read_text(encoding="utf-8")
     ramp = re.search(r"LIGHT: Palette = \{\s*ramp: (\[.*?\]),\s*slack", theme, re.DOTALL)
     assert ramp
-    stops = yaml.safe_load(ramp[1])
+    stops = ast.literal_eval(ramp[1])
     assert np.allclose(TENSION(np.linspace(0.0, 1.0, len(stops)))[:, :3], stops, atol=0.01)

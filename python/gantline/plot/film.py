@@ -72,7 +72,7 @@ class Film:
             if self._ground is not None:
                 panels.draw_ground(self._side, self._ground, self._lift)
                 panels.draw_holes(self._top, self._ground, water_level(recording))
-            panels.draw_water(self._side, recording, self._lift)
+            panels.draw_water(self._side, recording, self._lift, snap.time)
             panels.scale_bar(self._side)
             self._caption.set_text(self._said(snap.time))
             self._cursor.set_xdata([snap.time, snap.time])

@@ -94,7 +94,7 @@ def beside(
         rooms = np.sqrt(
             [np.min(np.maximum(np.abs(along - x) - half, 0.0) ** 2 + (upwards - y) ** 2) for x, y in places]
         )
-        rooms = np.minimum(rooms, np.minimum(places - least, most - places).min(axis=1))
+        rooms = np.minimum(rooms, (np.minimum(places - least, most - places) - (half, 0.0)).min(axis=1))
         if rooms.max() >= 0.8 * reach:
             break
     right, up = places[int(np.argmax(np.round(rooms, 6)))]

@@ -29,6 +29,7 @@ _BAR_BELOW = 8.0  # points from a panel to the bar of lengths below it
 _BOLD = 0.72 / 72.0  # mean width of a bold letter, inch per point of size
 _EARTH, EARTH_EDGE = "#ECE7DF", "#8C7B62"
 _WATER = "#3C86B0"
+_PLACES = 400  # of the surface of water with waves, from one end to the other
 
 
 def window_of(points: FloatArray, below: float = 0.0, above: float = 0.0) -> FloatArray:
@@ -91,16 +92,28 @@ def bare(panel: Axes, window: FloatArray) -> None:
         spine.set_zorder(6)  # above the ground that labels stand on
 
 
-def draw_water(panel: Axes, recording: Recording, lift: FloatArray) -> None:
-    """The water in a side view, cut where the lift is: what it fills is tinted."""
+def draw_water(panel: Axes, recording: Recording, lift: FloatArray, time: float) -> None:
+    """The water in a side view at a time [s], cut where the lift is: what it fills is tinted.
+
+    Waves are those that run there, in the vertical plane through the middle of the lift.
+    """
     level = water_level(recording)
     if level is None:
         return
     left, right = panel.get_xlim()
     low, _ = panel.get_ylim()
+    middle = float(lift[:, 1].min() + lift[:, 1].max()) / 2
     for corners in water_cut(ground_of(recording), level, 0, ((left, right), low), lift):
-        panel.add_artist(Polygon(corners, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
-        panel.plot(*corners[2:].T, color=_WATER, linewidth=1.0, zorder=3.9)
+        floor, surface = corners[:2], corners[2:]
+        sea = recording.rig.sea
+        if sea is not None:
+            x = np.linspace(surface[0, 0], surface[1, 0], _PLACES)
+            place = np.stack([x, np.full_like(x, middle)], axis=-1)
+            heights = level + sea.at(np.array([time]), place[None])[0]
+            surface = np.stack([x, np.maximum(heights, floor[0, 1])], axis=-1)
+        filled = np.concatenate([floor, surface])
+        panel.add_artist(Polygon(filled, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
+        panel.plot(*surface.T, color=_WATER, linewidth=1.0, zorder=3.9)
 
 
 def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:

@@ -49,7 +49,7 @@ def system(recording: Recording) -> Figure | None:
         if ground is not None:
             draw_ground(panels[0][column], ground, lift)
             draw_holes(panels[1][column], ground, water_level(recording))
-        draw_water(panels[0][column], recording, lift)
+        draw_water(panels[0][column], recording, lift, snap.time)
         _title(panels[0][column], moment)
         label_lugs(panels[1][column], recording, snap)
     panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
@@ -77,7 +77,7 @@ def stages(recording: Recording) -> Figure | None:
         if ground is not None:
             draw_ground(panel, ground, lift)
         draw(panel, snap, SIDE, norm)
-        draw_water(panel, recording, lift)
+        draw_water(panel, recording, lift, snap.time)
         _title(panel, moment)
     for panel in panels[len(shown) :]:
         panel.set_visible(False)
