@@ -291,3 +291,11 @@ mechanics:
     code, out, err = gantline_says("run", str(lift), "-o", str(tmp_path / "out"), "--integrator", "del")
     assert code == 2
     assert "the integrator del knows no friction of sheaves, drums and joints; use adaptive" in err
+
+
+def test_sheaves_that_are_alike_have_one_row() -> None:
+    """Falls of the Goliath crane have 2 x 8 and 2 x 8 sheaves, and 2 x 12 larger ones; its equalizers 3 x 9."""
+    lines = [line.split() for line in gantline_says("check", "goliath")[1].splitlines()]
+    rows = [line for line in lines if "sheaves" in line]
+    assert [int(row[row.index("sheaves") - 1]) for row in rows] == [8, 8, 8, 8, 12, 12, 9, 9, 9]
+    assert rows[0][:3] == ["hoist.goliath.U1.1/sheave_1", "to", "sheave_8,"]

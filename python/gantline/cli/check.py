@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
@@ -20,6 +22,7 @@ from gantline.cli.messages import (
 from gantline.cli.progress import progress
 
 if TYPE_CHECKING:
+    from gantline.results.gear import Sheave
     from gantline.results.recording import Recording
     from gantline.results.rig import Rig
     from gantline.scenario import Scenario
@@ -184,7 +187,7 @@ def _put_on_later(scenario: Scenario) -> list[str]:
 
 
 def _sheaves(rig: Rig) -> list[str]:
-    """Losses and inertia of each sheave that is not ideal."""
+    """Losses and inertia of each sheave that is not ideal; neighbours on a rope that are alike in one row."""
     from gantline.cli.table import show, table
 
     head = ("Sheave", "rope", "turns at a ratio of", "groove friction", "moves with the rope", "")
@@ -192,15 +195,18 @@ def _sheaves(rig: Rig) -> list[str]:
     def turns_at(ratio: float | None) -> str:
         return "never" if ratio is None else f"{ratio:.4f}" if ratio > 1.0 else "-"
 
-    rows = [
-        (
-            sheave.name,
+    def is_like(sheave: Sheave) -> tuple[str, ...]:
+        return (
             sheave.rope,
             turns_at(sheave.ratio),
             "-" if sheave.groove_friction is None else f"{sheave.groove_friction:g}",
             show(sheave.inertia, "kg", 1),
             sheave.inertia_from,
         )
-        for sheave in rig.sheaves
-    ]
+
+    def named(sheaves: Sequence[Sheave]) -> str:
+        first, last = sheaves[0].name, sheaves[-1].name.rpartition("/")[2]
+        return first if len(sheaves) == 1 else f"{first} to {last}, {len(sheaves)} sheaves"
+
+    rows = [(named(list(alike)), *like) for like, alike in groupby(rig.sheaves, is_like)]
     return table(head, rows, "llrrrl") if rows else []
