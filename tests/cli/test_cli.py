@@ -294,7 +294,7 @@ mechanics:
 
 
 def test_sheaves_that_are_alike_have_one_row() -> None:
-    """Falls of the Goliath crane have 2 x 8 and 2 x 8 sheaves, and 2 x 12 larger ones; its equalizers 3 x 9."""
+    """Falls of the Goliath crane have 2 x 8, 2 x 8 and 2 x 12 sheaves; its equalizers 3 x 9."""
     lines = [line.split() for line in gantline_says("check", "goliath")[1].splitlines()]
     rows = [line for line in lines if "sheaves" in line]
     assert [int(row[row.index("sheaves") - 1]) for row in rows] == [8, 8, 8, 8, 12, 12, 9, 9, 9]
