@@ -49,7 +49,7 @@ def draw_adjustment() -> Figure:
         travel = columns["joint_position"][:, names["joint"].index(f"p{i}")]
         style = {"color": colour(i), "lw": 3.0 if i == 0 else 1.6}
         forces.plot(exact.time, exact.force[:, i] / 1e3, label=f"$f_{i}$", **style)
-        travels.plot(exact.time, exact.travel[:, i], label=f"$p_{i}$", **style)
+        travels.plot(exact.time, exact.travel[:, i], label=f"$x_{i}$", **style)
         dots = {"color": colour(i), "ls": "", "marker": "o", "ms": 3.2}
         forces.plot(columns["time"], tension / 1e3, **dots)
         travels.plot(columns["time"], travel, **dots)
