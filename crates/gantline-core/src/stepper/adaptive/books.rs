@@ -127,9 +127,18 @@ impl Adaptive {
     fn book_point(&mut self, system: &System, state: &State, duration: f64) {
         // What follows is light: its velocity is that of the point, not of the course.
         self.point.v.copy_from_slice(&self.probe.v);
-        let (probe, v) = (&mut self.probe, &self.point.v);
-        let ledger = &mut self.flows;
-        for (dof, velocity) in v.iter().enumerate() {
+        self.book_motions(system, duration);
+        self.book_rows(system, state, duration);
+        self.book_slides(system, state, duration);
+        self.take_defect(system, state);
+        self.book_defect(system, state, duration);
+        self.look_at_coils(system, duration);
+    }
+
+    /// What drives, joints and forces on bodies give and take, and what the velocity's defect works.
+    fn book_motions(&mut self, system: &System, duration: f64) {
+        let (probe, ledger) = (&self.probe, &mut self.flows);
+        for (dof, velocity) in self.point.v.iter().enumerate() {
             let work = duration * probe.imbalance[dof] * velocity;
             if system.driven[dof].is_some() {
                 ledger.drive_work += work;
@@ -150,6 +159,11 @@ impl Adaptive {
             }
             ledger.fluid_work += duration * force.work(&at);
         }
+    }
+
+    /// What the dampers of rows take, what slips over brakes, and what the coils of drums hold and lose.
+    fn book_rows(&mut self, system: &System, state: &State, duration: f64) {
+        let (probe, ledger) = (&self.probe, &mut self.flows);
         for (row, law) in system.rows.laws.iter().enumerate() {
             let compliance = law.compliance();
             let (rate, tension) = (probe.rate[row], probe.tension[row]);
@@ -168,14 +182,18 @@ impl Adaptive {
             }
         }
         for (index, place) in system.coils.iter().enumerate() {
-            let flow = probe.frame.coil_flow(system, index, v[place.dof]);
+            let flow = probe.frame.coil_flow(system, index, self.point.v[place.dof]);
             ledger.friction += duration * flow.friction;
             // What the coils then come to hold is taken off again: see [`crate::stepper::coils::remember`].
             ledger.method += duration * flow.held;
         }
-        // Where a contact slides, its anchor takes T α̇ and what is left of the motion stretches spring and damper, all of it
-        // with the anchor's course: its law, over a damping time of microseconds, makes metres per second of what the
-        // tolerance lets a force be wrong by. What the damper's force then lacks is the method's.
+    }
+
+    /// Where a contact slides, its anchor takes T α̇ and what is left of the motion stretches spring and damper, all of it
+    /// with the anchor's course: its law, over a damping time of microseconds, makes metres per second of what the
+    /// tolerance lets a force be wrong by. What the damper's force then lacks is the method's.
+    fn book_slides(&mut self, system: &System, state: &State, duration: f64) {
+        let (probe, ledger) = (&self.probe, &mut self.flows);
         let anchors = probe.anchor_rate.iter().zip(&self.rate.anchor);
         for ((asked, course), &row) in anchors.zip(&system.friction) {
             if state.modes[row] == Mode::Slipping {
@@ -186,7 +204,11 @@ impl Adaptive {
                 ledger.method += damping * (course - asked) * stretch;
             }
         }
-        // The position's own defect, against inertia, gravity and springs: as if the bodies moved with it.
+    }
+
+    /// The position's own defect as motions of joints, bodies and rows: as if the bodies moved with it.
+    fn take_defect(&mut self, system: &System, state: &State) {
+        let probe = &mut self.probe;
         for (defect, phi_rate) in self.rate.phi.iter_mut().zip(&probe.phi_rate) {
             *defect -= phi_rate;
         }
@@ -202,6 +224,11 @@ impl Adaptive {
         coils::follow(system, &state.coils, &probe.frame.feeding, &mut self.rate.phi);
         probe.frame.kinematics.twists(&system.tree, &self.rate.phi, &mut self.defect);
         probe.rates(system, &self.defect, &self.rate.phi, &mut self.rows);
+    }
+
+    /// What that defect works against inertia, gravity and springs.
+    fn book_defect(&mut self, system: &System, state: &State, duration: f64) {
+        let (probe, ledger) = (&self.probe, &mut self.flows);
         let twists = (probe.dynamics.twists.as_slice(), self.defect.as_slice());
         let mut power = drift::power(&system.tree, &probe.frame.kinematics, twists, &mut self.changes);
         for (row, law) in system.rows.laws.iter().enumerate() {
@@ -238,6 +265,5 @@ impl Adaptive {
             power += force.energy_rate(&At { twist: self.defect[body], v: &self.rate.phi, ..at });
         }
         ledger.method -= duration * power;
-        self.look_at_coils(system, duration);
     }
 }
