@@ -4,6 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.polynomial import Chebyshev
+
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray, FloatArray
 from lift_text import changed
 from upending import COLUMN
 
@@ -15,6 +20,8 @@ LUG = 9.5
 SLING = 8.0
 #: Acceleration of the hoist, and of the boom that follows [m/s^2, rad/s^2].
 HOIST, LUFF = 0.05, math.radians(0.1)
+#: Speed of the hoist [m/s].
+SPEED = 4.0 / 60.0
 #: Before anything moves [s].
 WAIT = 10.0
 
@@ -169,3 +176,31 @@ def luffed_along(by: float, *, hoist: float = 4.0, follow: float = 12.0) -> str:
             "{step: rest, hold: 20 s}",
         ]
     )
+
+
+def boom_by_circles(hoisted: FloatArray, angle: float, *, inwards: bool) -> FloatArray:
+    """Angle of the boom [rad] with plumb falls, the other lug hoisted by so much [m] from level."""
+    across = LUG - LINE - heel_of(angle, inwards=inwards)
+    high = hoisted + BOOM * math.sin(math.radians(angle))  # over the heel pins, let down by the falls
+    apart = np.hypot(across, high)
+    between = np.arccos((BOOM**2 + apart**2 - LINE**2) / (2 * BOOM * apart))
+    to_head: FloatArray = np.arctan2(high, across) - between
+    return to_head if inwards else math.pi - to_head
+
+
+def way_by_circles(angle: float, *, inwards: bool, by: float) -> Chebyshev:
+    """The same as a polynomial; its derivatives are those of the circles to 1e-8 and better."""
+    return Chebyshev.interpolate(lambda up: boom_by_circles(up, angle, inwards=inwards), 40, [-0.5, by + 0.5])
+
+
+def steady(recording: Recording, by: float) -> BoolArray:
+    """While the hook hoists steadily."""
+    during: BoolArray = (recording.time > WAIT + 10.0) & (recording.time < WAIT + by / SPEED)
+    return during
+
+
+def hoisted(recording: Recording) -> FloatArray:
+    """How far the other hook has been hoisted [m]."""
+    height = recording.column("body_position", "far")[:, 2]
+    up: FloatArray = height - height[0]
+    return up

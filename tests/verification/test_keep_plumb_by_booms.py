@@ -20,7 +20,7 @@ from gantline.checks import check_recording
 from gantline.cli.summary import summary
 from gantline.results.progress import spans
 from gantline.results.recording import Recording
-from gantline.results.variable import BoolArray, FloatArray
+from gantline.results.variable import FloatArray
 from gantline.scenario import parse_scenario
 from gantline.scenario.luffing import LuffingGear
 from lift_text import changed
@@ -29,22 +29,22 @@ from luffing_along import (
     HEEL,
     LINE,
     LOW,
-    LUG,
     SLING,
+    SPEED,
     TOP,
     WAIT,
-    afloat,
+    boom_by_circles,
     by_a_boom,
-    heel_of,
+    hoisted,
     luffed_along,
+    steady,
+    way_by_circles,
 )
 from mechanics import G
 from upending import by_crawlers
 
 #: Time between looks [s], as `crates/gantline-core/src/plan/follow.rs` has it.
 LOOK = 1.0
-#: Speed of the hoist [m/s].
-SPEED = 4.0 / 60.0
 #: What a hook bears, half of the column and its hook block, and EA of hoist ropes and slings [N].
 BORNE, STIFF = 0.55e6, 2e11
 #: Angle of the boom at the start [deg], whether it luffs in, how far the other hook hoists [m].
@@ -54,21 +54,6 @@ CASES = [(60.0, True, 17.0), (40.0, True, 17.0), (78.0, True, 17.0), (60.0, Fals
 @cache
 def run(text: str) -> Recording:
     return gantline.simulate(parse_scenario(text))
-
-
-def boom_by_circles(hoisted: FloatArray, angle: float, *, inwards: bool) -> FloatArray:
-    """Angle of the boom [rad] with plumb falls, the other lug hoisted by so much [m] from level."""
-    across = LUG - LINE - heel_of(angle, inwards=inwards)
-    high = hoisted + BOOM * math.sin(math.radians(angle))  # over the heel pins, let down by the falls
-    apart = np.hypot(across, high)
-    between = np.arccos((BOOM**2 + apart**2 - LINE**2) / (2 * BOOM * apart))
-    to_head: FloatArray = np.arctan2(high, across) - between
-    return to_head if inwards else math.pi - to_head
-
-
-def way_by_circles(angle: float, *, inwards: bool, by: float) -> Chebyshev:
-    """The same as a polynomial; its derivatives are those of the circles to 1e-8 and better."""
-    return Chebyshev.interpolate(lambda up: boom_by_circles(up, angle, inwards=inwards), 40, [-0.5, by + 0.5])
 
 
 def lugs_at(boom: FloatArray, hoisted: FloatArray, angle: float) -> FloatArray:
@@ -83,19 +68,6 @@ def behind(place: Chebyshev, hoisted: FloatArray) -> tuple[FloatArray, FloatArra
     second, third, fourth = (place.deriv(order)(hoisted) * SPEED**order for order in (2, 3, 4))
     late: FloatArray = 13 / 4 * second * LOOK**2 - 31 / 4 * third * LOOK**3
     return late, np.abs(631 / 48 * fourth * LOOK**4)
-
-
-def steady(recording: Recording, by: float) -> BoolArray:
-    """While the hook hoists steadily."""
-    during: BoolArray = (recording.time > WAIT + 10.0) & (recording.time < WAIT + by / SPEED)
-    return during
-
-
-def hoisted(recording: Recording) -> FloatArray:
-    """How far the other hook has been hoisted [m]."""
-    height = recording.column("body_position", "far")[:, 2]
-    up: FloatArray = height - height[0]
-    return up
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -322,40 +294,3 @@ def test_a_crane_that_slews_may_luff_as_well() -> None:
         worst.append(float(np.degrees(recording.column("falls_out_of_plumb", "tail.H")[during].max())))
     assert worst[0] < 0.1
     assert worst[1] > 2.0
-
-
-def on_a_barge(plan: str, duration: float) -> Recording:
-    """A boom that luffs in, on a barge of 9000 t; ropes as they are."""
-    lift = by_a_boom(plan, inwards=True, angle=60.0, tackles=True, rope=200.0, duration=duration)
-    return run(afloat(lift, angle=60.0))
-
-
-def test_a_boom_afloat_does_not_shake_its_vessel_up() -> None:
-    """The barge pitches with 4.3 s and next to no damping, to which a boom that follows adds nothing.
-
-    One that looked every second went along with that, and brought 0.03 deg to 0.36 deg within 150 s.
-    """
-    plan = """\
-{step: kick, luff: fc, speed: 12 deg/min, by: 0.3 deg}
-{step: creep, hoist: far, speed: 0.001 m/min, by: 6 mm}
-{step: follow, luff: fc, starts: with_previous, speed: 12 deg/min, keep_plumb: fc.B}"""
-    recording = on_a_barge(plan, 400.0)
-    trim = np.degrees(recording.column("vessel_trim", "barge"))
-    first, last = (np.ptp(trim[(recording.time > at) & (recording.time < at + 40.0)]) for at in (20.0, 340.0))
-    assert first > 0.03
-    assert last < first
-
-
-def test_a_boom_afloat_looks_every_10_s_and_is_as_late() -> None:
-    """13/4 p'' T^2 as ashore, T = 10 s, is up to 0.1 m at the head, on 48 m of falls and sling.
-
-    That leans by 0.1 deg; as much again for the swing of a load that is not plumb as it begins.
-    """
-    recording = on_a_barge(luffed_along(17.0), 345.0)
-    during, up = steady(recording, 17.0), hoisted(recording)
-    late, _ = behind(way_by_circles(60.0, inwards=True, by=17.0), up)
-    most = BOOM * 100.0 * late[during].max() / (HEEL + BOOM * math.sin(math.radians(60.0)) - LOW + SLING)
-    falls = recording.column("falls_out_of_plumb", "fc.B")
-    assert falls[during].max() < 2.0 * most
-    trim = recording.column("vessel_trim", "barge")
-    assert np.ptp(np.degrees(trim)) < 0.1

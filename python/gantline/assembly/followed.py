@@ -17,8 +17,10 @@ from gantline.scenario.steps import AlongStep
 
 __all__ = ["followed"]
 
-#: Time between looks, on land and where a crane floats [s].
+#: Time between looks, on land and about that where a crane floats [s].
 _LOOKS, _LOOKS_AFLOAT = 1.0, 10.0
+#: Glances of which such a look is the mean, so that vessels may pitch and loads swing in between.
+_GLANCES_AFLOAT = 10
 
 
 def followed(
@@ -37,23 +39,34 @@ def followed(
     assert one is not None  # checked with the file
     others = hooks_beside(scenario, rigging, one)
     own = [full_name(text, scenario.hooks) or text for text in hooks]
+    every, glances = _looks(scenario, [*own, *others])
     return {
         "type": "follow",
         "way": _way(scenario, one, own),
-        "every": _every(scenario, [*own, *others]),
+        "every": every,
+        "glances": glances,
         "own": [_lead(scenario, rigging, parts, name) for name in own],
         "others": [_lead(scenario, rigging, parts, name) for name in others],
     }
 
 
-def _every(scenario: Scenario, hooks: list[str]) -> float:
-    """Time between looks [s]: longer than vessels take to pitch and roll where a crane among them floats.
+def _looks(scenario: Scenario, hooks: list[str]) -> tuple[float, int]:
+    """Time between looks [s], and of how many glances each is the mean.
 
-    A boom that goes along with every pitch pushes its vessel a quarter of a period later, and shakes it up.
+    Where a crane among them floats the time is longer than vessels take to pitch and roll: a boom that goes
+    along with every pitch pushes its vessel a quarter of a period later, and shakes it up. In waves it is a
+    whole number of periods of the highest, whose mean is none.
     """
     cranes = [(scenario.cranes or {})[scenario.hooks[name].crane] for name in hooks]
     is_afloat = any(isinstance(crane, FloatingCrane) and crane.vessel is not None for crane in cranes)
-    return _LOOKS_AFLOAT if is_afloat else _LOOKS
+    if not is_afloat:
+        return _LOOKS, 1
+    waves = (scenario.waves or {}).values()
+    highest = max(waves, key=lambda train: train.main_height, default=None)
+    if highest is None:
+        return _LOOKS_AFLOAT, _GLANCES_AFLOAT
+    period = highest.main_period
+    return max(round(_LOOKS_AFLOAT / period), 1) * period, _GLANCES_AFLOAT
 
 
 def _way(scenario: Scenario, one: Mover, own: list[str]) -> Json:

@@ -118,7 +118,7 @@ def _wave_trains(scenario: Scenario) -> list[Json]:
         {
             "name": name,
             "direction": train.direction,
-            "height": train.height or train.significant_height,
+            "height": train.main_height,
             "period": train.main_period,
             "is_regular": train.is_regular,
             "seed": None if train.is_regular else train.seed,

@@ -163,7 +163,7 @@ def _refuse_breaking(scenario: Scenario, name: str, train: WaveTrain) -> None:
     frequency = np.array([2 * math.pi / train.main_period])
     number = float(wave_number(frequency, scenario.simulation.gravity, depth)[0])
     most = _BREAKS * 2 * math.pi / number * (1.0 if depth is None else math.tanh(number * depth))
-    height = train.height or train.significant_height or 0.0
+    height = train.main_height
     if height > most:
         key = "height" if train.is_regular else "significant_height"
         where = "in deep water" if depth is None else f"in a depth of {depth:g} m"

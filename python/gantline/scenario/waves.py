@@ -72,6 +72,13 @@ class WaveTrain(Element):
         return self.height is not None
 
     @property
+    def main_height(self) -> float:
+        """Height, of a sea the significant one [m]."""
+        height = self.height if self.is_regular else self.significant_height
+        assert height is not None  # validated
+        return height
+
+    @property
     def main_period(self) -> float:
         """Period, of a sea that of the peak of its spectrum [s]."""
         period = self.period if self.is_regular else self.peak_period

@@ -85,7 +85,7 @@ pub(super) fn build_condition(
 /// What a drive follows, of the step `name`.
 pub(super) fn build_follow(
     name: &str,
-    (way, every): (Way, f64),
+    (way, every, glances): (Way, f64, u32),
     (own, others): (&[LeadSpec], &[LeadSpec]),
     tree: &Tree,
     ropes: (&[AnyConstraint], &Rows),
@@ -105,7 +105,7 @@ pub(super) fn build_follow(
     if own.is_empty() || others.is_empty() {
         return error(name, "what follows needs a hook of its own, and another");
     }
-    Ok(Follow { way, every, own: leads(own)?, others: leads(others)?, down })
+    Ok(Follow { way, every, glances, own: leads(own)?, others: leads(others)?, down })
 }
 
 /// How a drive of the step `name` takes hooks along.

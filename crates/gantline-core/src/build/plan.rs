@@ -149,11 +149,12 @@ fn build_step(
             Until::Duration(*duration)
         }
         UntilSpec::EndOfRun {} => Until::EndOfRun,
-        UntilSpec::Follow { way, every, own, others } => match moves[..] {
+        UntilSpec::Follow { way, every, glances, own, others } => match moves[..] {
             [Move { drive, .. }, ..] => {
                 positive(name, "the time between looks", *every)?;
+                positive(name, "the number of glances", f64::from(*glances))?;
                 let way = build_way(name, &drives[drive], way, tree)?;
-                Until::Follow(build_follow(name, (way, *every), (own, others), tree, ropes)?)
+                Until::Follow(build_follow(name, (way, *every, *glances), (own, others), tree, ropes)?)
             }
             [] => return error(name, "a drive follows"),
         },

@@ -68,6 +68,8 @@ pub struct Follow {
     pub way: Way,
     /// Time between looks [s].
     pub every: f64,
+    /// How many glances a look is the mean of.
+    pub glances: u32,
     /// Hooks that it moves.
     pub own: Vec<Lead>,
     /// The other hooks of the load.
@@ -87,11 +89,32 @@ pub struct View {
 
 /// What a drive keeps of a look.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Glance {
-    /// When that was [s].
+pub struct Look {
+    /// When that was, in the mean of its glances [s].
     pub at: f64,
-    /// Where the drive should have been [m or rad].
+    /// Where the drive should have been, in the mean [m or rad].
     pub place: f64,
+}
+
+/// Sums over the glances since the last look.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Glances {
+    count: u32,
+    at: f64,
+    place: f64,
+}
+
+impl Glances {
+    /// Where the drive should be at a time [s], as it is seen then [m or rad].
+    pub fn add(&mut self, at: f64, place: f64) {
+        (self.count, self.at, self.place) = (self.count + 1, self.at + at, self.place + place);
+    }
+
+    /// Their mean, if there are any.
+    pub fn mean(&self) -> Option<Look> {
+        let count = f64::from(self.count);
+        (self.count > 0).then(|| Look { at: self.at / count, place: self.place / count })
+    }
 }
 
 impl Lead {

@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::condition::Seen;
 use super::drive::Timeline;
-use super::follow::{Glance, SETTLING};
+use super::follow::SETTLING;
 use super::step::{EmergencyStop, Move, Plan, Step, StopAt, Until};
 use crate::event::{EventKind, EventLog};
-use looks::look_every;
+use looks::{Following, look_every};
 
 /// What a step may go beyond the end of a range by rounding.
 const ROUNDING: f64 = 1e-9;
@@ -29,12 +29,7 @@ enum Phase {
     /// It ended at this time.
     Ended(f64),
     /// A drive follows until all that began with its step has ended.
-    Following {
-        /// Time of the next look.
-        next: f64,
-        /// What it saw at the last look.
-        before: Option<Glance>,
-    },
+    Following(Following),
 }
 
 /// Where the plan stands, and the course of every drive.
@@ -63,8 +58,8 @@ enum Due {
     End(usize),
     /// The same at the end of a range.
     Limit(usize),
-    /// A look of a drive that follows.
-    Look(usize),
+    /// A glance of a drive that follows.
+    Glance(usize),
     /// It has followed long enough.
     Rest(usize),
     Begin,
@@ -117,7 +112,7 @@ impl PlanState {
                     log.push(at, EventKind::StepEnd, index);
                     self.phases[index] = Phase::Ended(at);
                 }
-                Due::Look(index) => self.look(plan, (index, at), seen),
+                Due::Glance(index) => self.glance(plan, (index, at), seen),
                 Due::Rest(index) => {
                     self.phases[index] = Phase::UntilTime(self.brake(&plan.steps[index], at));
                 }
@@ -135,9 +130,9 @@ impl PlanState {
                 Phase::UntilTime(end) => (end, Due::End(index)),
                 Phase::UntilLimit(end) => (end, Due::Limit(index)),
                 Phase::UntilCondition(end) if end < f64::MAX => (end, Due::Limit(index)),
-                Phase::Following { next, .. } => {
+                Phase::Following(Following { next, .. }) => {
                     let rest = self.led_until(plan) + SETTLING * look_every(&plan.steps[index]);
-                    if rest <= next { (rest, Due::Rest(index)) } else { (next, Due::Look(index)) }
+                    if rest <= next { (rest, Due::Rest(index)) } else { (next, Due::Glance(index)) }
                 }
                 _ => continue,
             };
@@ -246,10 +241,7 @@ impl PlanState {
         let under_way = |index: &usize| {
             matches!(
                 self.phases[*index],
-                Phase::UntilCondition(_)
-                    | Phase::UntilTime(_)
-                    | Phase::UntilLimit(_)
-                    | Phase::Following { .. }
+                Phase::UntilCondition(_) | Phase::UntilTime(_) | Phase::UntilLimit(_) | Phase::Following(_)
             )
         };
         let last = (self.stage..self.begun).rev().find(under_way).filter(|_| !self.stopped);
@@ -257,8 +249,8 @@ impl PlanState {
     }
 
     fn begin_step(&mut self, step: &Step, begin: f64) -> Phase {
-        if let Until::Follow(_) = step.until {
-            return Phase::Following { next: begin, before: None };
+        if let Until::Follow(follow) = &step.until {
+            return Phase::Following(Following::from(begin, follow));
         }
         let distances: Option<&[f64]> = match &step.until {
             Until::Distance(distance) => Some(std::slice::from_ref(distance)),

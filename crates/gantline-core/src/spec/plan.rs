@@ -211,6 +211,8 @@ pub enum UntilSpec {
         way: WaySpec,
         /// Time between looks [s].
         every: f64,
+        /// How many glances a look is the mean of: what swings faster than it looks takes it no way then.
+        glances: u32,
         /// Hooks that the drive moves.
         own: Vec<LeadSpec>,
         /// The other hooks of the load.
