@@ -1,6 +1,6 @@
 """A label such as (WI2) is one equation in all documents, and whoever names it finds it.
 
-Letters are those of one page of `docs/concepts`, and the table of its index says of which. Plain numbers
+Letters are those of one page of `docs/concepts`, and the tables of its index say of which. Plain numbers
 are the paper's.
 """
 
