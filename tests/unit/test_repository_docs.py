@@ -107,20 +107,3 @@ def test_every_verification_says_what_it_compares_with() -> None:
             assert named, module
             silent += [f"{module.name}: {node.name}" for node in named if not ast.get_docstring(node)]
     assert silent == []
-
-
-def test_every_equation_that_a_page_names_is_its_own_or_linked() -> None:
-    """Letters repeat from page to page: (M3) is one equation of modes and another one of mechanisms."""
-    pages = {path: path.read_text(encoding="utf-8") for path in (ROOT / "docs").rglob("*.md")}
-    tagged = {path: set(re.findall(r"\\tag\{([A-Z]{1,2}\d+)\}", text)) for path, text in pages.items()}
-    assert sum(len(labels) for labels in tagged.values()) > 100, "pages number their equations as they did"
-    link = re.compile(r"\[[^\]]*?\(([A-Z]{1,2}\d+)\)[^\]]*?\]\(([^)#]+)[^)]*\)")
-    wrong = []
-    for path, text in pages.items():
-        led = [(label, (path.parent / to).resolve()) for label, to in link.findall(text)]
-        wrong += [
-            f"{path.name}: ({label}) is not on {to.name}" for label, to in led if label not in tagged[to]
-        ]
-        named = set(re.findall(r"\(([A-Z]{1,2}\d{1,2})\)", link.sub("", text)))
-        wrong += [f"{path.name}: ({label}) stands elsewhere" for label in sorted(named - tagged[path])]
-    assert wrong == []

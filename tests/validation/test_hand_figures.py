@@ -81,7 +81,7 @@ def test_one_equalizer_tilts_by_its_depth() -> None:
 
 
 def test_its_tilting_period() -> None:
-    """Lift A: 5.2 s by hand, with the lugs held; 4.0 s and 3.9 s on slings, on which they move (M4)."""
+    """Lift A: 5.2 s by hand, with the lugs held; 4.0 s and 3.9 s on slings, on which they move (MD4)."""
     question, rest = at_rest(load_scenario(SCENARIO), None)
     modes = question.modes()
     (found,) = tilting_of(question, rest, modes)

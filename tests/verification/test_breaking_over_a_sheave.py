@@ -1,7 +1,7 @@
 """A rope that breaks while it runs over a sheave with losses and inertia, against equations of its own.
 
 With s what has passed the sheave, L₁ = L₀ − s and L₂ = L₀ + s unstretched on either side, ε the strain there,
-w = √(L₀/L) and g = w (ℓ − L) of each side (docs: flows, F3 to F6),
+w = √(L₀/L) and g = w (ℓ − L) of each side (docs: flows, (F3) to (F6)),
 
     T = w EA/L₀ (g + τ ġ)        I s̈ = T₂ (1 + ε₂/2) − T₁ (1 + ε₁/2) − σ (T₁ + T₂) sign ṡ
 

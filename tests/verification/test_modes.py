@@ -112,7 +112,7 @@ def test_three_legged_bridle() -> None:
 def test_two_crane_tandem_lift() -> None:
     """Tandem lift, centre of gravity a and b from plumb falls: W b/(a + b) and W a/(a + b), four periods.
 
-    Along the line of hooks ω² = g/L, across it with the roll that of (M4), about the plumb W a b/(I L).
+    Along the line of hooks ω² = g/L, across it with the roll that of (MD4), about the plumb W a b/(I L).
     """
     mass, length, below, a, b = 200e3, 20.0, 1.5, 4.0, 8.0
     inertia = (4e5, 3e6, 2.5e6)

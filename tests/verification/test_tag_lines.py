@@ -4,8 +4,8 @@ A tugger with the mass m and the pull P that has paid out s obeys
 
     m s̈ = T - P,   T = EA (ℓ/L - 1) + damping,   L̇ = ṡ/(1 + ε),   ε = ℓ/L - 1,
 
-(W1) and (W2) of the page on winches; the damper pulls with √(L₀/L) EA τ g'/L₀, g = (ℓ - L) √(L₀/L) as in (F3)
-of that on flows, and with 1 + ε/2 of it on the tugger, (F4). At rest it is T = P.
+(WI1) and (WI2) of the page on winches; the damper pulls with √(L₀/L) EA τ g'/L₀, g = (ℓ - L) √(L₀/L) as in
+(F3) of that on flows, and with 1 + ε/2 of it on the tugger, (F4). At rest it is T = P.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A load that swings and turns about a point in a wind across two of its faces, against Lagrange's equations.
 
-The force on the point P of the areas, along each of the load's axes (docs: Wind and current, S1):
+The force on the point P of the areas, along each of the load's axes (WC1):
 
     Fᵢ = −cᵢ |w| wᵢ        w = Rᵀ (v_P − u)
 

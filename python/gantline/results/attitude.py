@@ -1,8 +1,8 @@
 """How a vessel lies in the water, from the orientation and height of its axes.
 
 n = Rᵀ ẑ is the upward direction in its axes. Trim and heel are those of `gantline.hydro.Attitude`, asin n_x
-and atan2(n_y, n_z); the draft at a station is the z of the water in the centre plane there
-(docs/concepts/vessels.md, V2).
+and atan2(n_y, n_z); the draft at a station is the z of the water in the centre plane there,
+(VE2) of docs/concepts/vessels.md.
 """
 
 from __future__ import annotations

@@ -249,7 +249,7 @@ mod tests {
                 let error = (one.square - other.square).abs();
                 assert!(error < 1e-9 * other.square, "{} {} {error:e}", one.square, other.square);
             }
-            // (M1): x is orthonormal in M, here 1000 of every point.
+            // (MD1): x is orthonormal in M, here 1000 of every point.
             for (a, one) in few.iter().enumerate() {
                 for (b, other) in few.iter().enumerate() {
                     let product = 1e3 * super::dot(&one.shape, &other.shape);

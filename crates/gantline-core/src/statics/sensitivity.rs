@@ -107,7 +107,7 @@ impl Statics {
         Ok(all)
     }
 
-    /// The solution of (E3) with a right side, by repeating it.
+    /// The solution of (ST3) with a right side, by repeating it.
     fn answer(&mut self, system: &System, state: &State, force: &[f64], right: &[f64]) -> Sensitivity {
         let mut motion = vec![0.0; force.len()];
         let mut tension = vec![0.0; right.len()];

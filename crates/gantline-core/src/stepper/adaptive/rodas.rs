@@ -2,7 +2,7 @@
 //! increments φ of the coordinates, the velocities v and the accelerations a. Numbers as in `docs/concepts/adaptive.md`:
 //!
 //! ```text
-//! φ̇ = v + φ×v/2 + …        v̇ = a        0 = τ(q₀⊕φ, v, a) + D v + Gᵀ T                  (E1)
+//! φ̇ = v + φ×v/2 + …        v̇ = a        0 = τ(q₀⊕φ, v, a) + D v + Gᵀ T                  (AD1)
 //! ```
 //!
 //! The acceleration is never solved for: the residual of inverse dynamics takes its place, so a mass matrix
@@ -15,14 +15,14 @@
 //! and x = r + k^v, the rate of the coordinates, gives all three,
 //!
 //! ```text
-//! k^φ = κ P x        k^v = x − r        k^a = k^v/κ − ρ                                  (E2)
+//! k^φ = κ P x        k^v = x − r        k^a = k^v/κ − ρ                                  (AD2)
 //! ```
 //!
 //! so that one system is left, for x and y = κ δT (A, B: see [`super::tangent`]):
 //!
 //! ```text
 //! A x + Gᵀ y = −κ (τ + D v + Gᵀ T) + M (κρ + r) + κ (D + ∂τ/∂v) r
-//! B x − ε/(κ(κ+τ)) y = τ G r/(κ+τ)                                                      (E3)
+//! B x − ε/(κ(κ+τ)) y = τ G r/(κ+τ)                                                      (AD3)
 //! ```
 //!
 //! For an inextensible rope T is an unknown too, with the equation γ = G a + Ġ v = 0:
@@ -31,7 +31,7 @@
 //! (G + κ γ_v + κ² γ_q P) x = −κγ + G (κρ + r) + κ γ_v r        k^T = y/κ
 //! ```
 //!
-//! The anchor α of a sliding contact (E6) is one too, α̇ = (u − εT)/τ, u = e + τ ė of its tangential rows:
+//! The anchor α of a sliding contact (AD6) is one too, α̇ = (u − εT)/τ, u = e + τ ė of its tangential rows:
 //!
 //! ```text
 //! r_α = α̇ + Σ cᵢⱼ k^αⱼ/h            k^α = (κτ r_α + κ δu − ε y)/(κ + τ), δu at rest of the anchor
@@ -48,7 +48,7 @@
 //!
 //! Where waves push, τ depends on time too, and −κ h dᵢ ∂τ/∂t joins the first right side.
 //!
-//! (E4), the test of what drives alone move, stands in `prescribed`; (E5), impacts, in `impact`.
+//! (AD4), the test of what drives alone move, stands in `prescribed`; (AD5), impacts, in `impact`.
 
 mod sides;
 
@@ -92,7 +92,7 @@ pub struct Rodas {
     recalled: Vec<f64>,
     /// ∂τ/∂t at the start of the step, by waves alone; empty without any.
     drift: Vec<f64>,
-    /// Right sides of (E3), of degrees of freedom and of rows, and x.
+    /// Right sides of (AD3), of degrees of freedom and of rows, and x.
     force: Vec<f64>,
     rows: Vec<f64>,
     x: Vec<f64>,
@@ -191,7 +191,7 @@ impl Rodas {
         Ok(())
     }
 
-    /// (E2): the stage's increments from x, and those of the tensions of inextensible ropes.
+    /// (AD2): the stage's increments from x, and those of the tensions of inextensible ropes.
     fn increments(&mut self, system: &System, stage: usize, kappa: f64) {
         let k = &mut self.k[stage];
         self.matrix.spins.increments(kappa, &self.x, &mut k.phi);

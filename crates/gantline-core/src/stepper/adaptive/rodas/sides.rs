@@ -1,4 +1,4 @@
-//! What a stage knows before it is solved: r and ρ, r_α and r_z, and the right sides of (E3).
+//! What a stage knows before it is solved: r and ρ, r_α and r_z, and the right sides of (AD3).
 
 use super::Rodas;
 use crate::constraint::Law;
@@ -14,7 +14,7 @@ use crate::system::System;
 use crate::tree::mass::MassMatrix;
 
 impl Rodas {
-    /// r, ρ and r_α, and x of driven degrees of freedom: their acceleration is known, so (E2) gives it.
+    /// r, ρ and r_α, and x of driven degrees of freedom: their acceleration is known, so (AD2) gives it.
     pub(super) fn know(&mut self, system: &System, state: &State, stage: usize, h: f64) {
         let kappa = GAMMA * h;
         let at = if stage == 0 { &self.here } else { &self.stage };
@@ -42,7 +42,7 @@ impl Rodas {
         }
     }
 
-    /// First right side of (E3).
+    /// First right side of (AD3).
     pub(super) fn motion_side(&mut self, system: &System, mass: &MassMatrix, stage: usize, h: f64) {
         let kappa = GAMMA * h;
         for dof in 0..self.sum.len() {
@@ -61,7 +61,7 @@ impl Rodas {
         }
     }
 
-    /// Second right side of (E3), of rows by their laws and modes.
+    /// Second right side of (AD3), of rows by their laws and modes.
     pub(super) fn row_sides(&mut self, system: &System, state: &State, stage: usize, h: f64) {
         let kappa = GAMMA * h;
         for (row, law) in system.rows.laws.iter().enumerate() {
