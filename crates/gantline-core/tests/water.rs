@@ -490,3 +490,29 @@ fn slow_places_follow_and_leave_out_waves() {
     // Past whole turns: 21 rad.
     assert!((heading - turning * late).abs() < 1e-9 && (found - turning).abs() < 1e-9, "{heading} {found}");
 }
+
+/// Wave forces that do not belong to their sea, or to no direction, are refused by name.
+#[test]
+fn wave_forces_belong_to_a_sea_and_to_directions() {
+    let phasor = [[1.0, 0.0]; 6];
+    let refused = |waves: usize, directions: &[f64], phasors: Vec<Vec<[[f64; 2]; 6]>>| {
+        let component =
+            serde_json::json!({"frequency": 0.7, "wave_number": [0.05, 0], "amplitude": 1.0, "phase": 0.0});
+        let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{
+            "name": "cube", "parent": null, "mass": 4000.0, "centre_of_gravity": [0, 0, 1.0],
+            "inertia": [1000, 1000, 1000, 0, 0, 0], "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+            "joint": {"type": "free", "position": [0, 0, 4.0], "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0],
+                      "angular_velocity": [0, 0, 0]}}],
+            "sea": {"components": vec![component; waves], "rise_time": 5.0},
+            "forces": [{"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0], "origin": [0, 0, 0],
+                "directions": directions, "phasors": phasors}]});
+        build(&serde_json::from_value(spec).unwrap()).err().map(|error| error.to_string()).unwrap_or_default()
+    };
+    assert_eq!(refused(1, &[0.5], vec![vec![phasor]]), "");
+    assert!(refused(0, &[0.5], vec![]).contains("there is no sea"));
+    assert!(refused(1, &[], vec![vec![]]).contains("waves in no direction"));
+    assert!(refused(1, &[0.5, 0.5], vec![vec![phasor; 2]]).contains("do not rise within a turn"));
+    assert!(refused(1, &[0.0, 6.4], vec![vec![phasor; 2]]).contains("do not rise within a turn"));
+    assert!(refused(2, &[0.5], vec![vec![phasor]]).contains("forces of 1 waves; the sea has 2"));
+    assert!(refused(1, &[0.5, 1.0], vec![vec![phasor]]).contains("forces in 1 directions of a wave, and 2"));
+}
