@@ -29,9 +29,9 @@ from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.run_warnings import command_warnings, sheave_warnings
-from gantline.results.sea import out_of_place
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
+from gantline.results.unfollowed import unfollowed
 from gantline.results.variable import FloatArray
 from gantline.results.vessels import vessel_warnings
 from gantline.scenario import Scenario, load_scenario
@@ -322,7 +322,7 @@ class Simulation:
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
         if len(columns["time"]):
-            warnings += out_of_place(self.assembly.document, columns, names)
+            warnings += unfollowed(self.assembly.document, columns, names)
         loads = {load.name: load.body for load in rig.loads}
         density = (self.scenario.water or Water()).density
         warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density)

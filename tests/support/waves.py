@@ -82,8 +82,10 @@ def radiated(frequencies: Any) -> tuple[Any, Any]:
     return ADDED + answer.imag / np.asarray(frequencies)[:, None, None], answer.real
 
 
-def database(folder: Path, water: Water = constant) -> str:
-    """Name of the file, written beside a lift file."""
+def database(
+    folder: Path, water: Water = constant, reference: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> str:
+    """Name of the file, written beside a lift file; its forces are about the reference point [m]."""
     order = np.argsort(databases.AXES)
     dims = ["omega", "radiating_dof", "influenced_dof"]
     turned = {
@@ -97,7 +99,7 @@ def database(folder: Path, water: Water = constant) -> str:
         **turned,
         "Froude_Krylov_force": (wave_dims, parts),
         "diffraction_force": (wave_dims, 0.0 * parts),
-        "rotation_center": (["xyz"], [0.0, 0.0, 0.0]),
+        "rotation_center": (["xyz"], list(reference)),
     }
     coordinates = {"omega": FREQUENCIES, "wave_direction": DIRECTIONS, "rho": SEA}
     databases.capytaine(folder / "barge.nc", tables=tables, coordinates=coordinates)
@@ -168,16 +170,22 @@ def harmonic(time: FloatArray, value: FloatArray, frequency: float) -> complex:
 
 def motion(run: Recording, frequency: float, heading: float = 0.0) -> Any:
     """Complex amplitudes of the last ten periods about the middle of the waterline, vessel axes (6,)."""
-    late = run.time > run.time[-1] - 20 * np.pi / frequency + 1e-9
-    orientation = run.variables["body_orientation"].values[late, 0]
-    place = run.variables["body_position"].values[late, 0]
+    place, orientation = (run.variables[f"body_{kind}"].values[:, 0] for kind in ("position", "orientation"))
+    return amplitudes(run.time, place, orientation, frequency, heading)
+
+
+def amplitudes(
+    time: FloatArray, place: FloatArray, orientation: FloatArray, frequency: float, heading: float
+) -> Any:
+    """The same of the way of the barge's centre (n, 3) and of its orientation (n, 4)."""
+    late = time > time[-1] - 20 * np.pi / frequency + 1e-9
+    time, place, orientation = time[late], place[late], orientation[late]
     cos, sin = math.cos(heading), math.sin(heading)
     # Small rotation vectors in vessel axes are twice the vector part of q₀⁻¹ q, q₀ the heading.
     half = np.array([math.cos(heading / 2), math.sin(heading / 2)])
-    w, x, y, z = orientation.T
+    w, x, y, z = orientation.T * np.sign(half @ orientation[0, [0, 3]])
     turned = 2 * np.array([half[0] * x + half[1] * y, half[0] * y - half[1] * x, half[0] * z - half[1] * w])
     at_centre = np.array([cos * place[:, 0] + sin * place[:, 1], cos * place[:, 1] - sin * place[:, 0]])
     lever = KG - DRAFT
     shift = np.array([at_centre[0] - lever * turned[1], at_centre[1] + lever * turned[0], place[:, 2]])
-    every = np.concatenate([shift, turned])
-    return np.array([harmonic(run.time[late], one, frequency) for one in every])
+    return np.array([harmonic(time, one, frequency) for one in (*shift, *turned)])

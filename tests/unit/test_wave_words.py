@@ -10,7 +10,7 @@ import pytest
 
 import databases
 import waves
-from afloat import barge, lift_of, written
+from afloat import DRAFT, LENGTH, barge, lift_of, written
 from floating import SEA
 from gantline.assembly import assemble
 from gantline.hydro.database import DatabaseError, HydrodynamicDatabase, read_database
@@ -122,20 +122,22 @@ def test_forces_between_frequencies_directions_and_sides(tmp_path: Path) -> None
 
 
 def test_the_phase_counts_from_the_origin_of_the_file(tmp_path: Path) -> None:
-    """A barge κΔ = π/2 further down the waves, and a reference point Δ ahead of the file's origin, are the
-    same turn of the phase, one later and one earlier.
+    """The way of the file's origin through the waves counts, not that of the point that its forces act at: a
+    reference point 3 m ahead and 1 m to port of it is that far from it on the vessel. Forces are those per
+    metre, whatever the place of the barge.
     """
-    wave = {"height": "2 cm", "period": f"{2 * np.pi / 0.7!r} s", "direction": "0 deg"}
-    way = np.pi / 2 / (0.7**2 / 9.81)
-
-    def phasors(**vessel: Any) -> Any:
-        path = waves.in_waves(tmp_path, {"swell": wave}, vessel)
-        force = next(f for f in assemble(load_scenario(path)).document["forces"] if f["type"] == "wave")
-        both = np.array(force["phasors"])[0]
-        return both[:, 0] + 1j * both[:, 1]
-
-    here, there = phasors(), phasors(position=[f"{way} m", "0 m"])
-    assert there == pytest.approx(here * 1j, rel=1e-9, abs=1e-6)
+    wave = {"height": "2 cm", "period": f"{2 * np.pi / 0.7!r} s", "direction": "40 deg"}
+    path = waves.in_waves(tmp_path, {"swell": wave}, {"position": ["70 m", "30 m"], "heading": "20 deg"})
+    waves.database(tmp_path, reference=(3.0, 1.0, -1.0))
+    force = next(f for f in assemble(load_scenario(path)).document["forces"] if f["type"] == "wave")
+    assert force["at"] == [LENGTH / 2, 0.0, DRAFT]
+    assert force["origin"] == [LENGTH / 2 - 3.0, -1.0, DRAFT]
+    # All seven of the file, and five of them from the other side.
+    assert np.degrees(force["directions"]) == pytest.approx(np.arange(0.0, 360.0, 30.0), abs=1e-9)
+    both = np.array(force["phasors"])[0]
+    expected = [waves.force_per_metre(0.7, np.radians(30.0 * k)) for k in range(12)]
+    found = both[..., 0] + 1j * both[..., 1]
+    assert found == pytest.approx(np.array(expected), rel=1e-9, abs=1e-6)
 
 
 def test_the_shortest_wave_of_a_file_is_in_it(tmp_path: Path) -> None:

@@ -124,7 +124,9 @@ def test_a_sea_is_the_sum_of_its_waves(tmp_path: Path) -> None:
 @pytest.mark.parametrize("integrator", ["adaptive", "del"])
 def test_energy_of_waves(tmp_path: Path, integrator: str) -> None:
     """In steady motion waves put in what the water takes: over ten periods `fluid_work` = `drag`; and both
-    are the mean power ½ Re(F · conj(−iω ξ)) of the complex amplitudes, times the time.
+    are the mean power ½ Re(F · conj(−iω ξ)) of the complex amplitudes, times the time. What the waves begin
+    with sends the barge slowly on its way: 3 mm/s, and ω is what it meets them with. That is 0.02 %
+    more, which is 0.1 % of the power, as roll is near its resonance.
     """
     given: dict[str, Any] = {
         "duration": f"{40 * PERIOD!r} s",
@@ -140,7 +142,10 @@ def test_energy_of_waves(tmp_path: Path, integrator: str) -> None:
     towards = math.radians(30.0)
     along = OMEGA**2 / waves.G * (LENGTH / 2) * math.cos(towards)
     force = waves.force_per_metre(OMEGA, towards) * 0.1 * np.exp(1j * along)
-    velocity = -1j * OMEGA * waves.response(OMEGA, force)
+    place = run.variables["body_position"].values[late, 0, :2]
+    drift = np.diff(place, axis=0)[0] / (10 * PERIOD)
+    met = OMEGA - OMEGA**2 / waves.G * float(drift @ [math.cos(towards), math.sin(towards)])
+    velocity = -1j * met * waves.response(met, force)
     expected = 0.5 * np.real(force @ velocity.conj()) * 10 * PERIOD
     # del is of first order: 4 % with 200 steps to a period, 2 % with 400, 1 % with 800.
     assert put_in == pytest.approx(expected, rel=2e-3 if exact else 2e-2)

@@ -39,7 +39,7 @@ pub struct State {
     pub spots: Vec<Spot>,
     /// What drums have wound, by [`crate::system::System::coils`].
     pub coils: Vec<Coil>,
-    /// What forces remember of the motion so far, see [`crate::force::memory`].
+    /// What forces remember of the motion so far, see [`crate::force::memory`] and [`crate::force::slow`].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub past: Vec<f64>,
     /// Length that the next step of an adaptive method tries first [s]; 0 where none has been made.

@@ -5,6 +5,7 @@ mod rigs;
 use gantline_core::audit::gravity_energy;
 use gantline_core::build::build;
 use gantline_core::force::drag::Drag;
+use gantline_core::force::slow::{Slow, Slowly};
 use gantline_core::force::{self, AnyForce, At, Energies, Force, twist_of};
 use gantline_core::spec::{
     BodySpec, ComponentSpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PumpedSpec, SystemSpec, TrainsSpec,
@@ -14,8 +15,9 @@ use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use gantline_core::tree::bias::NewtonEuler;
 use gantline_core::tree::kinematics::Twist;
+use gantline_core::tree::pose::Pose;
 use gantline_core::tree::tangent::{DynamicsTangent, Paired};
-use glam::DVec3;
+use glam::{DMat3, DVec2, DVec3};
 use proptest::prelude::*;
 use rigs::hulls::sphere;
 use rigs::{Draw, moved, rig, seeds};
@@ -86,6 +88,7 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
     };
     let body = |draw: &mut Draw| format!("b{}", draw.choice(7));
     let (named, at) = (|name: &str, k: usize| format!("{name}{k}"), |draw: &mut Draw| draw.vector());
+    let phasor = |draw: &mut Draw| std::array::from_fn(|_| std::array::from_fn(|_| 100.0 * draw.number()));
     for k in 0..2 {
         let buoyancy = ForceSpec::Buoyancy {
             name: named("hull", k),
@@ -131,9 +134,9 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             name: named("wave", k),
             body: body(&mut draw),
             at: at(&mut draw),
-            phasors: (0..3)
-                .map(|_| std::array::from_fn(|_| std::array::from_fn(|_| 100.0 * draw.number())))
-                .collect(),
+            origin: at(&mut draw),
+            directions: (0..4).map(|k| f64::from(k) + 0.4 * draw.number()).collect(),
+            phasors: (0..3).map(|_| (0..4).map(|_| phasor(&mut draw)).collect()).collect(),
         };
         spec.forces.extend([buoyancy, added, drag, tank, wave]);
     }
@@ -153,6 +156,14 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
     }
     let (system, mut state) = build(&spec).expect("the generator makes valid rigs");
     state.time = NOW;
+    // Slow places and headings that are on their way, by any state of their filters a moment ago.
+    for force in &system.tree.forces {
+        if let AnyForce::Wave(wave) = force {
+            let past = &mut state.past[wave.slow.states()];
+            past.iter_mut().for_each(|number| *number = draw.number());
+            past[0] = NOW - 0.5;
+        }
+    }
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     (system, state, frame)
@@ -239,7 +250,7 @@ proptest! {
             let mut kept = system.clone();
             kept.tree.forces.retain(keep);
             let mut frame = Frame::new(&kept);
-            frame.update(&kept, &state);
+            frame.update(&kept, &State { past: Vec::new(), ..state.clone() });
             0.5 * frame.mass.quadratic(&state.v)
         };
         let dry = kinetic(|_| false);
@@ -438,4 +449,70 @@ fn a_cube_half_in_water() {
         "{}",
         derivative.angular
     );
+}
+
+/// The filter of slow places, in steps of any length, against its transfer function: a body that swings about a point that goes
+/// along straight, and turns evenly. Its slow place keeps H of the swing, and what goes evenly without a lag.
+#[test]
+fn slow_places_follow_and_leave_out_waves() {
+    let (cut_off, swing, speed, turning) = (0.1, 0.5, 0.7, 0.05);
+    let slow = Slow { point: DVec3::new(3.0, 0.0, 1.0), cut_off, first: 2 };
+    let mut past = vec![0.0; slow.states().end];
+    let motion = |time: f64| {
+        let (sin, cos) = (swing * time).sin_cos();
+        let rotation = DMat3::from_rotation_z(turning * time);
+        // The point, not the origin, goes along.
+        let arm = rotation * slow.point;
+        let velocity = DVec3::new(speed - swing * sin, swing * cos, 0.0);
+        let angular = DVec3::Z * turning;
+        let pose = Pose { rotation, position: DVec3::new(speed * time + cos, sin, 0.0) - arm };
+        (pose, Twist { angular, linear: velocity - angular.cross(arm) })
+    };
+    slow.start(&motion(0.0).0, 0.0, &mut past);
+    let mut time = 0.0;
+    for step in 0..4000 {
+        time += [0.02, 0.3, 0.1, 0.001][step % 4];
+        let (pose, twist) = motion(time);
+        slow.follow((&pose, &twist), time, &mut past);
+    }
+    // (1 + 5p)/(1 + p)⁵ with p = 5i: (1 + 25i)/(2876 + 1900i) = (50376 + 70000i)/26⁵. What it began with has gone: 421 s.
+    let (real, imaginary) = [50_376.0, 70_000.0].map(|part| part / 11_881_376.0).into();
+    let late = time + 0.4;
+    let Slowly { place, velocity, heading, turning: found } = slow.at(&past, late);
+    let (sin, cos) = (swing * late).sin_cos();
+    let swung = DVec2::new(real * cos - imaginary * sin, real * sin + imaginary * cos);
+    let expected = DVec2::new(speed * late, 0.0) + swung;
+    // Steps of 0.3 s: (0.15)⁴/384 = 1e-6 of the swing, of which H leaves 0.7 %; that the swing goes on straight for 0.4 s,
+    // 5 · 0.1⁴ · 0.25 · 0.4⁶/720 = 7e-10 m.
+    assert!((place - expected).length() < 2e-8, "{place} {expected}");
+    let rate = DVec2::new(speed, 0.0) + swing * DVec2::new(-swung.y, swung.x);
+    assert!((velocity - rate).length() < 2e-8, "{velocity} {rate}");
+    // Past whole turns: 21 rad.
+    assert!((heading - turning * late).abs() < 1e-9 && (found - turning).abs() < 1e-9, "{heading} {found}");
+}
+
+/// Wave forces that do not belong to their sea, or to no direction, are refused by name.
+#[test]
+fn wave_forces_belong_to_a_sea_and_to_directions() {
+    let phasor = [[1.0, 0.0]; 6];
+    let refused = |waves: usize, directions: &[f64], phasors: Vec<Vec<[[f64; 2]; 6]>>| {
+        let component =
+            serde_json::json!({"frequency": 0.7, "wave_number": [0.05, 0], "amplitude": 1.0, "phase": 0.0});
+        let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{
+            "name": "cube", "parent": null, "mass": 4000.0, "centre_of_gravity": [0, 0, 1.0],
+            "inertia": [1000, 1000, 1000, 0, 0, 0], "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+            "joint": {"type": "free", "position": [0, 0, 4.0], "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0],
+                      "angular_velocity": [0, 0, 0]}}],
+            "sea": {"components": vec![component; waves], "rise_time": 5.0},
+            "forces": [{"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0], "origin": [0, 0, 0],
+                "directions": directions, "phasors": phasors}]});
+        build(&serde_json::from_value(spec).unwrap()).err().map(|error| error.to_string()).unwrap_or_default()
+    };
+    assert_eq!(refused(1, &[0.5], vec![vec![phasor]]), "");
+    assert!(refused(0, &[0.5], vec![]).contains("there is no sea"));
+    assert!(refused(1, &[], vec![vec![]]).contains("waves in no direction"));
+    assert!(refused(1, &[0.5, 0.5], vec![vec![phasor; 2]]).contains("do not rise within a turn"));
+    assert!(refused(1, &[0.0, 6.4], vec![vec![phasor; 2]]).contains("do not rise within a turn"));
+    assert!(refused(2, &[0.5], vec![vec![phasor]]).contains("forces of 1 waves; the sea has 2"));
+    assert!(refused(1, &[0.5, 1.0], vec![vec![phasor]]).contains("forces in 1 directions of a wave, and 2"));
 }

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.assembly.databases import from_database
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.spatial import about_axis, rotation_matrix
 from gantline.assembly.trains import Train
 from gantline.hydro.database import DatabaseError, HydrodynamicDatabase
 from gantline.hydro.waves import Components, regular, sea, wave_number
@@ -82,16 +82,30 @@ def _components(name: str, train: WaveTrain) -> Components:
     )
 
 
+@dataclass(frozen=True)
+class _Around:
+    """Wave forces in all directions that a file has.
+
+    Attributes:
+        directions: from forward to port (k,) [rad].
+        forces: of each wave (n, k, 6) [N/m, N], vessel axes.
+        origin: the reference point from the file's origin (3,) [m].
+    """
+
+    directions: Array
+    forces: Complex
+    origin: Array
+
+
 def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]) -> Json:
-    """What all waves do to a vessel, world axes, phases from the world's origin."""
+    """What all waves do to a vessel, vessel axes, phases from the file's origin."""
     given = vessel.wave_forces
     assert given is not None
     path = ("vessels", name, "wave_forces")
-    turn = rotation_matrix(about_axis((0, 0, 1), vessel.heading))
-    phasors = []
+    found = []
     for train_name, train in trains.items():
         waves = train.waves
-        per_metre, origin, doubts = _of_database(scenario, path, given, waves, vessel.heading)
+        per_metre, around, doubts = _of_database(scenario, path, given, waves, vessel.heading)
         parts.warnings += [f"wave forces of {name}: {doubt}" for doubt in doubts]
         unknown = _unknown(waves, per_metre)
         if unknown > _SILENT:
@@ -100,29 +114,28 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
             if unknown > _MOST_UNKNOWN:
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
             parts.warnings.append(f"wave forces of {name}: {sentence}; they do nothing")
-        place = np.array([*vessel.position, 0.0]) + turn @ (np.array(given.at) - origin)
-        wave = waves.amplitude * np.exp(1j * (waves.phase + train.numbers @ place[:2]))
-        forces, moments = per_metre[:, :3] @ turn.T, per_metre[:, 3:] @ turn.T
-        phasors.append(np.hstack([forces, moments]) * wave[:, None])
-    all_waves = np.vstack(phasors)
-    both = np.stack([all_waves.real, all_waves.imag], axis=-1)
+        found.append(around)
+    forces = np.concatenate([around.forces for around in found])
+    # One file has the same directions and one origin for all waves.
     return {
         "type": "wave",
         "name": f"{name}.wave_forces",
         "body": name,
         "at": list(given.at),
-        "phasors": both.tolist(),
+        "origin": (np.array(given.at) - found[0].origin).tolist(),
+        "directions": found[0].directions.tolist(),
+        "phasors": np.stack([forces.real, forces.imag], axis=-1).tolist(),
     }
 
 
 def _of_database(
     scenario: Scenario, path: tuple[PathPart, ...], given: WaveForces, train: Components, heading: float
-) -> tuple[Complex, npt.NDArray[np.float64], list[str]]:
-    """Forces per metre in the vessel's axes (n, 6), the reference point from the file's origin, doubts."""
+) -> tuple[Complex, _Around, list[str]]:
+    """Forces per metre at the start in the vessel's axes (n, 6), in all directions, doubts."""
     density = (scenario.water or Water()).density
     lowest = float(train.frequency[0])
 
-    def forces(database: HydrodynamicDatabase) -> tuple[Complex, npt.NDArray[np.float64], list[str]]:
+    def forces(database: HydrodynamicDatabase) -> tuple[Complex, _Around, list[str]]:
         shortest = 2 * math.pi / float(database.frequencies[-1])
         if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-6):
             wanted = f"has no waves of {2 * math.pi / lowest:.4g} s"
@@ -131,7 +144,7 @@ def _of_database(
         doubts += _of_other_waves(scenario, database, train)
         reference = database.reference
         origin = np.zeros(3) if reference is None else np.array([*reference[:2], 0.0])
-        return found, origin, doubts
+        return found, _Around(*database.excitation_around(train.frequency, density), origin), doubts
 
     return from_database(scenario, path, (given.database, given.body), forces)
 

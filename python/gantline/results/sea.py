@@ -7,22 +7,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Self
 
-import numpy as np
-
-from gantline.results.rotation import axes, heading
 from gantline.results.strength import FromJson
 from gantline.results.trains import Trains
-from gantline.results.variable import Columns, Names
 from gantline.units import format_quantity
 
-__all__ = ["Sea", "WaveTrain", "out_of_place"]
+__all__ = ["Sea", "WaveTrain"]
 
 #: Waves from so little beside the bow, or the stern, come over it [rad]: 0.5 deg.
 _AHEAD = math.radians(0.5)
-#: Turn of a vessel from which the forces of its first heading are doubtful [rad].
-_TURNED = math.radians(10.0)
-#: Phase by which waves come sooner or later to a vessel that has drifted, from which it counts.
-_DRIFTED = math.pi / 2
 
 
 @dataclass(frozen=True)
@@ -85,41 +77,3 @@ class Sea(Trains):
         """Make one from its JSON object."""
         trains = tuple(WaveTrain.from_json(one) for one in document.get("trains") or ())
         return super().from_json({**document, "trains": trains})
-
-
-def out_of_place(document: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:
-    """A sentence for each vessel that has turned or drifted away from where its wave forces are for.
-
-    They keep amount, direction and phase of where the lift file has the vessel. On one that turns by and by
-    the moment that pitched it rolls it, which can heel it far more than any such sea does.
-
-    Args:
-        document: What has been assembled of the lift.
-        columns: What was recorded: `time`, `body_position`, `body_orientation`.
-        names: Names along their dimensions.
-    """
-    sentences = []
-    for force in (one for one in document.get("forces", ()) if one["type"] == "wave"):
-        body = next(one for one in document["bodies"] if one["name"] == force["body"])
-        at = list(names["body"]).index(force["body"])
-        joint, centre = body["joint"], np.array(body.get("centre_of_gravity", (0.0, 0.0, 0.0)))
-        first = np.array(joint["orientation"])
-        turns = np.unwrap(heading(columns["body_orientation"][:, at])) - heading(first)
-        turned = np.abs(turns - 2 * math.pi * np.round(turns[:1] / (2 * math.pi)))
-        arm = np.array(force["at"])
-        given = np.array(joint["position"]) + axes(first) @ arm
-        found = columns["body_position"][:, at] + axes(columns["body_orientation"][:, at]) @ (arm - centre)
-        along = np.array([wave["wave_number"] for wave in document["sea"]["components"]])
-        energy = np.array([wave["amplitude"] ** 2 for wave in document["sea"]["components"]])
-        phase = np.abs((found - given)[:, :2] @ along.T) @ energy / energy.sum()
-        for doubtful, what in (
-            (turned > _TURNED, f"turns by up to {math.degrees(turned.max()):.3g} deg"),
-            (phase > _DRIFTED, f"drifts by up to {np.hypot(*(found - given)[:, :2].T).max():.3g} m"),
-        ):
-            if doubtful.any():
-                since = float(columns["time"][int(np.argmax(doubtful))])
-                sentences.append(
-                    f"wave forces of {force['body']} are for its place and heading in the lift file; "
-                    f"it {what} and from {since:.0f} s on feels those of other waves; mooring lines hold it"
-                )
-    return sentences

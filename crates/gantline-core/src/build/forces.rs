@@ -35,9 +35,16 @@ pub(super) fn build_forces(
         spec.forces.iter().map(|given| build_force(given, spec, tree, trains)).collect::<Result<_, _>>()?;
     let mut first = 0;
     for force in &mut forces {
-        if let AnyForce::Memory(memory) = force {
-            memory.first = first;
-            first = memory.states().end;
+        match force {
+            AnyForce::Memory(memory) => {
+                memory.first = first;
+                first = memory.states().end;
+            }
+            AnyForce::Wave(wave) => {
+                wave.slow.first = first;
+                first = wave.slow.states().end;
+            }
+            _ => {}
         }
     }
     Ok(forces)
@@ -61,8 +68,8 @@ fn build_force(
             let mooring: Mooring = build_mooring(line, find(&line.body)?, tree)?;
             AnyForce::Mooring(Box::new(mooring))
         }
-        ForceSpec::Wave { body, at, phasors, .. } => {
-            AnyForce::Wave(build_wave(name, find(body)?, *at, phasors, sea)?)
+        ForceSpec::Wave { body, at, origin, directions, phasors, .. } => {
+            AnyForce::Wave(build_wave(name, find(body)?, [at, origin], directions, phasors, sea)?)
         }
         ForceSpec::Memory { body, at, terms, .. } => {
             AnyForce::Memory(build_memory(name, find(body)?, *at, terms)?)

@@ -4,7 +4,7 @@ use super::{BuildError, error};
 use crate::audit::{Ledger, Stored, elastic_energy, gravity_energy};
 use crate::constraint::Law;
 use crate::contact::spot::Spot;
-use crate::force::{self, memory};
+use crate::force;
 use crate::plan::PlanState;
 use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;
@@ -26,6 +26,7 @@ pub(super) fn first_state(
     let mut state = without_forces(spec, system, (q, v), (seats, spots));
     let mut frame = Frame::new(system);
     frame.update(system, &state);
+    force::rest(&system.tree, &frame.kinematics, state.time, &mut state.past);
     // Contacts start with their anchors below them: without deflection.
     for (row, law) in system.rows.laws.iter().enumerate() {
         if matches!(law, Law::Friction { .. }) {
@@ -92,7 +93,7 @@ fn without_forces(
         seats,
         spots,
         coils: vec![Coil::new(0.0); system.coils.len()],
-        past: vec![0.0; memory::states(&system.tree)],
+        past: vec![0.0; force::states(&system.tree)],
         next_step: 0.0,
         restart: true,
         engaged: false,

@@ -1,14 +1,18 @@
 //! Waves and gusts that come by, and what waves do to bodies.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
 use super::{BuildError, error, finite, positive};
+use crate::force::slow::Slow;
 use crate::force::trains::{Component, Trains};
 use crate::force::wave::{Phasor, WaveForce};
-use crate::spec::TrainsSpec;
-use crate::tree::bias::Wrench;
+use crate::spec::{PhasorSpec, TrainsSpec};
+
+/// Of the slowest wave, what the slow place of a body follows: 0.7 % of its motion in that wave are left there.
+const CUT_OFF: f64 = 0.2;
 
 /// The sea or the gusts of a document; nothing where it has none.
 pub(super) fn build_trains(name: &str, given: Option<&TrainsSpec>) -> Result<Arc<Trains>, BuildError> {
@@ -25,25 +29,55 @@ pub(super) fn build_trains(name: &str, given: Option<&TrainsSpec>) -> Result<Arc
     Ok(Arc::new(Trains { components, rise_time: given.rise_time }))
 }
 
-/// What waves do to a body: X of every component of the sea, about a point of the body [m].
+/// What waves do to a body: X of every component of the sea in some directions, about a point of the body [m], and the point
+/// whose way counts.
 pub(super) fn build_wave(
     name: &str,
     body: usize,
-    at: [f64; 3],
-    phasors: &[[[f64; 2]; 6]],
+    [at, origin]: [&[f64; 3]; 2],
+    directions: &[f64],
+    phasors: &[Vec<PhasorSpec>],
     sea: &Arc<Trains>,
 ) -> Result<WaveForce, BuildError> {
-    finite(name, "its point", &at)?;
-    finite(name, "a force of its", phasors.as_flattened().as_flattened())?;
+    finite(name, "a point of its", &[*at, *origin].concat())?;
+    finite(name, "a direction of its waves", directions)?;
+    let (Some(first), Some(last)) = (directions.first(), directions.last()) else {
+        return error(name, "it has forces of waves in no direction");
+    };
+    if !directions.is_sorted_by(|one, other| one < other) || last - first >= TAU {
+        return error(name, "the directions of its waves do not rise within a turn");
+    }
+    if sea.components.is_empty() {
+        return error(name, "there is no sea that its waves are of");
+    }
     let (given, waves) = (phasors.len(), sea.components.len());
     if given != waves {
         return error(name, format!("it has forces of {given} waves; the sea has {waves}"));
     }
-    let wrench = |phasor: &[[f64; 2]; 6], part: usize| {
-        let [x, y, z, roll, pitch, yaw] = phasor.map(|both| both[part]);
-        Wrench { force: DVec3::new(x, y, z), moment: DVec3::new(roll, pitch, yaw) }
-    };
-    let phasors = phasors.iter().map(|both| Phasor { real: wrench(both, 0), imaginary: wrench(both, 1) });
-    let (name, at, phasors) = (name.to_owned(), DVec3::from_array(at), phasors.collect());
-    Ok(WaveForce { name, body, at, phasors, sea: Arc::clone(sea) })
+    let mut built = Vec::with_capacity(waves * directions.len());
+    for (wave, phasors) in sea.components.iter().zip(phasors) {
+        finite(name, "a force of its", phasors.as_flattened().as_flattened())?;
+        let (given, wanted) = (phasors.len(), directions.len());
+        if given != wanted {
+            return error(
+                name,
+                format!("it has forces in {given} directions of a wave, and {wanted} directions"),
+            );
+        }
+        let scaled =
+            |both: &PhasorSpec| -> Phasor { [0, 1].map(|part| both.map(|x| wave.amplitude * x[part])) };
+        built.extend(phasors.iter().map(scaled));
+    }
+    let towards = sea.components.iter().map(|wave| wave.wave_number.y.atan2(wave.wave_number.x));
+    let slowest = sea.components.iter().map(|wave| wave.frequency).fold(f64::INFINITY, f64::min);
+    Ok(WaveForce {
+        name: name.to_owned(),
+        body,
+        at: DVec3::from_array(*at),
+        directions: directions.to_vec(),
+        phasors: built,
+        towards: towards.collect(),
+        sea: Arc::clone(sea),
+        slow: Slow { point: DVec3::from_array(*origin), cut_off: CUT_OFF * slowest, first: 0 },
+    })
 }

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use super::{EventKind, EventLog};
-use crate::force::memory;
+use crate::force;
 use crate::force::trains::Trains;
 use crate::record::{Sample, Span};
 use crate::stepper::StepError;
@@ -114,7 +114,7 @@ impl Lookout {
         let tree = &system.tree;
         let motion = || vec![0.0; tree.velocities];
         let tension = vec![0.0; system.rows.count()];
-        let past = vec![0.0; memory::states(tree)];
+        let past = vec![0.0; force::states(tree)];
         let sample =
             Sample { q: vec![0.0; tree.positions], v: motion(), acceleration: motion(), tension, past };
         Self { kinematics: Kinematics::new(tree), sample, before: zeros.clone(), after: zeros }

@@ -13,6 +13,7 @@ pub mod buoyancy;
 pub mod drag;
 pub mod memory;
 pub mod mooring;
+pub mod slow;
 pub mod square;
 pub mod tank;
 pub mod trains;
@@ -50,7 +51,7 @@ pub struct At<'a> {
     pub q: &'a [f64],
     /// Its velocity coordinates.
     pub v: &'a [f64],
-    /// What forces remember of the motion so far, see [`memory`].
+    /// What forces remember of the motion so far, see [`memory`] and [`slow`].
     pub past: &'a [f64],
 }
 
@@ -212,6 +213,30 @@ fn under<'a>(tree: &Tree, kinematics: &'a Kinematics, body: usize, v: &'a [f64])
     let (twist, rate) = (twist_of(tree, kinematics, body, v), Twist::default());
     let Kinematics { pose, q, time, past, .. } = kinematics;
     At { pose: &pose[body], twist, rate, gravity: tree.gravity, time: *time, q, v, past }
+}
+
+/// How many numbers forces remember.
+pub fn states(tree: &Tree) -> usize {
+    let slow: usize = waves(tree).map(|wave| wave.slow.states().len()).sum();
+    memory::states(tree) + slow
+}
+
+/// Forgets all motion: sets `past` to that of bodies that have always been where `kinematics` is.
+pub fn rest(tree: &Tree, kinematics: &Kinematics, time: f64, past: &mut [f64]) {
+    past.fill(0.0);
+    for wave in waves(tree) {
+        wave.slow.start(&kinematics.pose[wave.body], time, past);
+    }
+}
+
+/// Takes slow places and headings on to the end of a step at `time` [s], where `kinematics` is, with the velocity
+/// coordinates `v` there.
+pub fn follow(tree: &Tree, kinematics: &mut Kinematics, (v, time): (&[f64], f64), past: &mut [f64]) {
+    for wave in waves(tree) {
+        let twist = twist_of(tree, kinematics, wave.body, v);
+        wave.slow.follow((&kinematics.pose[wave.body], &twist), time, past);
+    }
+    kinematics.past.copy_from_slice(past);
 }
 
 /// True where wind or current blows on a body.

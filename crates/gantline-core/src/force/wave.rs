@@ -1,30 +1,27 @@
-//! What waves of first order do to a body: a force and a moment that time alone decides.
+//! What waves of first order do to a body.
 //!
 //! ```text
-//! F(t) = g(t) Re Σ X e^{−iωt}
+//! F = g(t) R(ψ) Re Σ a X(β − ψ) e^{i(k·s + ε − ωt)}
 //! ```
 //!
-//! X holds force and moment of every component of the sea, its amplitude and phase included, for the body where it is
-//! at the start; they act at a point P of it, along the world's axes. Small motions about that place are what a wave
-//! force of first order is for.
+//! s and ψ are the slow place of a point and the slow heading of the body ([`super::slow`]), β the direction of a wave, X
+//! force and moment per metre, linear between directions, along axes that are level and turn with ψ. They act at a point P
+//! of the body. Within a step all of that depends on time alone. With the place of every moment F would have terms of second
+//! order that are a part of the true ones only.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
+use super::slow::{Slow, Slowly};
 use super::square::{Square, skew};
 use super::trains::Trains;
 use super::{At, Force, Tangent};
 use crate::tree::bias::Wrench;
 
-/// Real and imaginary part of force and moment, world axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Phasor {
-    /// Along cos ωt.
-    pub real: Wrench,
-    /// Along sin ωt.
-    pub imaginary: Wrench,
-}
+/// X of force and moment: what goes with the cosine of the phase, then what goes with its sine.
+pub type Phasor = [[f64; 6]; 2];
 
 /// Waves on a body.
 #[derive(Debug, Clone)]
@@ -35,10 +32,24 @@ pub struct WaveForce {
     pub body: usize,
     /// P [m], body frame.
     pub at: DVec3,
-    /// X of every component of the sea.
+    /// Directions that X are for, from forward to port [rad], rising within a turn.
+    pub directions: Vec<f64>,
+    /// a X of every component of the sea, in all directions.
     pub phasors: Vec<Phasor>,
     /// The waves.
     pub sea: Arc<Trains>,
+    /// Direction β of each [rad].
+    pub towards: Vec<f64>,
+    /// Behind the body.
+    pub slow: Slow,
+}
+
+/// Between two directions: their places, how much of the second, and how fast that grows [1/rad].
+#[derive(Debug, Clone, Copy)]
+struct Between {
+    places: [usize; 2],
+    share: f64,
+    slope: f64,
 }
 
 impl WaveForce {
@@ -48,19 +59,49 @@ impl WaveForce {
         Wrench { force, moment: moment + arm.cross(force) }
     }
 
+    fn between(&self, direction: f64) -> Between {
+        let (count, first) = (self.directions.len(), self.directions[0]);
+        let wanted = first + (direction - first).rem_euclid(TAU);
+        let after = self.directions.partition_point(|known| *known <= wanted);
+        let start = self.directions[after - 1];
+        let end = if after < count { self.directions[after] } else { first + TAU };
+        let slope = 1.0 / (end - start);
+        Between { places: [after - 1, after % count], share: slope * (wanted - start), slope }
+    }
+
     /// F at P and its derivative over time.
-    fn at_point(&self, time: f64) -> [Wrench; 2] {
-        let (mut sum, mut rate) = (Wrench::default(), Wrench::default());
-        for (wave, Phasor { real, imaginary }) in self.sea.components.iter().zip(&self.phasors) {
-            let (sin, cos) = (wave.frequency * time).sin_cos();
-            sum.force += real.force * cos + imaginary.force * sin;
-            sum.moment += real.moment * cos + imaginary.moment * sin;
-            rate.force += (imaginary.force * cos - real.force * sin) * wave.frequency;
-            rate.moment += (imaginary.moment * cos - real.moment * sin) * wave.frequency;
+    fn at_point(&self, past: &[f64], time: f64) -> [Wrench; 2] {
+        let Slowly { place, velocity, heading, turning } = self.slow.at(past, time);
+        let (mut sum, mut rate) = ([0.0; 6], [0.0; 6]);
+        let mut found: Option<(f64, Between)> = None;
+        let each = self.sea.components.iter().zip(&self.towards);
+        for ((wave, &towards), phasors) in each.zip(self.phasors.chunks_exact(self.directions.len())) {
+            let between = match found {
+                Some((known, between)) if known == towards => between,
+                _ => self.between(towards - heading),
+            };
+            found = Some((towards, between));
+            let (sin, cos) = (wave.wave_number.dot(place) - wave.frequency * time + wave.phase).sin_cos();
+            let pace = wave.wave_number.dot(velocity) - wave.frequency;
+            let [one, other] = between.places.map(|place| &phasors[place]);
+            for k in 0..6 {
+                let change = [other[0][k] - one[0][k], other[1][k] - one[1][k]];
+                let [real, imaginary] =
+                    [one[0][k] + between.share * change[0], one[1][k] + between.share * change[1]];
+                sum[k] += real * cos - imaginary * sin;
+                rate[k] -= pace * (real * sin + imaginary * cos)
+                    + turning * between.slope * (change[0] * cos - change[1] * sin);
+            }
         }
         let (growth, slope) = self.sea.growth(time);
-        let force = rate.force * growth + sum.force * slope;
-        let moment = rate.moment * growth + sum.moment * slope;
+        let turn = DMat3::from_rotation_z(heading);
+        let level = |all: &[f64; 6]| Wrench {
+            force: turn * DVec3::from_slice(&all[..3]),
+            moment: turn * DVec3::from_slice(&all[3..]),
+        };
+        let (sum, rate, spin) = (level(&sum), level(&rate), DVec3::Z * turning);
+        let force = (rate.force + spin.cross(sum.force)) * growth + sum.force * slope;
+        let moment = (rate.moment + spin.cross(sum.moment)) * growth + sum.moment * slope;
         [Wrench { force: sum.force * growth, moment: sum.moment * growth }, Wrench { force, moment }]
     }
 }
@@ -75,19 +116,19 @@ impl Force for WaveForce {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        self.about_origin(at, self.at_point(at.time)[0])
+        self.about_origin(at, self.at_point(at.past, at.time)[0])
     }
 
     fn tangent(&self, at: &At) -> Tangent {
         // It does not turn along: seen from the body a turn δθ changes it by F × δθ.
-        let Wrench { force, moment } = self.at_point(at.time)[0];
+        let Wrench { force, moment } = self.at_point(at.past, at.time)[0];
         let (cross, arm) = (skew(force), skew(at.pose.rotation * self.at));
         let angular = skew(moment) + arm * cross;
         Tangent { place: Square { cross, angular, ..Square::ZERO }, ..Tangent::NONE }
     }
 
     fn drift(&self, at: &At) -> Option<Wrench> {
-        Some(self.about_origin(at, self.at_point(at.time)[1]))
+        Some(self.about_origin(at, self.at_point(at.past, at.time)[1]))
     }
 
     fn work(&self, at: &At) -> f64 {

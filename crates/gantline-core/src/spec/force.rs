@@ -92,11 +92,18 @@ pub enum ForceSpec {
         body: String,
         /// Point that forces act at and moments are about [m], body frame.
         at: [f64; 3],
-        /// Of every component of the sea, real and imaginary part of X in Re(X exp(−iωt)): force x, y, z [N], moment x,
-        /// y, z [N m], world axes.
-        phasors: Vec<[[f64; 2]; 6]>,
+        /// Point whose way through the waves counts [m], body frame.
+        origin: [f64; 3],
+        /// Directions that waves run in, from body x towards y [rad], rising within a turn.
+        directions: Vec<f64>,
+        /// Of every component of the sea, in every direction.
+        phasors: Vec<Vec<PhasorSpec>>,
     },
 }
+
+/// Real and imaginary part of X in Re(X a exp(i(k·x + ε − ωt))), x the origin: force x, y, z [N/m], moment x, y, z [N], axes
+/// of a body that is level.
+pub type PhasorSpec = [[f64; 2]; 6];
 
 /// A decaying term R exp(ps).
 #[derive(Debug, Clone, Deserialize)]

@@ -28,7 +28,7 @@ use thiserror::Error;
 use crate::audit::Ledger;
 use crate::constraint::Law;
 use crate::event::afloat::Vessel;
-use crate::force::AnyForce;
+use crate::force::{self, AnyForce};
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
@@ -248,7 +248,6 @@ impl Statics {
     fn store(&mut self, system: &System, state: &mut State) {
         state.v.fill(0.0);
         state.acceleration.fill(0.0);
-        state.past.fill(0.0);
         state.bias.fill(0.0);
         state.tension.copy_from_slice(&self.search.here.tension);
         state.trial.copy_from_slice(&self.search.here.tension);
@@ -279,6 +278,7 @@ impl Statics {
             self.search.evaluate(system, state, &self.bearings);
         }
         let frame = &self.search.here.frame;
+        force::rest(&system.tree, &frame.kinematics, state.time, &mut state.past);
         state.ledger = Ledger::open(flows::stored(system, state, frame));
         state.restart = true;
     }

@@ -253,6 +253,7 @@ impl Del {
         coils::turn(system, state);
         frame.update(system, state);
         memory::arrive(&system.tree, &mut frame.kinematics, (&self.v, h), &mut state.past);
+        force::follow(&system.tree, &mut frame.kinematics, (&self.v, end), &mut state.past);
         if !system.sheaves.is_empty() {
             let mut values = frame.value.iter().zip(&state.modes);
             if let Some(row) = values.position(|(value, mode)| !value.is_finite() && !mode.is_absent()) {

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::Tree;
 use super::joint::Column;
 use super::pose::Pose;
-use crate::force::memory;
+use crate::force;
 
 /// Motion of a body: angular velocity and velocity of its origin, world axes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -43,7 +43,7 @@ pub struct Kinematics {
     pub q: Vec<f64>,
     /// The time that it is at [s], which forces of waves depend on.
     pub time: f64,
-    /// What forces remember of the motion so far, see [`crate::force::memory`]; all zero at rest.
+    /// What forces remember of the motion so far, see [`crate::force::memory`] and [`crate::force::slow`].
     pub past: Vec<f64>,
 }
 
@@ -59,7 +59,7 @@ impl Kinematics {
             columns: vec![Column::default(); tree.velocities],
             q: vec![0.0; tree.positions],
             time: 0.0,
-            past: vec![0.0; memory::states(tree)],
+            past: vec![0.0; force::states(tree)],
         }
     }
 

@@ -151,40 +151,54 @@ class HydrodynamicDatabase:
         Raises:
             DatabaseError: if the file has no wave forces, or none for this direction.
         """
-        if self.excitation is None or not len(self.directions):
-            raise DatabaseError(f"{self.source}: has no wave forces; a file of a run with waves has")
+        directions, forces = self.excitation_around(frequency, density)
         doubts = list(self.doubts)
         if self.density is None:
             doubts.append(f"{self.source} does not say for which water; that of the lift is taken")
-        along, sign, mirrored = self._towards(direction)
-        if mirrored:
+        known, wanted = np.degrees(directions), math.degrees(direction) % 360.0
+        place = _beside(known, wanted)
+        own = np.degrees(self.directions) % 360.0
+        if place is None:
+            shown = ", ".join(f"{angle:.4g}" for angle in sorted(own)[:12])
+            raise DatabaseError(
+                f"{self.source}: no waves that run {wanted:.4g} deg from its bow; it has {shown} deg"
+            )
+        if _beside(own, wanted) is None:
             doubts.append(f"{self.source}: its waves come from one side; from the other they are mirrored")
-        scale = 1.0 if self.density is None else density / self.density
-        forces = np.empty((len(frequency), 6), dtype=np.complex128)
+        before, after, share = place
+        return (1 - share) * forces[:, before] + share * forces[:, after], doubts
+
+    def excitation_around(self, frequency: Array, density: float) -> tuple[Array, npt.NDArray[np.complex128]]:
+        """Wave forces per metre in all directions of the file, and mirrored in those of its other side.
+
+        Args:
+            frequency: ω of waves (n,) [rad/s].
+            density: of the water that they are wanted for [kg/m^3].
+
+        Returns:
+            directions that waves run in, from x towards y, rising from 0 to below 2π (k,) [rad]; forces
+            (n, k, 6) [N/m, N], otherwise as `excitation_at`.
+
+        Raises:
+            DatabaseError: if the file has no wave forces.
+        """
+        if self.excitation is None or not len(self.directions):
+            raise DatabaseError(f"{self.source}: has no wave forces; a file of a run with waves has")
+        own = np.degrees(self.directions) % 360.0
+        # A file for a body with two sides alike needs half of the directions.
+        missing = np.array([_beside(own, -angle % 360.0) is None for angle in own])
+        around = np.round(np.concatenate([own, -own[missing]]), 6) % 360.0
+        mirrored = self.excitation[:, missing] * np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
+        order = np.unique(around, return_index=True)[1]
+        given = np.concatenate([self.excitation, mirrored], axis=1)[:, order]
         # The highest frequency itself may come with another last digit.
         known = np.where(
             np.isclose(frequency, self.frequencies[-1], rtol=1e-6), self.frequencies[-1], frequency
         )
-        for axis in range(6):
-            forces[:, axis] = np.interp(known, self.frequencies, along[:, axis], right=0.0)
-        return forces * sign * scale, doubts
-
-    def _towards(self, direction: float) -> tuple[npt.NDArray[np.complex128], Array, bool]:
-        """Wave forces in one direction at all frequencies (n, 6), signs by motion (6,), whether mirrored."""
-        assert self.excitation is not None
-        known = np.degrees(self.directions) % 360.0
-        wanted = math.degrees(direction) % 360.0
-        place = _beside(known, wanted)
-        if place is not None:
-            return _mixed(self.excitation, place), np.ones(6), False
-        # A file for a body with two sides alike needs half of the directions.
-        place = _beside(known, -wanted % 360.0)
-        if place is not None:
-            return _mixed(self.excitation, place), np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0]), True
-        shown = ", ".join(f"{angle:.4g}" for angle in sorted(known)[:12])
-        raise DatabaseError(
-            f"{self.source}: no waves that run {wanted:.4g} deg from its bow; it has {shown} deg"
-        )
+        forces = np.empty((len(frequency), len(order), 6), dtype=np.complex128)
+        for place in np.ndindex(forces.shape[1:]):
+            forces[:, *place] = np.interp(known, self.frequencies, given[:, *place], right=0.0)
+        return np.radians(around[order]), forces * (1.0 if self.density is None else density / self.density)
 
     def _range(self) -> str:
         longest, shortest = self.periods[0], self.periods[-1]
@@ -264,14 +278,6 @@ def _beside(known: Array, wanted: float) -> tuple[int, int, float] | None:
         nearest = after if ahead[after] < behind[before] else before
         return nearest, nearest, 0.0
     return (before, after, float(behind[before]) / gap) if gap <= _WIDEST else None
-
-
-def _mixed(
-    excitation: npt.NDArray[np.complex128], place: tuple[int, int, float]
-) -> npt.NDArray[np.complex128]:
-    before, after, share = place
-    mixed: npt.NDArray[np.complex128] = (1 - share) * excitation[:, before] + share * excitation[:, after]
-    return mixed
 
 
 def _scale(matrix: Array) -> Array:

@@ -1,7 +1,7 @@
 //! Motion as increments from the start of a step, and the course of a step in time.
 
 use super::tableau::H;
-use crate::force::memory;
+use crate::force;
 use crate::state::State;
 use crate::system::System;
 
@@ -33,7 +33,7 @@ impl Increment {
             a: vec![0.0; size],
             rigid,
             anchor,
-            past: vec![0.0; memory::states(&system.tree)],
+            past: vec![0.0; force::states(&system.tree)],
         }
     }
 

@@ -34,6 +34,7 @@ use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::event::{EventLog, standstill};
+use crate::force;
 use crate::record::Sample;
 use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
@@ -249,10 +250,12 @@ impl Adaptive {
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
             .map_err(|pivot| self.singular(system, state, pivot))?;
         self.log_slipping(system, state, log);
-        // Rope over light sheaves and on drums, and what slides, is evaluated anew from what the state knows, as after a
-        // restore: the same bytes.
+        force::follow(&system.tree, &mut frame.kinematics, (&state.v, state.time), &mut state.past);
+        // Rope over light sheaves and on drums, what slides and what waves do is evaluated anew from what the state knows, as
+        // after a restore: the same bytes.
         let slides = system.friction.iter().any(|&row| state.modes[row] == Mode::Slipping);
         self.current &= system.light.is_empty() && system.coils.is_empty() && !slides;
+        self.current &= !force::has_waves(&system.tree);
         Ok(report)
     }
 

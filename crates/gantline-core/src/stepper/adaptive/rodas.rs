@@ -60,7 +60,7 @@ use super::tableau::{A, GAMMA, STAGES, TIMES};
 use super::tangent::TangentMatrix;
 use crate::clock::Stage;
 use crate::force;
-use crate::force::memory::{self, memories};
+use crate::force::memory::memories;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
@@ -115,7 +115,7 @@ impl Rodas {
             rho: vec![0.0; size],
             sum: vec![0.0; size],
             slid: vec![0.0; system.friction.len()],
-            recalled: vec![0.0; memory::states(&system.tree)],
+            recalled: vec![0.0; force::states(&system.tree)],
             drift: if force::knows_time(&system.tree) { vec![0.0; size] } else { Vec::new() },
             force: vec![0.0; size],
             rows: vec![0.0; system.rows.count()],
