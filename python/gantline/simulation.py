@@ -376,7 +376,11 @@ class Simulation:
         return self._core.stages()
 
     def save(self) -> bytes:
-        """The state of the simulation, from which `restore` goes on with the same bytes of results."""
+        """The state of the simulation, from which `restore` goes on with the same bytes of results.
+
+        What was recorded so far is part of it, so that a run that goes on from it, also in another process,
+        hands out the whole recording. For this version of gantline, this lift and these settings.
+        """
         return self._core.save()
 
     def restore(self, state: bytes) -> None:
@@ -386,7 +390,8 @@ class Simulation:
             state: What `save` gave.
 
         Raises:
-            ValueError: If it is no state of this lift.
+            ValueError: If it is no state of this lift and these settings, is damaged, or was saved by another
+                version of gantline; the simulation is then as before.
         """
         self._core.restore(state)
         self._present = None

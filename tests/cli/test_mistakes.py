@@ -11,6 +11,7 @@ from typer.testing import CliRunner
 import sample_lift
 from gantline.cli.app import app
 from gantline.scenario import template
+from saved_states import with_digest
 
 
 @pytest.fixture
@@ -22,6 +23,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "words.nc").write_text("no recording", encoding="utf-8")
     (tmp_path / "state.bin").write_text("no state", encoding="utf-8")
     (tmp_path / "half.bin").write_text('{"time": 1.0, "pos', encoding="utf-8")
+    (tmp_path / "older.bin").write_bytes(with_digest(b'{"fingerprint":1,"state":{}}' + bytes(16)))
     with h5netcdf.File(tmp_path / "other.nc", "w") as file:
         file.attrs["title"] = "Of another program"
     (tmp_path / "empty").mkdir()
@@ -30,9 +32,14 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 LIFT = "a lift file or its folder is needed"
-NO_STATE = (
-    "the saved state cannot be used: it is no state of a run, or is damaged or cut off; "
-    "a run of this lift that cannot go on leaves one, 'state.bin'"
+USELESS, LEAVES_ONE = (
+    "the saved state cannot be used:",
+    "a run of this lift that cannot go on leaves one, 'state.bin'",
+)
+NO_STATE = f"{USELESS} it is no state of a run, or is damaged or cut off; {LEAVES_ONE}"
+OLD_STATE = (
+    f"{USELESS} it was saved by another version of gantline, and the version that saved it reads it; "
+    f"{LEAVES_ONE}"
 )
 NO_RECORDING = "is no recording (.nc) and no folder with one; 'gantline run' makes recordings"
 CUT_OFF = "not a recording of gantline (it is cut off: copy it anew, or run the lift again)"
@@ -51,6 +58,7 @@ MISTAKES = {
     "run lift.yaml -o short.nc/out": "short.nc/out: cannot be written (not a directory)",
     "statics lift.yaml --state state.bin": f"--state: state.bin: {NO_STATE}",
     "statics lift.yaml --state half.bin": f"--state: half.bin: {NO_STATE}",
+    "statics lift.yaml --state older.bin": f"--state: older.bin: {OLD_STATE}",
     "statics lift.yaml --state empty": "--state: empty: cannot be read (is a directory)",
     "statics lift.yaml --want 'slop_x=1 deg'": f"--want: slop_x: '1 deg' is an angle; {SHARE}",
     "statics lift.yaml --time 12": "--time: '12' has no unit; a time is written like '40 s' or '2 ms'",

@@ -12,17 +12,21 @@ from typing import Any
 import numpy as np
 import pytest
 
+import gantline
 from gantline import _core
 from gantline.simulation import Simulation
 from mechanics import body, contact, document, free
+from saved_states import with_digest
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
-#: Duration and time of the break [s]: while slings bounce, and while a step waits for its condition.
+#: Duration and time of the break [s]: while slings bounce, while a step waits for its condition, and after
+#: bodies that touch have met in other places.
 LIFTS = {
     "pulleys": (5.0, 1.2345),
     "equalizer": (40.0, 7.7777),
     "equalizer_yard": (90.0, 78.9012),
     "reeved_hoist": (60.0, 41.0),
+    "goliath": (360.0, 333.3),
 }
 PROCESS = """
 import sys
@@ -142,3 +146,42 @@ def test_a_state_of_another_lift_is_refused() -> None:
     for damaged in (state[:-10], state.replace(b"0", b"1", 1), b""):
         with pytest.raises(ValueError, match="it is no state of a run, or is damaged or cut off"):
             Simulation(SCENARIOS / "equalizer").restore(damaged)
+
+
+def test_one_byte_that_has_changed_is_found_wherever_it_is() -> None:
+    """Each of 60 bytes over the length of a state, digest included: refused, and nothing is taken up."""
+    run = Simulation(SCENARIOS / "equalizer")
+    run.run(until=2.0)
+    state = run.save()
+    assert with_digest(state) == state
+    other = Simulation(SCENARIOS / "equalizer")
+    for place in np.linspace(0, len(state) - 1, 60).astype(int):
+        damaged = bytearray(state)
+        damaged[place] ^= 1
+        with pytest.raises(ValueError, match="it is no state of a run, or is damaged or cut off"):
+            other.restore(bytes(damaged))
+    assert other.time == 0.0 and len(other.recording().time) == 0
+
+
+def test_a_state_of_another_version_is_refused_and_said_to_be_one() -> None:
+    """Whole, with the digest of what it is: of the form before, of another version, with other parts."""
+    run = Simulation(SCENARIOS / "equalizer")
+    run.run(until=0.5)
+    state = run.save()
+    first, rest = state.split(b"\n", 1)
+    assert first == f"gantline {gantline.__version__} state 2".encode()
+    assert rest[8:].startswith(b'{"fingerprint":') and b'"ledger":' in rest
+    others = [
+        rest[8:],  # a state was nothing but this
+        state.replace(first, b"gantline 0.0.9 state 2", 1),
+        state.replace(b'"ledger":', b'"leger_":', 1),
+    ]
+    for other in others:
+        with pytest.raises(ValueError, match="it was saved by another version of gantline, and the version"):
+            Simulation(SCENARIOS / "equalizer").restore(with_digest(other))
+    # Samples that are not those of this lift, as only another version can have left them: too long.
+    longer = with_digest(state[:-16] + bytes(16) + state[-16:])
+    untouched = Simulation(SCENARIOS / "equalizer")
+    with pytest.raises(ValueError, match="its samples cannot be read"):
+        untouched.restore(longer)
+    assert untouched.time == 0.0

@@ -157,7 +157,9 @@ proptest! {
         let mut columns = [DVec3::ZERO; 6];
         let tension = 7.0;
         let rope = system.ropes().next().unwrap();
-        let factor = rope.geometric_stiffness((&frame.kinematics, &state.seats), tension, 0, &mut columns);
+        let (at, mut turns) = ((&frame.kinematics, state.seats.as_slice()), 0);
+        let factor = rope.geometric_stiffness(at, tension, 0, &mut columns, |_, _| turns += 1);
+        prop_assert_eq!(turns, 0, "nothing turns here");
         let dofs = &system.constraints[0].curvature_groups()[0].1;
         let across: DVec3 = dofs.iter().zip(&columns).map(|(&dof, column)| *column * way[dof]).sum();
         let length = |scale: f64| moved(&system, &state, &way, scale).1.value[0];
@@ -165,6 +167,41 @@ proptest! {
         let d = 1e-4;
         let curvature = tension * (length(d) - 2.0 * length(0.0) + length(-d)) / (d * d);
         prop_assert!((factor * across.length_squared() - curvature).abs() < 1e-5);
+    }
+
+    /// With what tension does to joints that turn it is the second difference of the length where ends move on circles too:
+    /// of a rope from the world to the end of two arms, one hinged to the other about the same direction.
+    #[test]
+    fn ends_that_turn_have_the_rest_of_the_curvature(
+        angles in prop::collection::vec(-3.0..3.0_f64, 2),
+        arms in prop::collection::vec(-2.0..2.0_f64, 6),
+        way in prop::collection::vec(-1.0..1.0_f64, 2),
+    ) {
+        let arm = |name: &str, parent: Option<&str>, at: &[f64], angle: f64| serde_json::json!({
+            "name": name, "parent": parent, "mass": 1.0, "centre_of_gravity": [0, 0, 0], "inertia": [1, 1, 1, 0, 0, 0],
+            "placement": {"position": at, "orientation": [1, 0, 0, 0]},
+            "joint": {"type": "hinge", "axis": [0, 1, 0], "position": angle}});
+        let spec = serde_json::json!({"gravity": [0, 0, 0],
+            "bodies": [arm("a", None, &[0.0, 0.0, 0.0], angles[0]), arm("b", Some("a"), &arms[..3], angles[1])],
+            "ropes": [{"name": "r", "length": 1.0, "material": {"type": "elastic", "axial_stiffness": 1.0},
+                "route": [{"type": "end", "at": [0, 9, 0]}, {"type": "end", "body": "b", "at": &arms[3..]}]}]});
+        let (system, state) = gantline_core::build::build(&serde_json::from_value(spec).unwrap()).unwrap();
+        let mut frame = Frame::new(&system);
+        frame.update(&system, &state);
+        let (mut columns, tension, rope) = ([DVec3::ZERO; 2], 7.0, system.ropes().next().unwrap());
+        let (at, mut found) = ((&frame.kinematics, state.seats.as_slice()), 0.0);
+        let factor = rope.geometric_stiffness(at, tension, 0, &mut columns, |body, resistance| {
+            // Both joints turn the lower arm.
+            let turn: f64 = way[..=body].iter().sum();
+            found += turn * turn * (resistance * DVec3::Y).y;
+        });
+        let dofs = &system.constraints[0].curvature_groups()[0].1;
+        found += factor * dofs.iter().zip(&columns).map(|(&dof, column)| *column * way[dof]).sum::<DVec3>().length_squared();
+        let length = |scale: f64| moved(&system, &state, &way, scale).1.value[0];
+        // Lengths of up to 15 m are rounded by 2e-15 each: 7 N times four of that over d² is 6e-6.
+        let d = 1e-4;
+        let curvature = tension * (length(d) - 2.0 * length(0.0) + length(-d)) / (d * d);
+        prop_assert!((found - curvature).abs() < 2e-5, "{found} for {curvature}");
     }
 }
 

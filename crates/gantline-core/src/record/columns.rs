@@ -82,15 +82,13 @@ impl Columns {
             presence: Presence::of(system, log),
         };
         let (positions, velocities) = (system.tree.positions, system.tree.velocities);
-        let (rows, sheaves) = (system.rows.count(), system.sheaves.len());
-        let spots = samples.spots.len() / samples.time.len().max(1);
+        let rows = system.rows.count();
         for index in 0..samples.time.len() {
             let q = &samples.q[index * positions..][..positions];
             let v = &samples.v[index * velocities..][..velocities];
             let acceleration = &samples.acceleration[index * velocities..][..velocities];
             let tension = &samples.tension[index * rows..][..rows];
-            let seats = &samples.seats[index * sheaves..][..sheaves];
-            let spots = &samples.spots[index * spots..][..spots];
+            let (seats, spots) = (samples.seats.of(index), samples.spots.of(index));
             sampled.kinematics.update(&system.tree, q, samples.time[index]);
             let states = sampled.kinematics.past.len();
             sampled.kinematics.past.copy_from_slice(&samples.past[index * states..][..states]);

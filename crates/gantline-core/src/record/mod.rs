@@ -1,8 +1,6 @@
 //! What a run keeps: samples of its motion and forces at equal intervals. All else, poses, segments, forces in
 //! joints, follows from them and is worked out when it is asked for ([`columns::Columns`]).
 
-use serde::{Deserialize, Serialize};
-
 use crate::audit::KINDS;
 use crate::contact::spot::Spot;
 use crate::rope::seat::Seat;
@@ -14,7 +12,11 @@ mod clearance;
 pub mod columns;
 pub mod named;
 pub mod names;
+pub(crate) mod packed;
 mod presence;
+mod rows;
+
+use rows::Rows;
 
 /// Motion and forces at one moment.
 #[derive(Debug, Clone, Default)]
@@ -40,7 +42,7 @@ impl Sample {
 }
 
 /// Samples taken so far. Shapes are (samples, …) in row-major order.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Samples {
     /// Time [s].
     pub time: Vec<f64>,
@@ -53,12 +55,11 @@ pub struct Samples {
     /// (row) force [N].
     pub tension: Vec<f64>,
     /// (number) what forces remember, as [`State::past`].
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub past: Vec<f64>,
     /// (sheave) how ropes lie on sheaves with true tangents.
-    pub seats: Vec<Seat>,
+    pub(crate) seats: Rows<Seat>,
     /// (spot) where bodies may touch.
-    pub spots: Vec<Spot>,
+    pub(crate) spots: Rows<Spot>,
     /// (row that is adjusted) by how much it is longer than at the start [m].
     pub lengthening: Vec<f64>,
     /// (kind) [J].
@@ -89,8 +90,8 @@ impl Samples {
         let count = (count as usize).saturating_add(1).min(MOST_ROOM / width);
         let room = |width: usize| Vec::with_capacity(count * width);
         Self {
-            seats: Vec::with_capacity(count * seats.len()),
-            spots: Vec::with_capacity(count * spots.len()),
+            seats: Rows::with_room(count, seats.len()),
+            spots: Rows::with_room(count, spots.len()),
             time: room(1),
             q: room(q.len()),
             v: room(v.len()),
@@ -101,6 +102,22 @@ impl Samples {
             complementarity_residual: room(1),
             ..Self::default()
         }
+    }
+
+    /// True where these may be samples of states like `state`.
+    pub fn are_of(&self, state: &State) -> bool {
+        let State { q, v, tension, past, seats, spots, .. } = state;
+        let count = self.time.len();
+        let of = |column: &[f64], width: usize| column.len() == count * width;
+        of(&self.q, q.len())
+            && of(&self.v, v.len())
+            && of(&self.acceleration, v.len())
+            && of(&self.tension, tension.len())
+            && of(&self.past, past.len())
+            && of(&self.energy, KINDS.len())
+            && of(&self.complementarity_residual, 1)
+            && self.seats.are(count, seats.len())
+            && self.spots.are(count, spots.len())
     }
 
     /// Adds a state as it is, as a sample at `time` [s].
@@ -118,8 +135,8 @@ impl Samples {
         self.acceleration.extend_from_slice(&sample.acceleration);
         self.tension.extend_from_slice(&sample.tension);
         self.past.extend_from_slice(&sample.past);
-        self.seats.extend_from_slice(&by.seats);
-        self.spots.extend_from_slice(&by.spots);
+        self.seats.push(&by.seats);
+        self.spots.push(&by.spots);
         self.complementarity_residual.push(residual);
     }
 

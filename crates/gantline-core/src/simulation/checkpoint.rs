@@ -8,18 +8,22 @@ use crate::event::EventLog;
 use crate::record::Samples;
 use crate::state::State;
 
-/// Everything that goes into a checkpoint.
+/// What goes into a saved state beside the samples.
 #[derive(Serialize, Deserialize)]
 struct Checkpoint {
     fingerprint: u64,
     /// That of the document alone.
     document: u64,
     state: State,
-    samples: Samples,
     events: EventLog,
     commands: Vec<Command>,
     counters: Counters,
 }
+
+/// What a saved state begins with. The number is that of its form: it grows when what the samples are packed as changes.
+const KIND: &str = concat!("gantline ", env!("CARGO_PKG_VERSION"), " state 2\n");
+/// What those of other versions begin with.
+const OTHERS: [&str; 2] = ["gantline ", "{\"fingerprint\":"];
 
 /// FNV-1a, to tell whether a checkpoint belongs to a document.
 pub(crate) fn fingerprint<const COUNT: usize>(texts: [&str; COUNT]) -> u64 {
@@ -37,14 +41,26 @@ fn digest(bytes: &[u8]) -> String {
     format!("{:0DIGEST$x}", hash(bytes.iter().copied()))
 }
 
-/// What [`Simulation::save`] gave, which a digest of all that stands before ends: numbers that have changed or are missing
-/// would be met somewhere in a step.
-fn checkpoint_of(bytes: &[u8]) -> Result<Checkpoint, SetupError> {
+/// What [`Simulation::save`] gave: its kind, the length of the checkpoint's JSON, that, and the samples. A digest of all that
+/// stands before ends it: numbers that have changed or are missing would be met somewhere in a step.
+fn checkpoint_of(bytes: &[u8]) -> Result<(Checkpoint, &[u8]), SetupError> {
+    let refused = |problem: &str| SetupError::State(problem.to_owned());
+    let damaged = || refused("it is no state of a run, or is damaged or cut off");
+    let other =
+        || refused("it was saved by another version of gantline, and the version that saved it reads it");
     let (text, end) = bytes.split_at(bytes.len().saturating_sub(DIGEST));
     if digest(text).as_bytes() != end {
-        return Err(SetupError::State("it is no state of a run, or is damaged or cut off".to_owned()));
+        return Err(damaged());
     }
-    serde_json::from_slice(text).map_err(|error| SetupError::State(error.to_string()))
+    let Some(rest) = text.strip_prefix(KIND.as_bytes()) else {
+        let is_other = OTHERS.iter().any(|kind| text.starts_with(kind.as_bytes()));
+        return Err(if is_other { other() } else { damaged() });
+    };
+    let (length, rest) = rest.split_first_chunk().ok_or_else(damaged)?;
+    let length = usize::try_from(u64::from_le_bytes(*length)).map_err(|_| damaged())?;
+    let (json, samples) = rest.split_at_checked(length).ok_or_else(damaged)?;
+    let checkpoint = serde_json::from_slice(json).map_err(|_| other())?;
+    Ok((checkpoint, samples))
 }
 
 /// The state in what [`Simulation::save`] gave of the document with a fingerprint, whatever the settings.
@@ -52,7 +68,7 @@ fn checkpoint_of(bytes: &[u8]) -> Result<Checkpoint, SetupError> {
 /// # Errors
 /// [`SetupError::State`] where it is not that.
 pub(crate) fn saved_state(document: u64, bytes: &[u8]) -> Result<State, SetupError> {
-    let checkpoint = checkpoint_of(bytes)?;
+    let (checkpoint, _) = checkpoint_of(bytes)?;
     if checkpoint.document != document {
         return Err(SetupError::State("it was saved from another lift".to_owned()));
     }
@@ -60,18 +76,20 @@ pub(crate) fn saved_state(document: u64, bytes: &[u8]) -> Result<State, SetupErr
 }
 
 impl Simulation {
-    /// All that is needed to go on with the same bytes.
+    /// All that is needed to go on with the same bytes: what follows from the past, and the past itself, which belongs to
+    /// the recording of the run that goes on.
     pub fn save(&self) -> Result<Vec<u8>, SetupError> {
         let checkpoint = Checkpoint {
             fingerprint: self.fingerprint,
             document: self.document,
             state: self.state.clone(),
-            samples: self.samples.clone(),
             events: self.events.clone(),
             commands: self.commands.clone(),
             counters: self.counters,
         };
-        let mut bytes = serde_json::to_vec(&checkpoint)?;
+        let (json, samples) = (serde_json::to_vec(&checkpoint)?, self.samples.packed());
+        let length = (json.len() as u64).to_le_bytes();
+        let mut bytes = [KIND.as_bytes(), &length, &json, &samples].concat();
         let end = digest(&bytes);
         bytes.extend_from_slice(end.as_bytes());
         Ok(bytes)
@@ -82,13 +100,14 @@ impl Simulation {
     /// # Errors
     /// [`SetupError::State`] where it is not that.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SetupError> {
-        let checkpoint = checkpoint_of(bytes)?;
+        let (checkpoint, packed) = checkpoint_of(bytes)?;
+        let refused = |problem: &str| SetupError::State(problem.to_owned());
         if checkpoint.fingerprint != self.fingerprint {
-            let problem = "it was saved from another lift, or with other settings";
-            return Err(SetupError::State(problem.to_owned()));
+            return Err(refused("it was saved from another lift, or with other settings"));
         }
+        let samples = Samples::unpacked(packed).filter(|samples| samples.are_of(&self.state));
+        self.samples = samples.ok_or_else(|| refused("its samples cannot be read"))?;
         self.state = checkpoint.state;
-        self.samples = checkpoint.samples;
         self.events = checkpoint.events;
         self.commands = checkpoint.commands;
         self.counters = checkpoint.counters;

@@ -2,7 +2,10 @@
 //! water: their section with it resists sinking and heeling.
 //!
 //! K = Σ f cᵢ·cⱼ over the straight parts, f = T/ℓ, c the relative velocity of a part's ends across it: the
-//! part of Gᵀ's change that is positive semidefinite by construction. A hull adds ρ g ∫ w w dA over its section, w the
+//! part of Gᵀ's change that is positive semidefinite by construction. The rest is what tension does to joints that turn
+//! ([`crate::constraint::rope::turning`]): the sum S of all ropes at a body is a group with what of it is positive, S₊ = L Lᵀ
+//! over the turn of the body, c = Lᵀ ω, f = 1. A light sheave block at the head of a boom is a pendulum under the tension of
+//! its ropes, far too quick for a step that took this from its start. A hull adds ρ g ∫ w w dA over its section, w the
 //! upward velocity of the section's points, as such a group with f = ρ g: ∫ w w dA = L Lᵀ over heave and both turns,
 //! c = Lᵀ (heave, turn x, turn y). So does a mooring line with all of its stiffness, which is that of a convex function.
 
@@ -19,6 +22,15 @@ use crate::system::System;
 /// Weight of the velocity before the step, see [`Stiffness::update`].
 pub const EXPLICIT: f64 = 0.25;
 
+/// A body that ropes turn.
+#[derive(Debug, Clone)]
+struct Turned {
+    /// Degrees of freedom that turn it, ascending.
+    dofs: Vec<usize>,
+    /// S of the ropes [N m].
+    resistance: DMat3,
+}
+
 /// Groups of degrees of freedom with one vector each.
 #[derive(Debug, Clone)]
 pub struct Stiffness {
@@ -30,8 +42,13 @@ pub struct Stiffness {
     pub columns: Vec<DVec3>,
     /// f = T/ℓ [N/m] of every group.
     pub factor: Vec<f64>,
-    /// How many of the groups are ropes'; hulls and mooring lines come after them.
+    /// How many of the groups are ropes' own, of straight parts and of bodies that they turn; hulls and mooring lines come
+    /// after them.
     pub ropes: usize,
+    /// Bodies that ropes turn, each with its group.
+    turned: Vec<Turned>,
+    /// For every body its place among these.
+    place: Vec<Option<usize>>,
     /// α, weight of the velocity after the step.
     pub implicit: Vec<f64>,
     /// Weight of the velocity before the step: [`EXPLICIT`], or 0 where K is left out.
@@ -42,11 +59,25 @@ impl Stiffness {
     /// Groups of all constraints of `system`.
     pub fn new(system: &System) -> Self {
         let (mut start, mut dofs) = (vec![0], Vec::new());
+        let mut turned_by = vec![Vec::new(); system.tree.bodies.len()];
         for rope in system.ropes() {
-            for (_, members) in rope.curvature_groups() {
+            for (group, (_, members)) in rope.curvature_groups().into_iter().enumerate() {
                 dofs.extend(members);
                 start.push(dofs.len());
+                rope.turned(group).into_iter().for_each(|(body, own)| turned_by[body].extend(own));
             }
+        }
+        let (mut turned, mut place) = (Vec::new(), vec![None; turned_by.len()]);
+        for (body, mut own) in turned_by.into_iter().enumerate() {
+            own.sort_unstable();
+            own.dedup();
+            if own.iter().all(|&dof| system.driven[dof].is_some()) {
+                continue;
+            }
+            place[body] = Some(turned.len());
+            dofs.extend(&own);
+            start.push(dofs.len());
+            turned.push(Turned { dofs: own, resistance: DMat3::ZERO });
         }
         let ropes = start.len() - 1;
         for force in &system.tree.forces {
@@ -56,7 +87,8 @@ impl Stiffness {
             }
         }
         let (columns, zeros) = (vec![DVec3::ZERO; dofs.len()], vec![0.0; start.len() - 1]);
-        Self { start, dofs, columns, factor: zeros.clone(), ropes, implicit: zeros, explicit: 0.0 }
+        let (factor, implicit) = (zeros.clone(), zeros);
+        Self { start, dofs, columns, factor, ropes, turned, place, implicit, explicit: 0.0 }
     }
 
     /// K under the tensions of the last step, and the weights of a step of length `h` [s].
@@ -68,6 +100,7 @@ impl Stiffness {
     pub fn update(&mut self, system: &System, state: &State, frame: &Frame, h: f64, used: bool) {
         self.explicit = if used { EXPLICIT } else { 0.0 };
         let mut group = 0;
+        self.turned.iter_mut().for_each(|turned| turned.resistance = DMat3::ZERO);
         for (index, rope) in system.ropes().enumerate() {
             for part in 0..rope.groups() {
                 let span = rope.span_of[part];
@@ -82,12 +115,27 @@ impl Stiffness {
                     group += 1;
                     continue;
                 }
-                let factor =
-                    rope.geometric_stiffness((&frame.kinematics, &state.seats), tension, part, columns);
-                self.factor[group] = factor;
+                let (turned, place) = (&mut self.turned, &self.place);
+                let turns = |body: usize, resistance: DMat3| {
+                    if let Some(place) = place[body] {
+                        turned[place].resistance += resistance;
+                    }
+                };
+                let at = (&frame.kinematics, state.seats.as_slice());
+                self.factor[group] = rope.geometric_stiffness(at, tension, part, columns, turns);
                 self.weigh(system, group, h, used);
                 group += 1;
             }
+        }
+        for index in 0..self.turned.len() {
+            let Turned { dofs, resistance } = &self.turned[index];
+            let root = positive_root(resistance);
+            for (column, &dof) in self.columns[self.start[group]..].iter_mut().zip(dofs) {
+                *column = root.transpose() * frame.kinematics.columns[dof].angular;
+            }
+            self.factor[group] = 1.0;
+            self.weigh(system, group, h, used);
+            group += 1;
         }
         for force in &system.tree.forces {
             let columns = match force {
@@ -189,6 +237,33 @@ fn line_stiffness(system: &System, frame: &Frame, mooring: &Mooring, columns: &m
     1.0
 }
 
+/// Sweeps of Jacobi's rotations; each squares what is left beside the diagonal, so that after six of three by three there is nothing.
+const SWEEPS: usize = 6;
+
+/// L with L Lᵀ the positive part of a symmetric matrix: its eigenvectors times the roots of its positive eigenvalues.
+fn positive_root(matrix: &DMat3) -> DMat3 {
+    let (mut values, mut vectors) = (*matrix, DMat3::IDENTITY);
+    for _ in 0..SWEEPS {
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            let (beside, [first, second]) = (values.col(j)[i], [values.col(i)[i], values.col(j)[j]]);
+            if beside.abs() <= f64::EPSILON * 0.5 * (first.abs() + second.abs()) {
+                continue;
+            }
+            let cotangent = (second - first) / (2.0 * beside);
+            let tangent = 1.0_f64.copysign(cotangent) / (cotangent.abs() + cotangent.hypot(1.0));
+            let cosine = 1.0 / tangent.hypot(1.0);
+            let sine = tangent * cosine;
+            let mut turn = DMat3::IDENTITY;
+            (turn.col_mut(i)[i], turn.col_mut(j)[j]) = (cosine, cosine);
+            (turn.col_mut(i)[j], turn.col_mut(j)[i]) = (-sine, sine);
+            values = turn.transpose() * values * turn;
+            vectors *= turn;
+        }
+    }
+    let root = |axis: usize| vectors.col(axis) * values.col(axis)[axis].max(0.0).sqrt();
+    DMat3::from_cols(root(0), root(1), root(2))
+}
+
 /// L of a positive semidefinite matrix L Lᵀ; columns without anything left are zero.
 fn cholesky(matrix: &DMat3) -> DMat3 {
     let mut root = DMat3::ZERO;
@@ -205,4 +280,32 @@ fn cholesky(matrix: &DMat3) -> DMat3 {
         }
     }
     root
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat3, DQuat, DVec3};
+
+    use super::positive_root;
+
+    #[test]
+    fn the_positive_part_has_the_positive_eigenvalues() {
+        let axes = DMat3::from_quat(DQuat::from_euler(glam::EulerRot::XYZ, 0.4, -1.1, 2.0));
+        for (values, positive) in [
+            ([3.0, 2.0, 1.0], [3.0, 2.0, 1.0]),
+            ([3.0, -2.0, 1e-6], [3.0, 0.0, 1e-6]),
+            ([5.0, 5.0, -5.0], [5.0, 5.0, 0.0]),
+            ([-1.0, -2.0, -3.0], [0.0; 3]),
+            ([0.0; 3], [0.0; 3]),
+        ] {
+            for turn in [DMat3::IDENTITY, axes] {
+                let of = |values: [f64; 3]| {
+                    turn * DMat3::from_diagonal(DVec3::from_array(values)) * turn.transpose()
+                };
+                let root = positive_root(&of(values));
+                let difference = root * root.transpose() - of(positive);
+                assert!(difference.to_cols_array().iter().all(|entry| entry.abs() < 1e-14), "{difference}");
+            }
+        }
+    }
 }

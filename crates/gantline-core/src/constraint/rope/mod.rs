@@ -9,8 +9,9 @@ mod chords;
 mod levers;
 mod sheaves;
 pub mod span;
+mod turning;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::{Constraint, Law, Line, Moving, Placed};
 use crate::rope::guide::Attachment;
@@ -175,13 +176,15 @@ impl Rope {
 
     /// The part of the geometric stiffness of one straight part that is positive semidefinite by construction:
     /// fills `columns` with the transversal relative velocity c per degree of freedom of the group and returns
-    /// the factor f of K = f Σ cᵢ·cⱼ, f = T/ℓ [N/m]; both zero for a part that is not there now.
+    /// the factor f of K = f Σ cᵢ·cⱼ, f = T/ℓ [N/m]; both zero for a part that is not there now. What its tension
+    /// does to turning joints is told to `turns`, see [`turning`].
     pub fn geometric_stiffness(
         &self,
         (kinematics, seats): (&Kinematics, &[Seat]),
         tension: f64,
         group: usize,
         columns: &mut [DVec3],
+        turns: impl FnMut(usize, DMat3),
     ) -> f64 {
         columns.fill(DVec3::ZERO);
         if !self.is_there(group, seats) {
@@ -189,6 +192,7 @@ impl Rope {
         }
         let straight = self.part(group).locate(kinematics);
         self.transversals(kinematics, &straight, group, columns);
+        self.turn(kinematics, (&straight, tension), group, turns);
         if straight.length > 0.0 { tension / straight.length } else { 0.0 }
     }
 
