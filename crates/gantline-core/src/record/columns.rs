@@ -137,12 +137,7 @@ impl Columns {
 
 /// Mean tension over the straight parts of a rope [N] under the forces of its rows.
 fn mean_tension(rope: &Rope, force: &[f64], q: &[f64]) -> f64 {
-    if let [_] = rope.spans[..] {
-        return force[0] * rope.spans[0].scale(q);
-    }
-    let parts = rope.spans.iter().zip(force);
-    let sum: f64 = parts.map(|(span, force)| span.parts.len() as f64 * span.scale(q) * force).sum();
-    sum / rope.route.parts.len() as f64
+    rope.mean(|span| rope.spans[span].scale(q) * force[span])
 }
 
 /// Lengthening of all ropes (samples, ropes) [m], zero of those that are not adjusted; empty where none is.

@@ -93,7 +93,7 @@ impl StaticLift {
             let is_same = losses.sheaves == on_the_way.sheaves
                 && (losses.contacts == on_the_way.contacts || self.system.friction.is_empty());
             let rest = self.follow(time, on_the_way, goes_on)?;
-            if is_same { rest } else { self.statics.go_on(&self.system, &mut self.state, losses)? }
+            if is_same { rest } else { self.statics.settle_again(&self.system, &mut self.state, losses)? }
         } else {
             self.jump(time, losses)?
         };
@@ -180,8 +180,7 @@ impl StaticLift {
     /// The derivative over a parameter of what each rope pulls with, mooring lines last [N].
     pub fn tension_change(&self, parameter: Parameter, change: &Sensitivity) -> Vec<f64> {
         let Self { system, state, .. } = self;
-        let rows = &system.rows.first[..system.rope_count];
-        let ropes = rows.iter().map(|&row| change.tension[row]);
+        let ropes = self.statics.rope_changes(system, &change.motion, &change.tension).into_iter();
         let kinematics = &placed(system, state).kinematics;
         let moorings = system.moorings().map(|mooring| {
             let carried = match parameter {

@@ -107,30 +107,36 @@ impl Statics {
 
     fn dense_tension(&self, system: &System) -> [Vec<f64>; 2] {
         let free = &self.search.matrix.layout.free;
-        let (mut tension, mut rate) = (Vec::new(), Vec::new());
-        for rope in 0..system.rope_count {
-            let row = system.rows.first[rope];
-            let (bearing, law) = (&self.bearings[row], &system.rows.laws[row]);
-            let share = match (self.search.here.follows[row], bearing.is_rigid) {
-                (false, _) => 0.0,
-                (true, true) => f64::NAN,
-                (true, false) => 1.0 / bearing.compliance,
-            };
-            let gradient = self.dense_row(system, row);
-            tension.extend(gradient.iter().map(|entry| share * entry));
-            rate.extend(gradient.iter().map(|entry| law.damping_time() * share * entry));
-        }
+        let gradients: Vec<Vec<f64>> =
+            (0..system.rope_rows()).map(|row| self.dense_row(system, row)).collect();
+        let share = |row: usize| match (self.search.here.follows[row], self.bearings[row].is_rigid) {
+            (false, _) => 0.0,
+            (true, true) => f64::NAN,
+            (true, false) => 1.0 / self.bearings[row].compliance,
+        };
         let kinematics = &self.search.here.frame.kinematics;
-        let mut unit = vec![0.0; system.tree.velocities];
-        for mooring in system.moorings() {
-            for &dof in free {
-                unit[dof] = 1.0;
-                let [by_place, by_rate] = mooring.tension_rates(&system.tree, kinematics, &unit, DVec3::ZERO);
-                tension.push(by_place);
-                rate.push(by_rate);
-                unit[dof] = 0.0;
+        let (mut unit, still) = (vec![0.0; system.tree.velocities], vec![0.0; system.tree.velocities]);
+        let mut columns = [Vec::new(), Vec::new()];
+        for (place, &dof) in free.iter().enumerate() {
+            unit[dof] = 1.0;
+            let change: Vec<f64> =
+                gradients.iter().enumerate().map(|(row, gradient)| share(row) * gradient[place]).collect();
+            let damped = |(row, change): (usize, &f64)| system.rows.laws[row].damping_time() * change;
+            let rate: Vec<f64> = change.iter().enumerate().map(damped).collect();
+            let [mut by_place, mut by_rate] = [(&unit, change), (&still, rate)]
+                .map(|(motion, change)| self.rope_changes(system, motion, &change));
+            for mooring in system.moorings() {
+                let [place, rate] = mooring.tension_rates(&system.tree, kinematics, &unit, DVec3::ZERO);
+                by_place.push(place);
+                by_rate.push(rate);
             }
+            unit[dof] = 0.0;
+            columns[0].push(by_place);
+            columns[1].push(by_rate);
         }
-        [tension, rate]
+        let ropes = 0..system.all_ropes();
+        columns.map(|columns| {
+            ropes.clone().flat_map(|rope| columns.iter().map(move |column| column[rope])).collect()
+        })
     }
 }

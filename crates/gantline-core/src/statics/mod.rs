@@ -196,7 +196,6 @@ impl Statics {
         if let Some(vessel) = self.sunk(system) {
             return Err(NoEquilibrium { element: vessel.name.clone(), cause: SINKS.to_owned() });
         }
-        self.drag_motors(system, state);
         self.store(system, state);
         self.is_found = true;
         Ok(())

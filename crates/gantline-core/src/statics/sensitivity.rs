@@ -21,6 +21,7 @@ use super::search::LEAST;
 use super::{NoEquilibrium, Statics};
 use crate::constraint::AnyConstraint;
 use crate::constraint::brake::At;
+use crate::constraint::rope::span::Span;
 use crate::state::State;
 use crate::stepper::frame::Remembered;
 use crate::system::System;
@@ -134,6 +135,19 @@ impl Statics {
             *tension = *change;
         }
         Sensitivity { motion, tension }
+    }
+
+    /// What changes of the degrees of freedom and of the forces of rows do to the tension of every rope [N], as it is
+    /// recorded: forces of rows are not tensions where rope is fed, and spans of a rope have one each.
+    pub(super) fn rope_changes(&self, system: &System, motion: &[f64], change: &[f64]) -> Vec<f64> {
+        let here = &self.search.here;
+        let of_span = |span: &Span, row: usize| {
+            let feeds = span.feeds.iter();
+            let supply = feeds.map(|feed| feed.speed_rate(&here.frame.feeding) * motion[feed.dof]).sum();
+            span.tension_change(&here.q, here.tension[row], change[row], supply)
+        };
+        let ropes = system.ropes().zip(&system.rows.first);
+        ropes.map(|(rope, &first)| rope.mean(|span| of_span(&rope.spans[span], first + span))).collect()
     }
 
     /// What a change of motion and tensions does to the forces of sheaves that slip; true if that is known already.

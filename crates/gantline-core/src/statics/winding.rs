@@ -60,6 +60,7 @@ impl Statics {
     pub fn resume(&mut self, system: &System, state: &State) {
         self.begin(system, state);
         self.bearings.clear();
+        self.is_found = false;
         let positions = system.drives.iter().map(|drive| system.tree.bodies[drive.body].first_position);
         self.places = positions.map(|position| state.q[position]).collect();
     }
@@ -73,9 +74,10 @@ impl Statics {
         }
     }
 
-    /// What is more than a motor can hold drags it along.
-    pub(super) fn drag_motors(&mut self, system: &System, state: &State) {
-        for &(row, drive) in &system.motors {
+    /// What was more than a motor could hold at the last equilibrium has dragged it along. Until it is asked for more it
+    /// goes on pulling all it can: a winch of constant tension does not hold, it slips.
+    fn drag_motors(&mut self, system: &System, state: &State) {
+        for &(row, drive) in system.motors.iter().filter(|_| self.is_found) {
             if !self.search.here.follows[row] {
                 self.places[drive] = state.q[system.tree.bodies[system.drives[drive].body].first_position];
             }
@@ -136,6 +138,7 @@ impl Statics {
         state: &mut State,
         losses: Losses,
     ) -> Result<(), NoEquilibrium> {
+        self.drag_motors(system, state);
         let (last, stood) = (std::mem::take(&mut self.asked), std::mem::take(&mut self.places));
         self.begin(system, state);
         let before = self.before(system, state);
@@ -145,10 +148,35 @@ impl Statics {
             state.q[system.tree.bodies[drive.body].first_position] = self.places[index];
         }
         flows::set_driven(system, state);
-        self.wind(system, state, &before);
+        self.balance_and_wind(system, state, losses, &before)
+    }
+
+    /// From the equilibrium found last to that with other losses: drives ask for nothing more.
+    ///
+    /// # Errors
+    /// [`NoEquilibrium`] as [`Statics::settle`].
+    pub fn settle_again(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        losses: Losses,
+    ) -> Result<Rest, NoEquilibrium> {
+        let before = self.before(system, state);
+        self.balance_and_wind(system, state, losses, &before)?;
+        self.rest(system, state)
+    }
+
+    fn balance_and_wind(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        losses: Losses,
+        before: &Before,
+    ) -> Result<(), NoEquilibrium> {
+        self.wind(system, state, before);
         self.balance(system, state, losses)?;
         for _ in 1..ROUNDS {
-            if self.wind(system, state, &before) <= LEFT {
+            if self.wind(system, state, before) <= LEFT {
                 break;
             }
             self.balance(system, state, losses)?;

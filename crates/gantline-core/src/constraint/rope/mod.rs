@@ -134,6 +134,16 @@ impl Rope {
         (length, speed)
     }
 
+    /// Mean over the straight parts of what its spans have each.
+    pub fn mean(&self, of: impl Fn(usize) -> f64) -> f64 {
+        if let [_] = self.spans[..] {
+            return of(0);
+        }
+        let parts = self.spans.iter().enumerate();
+        let sum: f64 = parts.map(|(span, one)| one.parts.len() as f64 * of(span)).sum();
+        sum / self.route.parts.len() as f64
+    }
+
     /// Lengths of the spans [m] and their rates [m/s], with unit vectors for lines.
     pub fn measure(&self, at: &Moving, length: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
         for (row, span) in self.spans.iter().enumerate() {

@@ -88,6 +88,11 @@ impl Span {
         if self.feeds.is_empty() { 1.0 } else { (self.length / self.unstretched(q)).sqrt() }
     }
 
+    /// What changes of the row's force λ and of L do to the tension w λ: w (dλ − λ dL/2L).
+    pub fn tension_change(&self, q: &[f64], force: f64, change: f64, supply: f64) -> f64 {
+        self.scale(q) * (change - 0.5 * force * supply / self.unstretched(q))
+    }
+
     /// True where nearly nothing is left of it beside its arcs: 1 % and less.
     pub fn is_used_up(&self, q: &[f64]) -> bool {
         self.unstretched(q) - self.arcs <= 0.01 * self.length
