@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from gantline.scenario import parse_scenario
-from gantline.statics import Statics
+from gantline.statics import NoEquilibriumError, Statics
 
 #: Pull of the tugger [N].
 PULL = 3e3
@@ -88,3 +88,42 @@ def test_it_is_no_stiffer_than_its_direction() -> None:
         squares.append([mode.square for mode in statics.modes(4)])
     # 20 kg on 55 m of 1 MN swing at ω² = 909 1/s²: of slower motions they take some 20 kg/40 t.
     assert squares[0] == pytest.approx(squares[1], rel=1e-4)
+
+
+@pytest.mark.parametrize("time", [20.0, 60.0])
+def test_friction_that_is_found_in_many_rounds_is_no_contradiction(time: float) -> None:
+    """A line askew drags the load as its friction goes: what holds was set anew more than 40 times.
+
+    Moves of multipliers were counted over all of that: "lengths that cannot change contradict one another".
+    """
+    askew = LIFT.replace("to: [60 m, 0 m, 6 m]", "to: [60 m, 15 m, 6 m]")
+    rest = Statics(parse_scenario(askew)).equilibrium(time, losses="held")
+    assert rest.tension("tag.line") == pytest.approx(PULL, rel=1e-8)
+
+
+#: A weight between two ropes of 2 m whose other ends are 4 m apart, and 4.9 m once the upper one has gone up.
+BETWEEN = """
+format: 1
+lift: {title: Two inextensible ropes}
+duration: 1 s
+start: as_given
+ropes:
+  rod: {inextensible: true, mass: none}
+mechanics:
+  bodies:
+    weight: {joint: {type: slider, axis: [0, 0, 1]}, mass: 1 t}
+    top:
+      at: [0 m, 0 m, 2 m]
+      joint: {type: slider, axis: [0, 0, 1], motion: [{at: 0 s, duration: 0.2 s, velocity: 1 m/s}]}
+  ropes:
+    above: {rope: rod, length: 2 m, route: [{type: end, body: top}, {type: end, body: weight}]}
+    below:
+      rope: rod
+      length: 2 m
+      route: [{type: end, body: weight}, {type: end, body: world, at: [0 m, 0 m, -2 m]}]
+"""
+
+
+def test_lengths_that_contradict_are_still_told() -> None:
+    with pytest.raises(NoEquilibriumError, match="lengths that cannot change contradict one another"):
+        Statics(parse_scenario(BETWEEN)).equilibrium(1.0)

@@ -25,6 +25,9 @@ const SYMMETRIC: f64 = 1e-9;
 /// How far below zero an eigenvalue may be, relative to the diagonal.
 const ROUNDING: f64 = 1e-9;
 
+/// Points and triangles of a surface.
+type Surface<'a> = (&'a [[f64; 3]], &'a [[usize; 3]]);
+
 /// Forces, with the sea that those of waves come from and the gusts of the wind.
 pub(super) fn build_forces(
     spec: &SystemSpec,
@@ -75,37 +78,12 @@ fn build_force(
             AnyForce::Memory(build_memory(name, find(body)?, *at, terms)?)
         }
         ForceSpec::Buoyancy { body, vertices, triangles, density, level, .. } => {
-            positive(name, "the density of its water", *density)?;
-            finite(name, "the level of its water", &[*level])?;
-            if tree.gravity.length() == 0.0 {
-                return error(name, "there is no gravity, so water does not press; give it gravity");
-            }
-            let hull = Hull::new(&build_mesh(name, vertices, triangles)?);
-            let (density, level) = (*density, *level);
-            AnyForce::Buoyancy(Box::new(Buoyancy {
-                name: name.to_owned(),
-                body: find(body)?,
-                hull,
-                density,
-                level,
-            }))
+            let mesh = (vertices.as_slice(), triangles.as_slice());
+            AnyForce::Buoyancy(Box::new(build_buoyancy(name, find(body)?, mesh, (*density, *level), tree)?))
         }
         ForceSpec::Tank { body, vertices, triangles, density, volume, pumped, .. } => {
-            positive(name, "the density of what is in it", *density)?;
-            if tree.gravity.length() == 0.0 {
-                return error(name, "there is no gravity, so a liquid has no level; give it gravity");
-            }
-            let mesh = build_mesh(name, vertices, triangles)?;
-            let closure = mesh.closure();
-            if !closure.is_closed() {
-                return error(name, "its mesh is not closed, so a liquid would run out");
-            }
-            let (capacity, volume, density) = (closure.volume, *volume, *density);
-            if !(volume >= 0.0 && volume <= capacity) {
-                return error(name, format!("{volume} m³ are in it; it holds from 0 to {capacity} m³"));
-            }
-            let hull = Hull::new(&mesh);
-            let mut tank = Tank::new(name.to_owned(), find(body)?, hull, capacity, density, volume);
+            let mesh = (vertices.as_slice(), triangles.as_slice());
+            let mut tank = build_tank(name, find(body)?, mesh, (*density, *volume), tree)?;
             if let Some(PumpedSpec { content, level }) = pumped {
                 finite(name, "the level of the liquid outside", &[*level])?;
                 tank.pumped = Some(find_content(name, (content, *level), tank.body, spec, tree)?);
@@ -113,42 +91,100 @@ fn build_force(
             AnyForce::Tank(Box::new(tank))
         }
         ForceSpec::AddedMass { body, at, matrix, .. } => {
-            finite(name, "its point", at)?;
-            check_matrix(name, "its added mass", matrix)?;
-            let built = Square::from_rows(matrix);
-            let (difference, size) = built.asymmetry();
-            if difference > SYMMETRIC * size {
-                return error(name, format!("its added mass differs from its transpose by {difference}"));
-            }
-            AnyForce::AddedMass(AddedMass {
-                name: name.to_owned(),
-                body: find(body)?,
-                at: DVec3::from_array(*at),
-                matrix: built,
-            })
+            AnyForce::AddedMass(build_added_mass(name, find(body)?, *at, matrix)?)
         }
         ForceSpec::Drag { body, at, damping, quadratic, stream, gusty, .. } => {
-            finite(name, "its point", at)?;
-            finite(name, "the velocity of its fluid", stream)?;
-            check_matrix(name, "its damping", damping)?;
-            if let Some(value) = quadratic.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
-                return error(name, format!("a quadratic resistance is {value}; it must be zero or more"));
-            }
-            let stream = DVec3::from_array(*stream);
-            if *gusty && stream == DVec3::ZERO {
-                return error(name, "gusts come with wind; give it a stream");
-            }
-            AnyForce::Drag(Drag {
-                name: name.to_owned(),
-                body: find(body)?,
-                at: DVec3::from_array(*at),
-                damping: Square::from_rows(damping),
-                linear: DVec3::from_slice(&quadratic[..3]),
-                angular: DVec3::from_slice(&quadratic[3..]),
-                stream,
-                gusts: gusty.then(|| Arc::clone(gusts)),
-            })
+            let resistances = (damping, quadratic);
+            AnyForce::Drag(build_drag(name, find(body)?, *at, resistances, *stream, gusty.then_some(gusts))?)
         }
+    })
+}
+
+/// A hull as its surface, in water with a density [kg/m³] up to a level [m].
+fn build_buoyancy(
+    name: &str,
+    body: usize,
+    (vertices, triangles): Surface,
+    (density, level): (f64, f64),
+    tree: &Tree,
+) -> Result<Buoyancy, BuildError> {
+    positive(name, "the density of its water", density)?;
+    finite(name, "the level of its water", &[level])?;
+    if tree.gravity.length() == 0.0 {
+        return error(name, "there is no gravity, so water does not press; give it gravity");
+    }
+    let hull = Hull::new(&build_mesh(name, vertices, triangles)?);
+    Ok(Buoyancy { name: name.to_owned(), body, hull, density, level })
+}
+
+/// A tank with a volume [m³] of a liquid with a density [kg/m³] in it.
+fn build_tank(
+    name: &str,
+    body: usize,
+    (vertices, triangles): Surface,
+    (density, volume): (f64, f64),
+    tree: &Tree,
+) -> Result<Tank, BuildError> {
+    positive(name, "the density of what is in it", density)?;
+    if tree.gravity.length() == 0.0 {
+        return error(name, "there is no gravity, so a liquid has no level; give it gravity");
+    }
+    let mesh = build_mesh(name, vertices, triangles)?;
+    let closure = mesh.closure();
+    if !closure.is_closed() {
+        return error(name, "its mesh is not closed, so a liquid would run out");
+    }
+    let capacity = closure.volume;
+    if !(volume >= 0.0 && volume <= capacity) {
+        return error(name, format!("{volume} m³ are in it; it holds from 0 to {capacity} m³"));
+    }
+    Ok(Tank::new(name.to_owned(), body, Hull::new(&mesh), capacity, density, volume))
+}
+
+fn build_added_mass(
+    name: &str,
+    body: usize,
+    at: [f64; 3],
+    matrix: &[[f64; 6]; 6],
+) -> Result<AddedMass, BuildError> {
+    finite(name, "its point", &at)?;
+    check_matrix(name, "its added mass", matrix)?;
+    let built = Square::from_rows(matrix);
+    let (difference, size) = built.asymmetry();
+    if difference > SYMMETRIC * size {
+        return error(name, format!("its added mass differs from its transpose by {difference}"));
+    }
+    Ok(AddedMass { name: name.to_owned(), body, at: DVec3::from_array(at), matrix: built })
+}
+
+/// Resistance, linear and by the square of the velocity, in a stream [m/s], with gusts where it has some.
+fn build_drag(
+    name: &str,
+    body: usize,
+    at: [f64; 3],
+    (damping, quadratic): (&[[f64; 6]; 6], &[f64; 6]),
+    stream: [f64; 3],
+    gusts: Option<&Arc<Trains>>,
+) -> Result<Drag, BuildError> {
+    finite(name, "its point", &at)?;
+    finite(name, "the velocity of its fluid", &stream)?;
+    check_matrix(name, "its damping", damping)?;
+    if let Some(value) = quadratic.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
+        return error(name, format!("a quadratic resistance is {value}; it must be zero or more"));
+    }
+    let stream = DVec3::from_array(stream);
+    if gusts.is_some() && stream == DVec3::ZERO {
+        return error(name, "gusts come with wind; give it a stream");
+    }
+    Ok(Drag {
+        name: name.to_owned(),
+        body,
+        at: DVec3::from_array(at),
+        damping: Square::from_rows(damping),
+        linear: DVec3::from_slice(&quadratic[..3]),
+        angular: DVec3::from_slice(&quadratic[3..]),
+        stream,
+        gusts: gusts.cloned(),
     })
 }
 

@@ -45,7 +45,7 @@ const LENGTH_LEFT: f64 = 1e-11;
 const DRUMS_LEFT: f64 = 1e-10;
 /// What is left of the force of a sheave that slips, relative to it.
 const LOSS_LEFT: f64 = 1e-12;
-/// Moves of multipliers, at most.
+/// Moves of multipliers on end, at most.
 const ROUNDS: usize = 40;
 /// Moves of what friction holds, at most.
 const FRICTION_ROUNDS: usize = 200;
@@ -161,20 +161,20 @@ impl Statics {
         self.slip_as(&before, losses.sheaves);
         self.hold_motors(system);
         self.pace.begin(system.friction.len());
+        let mut unsettled = 0;
         for round in 1.. {
             let steps = self.search.effort.steps;
             let descended = self.search.descend(system, state, &mut self.bearings);
             descended.map_err(|stuck| self.explain(system, stuck, losses))?;
             let stays = self.search.effort.steps == steps;
-            let lengths = self.move_multipliers();
+            let has_lengths = self.move_multipliers() <= LENGTH_LEFT;
+            // Friction that is set anew moves what has found its length.
+            unsettled = if has_lengths { 0 } else { unsettled + 1 };
             let drums = self.follow_drums(system, state);
-            if lengths <= LENGTH_LEFT
-                && drums <= DRUMS_LEFT
-                && self.follow_friction(system, state, losses, stays)
-            {
+            if has_lengths && drums <= DRUMS_LEFT && self.follow_friction(system, state, losses, stays) {
                 break;
             }
-            let (element, cause) = if lengths > LENGTH_LEFT && round == ROUNDS {
+            let (element, cause) = if unsettled == ROUNDS {
                 // Friction is a share of other forces: it contracts, lengths may not.
                 let rigid = self.bearings.iter().position(|bearing| bearing.is_rigid).unwrap_or(0);
                 (rigid, "lengths that cannot change contradict one another")
