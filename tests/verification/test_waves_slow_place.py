@@ -87,6 +87,7 @@ def test_a_vessel_that_has_turned_answers_like_one_that_lies_there(tmp_path: Pat
     run = moving(path, 250 * PERIOD, turning=math.radians(turn) * damping[5, 5] / yaw)
     lies, (place, velocity) = slow_heading(run), straight(run, 240 * PERIOD)
     unwrapped = np.unwrap(heading(run.body("barge", "body_orientation")))
+    # It has turned about as far as it was sent; what is expected is at the heading `lies` that it has.
     assert math.degrees(unwrapped[-1]) == pytest.approx(turn, rel=0.05)
     towards = math.radians(30.0)
     ahead = np.array([math.cos(towards), math.sin(towards)])

@@ -17,7 +17,8 @@ __all__ = ["unfollowed"]
 _FAST = 0.1
 #: By how much the slow heading may be behind [rad], and the phase of the waves at the slow place.
 _BEHIND, _LATE = math.radians(10.0), math.pi / 2
-#: Slow places and headings are 10 ü/ω_c² behind, ω_c = 0.2 ω: of the second difference over a period 2π/ω.
+#: Slow places and headings are 10 ü/ω_c² behind, ω_c = 0.2 ω (`CUT_OFF` of the core's `build/trains.rs`): of
+#: the second difference over a period 2π/ω.
 _BEND = 10.0 / (0.2 * 2 * math.pi) ** 2
 #: Directions that are further apart have nothing to say of what is between them [deg].
 _WIDEST = 60.0

@@ -241,6 +241,9 @@ fn line_stiffness(system: &System, frame: &Frame, mooring: &Mooring, columns: &m
 const SWEEPS: usize = 6;
 
 /// L with L Lᵀ the positive part of a symmetric matrix: its eigenvectors times the roots of its positive eigenvalues.
+///
+/// By rotations, as a pull along its arm has two eigenvalues alike: the closed form of parry's `SymmetricEigen3` is then off by
+/// 6e-9, this by rounding. `statics::eigen`, for any size, allocates, which no step does.
 fn positive_root(matrix: &DMat3) -> DMat3 {
     let (mut values, mut vectors) = (*matrix, DMat3::IDENTITY);
     for _ in 0..SWEEPS {
