@@ -1,6 +1,8 @@
-"""What losses and inertia of sheaves cost: E(n) with and without, at an rms error of 1 %.
+"""What losses and inertia of sheaves cost: E(n) with and without.
 
     python -m benchmarks.losses [N ...]
+
+By `adaptive` at an rms error of 1 %; by `del` in the same steps, with the rms error that each has there.
 
 With losses tensions differ by 2 % where rope slips over a sheave; light sheaves have losses and no inertia.
 With inertia every sheave of the equalizer carries 100 kg of spinning mass along, without losses and with
@@ -21,7 +23,7 @@ from rich.table import Table
 from benchmarks.contract import FloatArray, Setting
 from benchmarks.gantline_code import settings_document
 from benchmarks.lifts import equalizer_lift, gantline_document
-from benchmarks.measure import Point, cost, errors
+from benchmarks.measure import Errors, Point, cost, errors
 
 SIZES = (5, 20, 100)
 INERTIA = 100.0
@@ -38,6 +40,10 @@ TOLERANCES = (3e2, 1e3, 3e3, 1e4, 3e4)
 TIGHT = 100.0
 """Tolerance of what they are compared with [N]."""
 TARGET = 0.01
+INTERVAL = 0.01
+"""Between samples [s]."""
+STEP = 0.01
+"""Of `del` [s]."""
 REPEATS = 5
 """Of each run, of which the shortest counts: whatever else the machine does only adds to it."""
 
@@ -59,40 +65,69 @@ def document(n: int, sheaves: tuple[float, float] | None) -> str:
     return json.dumps(system)
 
 
-def run(text: str, tolerance: float, duration: float) -> tuple[float, FloatArray]:
+def run(text: str, settings: str) -> tuple[float, FloatArray]:
     """Time [s] and tensions of all ropes."""
-    simulation = import_module("gantline._core").Simulation(
-        text, settings_document(tolerance, duration, 0.01)
-    )
+    simulation = import_module("gantline._core").Simulation(text, settings)
     start = time.perf_counter()
     simulation.run()
     return time.perf_counter() - start, simulation.rope_tension()
 
 
-def seconds(n: int, sheaves: tuple[float, float] | None) -> float | None:
-    """Wall time at the target [s]."""
-    text, duration = document(n, sheaves), equalizer_lift(n).duration
-    reference = run(text, TIGHT, duration)[1]
+def measured(text: str, settings: str, reference: FloatArray) -> tuple[float, Errors]:
+    """Shortest time [s] of some runs, and their errors."""
+    runs = [run(text, settings) for _ in range(REPEATS)]
+    return min(took for took, _ in runs), errors(runs[0][1], reference, float(reference[-1].mean()))
+
+
+def by_tolerance(text: str, duration: float, reference: FloatArray) -> float | None:
+    """Wall time of `adaptive` at the target [s]."""
     ladder = []
     for tolerance in TOLERANCES:
-        runs = [run(text, tolerance, duration) for _ in range(REPEATS)]
-        error = errors(runs[0][1], reference, float(reference[-1].mean()))
-        ladder.append(Point(Setting("tolerance [N]", tolerance), min(t for t, _ in runs), error))
+        took, error = measured(text, settings_document(tolerance, duration, INTERVAL), reference)
+        ladder.append(Point(Setting("tolerance [N]", tolerance), took, error))
     found = cost(ladder, TARGET)
     return None if found is None else found.seconds
 
 
+def by_step(text: str, duration: float, reference: FloatArray) -> tuple[float, float]:
+    """Wall time of `del` [s] and its rms error."""
+    settings = {
+        "integrator": {"type": "del", "step": STEP},
+        "duration": duration,
+        "sample_interval": INTERVAL,
+    }
+    took, error = measured(text, json.dumps(settings), reference)
+    return took, error.rms
+
+
 def main(sizes: list[int]) -> None:
-    table = Table("ms, times as long", *(f"E({n})" for n in sizes))
-    first: list[float | None] = []
+    columns = [f"E({n})" for n in sizes]
+    tolerances = Table("adaptive at 1 %: ms, times as long", *columns)
+    steps = Table(f"del, {1e3 * STEP:.0f} ms: ms, times as long, rms error", *columns)
+    first: list[tuple[float | None, float]] = []
     for name, sheaves in VARIANTS:
-        row = [seconds(n, sheaves) for n in sizes]
+        row: list[tuple[float | None, float]] = []
+        wrong = []
+        for n in sizes:
+            text, duration = document(n, sheaves), equalizer_lift(n).duration
+            reference = run(text, settings_document(TIGHT, duration, INTERVAL))[1]
+            took, error = by_step(text, duration, reference)
+            row.append((by_tolerance(text, duration, reference), took))
+            wrong.append(error)
         first = first or row
-        pairs = zip(row, first, strict=True)
-        table.add_row(
-            name, *("–" if not t or not base else f"{1e3 * t:.1f}, {t / base:.1f}" for t, base in pairs)
+        pairs = list(zip(row, first, strict=True))
+        tolerances.add_row(
+            name, *(f"{1e3 * t:.1f}, {t / base:.1f}" if t and base else "–" for (t, _), (base, _) in pairs)
         )
-    Console().print(table)
+        steps.add_row(
+            name,
+            *(
+                f"{1e3 * t:.0f}, {t / base:.1f}, {100 * error:.0f} %"
+                for ((_, t), (_, base)), error in zip(pairs, wrong, strict=True)
+            ),
+        )
+    for table in (tolerances, steps):
+        Console().print(table)
 
 
 if __name__ == "__main__":

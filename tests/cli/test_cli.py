@@ -288,9 +288,9 @@ mechanics:
     # 1/0.98, and half of the mass of a disc
     assert "fall/sheave_1 fall 1.0204 - 75.0 kg half of its mass" in out
     assert "(2 bodies, 1 rope, 1 drum; 1 s to simulate)" in out
-    code, out, err = gantline_says("run", str(lift), "-o", str(tmp_path / "out"), "--integrator", "del")
+    code, out, err = gantline_says("run", str(lift), "-o", str(tmp_path / "out"), "--integrator", "explicit")
     assert code == 2
-    assert "the integrator del knows no friction of sheaves, drums and joints; use adaptive" in err
+    assert "the integrator explicit knows no friction of sheaves, drums and joints" in err
 
 
 def test_sheaves_that_are_alike_have_one_row() -> None:

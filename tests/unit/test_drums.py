@@ -108,8 +108,8 @@ def test_a_motion_given_in_advance() -> None:
         ("body: world, at: [1.5", "body: nowhere, at: [1.5", "'nowhere' is not a body"),
         (
             "mass: none}",
-            "mass: none}\nsimulation: {integrator: del}",
-            "'del' knows no friction of sheaves and joints",
+            "mass: none}\nsimulation: {integrator: explicit}",
+            "'explicit' knows no friction of sheaves and joints",
         ),
     ],
 )

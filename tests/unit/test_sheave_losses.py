@@ -23,7 +23,7 @@ SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 MOVING = "below_hook: 5 m, pitch_diameter: 0.8 m"
 FIXED = "below_hook: 3 m, pitch_diameter: 0.8 m"
 
-#: The lift that tests spoil, by the integrator that knows friction.
+#: The lift that tests spoil, by steps that follow it.
 ADAPTIVE = BASE.replace("integrator: del, step: 1 ms", "integrator: adaptive")
 
 

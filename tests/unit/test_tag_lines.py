@@ -144,15 +144,17 @@ def test_cases_cut_no_lines() -> None:
         parse_scenario(held().replace("  heavy:  ", case, 1))
 
 
-def test_needs_a_load_and_adaptive() -> None:
-    """Without a load there is nothing to hold; other methods know no motors of limited force."""
+def test_needs_a_load_and_no_explicit_steps() -> None:
+    """Without a load there is nothing to hold; `explicit` knows no motors of limited force."""
     with pytest.raises(ScenarioError, match="there is no 'load' for tag lines to hold"):
         parse_scenario(
             "format: 1\nlift: {title: x}\nduration: 1 s\n" + KIND + f"tag_lines: {{west: {{{WEST}}}}}\n"
             "mechanics: {bodies: {b: {joint: {type: free}, mass: 1 t}}}\n"
         )
-    with pytest.raises(ScenarioError, match="'del' knows no friction of sheaves and joints and no brakes"):
-        parse_scenario(held() + "simulation: {integrator: del, step: 1 ms}\n")
+    with pytest.raises(
+        ScenarioError, match="'explicit' knows no friction of sheaves and joints and no brakes"
+    ):
+        parse_scenario(held() + "simulation: {integrator: explicit, step: 1 ms}\n")
 
 
 def test_steps_haul_lines_with_a_winch() -> None:

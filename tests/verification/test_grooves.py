@@ -8,12 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechanics import G, Json, adaptive, body, document, drum, end, flow, half_turn, rope, sheave, slider
+from lossy_rigs import DAMPING_TIME, ON_SHEAVE, SPINNING, STIFF, spun
+from mechanics import G, Json, adaptive, body, document, drum, end, flow, rope, sheave, slider
 
-#: [N]; a rope under 10 kN then has a strain of 1e-6, and the ratio of tensions at a sheave is ρ to 1e-7.
-STIFF = 1e10
-#: [s]; stretch of the stiff ropes dies out with this time, so that 100 times as long leaves nothing of it.
-DAMPING_TIME = 0.01
 RADIUS = 0.5
 CENTRE = (0.0, 0.0, 10.0)
 
@@ -95,24 +92,6 @@ def test_held_by_a_groove_for_an_hour() -> None:
     assert np.abs(run.joint("over")).max() < 1e-9
     low, high = run.columns["segment_tension"][-1]
     assert high / low == pytest.approx(1.1, rel=1e-8)
-
-
-#: Of a sheave with a groove that slips [kg]: rope on it, and I/r² of what turns.
-ON_SHEAVE, SPINNING = 3.0, 400.0
-
-
-def spun(masses: tuple[float, float], speed: float, friction: float, ratio: float = 1.0) -> Json:
-    """Two weights over a heavy sheave at rest, the rope moving towards the second at `speed` [m/s]."""
-    light, heavy = masses
-    bodies = [
-        body("light", slider(velocity=speed), light, position=(-RADIUS, 0, 3)),
-        body("heavy", slider(velocity=-speed), heavy, position=(RADIUS, 0, 3)),
-        flow("over", ON_SHEAVE, velocity=speed),
-        flow("spin", SPINNING),
-    ]
-    groove = {"friction": friction, "spin": "spin"}
-    over = half_turn(None, CENTRE, RADIUS, over=True, flow="over", ratio=ratio, groove=groove)
-    return document(bodies, ropes=[rope("r", None, [end("light"), over, end("heavy")], 1e9, DAMPING_TIME)])
 
 
 def test_rope_slips_on_a_heavy_sheave() -> None:

@@ -152,7 +152,7 @@ fn a_singular_matrix_names_the_unknown() {
 
 /// An equalizer of n sheaves: load (0), frame (1), sheaves, slings, equalizing rope.
 fn equalizer(n: usize) -> (Vec<Node>, Vec<(usize, usize)>) {
-    let joint = |size, above| Node { size, kind: NodeKind::Joint { above, light: false } };
+    let joint = |size, above| Node { size, kind: NodeKind::Joint { above, after: None } };
     let row = || Node { size: 1, kind: NodeKind::Row { compliant: true, holds: None } };
     let mut nodes = vec![joint(6, None), joint(1, None)];
     nodes.extend((0..n).map(|_| joint(1, Some(1))));
@@ -199,7 +199,7 @@ fn the_order_of_an_equalizer_costs_a_constant_per_sheave() {
 
 #[test]
 fn children_go_before_parents_and_rigid_rows_after_a_joint() {
-    let joint = |above| Node { size: 1, kind: NodeKind::Joint { above, light: false } };
+    let joint = |above| Node { size: 1, kind: NodeKind::Joint { above, after: None } };
     let nodes = vec![
         joint(None),
         joint(Some(0)),

@@ -158,9 +158,9 @@ def _check_simulation(findings: Findings) -> None:
         if key in settings.model_fields_set and key not in INTEGRATOR_KEYS[settings.integrator]:
             sentence = f"'{key}' belongs to {' and '.join(kinds)}, this lift has '{settings.integrator}'"
             findings.add(("simulation", key), f"{sentence}; leave it out or name the other integrator")
-    if settings.integrator != "adaptive" and _has_friction(findings.scenario):
-        sentence = f"'{settings.integrator}' knows no friction of sheaves and joints and no brakes"
-        findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' is right here")
+    if settings.integrator == "explicit" and _has_friction(findings.scenario):
+        sentence = "'explicit' knows no friction of sheaves and joints and no brakes"
+        findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' or 'del' is right here")
     step = None if settings.integrator == "adaptive" else settings.step
     for key, sentence in wrong_times(duration, step, settings.sample_interval):
         findings.add(("simulation", key), sentence)

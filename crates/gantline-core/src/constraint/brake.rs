@@ -137,7 +137,7 @@ impl Brake {
     }
 
     /// Capacity, or what the power of a motor is enough for.
-    fn motor(&self, driven: f64) -> f64 {
+    pub fn motor(&self, driven: f64) -> f64 {
         if self.is_short_of_power(driven) { self.power / driven } else { self.capacity }
     }
 

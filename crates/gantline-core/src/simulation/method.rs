@@ -1,7 +1,6 @@
 //! The integrator of a run, and what a run asks of any of them.
 
 use super::{SetupError, above_zero};
-use crate::constraint::Law;
 use crate::record::{Sample, Span};
 use crate::spec::IntegratorSpec;
 use crate::state::State;
@@ -30,11 +29,6 @@ impl Method {
     pub fn new(system: &System, frame: &Frame, spec: &IntegratorSpec) -> Result<Self, SetupError> {
         match *spec {
             IntegratorSpec::Del { step, paper, geometric_stiffness } => {
-                if system.rows.laws.iter().any(|law| matches!(law, Law::Brake { .. })) {
-                    let problem =
-                        "the integrator del knows no friction of sheaves, drums and joints; use adaptive";
-                    return Err(SetupError::Setting(problem.to_owned()));
-                }
                 above_zero("the step", step, "s")?;
                 Ok(Self::Del(Box::new(Del::new(system, step, geometric_stiffness && !paper))))
             }

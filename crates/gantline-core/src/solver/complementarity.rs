@@ -7,7 +7,11 @@
 //! reached; then their force is μN against the slip, found by fixed point. Light bodies on stiff springs, k h²/m well
 //! above one, turn too far in that: where it has not settled after [`PLAIN_ROUNDS`] rounds, the direction is that of the pull
 //! without what the force itself does to it, as far as the row's own inertia tells (projected Gauss–Seidel).
+//! Brakes hold or slip ([`super::brakes`]); with light sheaves those and what is elastic are found together
+//! ([`super::balance`]).
 
+use super::balance::{Balance, Guess};
+use super::brakes::Holding;
 use super::kkt::Kkt;
 use super::symbolic::ZeroPivot;
 use crate::clock::Stage;
@@ -85,6 +89,11 @@ pub struct Complementarity {
     row_right: Vec<f64>,
     force: Vec<f64>,
     slip: Vec<f64>,
+    /// Brakes, with the direction in which they slip or slipped last.
+    pub brakes: Vec<Holding>,
+    /// With light sheaves, rows that are found together.
+    balance: Balance,
+    noise: Vec<f64>,
     wrong: Vec<usize>,
     factored: bool,
 }
@@ -94,6 +103,8 @@ impl Complementarity {
     pub fn new(system: &System) -> Self {
         let rows = system.rows.count();
         Self {
+            balance: Balance::new(system),
+            noise: vec![0.0; rows],
             modes: vec![Mode::Slack; rows],
             tension: vec![0.0; rows],
             trial: vec![0.0; rows],
@@ -101,14 +112,22 @@ impl Complementarity {
             row_right: vec![0.0; rows],
             force: vec![0.0; system.tree.velocities],
             slip: vec![0.0; rows],
+            brakes: Vec::new(),
             wrong: Vec::with_capacity(rows),
             factored: false,
         }
     }
 
-    /// Begins a step, of another matrix, with the modes and forces of the one before [N]: what slid begins with its force.
-    pub fn begin(&mut self, modes: &[Mode], force: &[f64]) {
+    /// Begins a step, of another matrix and with its own [`Complementarity::brakes`], with the modes and forces of the one
+    /// before [N]: what slid begins with its force.
+    pub fn begin(&mut self, system: &System, gradient: &[f64], modes: &[Mode], force: &[f64]) {
         self.modes.copy_from_slice(modes);
+        for brake in &self.brakes {
+            if self.modes[brake.row] != Mode::Slipping {
+                self.modes[brake.row] = Mode::Acting;
+            }
+        }
+        self.balance.begin(system, gradient, &mut self.modes, &mut self.brakes);
         self.slip.copy_from_slice(force);
         self.factored = false;
     }
@@ -127,10 +146,11 @@ impl Complementarity {
         let rows = system.rows.count();
         let mut outcome = Outcome::default();
         let (mut least, mut patience) = (usize::MAX, PATIENCE);
+        self.balance.forget();
         for round in 0..100 + 4 * rows {
             if !self.factored {
-                let acts = |row: usize| self.modes[row] == Mode::Acting;
-                system.clock.time(Stage::Factorisation, || kkt.factorise(system, acts))?;
+                let (modes, brakes, h) = (&self.modes, &self.brakes, problem.h);
+                system.clock.time(Stage::Factorisation, || kkt.factorise(system, modes, brakes, h))?;
                 outcome.factorisations += 1;
                 self.factored = true;
             }
@@ -141,9 +161,14 @@ impl Complementarity {
             self.read_forces(system, problem, v);
             let settled = self.friction(system, (round > PLAIN_ROUNDS).then_some(problem));
             self.find_wrong(system, problem, v);
-            if self.wrong.is_empty() && settled {
+            let balanced = self.balance(system, problem, v, settled);
+            if self.wrong.is_empty() && settled && balanced {
                 outcome.converged = true;
                 break;
+            }
+            if !balanced {
+                // All other rows have their turn once these agree.
+                continue;
             }
             if self.wrong.len() < least {
                 (least, patience) = (self.wrong.len(), PATIENCE);
@@ -155,9 +180,8 @@ impl Complementarity {
                 self.wrong.clear();
                 self.wrong.extend(last);
             }
-            for &row in &self.wrong {
-                self.modes[row] = if self.modes[row] == Mode::Slack { Mode::Acting } else { Mode::Slack };
-                self.factored = false;
+            for index in 0..self.wrong.len() {
+                self.turn_over(system, self.wrong[index]);
             }
         }
         for (tension, law) in self.tension.iter_mut().zip(&system.rows.laws) {
@@ -166,6 +190,41 @@ impl Complementarity {
             }
         }
         Ok(outcome)
+    }
+
+    /// What the drive of a motor asks for, by the row of its brake; 0 for other rows.
+    pub fn asked(&self, system: &System, row: usize) -> f64 {
+        let brake = row.checked_sub(system.rows.first[system.first_brake]);
+        brake.map_or(0.0, |brake| self.brakes[brake].asked)
+    }
+
+    /// Lets the rows that are found together take part as they should; true where they did.
+    fn balance(&mut self, system: &System, problem: &Problem, v: &[f64], settled: bool) -> bool {
+        if system.light.is_empty() {
+            return true;
+        }
+        let Self { trial, noise, tension, modes, brakes, .. } = self;
+        let guess = Guess { trial, noise, tension, v, modes, brakes };
+        let balanced = self.balance.settle(system, problem, guess);
+        self.factored &= balanced;
+        if !settled || (balanced && !self.wrong.is_empty()) {
+            self.balance.forget();
+        }
+        balanced
+    }
+
+    /// Lets a row that breaks its law change side.
+    fn turn_over(&mut self, system: &System, row: usize) {
+        self.factored = false;
+        let brake = row.checked_sub(system.rows.first[system.first_brake]);
+        self.modes[row] = match (self.modes[row], brake) {
+            (Mode::Acting, Some(brake)) => {
+                self.brakes[brake].way = self.tension[row].signum();
+                Mode::Slipping
+            }
+            (Mode::Slack | Mode::Slipping, _) => Mode::Acting,
+            _ => Mode::Slack,
+        };
     }
 
     /// Largest distance of a force from its law [N].
@@ -178,9 +237,13 @@ impl Complementarity {
 
     fn right_sides(&mut self, system: &System, problem: &Problem, v: &[f64]) {
         self.force.copy_from_slice(problem.force);
+        let brakes = system.rows.first[system.first_brake];
         for (row, law) in system.rows.laws.iter().enumerate() {
             match self.modes[row] {
                 Mode::Slack | Mode::Parted | Mode::Off => self.row_right[row] = 0.0,
+                Mode::Slipping if row >= brakes => {
+                    self.row_right[row] = -problem.h * self.brakes[row - brakes].force_at_rest();
+                }
                 Mode::Slipping => {
                     self.row_right[row] = 0.0;
                     for (dof, entry) in system.rows.entries(problem.gradient, row) {
@@ -194,13 +257,16 @@ impl Complementarity {
                         .filter(|&(dof, _)| system.driven[dof].is_some())
                         .map(|(dof, entry)| entry * v[dof])
                         .sum();
-                    self.row_right[row] = -problem.value[row] / (problem.h + law.damping_time()) - driven;
+                    let asked = self.asked(system, row);
+                    self.row_right[row] =
+                        asked - problem.value[row] / (problem.h + law.damping_time()) - driven;
                 }
             }
         }
     }
 
     fn read_forces(&mut self, system: &System, problem: &Problem, v: &[f64]) {
+        let brakes = system.rows.first[system.first_brake];
         for (row, law) in system.rows.laws.iter().enumerate() {
             self.tension[row] = match self.modes[row] {
                 Mode::Slack => 0.0,
@@ -208,9 +274,13 @@ impl Complementarity {
                     (self.tension[row], self.trial[row]) = (0.0, 0.0);
                     continue;
                 }
-                Mode::Acting => self.impulse[row] / problem.h,
-                Mode::Slipping => self.slip[row],
+                Mode::Slipping if row < brakes => self.slip[row],
+                Mode::Acting | Mode::Slipping => self.impulse[row] / problem.h,
             };
+            if row >= brakes {
+                self.trial[row] = self.tension[row];
+                continue;
+            }
             let reach = problem.h + law.damping_time();
             let stretch = problem.value[row] + reach * system.rows.rate(problem.gradient, row, v);
             self.trial[row] = if law.compliance() > 0.0 {
@@ -248,12 +318,23 @@ impl Complementarity {
             } else {
                 ROUNDING * (self.tension[row].abs() + terms * self.inertia_over_time(system, problem, row))
             };
+            self.noise[row] = noise;
             let wrong = match self.modes[row] {
+                _ if self.balance.has[row] => false,
                 Mode::Slack => self.trial[row] > noise,
                 Mode::Acting | Mode::Slipping | Mode::Parted | Mode::Off => self.trial[row] < -noise,
             };
             if wrong {
                 self.wrong.push(row);
+            }
+        }
+        for brake in &self.brakes {
+            if self.balance.has[brake.row] {
+                continue;
+            }
+            let rate = system.rows.rate(problem.gradient, brake.row, v);
+            if brake.is_wrong(self.modes[brake.row], &self.tension, v, rate) {
+                self.wrong.push(brake.row);
             }
         }
     }

@@ -6,15 +6,28 @@
 //! ```
 //!
 //! with the driven degrees of freedom moved to the right side. The pattern is found once; a row that does
-//! not act is an identity row, so the pattern stays while ropes go slack and contacts open.
+//! not act is an identity row, so the pattern stays while ropes go slack and contacts open. Where there are brakes it is not
+//! symmetric: the row of one that slips is its law, y = ±h B₀ ± Σ wₖ yₖ − ∂B v, while its force acts on its flow as before.
 
+use super::brakes::Holding;
+use super::complementarity::Mode;
 use super::layout::{Layout, NONE};
 use super::ldl::Ldl;
+use super::ldu::Ldu;
 use super::slots::Slots;
 use super::stiffness::Stiffness;
 use super::symbolic::ZeroPivot;
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
+
+/// Factors, by whether the matrix is symmetric.
+#[derive(Debug, Clone)]
+enum Factors {
+    /// Without brakes.
+    Symmetric(Ldl),
+    /// With brakes; the numbers as [`Ldu`] has them.
+    Unsymmetric(Ldu, Vec<f64>),
+}
 
 /// The matrix, its pattern and its factors.
 #[derive(Debug, Clone)]
@@ -22,7 +35,7 @@ pub struct Kkt {
     layout: Layout,
     /// Geometric stiffness of the step.
     pub stiffness: Stiffness,
-    ldl: Ldl,
+    factors: Factors,
     slots: Slots,
     base: Vec<f64>,
     right: Vec<f64>,
@@ -34,24 +47,31 @@ impl Kkt {
     pub fn new(system: &System) -> Self {
         let layout = Layout::new(system);
         let stiffness = Stiffness::new(system);
-        let ldl = Ldl::new(layout.symbolic.clone());
+        let pattern = layout.symbolic.clone();
+        let factors = if system.first_brake == system.constraints.len() {
+            Factors::Symmetric(Ldl::new(pattern))
+        } else {
+            let ldu = Ldu::new(pattern);
+            let values = vec![0.0; ldu.entries()];
+            Factors::Unsymmetric(ldu, values)
+        };
         let blocks = stiffness.start.windows(2).map(|window| &stiffness.dofs[window[0]..window[1]]);
         let slots = Slots::new(system, &layout, blocks);
-        let size = ldl.pattern().size();
+        let size = layout.symbolic.size();
         Self {
             slots,
-            base: vec![0.0; ldl.pattern().rows.len()],
+            base: vec![0.0; layout.symbolic.rows.len()],
             right: vec![0.0; size],
             solution: vec![0.0; size],
             layout,
             stiffness,
-            ldl,
+            factors,
         }
     }
 
     /// Entries of L, a measure of cost.
     pub fn fill(&self) -> usize {
-        self.ldl.pattern().l_rows.len()
+        self.layout.symbolic.l_rows.len()
     }
 
     /// Sets the matrix of a step of length `h` with all rows acting.
@@ -83,22 +103,61 @@ impl Kkt {
         }
     }
 
-    /// Factorises with the rows for which `acts` is false replaced by identity rows.
+    /// Factorises for a step of length `h` with the rows that do not act replaced by identity rows, and those of brakes that
+    /// slip by their law.
     ///
     /// # Errors
     /// [`ZeroPivot`] with the unknown: see [`Kkt::element`].
-    pub fn factorise(&mut self, system: &System, acts: impl Fn(usize) -> bool) -> Result<(), ZeroPivot> {
-        let values = self.ldl.values_mut();
-        values.copy_from_slice(&self.base);
-        for row in (0..system.rows.count()).filter(|&row| !acts(row)) {
-            for &slot in &self.slots.rows[system.rows.start[row]..system.rows.start[row + 1]] {
-                if slot != NONE {
-                    values[slot] = 0.0;
+    pub fn factorise(
+        &mut self,
+        system: &System,
+        modes: &[Mode],
+        brakes: &[Holding],
+        h: f64,
+    ) -> Result<(), ZeroPivot> {
+        let idle = || (0..system.rows.count()).filter(|&row| modes[row] != Mode::Acting);
+        match &mut self.factors {
+            Factors::Symmetric(ldl) => {
+                let values = ldl.values_mut();
+                values.copy_from_slice(&self.base);
+                for row in idle() {
+                    take_out(system, (&self.slots, &self.layout), row, values);
                 }
+                ldl.factorise()
             }
-            values[self.slots.diagonal[self.layout.row(row)]] = -1.0;
+            Factors::Unsymmetric(ldu, values) => {
+                let (upper, lower) = values.split_at_mut(self.base.len());
+                upper.copy_from_slice(&self.base);
+                for row in idle() {
+                    take_out(system, (&self.slots, &self.layout), row, upper);
+                }
+                // Flows without inertia stand still while their rope is slack.
+                let slack = system.light.iter().filter(|light| modes[light.rows.start] != Mode::Acting);
+                for &dof in slack.flat_map(|light| &light.dofs) {
+                    upper[self.slots.diagonal[self.layout.unknown[dof]]] = 1.0;
+                }
+                lower.copy_from_slice(upper);
+                for brake in brakes.iter().filter(|brake| modes[brake.row] == Mode::Slipping) {
+                    let mut put = |(row, column): (usize, usize), value: f64| {
+                        if let (true, Some(place)) = (row != NONE && column != NONE, ldu.entry(row, column)) {
+                            values[place] = value;
+                        }
+                    };
+                    let own = self.layout.row(brake.row);
+                    for entry in system.rows.start[brake.row]..system.rows.start[brake.row + 1] {
+                        if self.slots.rows[entry] != NONE {
+                            let unknown = self.layout.unknown[system.rows.dofs[entry]];
+                            put((unknown, own), self.base[self.slots.rows[entry]]);
+                        }
+                    }
+                    put((own, self.layout.unknown[brake.dof]), -h * brake.slope());
+                    for (row, weight) in brake.pressed.into_iter().filter(|(_, weight)| *weight != 0.0) {
+                        put((own, self.layout.row(row)), brake.way * weight);
+                    }
+                }
+                ldu.factorise(values)
+            }
         }
-        self.ldl.factorise()
     }
 
     /// Solves for velocities and impulses. `force` is the right side of every degree of freedom with the
@@ -108,7 +167,13 @@ impl Kkt {
             self.right[index] = force[dof];
         }
         self.right[self.layout.free.len()..].copy_from_slice(rows);
-        self.ldl.solve(&self.right, &mut self.solution);
+        match &mut self.factors {
+            Factors::Symmetric(ldl) => ldl.solve(&self.right, &mut self.solution),
+            Factors::Unsymmetric(ldu, _) => {
+                self.solution.copy_from_slice(&self.right);
+                ldu.solve(&mut self.solution);
+            }
+        }
         for (index, &dof) in self.layout.free.iter().enumerate() {
             v[dof] = self.solution[index];
         }
@@ -119,6 +184,16 @@ impl Kkt {
     pub fn element<'a>(&self, system: &'a System, unknown: usize) -> &'a str {
         self.layout.element(system, unknown)
     }
+}
+
+/// Makes the row of a matrix an identity row.
+fn take_out(system: &System, (slots, layout): (&Slots, &Layout), row: usize, values: &mut [f64]) {
+    for &slot in &slots.rows[system.rows.start[row]..system.rows.start[row + 1]] {
+        if slot != NONE {
+            values[slot] = 0.0;
+        }
+    }
+    values[slots.diagonal[layout.row(row)]] = -1.0;
 }
 
 fn add(base: &mut [f64], slots: &[usize], values: impl Iterator<Item = f64>) {

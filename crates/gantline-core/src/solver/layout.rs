@@ -129,11 +129,16 @@ fn unknown_order(system: &System, unknown: &[usize], free: usize, pairs: &[(usiz
             continue;
         }
         node_of_body[index] = nodes.len();
-        nodes.push(Node {
-            size: unknowns.len(),
-            kind: NodeKind::Joint { above, light: body.dofs().any(|dof| system.is_light[dof]) },
-        });
+        nodes.push(Node { size: unknowns.len(), kind: NodeKind::Joint { above, after: None } });
         members.push(unknowns);
+    }
+    let first_row = nodes.len();
+    for light in &system.light {
+        for (&dof, row) in light.dofs.iter().zip(light.rows.clone()) {
+            if let NodeKind::Joint { after, .. } = &mut nodes[node_of_body[tree.owner[dof]]].kind {
+                *after = Some(first_row + row);
+            }
+        }
     }
     for (row, law) in system.rows.laws.iter().enumerate() {
         let holds = match system.constraint_of_row(row) {

@@ -1,5 +1,7 @@
 //! Sparse factorisation in the rig's order, and the complementarity problem of a step.
 
+pub mod balance;
+pub mod brakes;
 pub mod complementarity;
 pub mod kkt;
 pub mod layout;

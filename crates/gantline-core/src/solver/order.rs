@@ -29,8 +29,9 @@ pub enum NodeKind {
     Joint {
         /// Node above; none hangs on the world or on driven joints only.
         above: Option<usize>,
-        /// True for the flow of a light sheave, whose pivot is zero before a row beside it has gone.
-        light: bool,
+        /// For the flow of a light sheave, whose pivot is zero before, the row that has to go first: that of the span before it.
+        /// Were it any row beside it, two flows might count on one span: where both slip, rope between them gives way.
+        after: Option<usize>,
     },
     /// A row.
     Row {
@@ -110,7 +111,7 @@ impl<'a> Elimination<'a> {
         }
         for (index, node) in nodes.iter().enumerate() {
             let allowed = match node.kind {
-                NodeKind::Joint { light, .. } => graph.hanging[index] == 0 && !light,
+                NodeKind::Joint { after, .. } => graph.hanging[index] == 0 && after.is_none(),
                 NodeKind::Row { compliant, .. } => compliant,
             };
             if allowed {
@@ -146,7 +147,7 @@ impl<'a> Elimination<'a> {
             self.around[a].remove(&node);
             self.near[a] -= self.nodes[node].size;
             self.met[a] |= is_joint;
-            let freed = !is_joint && matches!(self.nodes[a].kind, NodeKind::Joint { light: true, .. });
+            let freed = matches!(self.nodes[a].kind, NodeKind::Joint { after: Some(row), .. } if row == node);
             for &b in &around {
                 self.couple(a, b);
             }

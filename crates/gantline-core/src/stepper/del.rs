@@ -26,6 +26,9 @@
 //! q₊ = q ⊕ h v₊
 //! ```
 //!
+//! A brake, what holds a sheave or joint, has a row without compliance, G v₊ = w, or where it slips its force at the end of the step
+//! ([`crate::solver::brakes`]).
+//!
 //! c has the force of what water remembers ([`crate::force::memory`]) at the start of the step, as of springs. It goes on by
 //! the trapezoidal rule with the step's velocity, z₊ = z + h (p (z + z₊)/2 + ν(v₊)), ν being the mean of both ends: what
 //! the force then takes along the mean velocity of two steps is never negative in the whole, where K is passive.
@@ -35,12 +38,15 @@
 
 use super::flows::{self, StepFlows};
 use super::frame::Frame;
+use super::loosening::Loosening;
 use super::{StepError, StepReport, adjust, coils, parting, pinning, removing, seats, slinging, spots};
 use crate::clock::Stage;
+use crate::constraint::rope::span::Span;
 use crate::event::EventLog;
 use crate::force::{self, memory};
 use crate::record::Sample;
 use crate::rope::seat::Winding;
+use crate::solver::brakes::holdings;
 use crate::solver::complementarity::{Complementarity, Problem};
 use crate::solver::kkt::Kkt;
 use crate::solver::symbolic::ZeroPivot;
@@ -75,7 +81,10 @@ pub struct Del {
     v: Vec<f64>,
     increment: Vec<f64>,
     support: Vec<f64>,
+    /// Configuration at the start of the step.
+    before: Vec<f64>,
     wraps: Vec<Winding>,
+    loosening: Loosening,
 }
 
 impl Del {
@@ -98,7 +107,9 @@ impl Del {
             v: zeros.clone(),
             increment: zeros,
             support: vec![0.0; system.groups.len()],
+            before: Vec::new(),
             wraps: vec![Winding::default(); system.sheaves.len()],
+            loosening: Loosening::new(system),
         }
     }
 
@@ -145,18 +156,19 @@ impl Del {
             self.kkt.stiffness.update(system, state, frame, h, self.geometric_stiffness);
             self.kkt.assemble(system, &frame.mass, &frame.gradient, h);
         });
-        self.rows.begin(&state.modes, &state.tension);
+        holdings(system, state, frame, h, &mut self.rows.brakes);
+        self.rows.begin(system, &frame.gradient, &state.modes, &state.tension);
 
         // Driven coordinates are known: their mean velocity over the step.
         self.v.copy_from_slice(&state.v);
-        for (drive, timeline) in system.drives.iter().zip(&state.plan.timelines) {
+        for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let travel = timeline.motion(end).position - timeline.motion(state.time).position;
             self.v[drive.dof] = travel / h;
         }
 
         let mut report = StepReport { converged: true, ..StepReport::default() };
         self.middle.fill(0.0);
-        for drive in &system.drives {
+        for drive in system.drives.iter().filter(|drive| !drive.is_limited) {
             self.middle[drive.dof] = self.v[drive.dof];
         }
         // Right side: M (v − v_driven) + h² K v/4 − …, what the driven columns contribute taken off.
@@ -240,6 +252,7 @@ impl Del {
         flow.book(system, state, frame, &mut self.increment);
         flow.change(state).events(system, state, log);
         flow.remember(system, state, frame);
+        self.before.clone_from(&state.q);
         coils::supply(system, state, frame, &self.v, h);
         for (increment, velocity) in self.increment.iter_mut().zip(&self.v) {
             *increment = h * velocity;
@@ -254,6 +267,9 @@ impl Del {
         frame.update(system, state);
         memory::arrive(&system.tree, &mut frame.kinematics, (&self.v, h), &mut state.past);
         force::follow(&system.tree, &mut frame.kinematics, (&self.v, end), &mut state.past);
+        if let Some(error) = seats::used_up(system, state, Span::has_run_out) {
+            return Err(error);
+        }
         if !system.sheaves.is_empty() {
             let mut values = frame.value.iter().zip(&state.modes);
             if let Some(row) = values.position(|(value, mode)| !value.is_finite() && !mode.is_absent()) {
@@ -267,6 +283,10 @@ impl Del {
         if !system.finders.is_empty() {
             self.follow_spots(system, state, frame, log);
         }
+        if self.loosening.pass(system, state, frame) {
+            renew(system, state, frame);
+        }
+        flows::carry_tensions(system, [&self.before, &state.q], &mut state.tension);
         adjust::adjust(system, state, frame);
         flows::store(system, state, frame);
         Ok(report)
@@ -289,16 +309,21 @@ impl Del {
         seats::wraps(system, &frame.kinematics, state, &mut self.wraps);
         let linearly = |_, before: f64, after: f64| end - h * (after / (after - before)).clamp(0.0, 1.0);
         if seats::follow(system, state, &self.wraps, log, linearly) {
-            let held = |state: &State, frame: &Frame| flows::stored(system, state, frame).elastic;
-            let before = held(state, frame);
-            frame.update(system, state);
-            state.ledger.flows.method += before - held(state, frame);
+            renew(system, state, frame);
         }
     }
 
     fn singular(&self, system: &System, time: f64, pivot: ZeroPivot) -> StepError {
         super::singular(time, self.kkt.element(system, pivot.unknown).to_owned())
     }
+}
+
+/// Evaluates everything again where ropes lie in another way; what that does to springs at once is the method's loss.
+fn renew(system: &System, state: &mut State, frame: &mut Frame) {
+    let held = |state: &State, frame: &Frame| flows::stored(system, state, frame).elastic;
+    let before = held(state, frame);
+    frame.update(system, state);
+    state.ledger.flows.method += before - held(state, frame);
 }
 
 fn largest(values: &[f64]) -> f64 {

@@ -114,7 +114,7 @@ impl Explicit {
                 format!("the integrator explicit knows no pins, such as that of {name}; use adaptive or del")
             }
             Law::Brake { .. } => format!(
-                "the integrator explicit knows no friction of sheaves, drums and joints, such as that of {name}; use adaptive"
+                "the integrator explicit knows no friction of sheaves, drums and joints, such as that of {name}; use adaptive or del"
             ),
             _ => format!(
                 "the integrator explicit knows springs only, and {name} is inextensible; give it an axial stiffness, \

@@ -121,7 +121,12 @@ impl StepFlows<'_> {
             return;
         }
         if compliance == 0.0 {
-            state.ledger.flows.method += flow;
+            let slips = self.rows.modes[row] == Mode::Slipping;
+            let asked = self.rows.asked(system, row);
+            let driven = self.h * self.rows.tension[row] * asked;
+            state.ledger.flows.drive_work -= driven;
+            let lost = if slips { &mut state.ledger.flows.friction } else { &mut state.ledger.flows.method };
+            *lost += flow - driven;
             return;
         }
         let before = frame.value[row];
@@ -175,6 +180,9 @@ impl StepFlows<'_> {
                 let deflection = deflection(law, mode, force, frame.value[row], self.h);
                 state.memory[row] += frame.value[row] + travel - deflection;
             }
+        }
+        for brake in &self.rows.brakes {
+            state.memory[brake.row] = brake.way;
         }
         state.tension.copy_from_slice(&self.rows.tension);
         state.trial.copy_from_slice(&self.rows.trial);
@@ -246,6 +254,15 @@ impl Change<'_> {
                 log.push(self.start, kind, index);
             }
         }
+        for &(row, _) in &system.motors {
+            let slips = |modes: &[Mode]| modes[row] == Mode::Slipping;
+            let kind = match (slips(&state.modes), slips(self.modes)) {
+                (false, true) => EventKind::DrumSlips,
+                (true, false) => EventKind::DrumHolds,
+                _ => continue,
+            };
+            log.push(self.start, kind, system.constraint_index(row));
+        }
     }
 
     fn crossing(&self, state: &State, row: usize) -> f64 {
@@ -296,6 +313,16 @@ pub fn interpolate(
     let states = before.past.iter().zip(&after.past);
     for (past, (before, after)) in sample.past.iter_mut().zip(states) {
         *past = before + share * (after - before);
+    }
+}
+
+/// Turns the forces of rows of ropes that are fed from those of the configuration `from` into those of `to`, tensions staying
+/// what they were in the step.
+pub fn carry_tensions(system: &System, [from, to]: [&[f64]; 2], force: &mut [f64]) {
+    for (constraint, &first) in system.constraints[..system.rope_count].iter().zip(&system.rows.first) {
+        let AnyConstraint::Rope(rope) = constraint else { continue };
+        let fed = rope.spans.iter().zip(&mut force[first..]).filter(|(span, _)| !span.feeds.is_empty());
+        fed.for_each(|(span, force)| *force *= span.scale(from) / span.scale(to));
     }
 }
 

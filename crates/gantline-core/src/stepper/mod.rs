@@ -7,6 +7,7 @@ pub mod del;
 pub mod explicit;
 pub(crate) mod flows;
 pub mod frame;
+mod loosening;
 mod parting;
 mod pinning;
 mod removing;

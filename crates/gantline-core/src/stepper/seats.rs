@@ -2,6 +2,7 @@
 
 use super::StepError;
 use crate::constraint::rope::Rope;
+use crate::constraint::rope::span::Span;
 use crate::event::{EventKind, EventLog};
 use crate::rope::seat::{Seat, Winding};
 use crate::state::State;
@@ -53,6 +54,13 @@ pub fn follow(
         seat.wound = wound;
     }
     any
+}
+
+/// The rope of which nothing is left between two places that it passes, if there is one, as `is` says of a span.
+pub fn used_up(system: &System, state: &State, is: impl Fn(&Span, &[f64]) -> bool) -> Option<StepError> {
+    let rope = whole_ropes(system, state).find(|rope| rope.spans.iter().any(|span| is(span, &state.q)))?;
+    let cause = "there is no rope left between two of the places that it passes".to_owned();
+    Some(StepError { time: state.time, element: rope.name.clone(), cause })
 }
 
 /// The rope that has no tangent to a sheave where the motion leads, in place of `error` where there is one.

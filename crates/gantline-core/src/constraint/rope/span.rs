@@ -98,6 +98,11 @@ impl Span {
         self.unstretched(q) - self.arcs <= 0.01 * self.length
     }
 
+    /// True where nothing is left beside its arcs.
+    pub fn has_run_out(&self, q: &[f64]) -> bool {
+        !self.feeds.is_empty() && self.unstretched(q) <= self.arcs
+    }
+
     /// L̇ under the velocities `v` [m/s], but for what drums feed.
     #[inline]
     pub fn speed(&self, v: &[f64]) -> f64 {

@@ -33,6 +33,7 @@ use super::{StepError, StepReport, coils, flows, parting, pinning, removing, sea
 use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::Law;
+use crate::constraint::rope::span::Span;
 use crate::event::{EventLog, standstill};
 use crate::force;
 use crate::record::Sample;
@@ -370,10 +371,8 @@ impl Adaptive {
     }
 
     fn too_short(&self, system: &System, state: &State) -> StepError {
-        let used_up = system.ropes().find(|rope| rope.spans.iter().any(|span| span.is_used_up(&state.q)));
-        if let Some(rope) = used_up {
-            let cause = "there is no rope left between two of the places that it passes".to_owned();
-            return StepError { time: state.time, element: rope.name.clone(), cause };
+        if let Some(error) = seats::used_up(system, state, Span::is_used_up) {
+            return error;
         }
         let met = standstill::has_met(system, &self.rodas.here.frame.kinematics);
         let (element, cause) = met.unwrap_or_else(|| {
