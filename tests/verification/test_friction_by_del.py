@@ -328,6 +328,29 @@ def test_random_ropes_find_their_modes() -> None:
     assert ended < 150
 
 
+def between_weights(rng: np.random.Generator) -> Json:
+    """Two weights on one rope over 2 to 11 fixed light sheaves, one up, one down."""
+    count, radius = int(rng.integers(2, 12)), 0.2
+    bodies = [body("a", slider(), 10 ** rng.uniform(1, 4), position=(-radius, 0, 0))]
+    route = [end("a")]
+    for place in range(count):
+        up = place % 2 == 0
+        passing = {"flow": f"sheave{place}", "ratio": float(1 + 10 ** rng.uniform(-3, -0.5))}
+        route.append(half_turn(None, (2 * radius * place, 0, 10 if up else 5), radius, over=up, **passing))
+        bodies.append(flow(f"sheave{place}", 0.0))
+    last = (radius * (2 * count - 1), 0, 0 if count % 2 else 15)
+    bodies.append(body("b", slider(), 10 ** rng.uniform(1, 4), position=last))
+    line = rope("r", None, [*route, end("b")], float(10 ** rng.uniform(5, 9)), 0.01)
+    return document(bodies, ropes=[line])
+
+
+def test_random_weights_over_fixed_sheaves_find_their_modes() -> None:
+    """Where both weights go the same way the rope passes without any tension, neither slack nor taut."""
+    for seed in range(200):
+        run = simulate(between_weights(np.random.default_rng(seed)), 0.3, step=5e-3, sample_interval=0.1)
+        assert run.counters["unconverged"] == 0, seed
+
+
 def test_slack_rope_passes_light_sheaves_until_it_is_as_loose() -> None:
     """A rope over a light sheave whose weight is driven up by 10 mm: both sides as loose as they are long."""
     weight = body("weight", slider(drive="jack"), 1000.0, position=(-0.5, 0, 0))
