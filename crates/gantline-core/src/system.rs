@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::clock::Clock;
+use crate::constraint::brake::Brake;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::contact::pad::Pad;
@@ -385,6 +386,20 @@ impl System {
     /// How many rows the ropes have; they stand before those of contacts.
     pub fn rope_rows(&self) -> usize {
         self.rows.first[self.rope_count]
+    }
+
+    /// First row of the brakes; each has one, and they come last.
+    pub fn first_brake_row(&self) -> usize {
+        self.rows.first[self.first_brake]
+    }
+
+    /// Brakes with their rows.
+    pub fn brakes(&self) -> impl Iterator<Item = (usize, &Brake)> {
+        let rows = self.first_brake_row()..;
+        rows.zip(&self.constraints[self.first_brake..]).filter_map(|(row, constraint)| match constraint {
+            AnyConstraint::Brake(brake) => Some((row, brake)),
+            _ => None,
+        })
     }
 
     /// The tension that the force of a row stands for [N]; those of rows of ropes differ where rope is fed.

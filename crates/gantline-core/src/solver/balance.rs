@@ -41,7 +41,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// All rows of a step that are linear in pieces.
 #[derive(Debug, Clone)]
 pub struct Balance {
-    ropes: Vec<Ropes>,
+    ropes: Vec<LightRope>,
     singles: Vec<Single>,
     /// Rows that these are.
     pub has: Vec<bool>,
@@ -65,7 +65,7 @@ struct Single {
 
 /// A row of light sheaves, as vectors over its spans.
 #[derive(Debug, Clone)]
-struct Ropes {
+struct LightRope {
     /// How it should be divided.
     division: Division,
     /// S⁻¹, S = |∂g/∂s|.
@@ -126,7 +126,7 @@ impl Single {
     }
 }
 
-impl Ropes {
+impl LightRope {
     fn new(light: &LightSheaves) -> Self {
         let room = || vec![0.0; light.rows.len()];
         Self {
@@ -239,7 +239,7 @@ impl Balance {
         rows.iter().for_each(|&row| has[row] = true);
         let single = |row| Single { row, softness: 0.0, found: [0.0; 2], here: [0.0; 2], between: 0.0 };
         Self {
-            ropes: system.light.iter().map(Ropes::new).collect(),
+            ropes: system.light.iter().map(LightRope::new).collect(),
             singles: rows.into_iter().map(single).collect(),
             has,
             solutions: 0,
@@ -250,7 +250,7 @@ impl Balance {
     ///
     /// At the start of a run spans are slack or not each by itself: over light sheaves they then all carry.
     pub fn begin(&mut self, system: &System, gradient: &[f64], modes: &mut [Mode], brakes: &mut [Holding]) {
-        let first_brake = system.rows.first[system.first_brake];
+        let first_brake = system.first_brake_row();
         for (light, rope) in system.light.iter().zip(&mut self.ropes) {
             let modes = &mut modes[light.rows.clone()];
             if modes.contains(&Mode::Acting) && modes.contains(&Mode::Slack) {
@@ -304,7 +304,7 @@ impl Balance {
 
     /// True where all rows should take part as they were guessed to.
     fn agrees(&self, system: &System, guess: &Guess) -> bool {
-        let first_brake = system.rows.first[system.first_brake];
+        let first_brake = system.first_brake_row();
         let mut ropes = system.light.iter().zip(&self.ropes);
         let mut singles = self.singles.iter();
         ropes.all(|(light, rope)| {
@@ -317,7 +317,7 @@ impl Balance {
 
     /// Makes how they should take part where they were looked at last the next guess.
     fn tell(&self, system: &System, guess: &mut Guess) {
-        let first_brake = system.rows.first[system.first_brake];
+        let first_brake = system.first_brake_row();
         for (light, rope) in system.light.iter().zip(&self.ropes) {
             if !guess.modes[light.rows.start].is_absent() {
                 rope.tell(light, first_brake, guess);

@@ -9,7 +9,6 @@
 //! w being what the drive of a motor asks for in the mean of the step. While it slips the second is a row like others, of an
 //! unsymmetric matrix, since what presses on the brake is not pressed by it; no force is taken from the step before.
 
-use crate::constraint::AnyConstraint;
 use crate::constraint::brake::{At, Brake};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -100,10 +99,5 @@ impl Holding {
 /// All brakes in a step of `h` [s].
 pub fn holdings(system: &System, state: &State, frame: &Frame, h: f64, out: &mut Vec<Holding>) {
     out.clear();
-    let first = system.rows.first[system.first_brake];
-    for (row, constraint) in (first..).zip(&system.constraints[system.first_brake..]) {
-        if let AnyConstraint::Brake(brake) = constraint {
-            out.push(Holding::new(system, (state, frame), (row, brake), h));
-        }
-    }
+    out.extend(system.brakes().map(|brake| Holding::new(system, (state, frame), brake, h)));
 }

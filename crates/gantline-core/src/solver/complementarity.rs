@@ -194,7 +194,7 @@ impl Complementarity {
 
     /// What the drive of a motor asks for, by the row of its brake; 0 for other rows.
     pub fn asked(&self, system: &System, row: usize) -> f64 {
-        let brake = row.checked_sub(system.rows.first[system.first_brake]);
+        let brake = row.checked_sub(system.first_brake_row());
         brake.map_or(0.0, |brake| self.brakes[brake].asked)
     }
 
@@ -216,7 +216,7 @@ impl Complementarity {
     /// Lets a row that breaks its law change side.
     fn turn_over(&mut self, system: &System, row: usize) {
         self.factored = false;
-        let brake = row.checked_sub(system.rows.first[system.first_brake]);
+        let brake = row.checked_sub(system.first_brake_row());
         self.modes[row] = match (self.modes[row], brake) {
             (Mode::Acting, Some(brake)) => {
                 self.brakes[brake].way = self.tension[row].signum();
@@ -237,7 +237,7 @@ impl Complementarity {
 
     fn right_sides(&mut self, system: &System, problem: &Problem, v: &[f64]) {
         self.force.copy_from_slice(problem.force);
-        let brakes = system.rows.first[system.first_brake];
+        let brakes = system.first_brake_row();
         for (row, law) in system.rows.laws.iter().enumerate() {
             match self.modes[row] {
                 Mode::Slack | Mode::Parted | Mode::Off => self.row_right[row] = 0.0,
@@ -266,7 +266,7 @@ impl Complementarity {
     }
 
     fn read_forces(&mut self, system: &System, problem: &Problem, v: &[f64]) {
-        let brakes = system.rows.first[system.first_brake];
+        let brakes = system.first_brake_row();
         for (row, law) in system.rows.laws.iter().enumerate() {
             self.tension[row] = match self.modes[row] {
                 Mode::Slack => 0.0,

@@ -48,7 +48,7 @@ impl Kkt {
         let layout = Layout::new(system);
         let stiffness = Stiffness::new(system);
         let pattern = layout.symbolic.clone();
-        let factors = if system.first_brake == system.constraints.len() {
+        let factors = if system.brakes().next().is_none() {
             Factors::Symmetric(Ldl::new(pattern))
         } else {
             let ldu = Ldu::new(pattern);

@@ -357,10 +357,8 @@ impl StaticLift {
 
     /// Names of the sheaves with losses.
     pub fn lossy_sheaves(&self) -> Vec<&str> {
-        let brakes = self.system.constraints[self.system.first_brake..].iter();
-        let lossy =
-            brakes.filter(|brake| matches!(brake, AnyConstraint::Brake(brake) if !brake.grip.is_none()));
-        lossy.map(|brake| brake.name()).collect()
+        let lossy = self.system.brakes().filter(|(_, brake)| !brake.grip.is_none());
+        lossy.map(|(_, brake)| brake.name.as_str()).collect()
     }
 }
 

@@ -107,15 +107,18 @@ impl Explicit {
                     .to_owned(),
             );
         }
+        if let Some((_, brake)) = system.brakes().next() {
+            return Some(format!(
+                "the integrator explicit knows no friction of sheaves, drums and joints, such as that of {}; use adaptive or del",
+                brake.name
+            ));
+        }
         let row = *system.rigid.first()?;
         let name = system.constraint_of_row(row).name();
         Some(match system.rows.laws[row] {
             Law::Pin => {
                 format!("the integrator explicit knows no pins, such as that of {name}; use adaptive or del")
             }
-            Law::Brake { .. } => format!(
-                "the integrator explicit knows no friction of sheaves, drums and joints, such as that of {name}; use adaptive or del"
-            ),
             _ => format!(
                 "the integrator explicit knows springs only, and {name} is inextensible; give it an axial stiffness, \
                  or use adaptive or del"

@@ -248,8 +248,7 @@ impl Evaluation {
             let acts = modes[row] == Mode::Acting;
             self.trial[row] = if acts { *tension } else { self.frame.value[row] * self.rigid_scale };
         }
-        let brakes = system.rows.first[system.first_brake];
-        for row in 0..brakes {
+        for row in 0..system.first_brake_row() {
             self.tension[row] = match modes[row] {
                 Mode::Slack => 0.0,
                 Mode::Parted | Mode::Off => {
@@ -260,21 +259,18 @@ impl Evaluation {
                 Mode::Slipping => self.trial[row] * self.slip_share(&system.rows.laws[row]),
             };
         }
-        for (row, constraint) in (brakes..).zip(&system.constraints[system.first_brake..]) {
-            if let AnyConstraint::Brake(brake) = constraint {
-                if system.is_light[brake.dof] {
-                    self.tension[row] = 0.0;
-                    continue;
-                }
-                let slips = modes[row] == Mode::Slipping;
-                let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
-                let (q, kinematics, seats) = (self.q.as_slice(), &self.frame.kinematics, at.seats);
-                let driven = -direction * at.v[brake.dof];
-                let at_here = At { q, kinematics, seats };
-                self.bound[row] =
-                    self.held[row].unwrap_or_else(|| brake.bound(at_here, &self.tension, driven));
-                self.tension[row] = if slips { self.bound[row] * direction } else { self.trial[row] };
+        for (row, brake) in system.brakes() {
+            if system.is_light[brake.dof] {
+                self.tension[row] = 0.0;
+                continue;
             }
+            let slips = modes[row] == Mode::Slipping;
+            let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
+            let (q, kinematics, seats) = (self.q.as_slice(), &self.frame.kinematics, at.seats);
+            let driven = -direction * at.v[brake.dof];
+            let at_here = At { q, kinematics, seats };
+            self.bound[row] = self.held[row].unwrap_or_else(|| brake.bound(at_here, &self.tension, driven));
+            self.tension[row] = if slips { self.bound[row] * direction } else { self.trial[row] };
         }
         for (rate, &row) in self.anchor_rate.iter_mut().zip(&system.friction) {
             *rate = match modes[row] {

@@ -4,7 +4,6 @@
 use super::Adaptive;
 use super::rodas::Rodas;
 use crate::clock::Stage;
-use crate::constraint::AnyConstraint;
 use crate::constraint::brake::Brake;
 use crate::event::{EventKind, EventLog};
 use crate::solver::complementarity::Mode;
@@ -267,10 +266,7 @@ fn told(system: &System) -> impl Iterator<Item = usize> {
 
 /// Brakes and their rows, but for those of light sheaves.
 fn brakes(system: &System) -> impl Iterator<Item = (usize, &Brake)> {
-    system.fed.iter().filter_map(|&index| match &system.constraints[index] {
-        AnyConstraint::Brake(brake) if !system.is_light[brake.dof] => Some((system.rows.first[index], brake)),
-        _ => None,
-    })
+    system.brakes().filter(|(_, brake)| !system.is_light[brake.dof])
 }
 
 /// Lets all brakes go, whose rows are returned: a force that is bounded has no share in an impact.

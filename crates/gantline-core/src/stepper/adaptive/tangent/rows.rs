@@ -159,7 +159,7 @@ impl TangentMatrix {
 
 /// The brake whose row it is.
 pub fn brake_of(system: &System, row: usize) -> Option<&Brake> {
-    let index = row.checked_sub(system.rows.first[system.first_brake])?;
+    let index = row.checked_sub(system.first_brake_row())?;
     match &system.constraints[system.first_brake + index] {
         AnyConstraint::Brake(brake) => Some(brake),
         _ => None,
