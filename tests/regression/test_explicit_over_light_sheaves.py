@@ -13,5 +13,5 @@ from mechanics import simulation
 
 @pytest.mark.parametrize("inertia", [0.0, 10.0], ids=["light", "inertia"])
 def test_explicit_refuses_losses_of_sheaves(inertia: float) -> None:
-    with pytest.raises(ValueError, match="explicit knows no friction of sheaves, .* such as that of sheave"):
+    with pytest.raises(ValueError, match=r"explicit knows no friction of sheaves, .* such as that of sheave"):
         simulation(atwood(10.0, 20.0, inertia, ratio=CAPSTAN), 1.0, type="explicit")

@@ -79,7 +79,7 @@ def test_capstan_slips_between_weights(inertia: float, step: float) -> None:
     assert tension == pytest.approx([light * (G + expected), heavy * (G - expected)], rel=1e-6)
     # Heat is the bound times the way of the rope.
     lost = share * tension.sum() * run.joint("sheave")[-1]
-    # Light sheaves hold by T (1 + ε/2), with strains of 1e-7; the first steps, in which ropes are stretched, are microns.
+    # Light sheaves hold by T (1 + ε/2), with strains of 1e-7; ropes are stretched in the first microns.
     assert run.energy("friction")[-1] == pytest.approx(lost, rel=5e-7)
 
 
