@@ -1,6 +1,6 @@
 """`explicit` began a lift over sheaves with losses and no inertia, and then ended it as singular.
 
-It refuses friction, but looked for it among rows that carry forces of their own, which those of light sheaves do not.
+It refuses friction, but looked for it among rows with forces of their own; those of light sheaves have none.
 """
 
 from __future__ import annotations
