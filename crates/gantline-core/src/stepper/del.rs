@@ -141,16 +141,40 @@ impl Del {
         frame: &mut Frame,
         log: &mut EventLog,
     ) -> Result<StepReport, StepError> {
-        let h = self.h;
-        let end = (state.steps + 1) as f64 * h;
+        let end = (state.steps + 1) as f64 * self.h;
+        let pinned = self.act(system, state, frame, end, log)?;
+        self.assemble(system, state, frame, end);
+        let report = self.solve(system, state, frame)?;
+        self.book(system, state, frame, pinned, log);
+        self.move_on(system, state, frame, end);
+        self.lay_anew(system, state, frame, log)?;
+        flows::carry_tensions(system, [&self.before, &state.q], &mut state.tension);
+        adjust::adjust(system, state, frame);
+        flows::store(system, state, frame);
+        Ok(report)
+    }
+
+    /// What the plan and the loads themselves change by the `end` of the step; true where a pin was put in.
+    fn act(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &mut Frame,
+        end: f64,
+        log: &mut EventLog,
+    ) -> Result<bool, StepError> {
         flows::supports(system, &state.tension, &mut self.support);
         flows::advance_plan(system, state, frame, (end, &self.support), log);
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);
         removing::remove(system, state, frame, end, log);
         slinging::act(system, state, frame, log)?;
-        let pins = pinning::act(system, state, frame, log)?;
+        Ok(pinning::act(system, state, frame, log)?.put_in)
+    }
 
+    /// Both sides but for c, and what is known of v₊.
+    fn assemble(&mut self, system: &System, state: &State, frame: &mut Frame, end: f64) {
+        let h = self.h;
         // Left side: M + hD + h²αK, G, −ε/(h (h+τ)).
         system.clock.time(Stage::Assembly, || {
             self.kkt.stiffness.update(system, state, frame, h, self.geometric_stiffness);
@@ -165,8 +189,6 @@ impl Del {
             let travel = timeline.motion(end).position - timeline.motion(state.time).position;
             self.v[drive.dof] = travel / h;
         }
-
-        let mut report = StepReport { converged: true, ..StepReport::default() };
         self.middle.fill(0.0);
         for drive in system.drives.iter().filter(|drive| !drive.is_limited) {
             self.middle[drive.dof] = self.v[drive.dof];
@@ -180,7 +202,12 @@ impl Del {
         for (index, place) in system.coils.iter().enumerate() {
             self.momentum[place.dof] += h * frame.coil_force(system, index);
         }
-        // c, which holds −f of gravity, at the mean velocity by fixed point, with the waves of half-way.
+    }
+
+    /// v₊ and the forces, with c, which holds −f of gravity, at the mean velocity by fixed point, and the waves of half-way.
+    fn solve(&mut self, system: &System, state: &State, frame: &mut Frame) -> Result<StepReport, StepError> {
+        let h = self.h;
+        let mut report = StepReport { converged: true, ..StepReport::default() };
         frame.kinematics.time = state.time + 0.5 * h;
         let (mut scale, mut settled) = (0.0, false);
         for round in 0..BIAS_ROUNDS {
@@ -229,8 +256,11 @@ impl Del {
             return Err(seats::explain(system, state, StepError { time: state.time, element, cause }));
         }
         report.complementarity_residual = self.rows.residual(system);
+        Ok(report)
+    }
 
-        // q₊ = q ⊕ h v₊, and the books.
+    /// What the step does to the energy, to the modes of the rows and to what the next one sets out from.
+    fn book(&mut self, system: &System, state: &mut State, frame: &Frame, pinned: bool, log: &mut EventLog) {
         let mut fluid_power = 0.0;
         if !system.tree.forces.is_empty() {
             let [fluid, lines] = &mut self.resistance;
@@ -240,8 +270,8 @@ impl Del {
                 + force::wave_work(&system.tree, &frame.kinematics, &self.v);
         }
         let flow = StepFlows {
-            h,
-            pinned: pins.put_in,
+            h: self.h,
+            pinned,
             v: &self.v,
             c: &self.c,
             resistance: self.resistance.each_ref().map(Vec::as_slice),
@@ -252,6 +282,11 @@ impl Del {
         flow.book(system, state, frame, &mut self.increment);
         flow.change(state).events(system, state, log);
         flow.remember(system, state, frame);
+    }
+
+    /// q₊ = q ⊕ h v₊, and everything that goes with it.
+    fn move_on(&mut self, system: &System, state: &mut State, frame: &mut Frame, end: f64) {
+        let h = self.h;
         self.before.clone_from(&state.q);
         coils::supply(system, state, frame, &self.v, h);
         for (increment, velocity) in self.increment.iter_mut().zip(&self.v) {
@@ -267,6 +302,16 @@ impl Del {
         frame.update(system, state);
         memory::arrive(&system.tree, &mut frame.kinematics, (&self.v, h), &mut state.past);
         force::follow(&system.tree, &mut frame.kinematics, (&self.v, end), &mut state.past);
+    }
+
+    /// How ropes lie and bodies touch where the step has led.
+    fn lay_anew(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &mut Frame,
+        log: &mut EventLog,
+    ) -> Result<(), StepError> {
         if let Some(error) = seats::used_up(system, state, Span::has_run_out) {
             return Err(error);
         }
@@ -286,10 +331,7 @@ impl Del {
         if self.loosening.pass(system, state, frame) {
             renew(system, state, frame);
         }
-        flows::carry_tensions(system, [&self.before, &state.q], &mut state.tension);
-        adjust::adjust(system, state, frame);
-        flows::store(system, state, frame);
-        Ok(report)
+        Ok(())
     }
 
     /// Follows where bodies may touch; what that does to springs at once is the method's loss.
