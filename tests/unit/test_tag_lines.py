@@ -24,7 +24,7 @@ def held(line: str = WEST) -> str:
 
 
 def test_line_on_a_tugger() -> None:
-    """A rope on a flow whose motor hauls with the pull; half as long at first, as the run begins at rest."""
+    """A rope on a flow whose motor keeps the pull, as long as under that between its ends."""
     document = assemble(parse_scenario(held())).document
     [rope] = [one for one in document["ropes"] if one["name"] == "tag.west"]
     first, last = rope["route"]
@@ -33,9 +33,9 @@ def test_line_on_a_tugger() -> None:
     assert first["at"] == pytest.approx([-5.65, -2.05, -1.4], abs=0.01)
     assert (last["body"], last["drum"]["flow"]) == (None, "tag.west.tugger")
     # The ends are (25² + 0.2²)^(1/2) m apart.
-    assert rope["length"] == pytest.approx(0.5 * (25.0**2 + 0.2**2) ** 0.5 / (1.0 + 1e3 / 150e3))
+    assert rope["length"] == pytest.approx((25.0**2 + 0.2**2) ** 0.5 / (1.0 + 1e3 / 150e3))
     [flow] = [one for one in document["bodies"] if one["name"] == "tag.west.tugger"]
-    assert flow["joint"]["capacity"] == 1e3
+    assert (flow["joint"]["capacity"], flow["joint"]["keeps_pull"]) == (1e3, True)
 
 
 def test_cut_by_the_plan_and_told() -> None:

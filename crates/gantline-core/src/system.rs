@@ -78,6 +78,8 @@ pub struct DriveJoint {
     pub dof: usize,
     /// True for a motor of limited force, which a brake between it and its flow stands for.
     pub is_limited: bool,
+    /// True for one of these that hauls as long as its rope pulls less.
+    pub keeps_pull: bool,
 }
 
 /// Contacts that carry one load together.

@@ -50,6 +50,7 @@ fn mooring(spec: &mut SystemSpec, draw: &mut Draw, k: usize) -> ForceSpec {
         damping: 0.0,
         brake: 0.0,
         capacity: None,
+        keeps_pull: false,
         power: None,
         drive: None,
     };

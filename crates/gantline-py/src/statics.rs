@@ -204,6 +204,7 @@ impl Statics {
         out.set_item("steps", rest.effort.steps)?;
         out.set_item("factorisations", rest.factorisations)?;
         out.set_item("lossy", self.inner.lossy_sheaves())?;
+        out.set_item("slides", self.inner.slides())?;
         out.set_item("contacts", self.inner.contact_forces())?;
         Ok(out)
     }

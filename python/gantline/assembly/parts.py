@@ -115,7 +115,8 @@ class Parts:
         Args:
             name: name of the flow, in one set with the bodies.
             inertia: mass that moves with the rope [kg].
-            rest: `velocity` [m/s], `damping` [N s/m], `brake` [N], `drive`, `capacity` [N], `power` [W].
+            rest: `velocity` [m/s], `damping` [N s/m], `brake` [N], `drive`, `capacity` [N], `power` [W],
+                `keeps_pull`.
         """
         joint = {"type": "flow", "inertia": inertia, **rest}
         self.flows[name] = _body(name, joint)

@@ -23,9 +23,6 @@ __all__ = ["add_tag_lines", "line_drive", "tag_rig"]
 _ONE_PLACE = 1e-3
 #: Time in which a tugger comes to its speed [s].
 _STARTS_IN = 1.0
-#: Of the distance at the start, the length of a line before the rest in which a run begins: its tugger gives
-#: way there until it pulls as it shall, wherever that rest has the load.
-_HAULED = 0.5
 #: People and tuggers stand near, haul by some metres in a second and move little with the rope; beyond this
 #: a unit has slipped [m], [m/s], [kg].
 _LONGEST, _FASTEST, _HEAVIEST = 1000.0, 10.0, 10e3
@@ -99,7 +96,7 @@ def _length(scenario: Scenario, name: str, line: TagLine, chord: float, stiffnes
         sentence = "is where it is made fast to the load; a line has two ends"
         raise scenario.start_error(("tag_lines", name, "to"), sentence)
     if line.pull is not None:
-        return taut_length(chord, line.pull, stiffness) * (_HAULED if scenario.starts_at_rest else 1.0)
+        return taut_length(chord, line.pull, stiffness)
     if line.pretension is not None:
         return taut_length(chord, line.pretension, stiffness)
     length = line.length if isinstance(line.length, float) else chord
@@ -124,7 +121,7 @@ def _add_winch(parts: Parts, name: str, line: TagLine) -> None:
     elif line.winch is not None:
         capacity = line.winch.capacity
     parts.add_drive(drive, ramps)
-    motor = {} if capacity is None else {"capacity": capacity}
+    motor = {} if capacity is None else {"capacity": capacity, "keeps_pull": line.pull is not None}
     parts.add_flow(tag_tugger(name), line.rotating_mass or TUGGER_MASS, drive=drive, **motor)
 
 

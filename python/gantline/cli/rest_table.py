@@ -27,6 +27,10 @@ def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[
     lines.append(f"Equilibrium at {rest.time:g} s: {state}")
     free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
     lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]
+    lines += [
+        f"  at {moment:.2f} s friction of {name} found no balance: it slid to where nothing drives it"
+        for moment, name in rest.slides
+    ]
     if rest.losses == "held":
         lines.append("  friction of contacts and sheaves holds what it can, from where the lift was")
         return lines

@@ -79,6 +79,9 @@ def _facts(said: Mapping[str, Any]) -> list[tuple[str, str]]:
         ("motions that nothing holds", str(neutral)),
         ("largest imbalance of forces", _imbalance(_finite(said.get("residual")))),
     ]
+    slides = said.get("slides")
+    for one in slides if isinstance(slides, list) else []:
+        rows.append((f"friction found no balance, {one['name']} slid", show(_finite(one["time"]), "s", 2)))
     if said.get("losses") == "held":
         rows.append(("friction", "of contacts and sheaves holds what it can"))
     elif isinstance(lossy, list) and lossy:

@@ -81,6 +81,8 @@ class Equilibrium:
         lossy: Sheaves with losses.
         losses: What friction does, see `Statics.equilibrium`.
         contacts: The contacts that carry.
+        slides: Loads, modules and body contacts whose friction found no balance on the way, and when [s]:
+            there they slid to where nothing drives them.
     """
 
     time: float
@@ -92,6 +94,7 @@ class Equilibrium:
     lossy: tuple[str, ...] = ()
     losses: Losses = "none"
     contacts: tuple[ContactForce, ...] = ()
+    slides: tuple[tuple[float, str], ...] = ()
 
     def __repr__(self) -> str:
         kind = "stable" if self.is_stable else f"{self.unstable} motions lead away"
@@ -112,6 +115,7 @@ class Equilibrium:
             "residual": self.residual,
             "losses": self.losses,
             "lossy_sheaves": list(self.lossy),
+            "slides": [{"time": moment, "name": name} for moment, name in self.slides],
         }
 
     def with_modes(self, modes: Sequence[Mode], heights: Mapping[str, Sequence[float]]) -> Recording:

@@ -234,6 +234,7 @@ class Statics:
             steps=found["steps"],
             lossy=tuple(found["lossy"]),
             losses=losses,
+            slides=tuple(found["slides"]),
             contacts=tuple(
                 ContactForce(name, support, np.asarray(friction), bound)
                 for name, support, friction, bound in found["contacts"]

@@ -32,9 +32,11 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
             finite(&drive.name, "a ramp", &[ramp.at, ramp.velocity])?;
             positive(&drive.name, "the duration of a ramp", ramp.duration)?;
         }
-        let is_limited = matches!(spec.bodies[body].joint, JointSpec::Flow { capacity: Some(_), .. });
+        let joint = &spec.bodies[body].joint;
+        let is_limited = matches!(joint, JointSpec::Flow { capacity: Some(_), .. });
+        let keeps_pull = matches!(joint, JointSpec::Flow { capacity: Some(_), keeps_pull: true, .. });
         let dof = tree.bodies[body].first_velocity;
-        drives.push(DriveJoint { name: drive.name.clone(), body, dof, is_limited });
+        drives.push(DriveJoint { name: drive.name.clone(), body, dof, is_limited, keeps_pull });
     }
     for given in &spec.bodies {
         if let Some(name) = given.joint.drive()

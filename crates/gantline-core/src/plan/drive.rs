@@ -153,6 +153,11 @@ impl Timeline {
         }
     }
 
+    /// Velocity with which it goes on after everything that is known to come.
+    pub fn final_velocity(&self) -> f64 {
+        self.ramps.last().map_or(0.0, |ramp| ramp.to)
+    }
+
     /// Acceleration at `time` [s] and its derivative, of the piece of motion that is under way at `from`: at the
     /// end of a ramp the value before it and not after it.
     pub fn acceleration(&self, from: f64, time: f64) -> (f64, f64) {

@@ -165,6 +165,9 @@ pub enum JointSpec {
         /// Largest power of the drive [W], with its capacity.
         #[serde(default)]
         power: Option<f64>,
+        /// True of a motor with a capacity that hauls as long as its rope pulls less: at rest the rope pulls as much.
+        #[serde(default)]
+        keeps_pull: bool,
         /// Name of the drive that prescribes this motion, or asks for it where it has a capacity.
         #[serde(default)]
         drive: Option<String>,

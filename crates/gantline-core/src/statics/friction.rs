@@ -170,6 +170,30 @@ impl Statics {
         most
     }
 
+    /// Lets the contacts of the group that this row is one of slide freely: to where nothing drives them, so that friction
+    /// can hold them there. False where they may not, or do.
+    pub(super) fn let_slide(&mut self, system: &System, row: usize) -> bool {
+        let contact = system.constraint_index(row);
+        let group = system.groups.iter().position(|group| group.contacts.contains(&contact));
+        let Some(group) = group.filter(|group| self.may_slide && !self.sliding.contains(group)) else {
+            return false;
+        };
+        self.sliding.push(group);
+        for &row in &system.friction {
+            if self.slides(system, row) {
+                self.bearings[row].part = Part::Off;
+            }
+        }
+        self.pace.begin(system.friction.len());
+        true
+    }
+
+    /// Whether the contact of this row slides freely.
+    fn slides(&self, system: &System, row: usize) -> bool {
+        let contact = system.constraint_index(row);
+        self.sliding.iter().any(|&group| system.groups[group].contacts.contains(&contact))
+    }
+
     /// Contacts that have slid, or hold; by how much the largest was wrong, as a share of the largest bound, or of the
     /// largest force where the search `stays`.
     fn follow_contacts(&mut self, system: &System, contacts: Contacts, stays: bool) -> f64 {
@@ -178,6 +202,9 @@ impl Statics {
         self.pace.now.fill(None);
         for (rows, index) in system.friction.chunks_exact(2).zip((0..).step_by(2)) {
             let Law::Friction { coefficient, normal, .. } = system.rows.laws[rows[0]] else { continue };
+            if self.slides(system, rows[0]) {
+                continue;
+            }
             let presses = tension[normal] > 0.0;
             let bound = coefficient * tension[normal].max(0.0);
             largest = largest.max(bound);
@@ -226,7 +253,7 @@ impl Statics {
                     *known = self.pace.next(index, *known);
                 }
             }
-            if contacts == Contacts::Held {
+            if contacts == Contacts::Held && !self.slides(system, rows[0]) {
                 let known = if let Part::Stick(known) = self.bearings[rows[0]].part { known } else { 0.0 };
                 let bound = self.pace.next(index, known);
                 let parts = if bound > 0.0 { [Part::Stick(bound), Part::Across] } else { [Part::Off; 2] };

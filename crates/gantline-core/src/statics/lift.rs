@@ -38,6 +38,8 @@ pub struct StaticLift {
     samples: Samples,
     /// Steps of the plan that began and ended on the way to the equilibrium found last.
     log: EventLog,
+    /// Groups of contacts that slid on that way since their friction found no balance, and when [s].
+    slides: Vec<(f64, usize)>,
     fingerprint: u64,
 }
 
@@ -57,7 +59,7 @@ impl StaticLift {
         let statics = Statics::new(&system);
         let fingerprint = fingerprint([document]);
         let (state, samples, log) = (first.clone(), Samples::default(), EventLog::new());
-        Ok(Self { state, samples, log, first, statics, system, fingerprint })
+        Ok(Self { state, samples, log, slides: Vec::new(), first, statics, system, fingerprint })
     }
 
     /// Finds the equilibrium at `time` [s] of the plan, downhill of the start of the lift after `increment` of its
@@ -78,6 +80,7 @@ impl StaticLift {
     ) -> Result<Rest, NoEquilibrium> {
         let Self { system, first, state, .. } = self;
         state.copy_from(first);
+        self.slides.clear();
         if let Some(increment) = increment {
             let free = increment.iter().zip(&system.driven);
             let free: Vec<f64> =
@@ -97,6 +100,7 @@ impl StaticLift {
         } else {
             self.jump(time, losses)?
         };
+        way::note(&mut self.slides, &mut self.statics, self.state.time);
         self.sample(time > 0.0);
         Ok(rest)
     }
@@ -114,7 +118,10 @@ impl StaticLift {
         self.state = saved_state(self.fingerprint, saved)?;
         let Self { system, state, statics, .. } = self;
         statics.resume(system, state);
-        Ok(statics.go_on(system, state, losses).inspect(|_| self.sample(true)))
+        let found = statics.go_on(system, state, losses);
+        self.slides.clear();
+        way::note(&mut self.slides, &mut self.statics, self.state.time);
+        Ok(found.inspect(|_| self.sample(true)))
     }
 
     /// The samples are the start of the lift, where `from_start`, and the equilibrium.
@@ -142,6 +149,7 @@ impl StaticLift {
         let Self { system, state, statics, .. } = self;
         let rest = statics.step_off(system, state, losses)?;
         if rest.is_some() {
+            way::note(&mut self.slides, &mut self.statics, self.state.time);
             self.sample(self.state.time > 0.0);
         }
         Ok(rest)
@@ -353,6 +361,13 @@ impl StaticLift {
             Some((contact.name.as_str(), pressed, force.to_array(), coefficient * pressed))
         });
         contacts.filter(|(_, pressed, ..)| *pressed > 0.0).collect()
+    }
+
+    /// What slid on the way to the equilibrium found last, since its friction found no balance, and when [s]: names of
+    /// loads and body contacts.
+    pub fn slides(&self) -> Vec<(f64, &str)> {
+        let named = |&(time, group): &(f64, usize)| (time, self.system.groups[group].name.as_str());
+        self.slides.iter().map(named).collect()
     }
 
     /// Names of the sheaves with losses.

@@ -49,6 +49,8 @@ const LOSS_LEFT: f64 = 1e-12;
 const ROUNDS: usize = 40;
 /// Moves of what friction holds, at most.
 const FRICTION_ROUNDS: usize = 200;
+/// What friction does that has no such end.
+const NO_BALANCE: &str = "its friction and what that holds find no balance";
 /// What a hull does that bears less than its weight.
 const SINKS: &str = "it sinks: no hull bears that weight";
 /// Wider shifts, as multiples, where one leaves nothing but rounding of a light node between stiff parts. The widest
@@ -96,6 +98,12 @@ pub struct Statics {
     is_found: bool,
     /// How much unstretched rope is in doubt that drums have wound since the equilibrium before [m].
     pub doubt: f64,
+    /// Whether contacts that hold may slide where their friction finds no balance, see [`Statics::let_slide`].
+    pub may_slide: bool,
+    /// Groups of contacts that do so in this search.
+    sliding: Vec<usize>,
+    /// Groups of contacts that have done so since this was emptied, on the way to the equilibrium found last.
+    pub slid: Vec<usize>,
 }
 
 impl Statics {
@@ -109,6 +117,9 @@ impl Statics {
             places: Vec::new(),
             is_found: false,
             doubt: 0.0,
+            may_slide: true,
+            sliding: Vec::new(),
+            slid: Vec::new(),
         }
     }
 
@@ -150,6 +161,7 @@ impl Statics {
     fn begin(&mut self, system: &System, state: &State) {
         self.search.effort = Effort::default();
         self.search.matrix.factorisations = 0;
+        self.slid.clear();
         self.asked = winding::asked(system, state);
         self.places.clone_from(&self.asked);
     }
@@ -157,11 +169,13 @@ impl Statics {
     /// Moves `state` to the equilibrium downhill of it, with drives where it has them.
     fn balance(&mut self, system: &System, state: &mut State, losses: Losses) -> Result<(), NoEquilibrium> {
         self.is_found = false;
+        self.sliding.clear();
         let before = std::mem::replace(&mut self.bearings, bearings(system, state, losses));
         self.slip_as(&before, losses.sheaves);
-        self.hold_motors(system);
+        self.hold_motors(system, state);
         self.pace.begin(system.friction.len());
-        let mut unsettled = 0;
+        let (mut unsettled, mut last) = (0, FRICTION_ROUNDS);
+        let start = if system.friction.is_empty() { Vec::new() } else { state.q.clone() };
         for round in 1.. {
             let steps = self.search.effort.steps;
             let descended = self.search.descend(system, state, &mut self.bearings);
@@ -178,9 +192,15 @@ impl Statics {
                 // Friction is a share of other forces: it contracts, lengths may not.
                 let rigid = self.bearings.iter().position(|bearing| bearing.is_rigid).unwrap_or(0);
                 (rigid, "lengths that cannot change contradict one another")
-            } else if round == FRICTION_ROUNDS {
+            } else if round == last {
                 let row = system.friction.get(self.pace.worst()).copied().unwrap_or(0);
-                (row, "its friction and what that holds find no balance")
+                if losses.contacts == Contacts::Held && self.let_slide(system, row) {
+                    last += FRICTION_ROUNDS;
+                    // Not from wherever the search has got to.
+                    state.q.copy_from_slice(&start);
+                    continue;
+                }
+                (row, NO_BALANCE)
             } else {
                 continue;
             };
@@ -197,6 +217,8 @@ impl Statics {
             return Err(NoEquilibrium { element: vessel.name.clone(), cause: SINKS.to_owned() });
         }
         self.store(system, state);
+        self.sliding.retain(|group| !self.slid.contains(group));
+        self.slid.append(&mut self.sliding);
         self.is_found = true;
         Ok(())
     }
@@ -289,6 +311,11 @@ impl Statics {
             return NoEquilibrium { element: vessel.name.clone(), cause: SINKS.to_owned() };
         }
         let (element, cause) = match stuck {
+            Stuck::Falls(_) | Stuck::NoStep(_) if !self.sliding.is_empty() => {
+                // Without friction nothing holds it either.
+                let group = &system.groups[self.sliding[self.sliding.len() - 1]];
+                (system.constraints[group.contacts[0]].name().to_owned(), NO_BALANCE)
+            }
             Stuck::Falls(index) if floats(system, index) => (body(index), SINKS),
             Stuck::Falls(index) => (body(index), "nothing holds it, it falls without end"),
             Stuck::UsedUp(rope) => {

@@ -21,7 +21,7 @@ use crate::state::State;
 use crate::stepper::coils::span_of;
 use crate::stepper::flows;
 use crate::stepper::frame::{Frame, Remembered};
-use crate::system::{CoilPlace, System};
+use crate::system::{CoilPlace, DriveJoint, System};
 
 /// Equilibria that one part may take.
 const ROUNDS: usize = 30;
@@ -29,6 +29,8 @@ const ROUNDS: usize = 30;
 const LEFT: f64 = 1e-9;
 /// Less wound rope than this is none [m].
 const LEAST: f64 = 1e-12;
+/// How much more than it has let go a motor that keeps its pull asks for [m].
+const MORE: f64 = 1e3;
 /// Rope that came on last is not told from what lies below where it is no longer than this [m]: a brake that holds lets
 /// through some rounding, and where a drum is held at the joint of two pieces its torque has no one value there.
 const THIN: f64 = 1e-9;
@@ -65,11 +67,18 @@ impl Statics {
         self.places = positions.map(|position| state.q[position]).collect();
     }
 
-    /// Motors hold where their drives are, or where they have been dragged to.
-    pub(super) fn hold_motors(&mut self, system: &System) {
+    /// Motors hold where their drives are, or where they have been dragged to. Those that keep their pull ask for far more,
+    /// so that they pull all they can, unless their rope has parted.
+    pub(super) fn hold_motors(&mut self, system: &System, state: &State) {
         for &(row, drive) in &system.motors {
             if let Some(held) = &mut self.bearings[row].held {
                 held.place = self.places[drive];
+                let DriveJoint { dof, keeps_pull, .. } = system.drives[drive];
+                let mut drums = system.coils.iter().filter(|place| place.dof == dof);
+                let velocity = state.plan.timelines[drive].final_velocity();
+                if keeps_pull && velocity != 0.0 && drums.any(|place| !state.modes[place.row].is_absent()) {
+                    held.place += MORE.copysign(velocity);
+                }
             }
         }
     }
@@ -144,7 +153,8 @@ impl Statics {
         let before = self.before(system, state);
         for (index, drive) in system.drives.iter().enumerate().filter(|(_, drive)| drive.is_limited) {
             // A motor that was too weak goes on from where it is.
-            self.places[index] = stood[index] + (self.asked[index] - last[index]);
+            let further = if drive.keeps_pull { 0.0 } else { self.asked[index] - last[index] };
+            self.places[index] = stood[index] + further;
             state.q[system.tree.bodies[drive.body].first_position] = self.places[index];
         }
         flows::set_driven(system, state);

@@ -101,6 +101,7 @@ fn flow(name: &str, inertia: f64, velocity: f64) -> BodySpec {
             damping: 0.0,
             brake: 0.0,
             capacity: None,
+            keeps_pull: false,
             power: None,
             drive: None,
         },

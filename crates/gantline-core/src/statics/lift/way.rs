@@ -6,7 +6,7 @@ use crate::plan::condition::Seen;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::statics::losses::Losses;
-use crate::statics::{NoEquilibrium, Rest};
+use crate::statics::{NoEquilibrium, Rest, Statics};
 use crate::stepper::flows;
 use crate::system::System;
 
@@ -51,6 +51,7 @@ impl StaticLift {
         let mut support = vec![0.0; system.groups.len()];
         part(system, state);
         let mut rest = Some(statics.settle(system, state, losses)?);
+        note(&mut self.slides, statics, state.time);
         let (mut before, mut stride) = (state.clone(), LONGEST);
         while state.time < time {
             unless_stopped(goes_on)?;
@@ -72,12 +73,16 @@ impl StaticLift {
             flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
             state.time = next;
             part(system, state);
-            let found = statics.follow(system, state, losses);
             let is_short = next - now <= SHORTEST;
+            // Held as long as there is a way on.
+            statics.may_slide = is_short;
+            let found = statics.follow(system, state, losses);
+            statics.may_slide = true;
             let is_late =
                 found.is_ok() && waits && stride > LOOK && is_fulfilled(system, state, &mut support);
             if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
                 found?;
+                note(&mut self.slides, statics, next);
                 rest = None;
                 // The doubt is of second order in the length of a part: twice as long, four times as much.
                 stride *= if statics.doubt > 0.25 * DOUBT { 1.0 } else { 2.0 };
@@ -90,6 +95,11 @@ impl StaticLift {
         }
         rest.map_or_else(|| statics.rest(system, state), Ok)
     }
+}
+
+/// What slid to the equilibrium found last, at `time` [s].
+pub(super) fn note(slides: &mut Vec<(f64, usize)>, statics: &mut Statics, time: f64) {
+    slides.extend(statics.slid.drain(..).map(|group| (time, group)));
 }
 
 fn unless_stopped(goes_on: GoesOn) -> Result<(), NoEquilibrium> {
