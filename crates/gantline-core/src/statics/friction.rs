@@ -108,15 +108,19 @@ fn wrong(known: f64, wanted: f64, force: f64) -> f64 {
 }
 
 impl Statics {
-    /// Sheaves that all slip one way begin with what they resisted at the equilibrium before, if there was one: from
-    /// there it takes fewer rounds.
-    pub(super) fn slip_as(&mut self, before: &[Bearing], sheaves: Sheaves) {
-        if !matches!(sheaves, Sheaves::Slip(_)) {
-            return;
-        }
-        for (bearing, before) in self.bearings.iter_mut().zip(before) {
-            if let (Part::Resist(known), Part::Resist(then)) = (&mut bearing.part, before.part) {
-                *known = then;
+    /// Sheaves begin with what they could hold, or resisted with, at the equilibrium before, if there was one: from there
+    /// it takes half the rounds.
+    pub(super) fn hold_as(&mut self, system: &System, before: &[Bearing]) {
+        for ((bearing, before), row) in self.bearings.iter_mut().zip(before).zip(0..) {
+            let lossy =
+                matches!(system.constraint_of_row(row), AnyConstraint::Brake(brake) if !brake.grip.is_none());
+            match (&mut bearing.part, before.part) {
+                (Part::Resist(known), Part::Resist(then)) | (Part::Hold(known), Part::Hold(then))
+                    if lossy =>
+                {
+                    *known = then;
+                }
+                _ => {}
             }
         }
     }

@@ -171,7 +171,7 @@ impl Statics {
         self.is_found = false;
         self.sliding.clear();
         let before = std::mem::replace(&mut self.bearings, bearings(system, state, losses));
-        self.slip_as(&before, losses.sheaves);
+        self.hold_as(system, &before);
         self.hold_motors(system, state);
         self.pace.begin(system.friction.len());
         let (mut unsettled, mut last) = (0, FRICTION_ROUNDS);
