@@ -28,7 +28,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
-from gantline.results.run_warnings import command_warnings, sheave_warnings
+from gantline.results.run_warnings import command_warnings, missed_peaks, sheave_warnings
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.unfollowed import unfollowed
@@ -318,6 +318,7 @@ class Simulation:
         warnings += crossed_ropes(self.assembly.document.get("ropes", ()), diameters, columns, names)
         columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
+        warnings += missed_peaks(rig, columns, names)
         warnings += drum_warnings(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
@@ -325,7 +326,7 @@ class Simulation:
             warnings += unfollowed(self.assembly.document, columns, names)
         loads = {load.name: load.body for load in rig.loads}
         density = (self.scenario.water or Water()).density
-        warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density)
+        warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density, rig.sea)
         if len(columns["time"]):
             at_start, turned = (
                 dict(zip(names["body"], columns[name][0], strict=True))

@@ -97,6 +97,29 @@ _WORDS: Final[dict[str, tuple[str, str]]] = {
     "ratio": ("a share", "'5 %' or '0.05'"),
 }
 
+#: Units that lifts are written in elsewhere, in units of here: a near name, mph for km/h, is another size.
+_ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
+    "length": {"ft": (0.3048, "m"), "in": (25.4, "mm")},
+    "mass": {"lb": (0.45359237, "kg"), "lbs": (0.45359237, "kg")},
+    "force": {
+        "kip": (4.4482216152605, "kN"),
+        "kips": (4.4482216152605, "kN"),
+        "lbf": (4.4482216152605, "N"),
+        "tf": (9.80665, "kN"),
+        "kgf": (9.80665, "N"),
+    },
+    "speed": {
+        "ft/min": (0.3048, "m/min"),
+        "ft/s": (0.3048, "m/s"),
+        "mph": (0.44704, "m/s"),
+        "kn": (1852 / 3600, "m/s"),
+        "knots": (1852 / 3600, "m/s"),
+        "m/h": (1 / 60, "m/min"),
+    },
+}
+#: One that has several sizes.
+_TONS: Final = "a short ton is 0.9072 t, a long ton 1.016 t"
+
 _NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(\S.*)?", re.ASCII)
 _LONGEST: Final = 60
@@ -178,7 +201,7 @@ def quantity(text: str, dimension: str) -> float:
         if number == 0.0:
             return 0.0
         raise UnitError(f"'{shown}' has no unit; {example(dimension)}")
-    raise UnitError(_wrong_unit(shown, unit, dimension))
+    raise UnitError(_wrong_unit(shown, number, unit, dimension))
 
 
 def format_quantity(value: float, unit: str, digits: int) -> str:
@@ -225,13 +248,18 @@ def _not_a_number(shown: str, dimension: str) -> str:
     return f"'{shown}' is not a number with a unit; {example(dimension)}"
 
 
-def _wrong_unit(shown: str, unit: str, dimension: str) -> str:
+def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
     if re.match(r",[0-9]", unit):
         return f"'{shown}' has a decimal comma; a decimal point is needed: {example(dimension)}"
     for other, units in DIMENSIONS.items():
         if unit in units:
             name, examples = _WORDS[dimension]
             return f"'{shown}' is {_WORDS[other][0]}; needed is {name}, written like {examples}"
+    if unit in (elsewhere := _ELSEWHERE.get(dimension, {})):
+        factor, here = elsewhere[unit]
+        return f"'{shown}' is {number * factor:.7g} {here}; units are metric: {example(dimension)}"
+    if dimension == "mass" and unit.endswith(("ton", "tons")):
+        return f"'{unit}' in '{shown}' has several sizes: {_TONS}; {example(dimension)}"
     known = [symbol for symbol in DIMENSIONS[dimension] if symbol]
     lowered = {symbol.lower(): symbol for symbol in reversed(known)}
     near = difflib.get_close_matches(unit.lower(), list(lowered), n=1, cutoff=0.5)

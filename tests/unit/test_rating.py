@@ -121,6 +121,29 @@ def test_a_chart_over_angles_is_read_by_the_angle() -> None:
     assert between == pytest.approx([1500 * T, 2550 * T, 3600 * T, 0.0, 0.0])
 
 
+def test_between_rows_the_lower_of_both_if_the_chart_says_so() -> None:
+    """12 to 18 m in steps of 2 m: at a row that row, to rounding, between two that which is rated for less;
+    of a chart over angles, which rises, as well.
+    """
+    chart = RatingChart("c1", "radius", RADII, RATED, between="lower")
+    places = np.array([[12.0, 12.0 + 1e-12, 12.1, 14.0 - 1e-12], [14.0, 15.0, 18.0, 18.1]])
+    assert (chart.rated_at(places) / T).tolist() == [[360.0, 360.0, 283.0, 283.0], [283.0, 231.0, 195.0, 0.0]]
+    over = RatingChart("fc", "angle", (1.0, 1.2, 1.4), (1.0, 3.0, 2.0), between="lower")
+    assert over.rated_at(np.array([1.0, 1.1, 1.2, 1.3, 1.4])).tolist() == [1.0, 1.0, 3.0, 2.0, 2.0]
+
+
+def test_a_lift_file_says_what_holds_between_rows() -> None:
+    """A chart without a word is interpolated, as it was."""
+    text = FLOATING_CRANE.read_text(encoding="utf-8")
+    found = []
+    for words in ("", "between: lower"):
+        scenario = parse_scenario(
+            text.replace("rating:\n", f"rating:\n      {words}\n", 1), str(FLOATING_CRANE)
+        )
+        found.append(assemble(scenario).rig["rating_charts"][0]["between"])
+    assert found == ["lines", "lower"]
+
+
 def test_moments_at_which_a_chart_is_passed() -> None:
     """250 t carried out from 13 to 17 m in 4 s: 250 t are rated between 14 and 16 m, at 15.269 m."""
     chart = RatingChart("c1", "radius", RADII, RATED)

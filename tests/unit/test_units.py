@@ -77,6 +77,15 @@ def test_zero_needs_no_unit(zero: str) -> None:
             "mass",
             "'stone' in '3 stone' is not a unit of mass; a mass is written like '300 t' or '20 kg'",
         ),
+        ("12 ft", "length", "'12 ft' is 3.6576 m; units are metric: " + example("length")),
+        ("10 kips", "force", "'10 kips' is 44.48222 kN; units are metric: " + example("force")),
+        ("30 mph", "speed", "'30 mph' is 13.4112 m/s; units are metric: " + example("speed")),
+        (
+            "5 short tons",
+            "mass",
+            "'short tons' in '5 short tons' has several sizes: a short ton is 0.9072 t, a long ton 1.016 t; "
+            + example("mass"),
+        ),
         ("5 knm", "torque", "'knm' in '5 knm' is not a unit of torque; did you mean 'kN m'?"),
         ("2,5 m", "length", "'2,5 m' has a decimal comma; a decimal point is needed: " + example("length")),
         ("about 3 m", "length", "'about 3 m' is not a number with a unit; " + example("length")),

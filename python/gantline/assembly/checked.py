@@ -134,6 +134,7 @@ def rating_charts(scenario: Scenario) -> list[Json]:
                 "over": chart.over,
                 "at": [place for place, _ in chart.rows],
                 "rated": [mass * gravity for _, mass in chart.rows],
+                "between": chart.between or "lines",
                 "includes_hook_block": crane.rating_includes_hook_block,
                 "hooks": [hook.name for hook in hooks],
                 "hook_shares": shares,

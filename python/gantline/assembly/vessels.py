@@ -12,6 +12,7 @@ from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array, about_axis, quaternion_product, rotation_matrix
 from gantline.assembly.water import hull_name
+from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.check_vessels import check_inside
 from gantline.scenario.findings import Findings
@@ -37,6 +38,8 @@ _ADRIFT = 1.0
 #: One whose heel and trim come out farther than this from those of the lift file was not meant so [rad]: the
 #: head of a boom is 1 m elsewhere then.
 _LEANS = math.radians(0.5)
+#: Points of a deck's edge over the length of the waves; pieces over the length of the vessel, at most.
+_PER_WAVE, _MOST_PIECES = 24, 200
 
 
 def add_vessels(parts: Parts, scenario: Scenario) -> None:
@@ -138,20 +141,56 @@ def _marks(scenario: Scenario, name: str) -> dict[str, list[list[float]]]:
     """Points of a vessel that should stay above the water, by what they belong to."""
     vessel = (scenario.vessels or {})[name]
     openings = {opening: [list(at)] for opening, at in (vessel.openings or {}).items()}
-    return {DECK_EDGE: deck_edge(vessel_hull(scenario, name, vessel)), **openings}
+    mesh = vessel_hull(scenario, name, vessel)
+    return {DECK_EDGE: deck_edge(mesh, _seen_by_waves(scenario, mesh)), **openings}
 
 
-def deck_edge(mesh: HullMesh) -> list[list[float]]:
-    """Corners of a deck's edge: where its triangles meet others that are no deck, or end."""
-    return _edge(mesh, 1.0)
+def _seen_by_waves(scenario: Scenario, mesh: HullMesh) -> float | None:
+    """How far apart points of a deck's edge have to be that no crest passes between them [m]; None: any way.
+
+    In still water the lowest point of a side is one of its ends. A wave of the length λ is higher between two
+    points d apart than at both by up to 1 - cos(πd/λ) of its amplitude: 0.9 % of one as long as the peak's.
+    """
+    if not scenario.waves:
+        return None
+    fastest = max(2 * math.pi / train.main_period for train in scenario.waves.values())
+    number = wave_number(np.array([fastest]), scenario.simulation.gravity, (scenario.water or Water()).depth)
+    return max(
+        2 * math.pi / float(number[0]) / _PER_WAVE, float(np.ptp(mesh.box, axis=0).max()) / _MOST_PIECES
+    )
+
+
+def deck_edge(mesh: HullMesh, apart: float | None = None) -> list[list[float]]:
+    """A deck's edge, where its triangles meet others that are no deck, or end.
+
+    Args:
+        mesh: The hull.
+        apart: How far apart its points may be at most [m]; None: its corners alone.
+    """
+    sides = _sides(mesh, 1.0)
+    found = _corners(mesh, sides)
+    if apart is None:
+        return found
+    for side in sides:
+        first, last = (mesh.vertices[at] for at in sorted(side))
+        pieces = math.ceil(float(np.linalg.norm(last - first)) / apart)
+        found += [(first + (last - first) * k / pieces).tolist() for k in range(1, pieces)]
+    return found
 
 
 def bottom_edge(mesh: HullMesh) -> list[list[float]]:
-    """Corners of the edge of a hull's bottom, the same from below."""
-    return _edge(mesh, -1.0)
+    """Corners of the edge of a hull's bottom, found from below as a deck's edge is from above."""
+    return _corners(mesh, _sides(mesh, -1.0))
 
 
-def _edge(mesh: HullMesh, upwards: float) -> list[list[float]]:
+def _corners(mesh: HullMesh, sides: list[frozenset[int]]) -> list[list[float]]:
+    return [
+        [float(part) for part in mesh.vertices[at]] for at in sorted({at for side in sides for at in side})
+    ]
+
+
+def _sides(mesh: HullMesh, upwards: float) -> list[frozenset[int]]:
+    """The sides of triangles, as pairs of vertices, along which what looks upwards ends."""
     corners = mesh.vertices[mesh.triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     is_flat = upwards * across[:, 2] > _DECK * np.linalg.norm(across, axis=1)
@@ -159,9 +198,7 @@ def _edge(mesh: HullMesh, upwards: float) -> list[list[float]]:
     for triangle, flat in zip(mesh.triangles.tolist(), is_flat, strict=True):
         for place in range(3):
             sides[frozenset((triangle[place - 1], triangle[place]))].append(bool(flat))
-    ends = [side for side, flats in sides.items() if set(flats) == {True, False} or len(flats) == 1]
-    edge = {at for side in ends for at in side}
-    return [[float(part) for part in mesh.vertices[at]] for at in sorted(edge)]
+    return [side for side, flats in sides.items() if set(flats) == {True, False} or len(flats) == 1]
 
 
 def adrift(

@@ -79,7 +79,7 @@ def _of_row(
         yield Refused(element, _outside(recording, chart, places, outside))
         return
     rated = rated_load(recording, chart, group)
-    yield from _by_rule(recording, during, (element, hooks, kept), chart, rated)
+    yield from _by_rule(recording, during, (element, hooks, kept), chart, rated, places)
     if series.is_equilibrium(recording):
         return
     loaded = during & (load > 0)
@@ -107,9 +107,14 @@ def _by_rule(
     of: tuple[str, tuple[str, ...], float],
     chart: RatingChart,
     rated: FloatArray,
+    places: FloatArray,
 ) -> Iterator[Finding]:
-    """The design weight with the rule's dynamics against the least that is rated while the load is still."""
+    """The design weight with the rule's dynamics against the least that is rated while the load is still.
+
+    Of a crane that lifts alone against the least while the load hangs at all: it bears the same all the way.
+    """
     element, hooks, kept = of
+    hangs = _hangs(recording, chart, hooks) & during
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     windows = series.quiet_windows(recording)
     if not windows and hook_force(recording, hooks, variable, during).lacks_static:
@@ -122,14 +127,28 @@ def _by_rule(
         still = force.rule if force.rule is not None else force.static
         if still is None or still <= 0:
             continue
-        least = float(rated[window].min())
+        at = int(np.argmin(np.where(window | hangs, rated, np.inf)))
+        least = float(rated[at])
         if least <= 0:
             yield Refused(element, "nothing may hang where the load hangs still")
             return
         text = f"{force.rule_text if force.rule is not None else force.static_text}"
         raised = f" x {kept:.4g}" if kept > 1 else ""
         names = (*force.factors, *((SEVERAL,) if kept > 1 else ()))
-        yield Found(kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}", names)
+        where = "" if window[at] else f" at {_shown(chart, _worst(chart, places[at]))}"
+        yield Found(
+            kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}{where}", names
+        )
+
+
+def _hangs(recording: Recording, chart: RatingChart, hooks: tuple[str, ...]) -> BoolArray:
+    """Samples at which the whole load hangs in these hooks, shape (time,); none if others may bear it too."""
+    others = (hook for hook in recording.rig.hooks if hook.name not in chart.hooks)
+    alone = _lifting(recording) == {chart.crane} and set(hooks) == set(chart.hooks)
+    if not alone or series.is_equilibrium(recording) or any(hook.bears_mechanics for hook in others):
+        return np.zeros(len(recording.time), dtype=np.bool_)
+    hanging: BoolArray = series.is_clear(recording) & (chart_load(recording, chart, hooks) > 0)
+    return hanging
 
 
 def _worst(chart: RatingChart, places: FloatArray) -> float:

@@ -8,14 +8,17 @@ from typing import Any
 import numpy as np
 
 from gantline.results.rotation import axes
+from gantline.results.sea import Sea
 from gantline.results.solids import skin_of
-from gantline.results.surroundings import SIGNS
-from gantline.results.variable import Columns, Names
+from gantline.results.surroundings import SIGNS, ground_in, is_cut
+from gantline.results.variable import Columns, FloatArray, Names
 
 __all__ = ["immersion_warnings"]
 
 #: How deep a load may dip without a word [m]: contact and slings give that much.
 _DIPS = 0.01
+#: Points of a box of twice the size 1 at which waves are looked at: corners, middles of sides and edges.
+_POINTS = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)], dtype=np.float64)
 
 
 def immersion_warnings(
@@ -24,8 +27,11 @@ def immersion_warnings(
     scene: Mapping[str, Any],
     loads: Mapping[str, str],
     density: float,
+    sea: Sea | None = None,
 ) -> list[str]:
     """A sentence for each load of which part goes under water, with what water would carry of it at most.
+
+    In waves also for one that only their crests reach, where it is not over ground.
 
     Args:
         columns: Columns of the core by name.
@@ -33,6 +39,7 @@ def immersion_warnings(
         scene: What is drawn, with the level of the water where there is some.
         loads: Their bodies by name.
         density: Of the water [kg/m^3].
+        sea: Waves; None if there are none.
     """
     water = scene.get("water")
     if not water or not len(columns["time"]):
@@ -45,21 +52,54 @@ def immersion_warnings(
             continue
         # A load from CAD by the box about it: thousands of points at every sample are too many.
         least, most = skin.min(axis=(0, 1)), skin.max(axis=(0, 1))
-        own = (least + most) / 2 + SIGNS * (most - least) / 2
+        middle, half = (least + most) / 2, (most - least) / 2
         at = list(names["body"]).index(body)
+        place, turn = columns["body_position"][:, at], axes(columns["body_orientation"][:, at])
         # Heights of its corners over its centre of gravity.
-        heights = axes(columns["body_orientation"][:, at])[:, 2] @ own.T
-        low = columns["body_position"][:, at, 2] + heights.min(axis=1)
-        deep = float(water["level"]) - low
+        heights = turn[:, 2] @ (middle + SIGNS * half).T
+        deep = float(water["level"]) - (place[:, 2] + heights.min(axis=1))
         under = np.flatnonzero(deep > _DIPS)
-        if not under.size:
-            continue
-        worst = int(np.argmax(deep))
-        share = min(1.0, float(deep[worst] / np.ptp(heights[worst])))
-        carried = density * share * float(np.prod(most - least))
-        since = f"at {columns['time'][under[0]]:.2f} s"
-        when = f"{load} goes into the water {since}, up to {deep[worst]:.2f} m deep"
         without = "no buoyancy, slamming, drag or added mass acts on a load here, as it would"
-        closed = f"if its box were closed, water would carry up to {carried / 1e3:.3g} t"
-        warnings.append(f"{when}; {without}, and {closed}")
+        if under.size:
+            worst = int(np.argmax(deep))
+            share = min(1.0, float(deep[worst] / np.ptp(heights[worst])))
+            carried = density * share * float(np.prod(most - least))
+            since = f"at {columns['time'][under[0]]:.2f} s"
+            when = f"{load} goes into the water {since}, up to {deep[worst]:.2f} m deep"
+            closed = f"if its box were closed, water would carry up to {carried / 1e3:.3g} t"
+            warnings.append(f"{when}; {without}, and {closed}")
+        elif sea is not None and deep.max() + _highest(sea) > _DIPS:
+            points = place[:, None] + (middle + _POINTS * half) @ turn.transpose(0, 2, 1)
+            crests = _crests(columns["time"], points, float(water["level"]), scene, sea)
+            reached = np.flatnonzero(crests > _DIPS)
+            if reached.size:
+                since = f"at {columns['time'][reached[0]]:.2f} s"
+                high = f"up to {crests.max():.2f} m above its lowest point"
+                warnings.append(f"waves reach {load} {since}, {high}; {without}")
     return warnings
+
+
+def _highest(sea: Sea) -> float:
+    """No crest is higher [m]."""
+    return float(sum(wave["amplitude"] for wave in sea.components))
+
+
+def _crests(
+    time: FloatArray, points: FloatArray, level: float, scene: Mapping[str, Any], sea: Sea
+) -> FloatArray:
+    """How far the waves come over the lowest points that they reach (time,) [m]; -inf over ground alone.
+
+    Args:
+        time: (time,) [s].
+        points: Of a load (time, points, 3) [m].
+        level: Of still water [m].
+        scene: What is drawn; ground counts where it says where the water is.
+        sea: The waves.
+    """
+    over = level + sea.at(time, points[..., :2]) - points[..., 2]
+    ground = ground_in(scene)
+    if ground is not None and is_cut(ground, level):
+        is_land = ground.under(points.reshape(-1, 3)).reshape(over.shape) >= level
+        over = np.where(is_land, -np.inf, over)
+    highest: FloatArray = over.max(axis=1)
+    return highest

@@ -29,6 +29,7 @@ class RatingChart(FromJson):
         over: What its rows are for: `radius`, `outreach` or `angle`.
         at: Radius or outreach [m], or boom angle [rad], of each row, rising.
         rated: What may hang there, all hooks together [N].
+        between: What may hang between two rows: on `lines` between them, or the `lower` of both.
         includes_hook_block: Whether that is the hoist load, else the hook load.
         hooks: The hooks of the crane.
         hook_shares: By hook the largest share of the row that it may carry alone [1].
@@ -43,6 +44,7 @@ class RatingChart(FromJson):
     over: str = "radius"
     at: Sequence[float] = ()
     rated: Sequence[float] = ()
+    between: str = "lines"
     includes_hook_block: bool = False
     hooks: Sequence[str] = ()
     hook_shares: Mapping[str, float] | None = None
@@ -54,13 +56,26 @@ class RatingChart(FromJson):
 
     def holds(self, place: FloatArray) -> BoolArray:
         """Where a radius [m] or boom angle [rad] is within the rows, of any shape."""
-        rounding = _ROUNDING * abs(self.at[-1])
+        rounding = self._rounding
         inside: BoolArray = (place >= self.at[0] - rounding) & (place <= self.at[-1] + rounding)
         return inside
 
+    @property
+    def _rounding(self) -> float:
+        return _ROUNDING * abs(self.at[-1])
+
     def rated_at(self, place: FloatArray) -> FloatArray:
-        """Rated load [N] at a radius [m] or boom angle [rad], on lines between rows; 0 outside of them."""
-        rated: FloatArray = np.where(self.holds(place), np.interp(place, self.at, self.rated), 0.0)
+        """Rated load [N] at a radius [m] or boom angle [rad]; 0 outside of the rows."""
+        if self.between == "lower":
+            rows, last = np.asarray(self.at), len(self.at) - 1
+            loads = np.asarray(self.rated)
+            # At a row, to rounding, that row is both of its neighbours.
+            above = np.minimum(np.searchsorted(rows, place - self._rounding), last)
+            below = np.maximum(np.searchsorted(rows, place + self._rounding, side="right") - 1, 0)
+            between = np.minimum(loads[below], loads[above])
+        else:
+            between = np.interp(place, self.at, self.rated)
+        rated: FloatArray = np.where(self.holds(place), between, 0.0)
         return rated
 
     def overloads(

@@ -1,11 +1,56 @@
-"""Warnings of a run about what a program moved, and ropes that left their sheaves."""
+"""Warnings of a run about what a program moved, ropes that left their sheaves, and peaks between samples."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
-__all__ = ["command_warnings", "sheave_warnings"]
+import numpy as np
+
+from gantline.results.rig import Rig
+from gantline.results.variable import Columns, Names
+from gantline.units import format_quantity
+
+__all__ = ["command_warnings", "missed_peaks", "sheave_warnings"]
+
+#: Share by which the peak of a rope over all steps may be more than that of samples without a word.
+_MISSED = 0.02
+#: Ropes whose peaks are less than this share of the largest are not looked at.
+_LITTLE = 0.1
+
+
+def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
+    """A warning where samples are too far apart for peaks, as ropes show, whose peaks are those of all steps.
+
+    Hook loads are those of samples, and a hook whose ropes had more between two of them had more as well.
+    """
+    time = columns["time"]
+    if not rig.hooks or len(time) < 3:
+        return []
+    in_falls = {fall.rpartition("/")[0] for hook in rig.hooks for fall in hook.falls}
+    at_hooks = {rope for hook in rig.hooks for rope, _ in hook.direct_ropes}
+    loaded = {sling.rope for sling in rig.slings} | in_falls | at_hooks
+    peaks = columns["rope_peak_tension"]
+    found = []
+    for place, rope in enumerate(names["rope"]):
+        if rope not in loaded or columns["rope_peak_time"][place] > time[-1]:
+            continue
+        parts = [at for at, part in enumerate(names["segment"]) if part.rpartition("/")[0] == rope]
+        sampled = max(
+            float(columns["rope_tension"][:, place].max()),
+            float(columns["segment_tension"][:, parts].max(initial=0.0)),
+        )
+        found.append((float(peaks[place]), sampled, rope, float(columns["rope_peak_time"][place])))
+    largest = max((peak for peak, *_ in found), default=0.0)
+    missed = [one for one in found if one[0] > max((1 + _MISSED) * one[1], _LITTLE * largest)]
+    if not missed:
+        return []
+    peak, sampled, rope, when = max(missed, key=lambda one: one[0] / max(one[1], np.finfo(np.float64).tiny))
+    apart = format_quantity(float(np.median(np.diff(time))), "s", 2)
+    had, most = (format_quantity(value, "kN", 1) for value in (peak, sampled))
+    missing = f"samples {apart} apart miss peaks: {rope} carried {had} at {when:.2f} s, and {most} in samples"
+    of_samples = "hook loads, angles and distances are those of samples"
+    return [f"{missing}; {of_samples}: a shorter 'sample_interval' has their peaks"]
 
 
 def command_warnings(columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:

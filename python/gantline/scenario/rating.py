@@ -30,8 +30,13 @@ class Rating(Element):
     )
     angle: _Angles = Field(None, description="Angles of the boom from level.")
     rated: _Masses = Field(
-        description="What may hang there, all hooks together; on lines between the rows, and nothing outside "
-        "of them. 'rating_includes_hook_block' of the crane says what is compared with it."
+        description="What may hang there, all hooks together, and nothing outside of the rows. "
+        "'rating_includes_hook_block' of the crane says what is compared with it."
+    )
+    between: Literal["lines", "lower"] | None = Field(
+        None,
+        description="What may hang between two rows: on 'lines' between them, if nothing is said, or the "
+        "'lower' of both, for charts that must not be interpolated.",
     )
     hooks_share: _Share | None = Field(
         None,
