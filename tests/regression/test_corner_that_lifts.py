@@ -26,11 +26,17 @@ def checked(hoist_load: float) -> Check:
         "fixed_leg_at": -50.0,
         "base": BASE,
         "weights": {"girder": OWN, "fixed": 0.0, "hinged": 0.0, "bogies": 0.0},
-        "trolleys": [{"name": "g.t", "hooks": [{"name": "g.H", "across": ACROSS}]}],
+        "trolleys": [{"name": "g.t", "hooks": [{"name": "g.H", "top": "g.top", "across": ACROSS}]}],
     }
-    columns = {"time": np.array([0.0, 1.0]), "joint_position": np.zeros((2, 1))}
+    columns = {
+        "time": np.array([0.0, 1.0]),
+        "joint_position": np.zeros((2, 1)),
+        "body_position": np.tile([[0.0, ACROSS, 10.0], [0.0, ACROSS, 60.0]], (2, 1, 1)),
+        "body_orientation": np.tile([1.0, 0.0, 0.0, 0.0], (2, 2, 1)),
+    }
+    names = {"joint": ["g.t"], "body": ["g.H", "g.top"]}
     hoist = np.array([0.0, hoist_load])
-    found, labels = corner_loads(columns, {"joint": ["g.t"]}, [Crane.from_json(crane)], {"g.H": hoist})
+    found, labels = corner_loads(columns, names, [Crane.from_json(crane)], {"g.H": hoist})
     variables = {"time": Variable(("time",), columns["time"], "s", ""), **found}
     variables["hook_load"] = variables["hoist_load"] = Variable(("time", "hook"), hoist[:, None], "N", "")
     angle = np.zeros((2, 1))

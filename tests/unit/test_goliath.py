@@ -180,6 +180,17 @@ def test_corner_loads_are_those_of_moments() -> None:
     assert corners["c.fixed.back"] == pytest.approx(fixed / 2 - 200 * 0.2)
     assert corners["c.hinged.front"] == pytest.approx(hinged / 2 + 800 * 0.2)
     assert corners["c.hinged.back"] == pytest.approx(hinged / 2 - 800 * 0.2)
+    # 3 m and 4 m off under 50 m of falls: they point at 3.54 m and 4.72 m off, 59 m below their top, and bear
+    # upright by their cosine.
+    aside = dict(zip(labels["corner"], found["corner_load"].values[1], strict=True))
+    upright = 1000 * 50 / math.hypot(3, 4, 50)
+    share = 0.5 + (30 + 3.54) / 100
+    fixed, hinged = 100 + 40 + 200 + 50, 60 + 40 + 200 + 150
+    lever = (4 + 4.72) / 20
+    assert aside["c.fixed.front"] == pytest.approx(fixed / 2 + upright * (1 - share) * (0.5 + lever))
+    assert aside["c.fixed.back"] == pytest.approx(fixed / 2 + upright * (1 - share) * (0.5 - lever))
+    assert aside["c.hinged.front"] == pytest.approx(hinged / 2 + upright * share * (0.5 + lever))
+    assert aside["c.hinged.back"] == pytest.approx(hinged / 2 + upright * share * (0.5 - lever))
     found, _ = hook_state(columns, names, [hook for _, hook in crane.hooks], ["load"])
     # 3 m and 4 m off under 50 m of falls
     assert found["falls_out_of_plumb"].values[:, 0] == pytest.approx([0.0, math.atan(5 / 50)])

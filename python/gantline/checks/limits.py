@@ -169,7 +169,7 @@ LIMITS: dict[str, Measure] = {
         crawlers.ground_pressure,
     ),
     "corner_load": Measure(
-        "largest load of a corner of a crane, by moments of weights and hoist loads",
+        "largest load of a corner of a crane, by moments of weights and falls",
         "kN",
         0,
         cranes.corner_load,

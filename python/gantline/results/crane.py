@@ -189,7 +189,7 @@ def corner_loads(
         ("time", "corner"),
         carried,
         "N",
-        "load of a corner of a crane by moments of weights and hoist loads, without inertia and wind",
+        "load of a corner of a crane by moments of weights and of the pull of its falls, without its inertia",
     )
     return {"corner_load": variable}, {"corner": [corner for crane in cranes for corner in crane.corners]}
 
@@ -197,7 +197,11 @@ def corner_loads(
 def _corner_loads(
     columns: Columns, names: Names, crane: Crane, hoist: Mapping[str, FloatArray]
 ) -> FloatArray:
-    """Loads of the four corners, in the order of `CORNERS`, shape (time, 4) [N]."""
+    """Loads of the four corners, in the order of `CORNERS`, shape (time, 4) [N].
+
+    Falls out of plumb also pull level, high above the rails: their pull has the moments of its upright part
+    where their line, carried on down, comes to rail level.
+    """
     joints = list(names["joint"])
     time = len(columns["time"])
     own = crane.weights
@@ -207,7 +211,7 @@ def _corner_loads(
     loads += own["girder"] / 4
     sign = -np.sign(crane.fixed_leg_at)  # of a place towards the hinged leg
 
-    def put(weight: FloatArray | float, along: FloatArray, across: float) -> None:
+    def put(weight: FloatArray | float, along: FloatArray, across: FloatArray | float) -> None:
         share = 0.5 + sign * along / crane.span  # of the hinged leg
         lever = across / crane.base if crane.base else 0.0
         for place, (of_leg, side) in enumerate(
@@ -219,7 +223,11 @@ def _corner_loads(
         along = columns["joint_position"][:, joints.index(trolley.name)]
         put(trolley.weight, along, 0.0)
         for hook in trolley.hooks:
-            put(hoist[hook.name], along + hook.along, hook.across)
+            _, falls = bearing_and_falls(columns, names, hook)
+            top = _place(columns, names, hook.top, hook.top_from)
+            upright = hoist[hook.name] * falls[:, 2] / np.linalg.norm(falls, axis=1)
+            aside = falls[:, :2] / falls[:, 2:] * top[:, 2:]  # on the way down to the rails, at a height of 0
+            put(upright, along + hook.along - aside[:, 0], hook.across - aside[:, 1])
     return loads
 
 

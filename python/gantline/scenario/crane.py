@@ -73,7 +73,9 @@ class Hoist(Element):
         description="Largest pull of each rope on the first layer of the drum that motor and brake hold; "
         "whatever it takes where it is left out.",
     )
-    power: PositivePower | None = Field(None, description="Largest power for hoisting, beside a capacity.")
+    power: PositivePower | None = Field(
+        None, description="Largest power of the motor for hoisting, all ropes together, beside a capacity."
+    )
     brake: PositiveForce | None = Field(
         None,
         description="Pull of each rope on the first layer that the brake holds, once an emergency stop has "

@@ -169,7 +169,7 @@ class Limits(Element):
         None, description="Pressure on the ground of 'allowed_pressure' of the tracks; 100 % if not given."
     )
     corner_load: PositiveForce | None = Field(
-        None, description="Load of a corner of a Goliath crane, by moments of weights and hoist loads."
+        None, description="Load of a corner of a Goliath crane, by moments of weights and falls."
     )
     mooring_tension_of_breaking_force: Ratio | None = Field(
         None,
