@@ -15,6 +15,7 @@ from gantline.scenario.quantities import (
     Number,
     PositiveAngle,
     PositiveForce,
+    PositiveLength,
     Quantity,
     Ratio,
     Text,
@@ -150,6 +151,11 @@ class Limits(Element):
     )
     hook_distance_margin: NotNegativeLength | None = Field(
         None, description="Least distance of hooks of two trolleys beyond that of the crane; 0 if not given."
+    )
+    hook_level_difference: PositiveLength | None = Field(
+        None,
+        description="How far of two hooks that bear the load one goes up more than the other once it is "
+        "clear.",
     )
     hoist_load_of_rating: Ratio | None = Field(
         None,
