@@ -211,6 +211,9 @@ LIMITS: dict[str, Measure] = {
         1,
         equalizers.travel_at_any_time,
     ),
+    "pin_force_of_capacity": _utilisation(
+        "largest force on a locking pin / its capacity", equalizers.pin_of_capacity
+    ),
     "tension_spread_when_clear": Measure(
         "(max - min)/mean over one equalizer's slings while the load is clear",
         "%",

@@ -100,6 +100,9 @@ class Limits(Element):
         None,
         description="Static load of all slings of an equalizer, of its rated capacity; 100 % if not given.",
     )
+    pin_force_of_capacity: Ratio | None = Field(
+        None, description="Force on a locking pin of its capacity; 100 % if not given."
+    )
     spreader_load_of_rated_capacity: Ratio | None = Field(
         None,
         description="Static load of all slings under a spreader, of its rated capacity; 100 % if not given.",
