@@ -70,6 +70,7 @@ def test_drafts_are_chosen_where_none_are_given() -> None:
         (["box:100m,30m,8m", "--trim", "60 deg"], "too steep"),
         (["box:100m,30m,8m", "--density", "0 t/m^3"], "not the density of water"),
         (["box:100m,30m,8m", "--unit", "yd"], "'yd' is no unit of length"),
+        (["box:100m,30m,8m", "--up", "x"], "--up: 'x' is no axis that a hull has upwards; 'y' or 'z' is"),
         (["box:100m,30m,8m", "-o", "picture.xyz"], "names end in .png, .svg, .pdf"),
     ],
 )
@@ -89,6 +90,28 @@ def test_gaps_are_warned_of(tmp_path: Path) -> None:
     assert result.returncode == 0, result.stderr
     assert "not closed mesh" in result.stdout
     assert "4 edges are open" in result.stderr
+    # It floated no deeper than to two thirds of its depth: so much of it counted as all.
+    deep = hydro(hull, "--drafts", "2.9 m")
+    assert re.search(r"\n +2\.900 +53\.50 +52\.20 ", deep.stdout), deep.stdout + deep.stderr
+    assert "is under water with all of it" in hydro(hull, "--drafts", "3 m").stderr
+
+
+def test_one_side_of_a_hull_and_an_axis_that_points_up(tmp_path: Path) -> None:
+    """A wedge of 9 × 3 × 1 m, lying: its side up to y = 0 is mirrored, its y points up."""
+    hull = tmp_path / "side.obj"
+    # x along, y of the file up, -z of it to port
+    hull.write_text(
+        "v 0 0 0\nv 9 0 0\nv 0 3 0\nv 9 3 0\nv 0 3 -1\nv 9 3 -1\nf 2 1 5 6\nf 1 3 5\nf 2 6 4\nf 3 4 6 5\n"
+    )
+    result = hydro(hull, "--up", "y", "--half", "--drafts", "1.5 m", "--json")
+    assert result.returncode == 0, result.stderr
+    found = json.loads(result.stdout)
+    (figures,) = found["hydrostatics"]
+    assert found["box"] == [[0.0, -1.0, 0.0], [9.0, 1.0, 3.0]]
+    assert found["closure"]["is_closed"] is True
+    # Half as deep, half as wide.
+    assert figures["volume"] == pytest.approx(9.0 * 1.5 * 1.0 / 2)
+    assert figures["waterplane_area"] == pytest.approx(9.0 * 1.0)
 
 
 def test_a_database_is_shown_as_a_table_and_as_json(tmp_path: Path) -> None:

@@ -45,6 +45,9 @@ def recording(
         "hoist_load": Variable(by_hook, hoist, "N", ""),
         "hook_load": Variable(by_hook, np.maximum(hoist - 9 * T, 0.0), "N", ""),
         "crane_radius": Variable(by_hook, np.array(radius), "m", ""),
+        "hook_height": Variable(
+            ("time", "crane_hook"), np.array([[30.0 + n for n in range(count)]] * len(radius)), "m", ""
+        ),
         "boom_angle": Variable(by_crane, still + math.radians(60), "rad", ""),
         "off_lead": Variable(by_hook, np.full(hoist.shape, lead), "rad", ""),
         "side_lead": Variable(by_hook, np.zeros(hoist.shape), "rad", ""),
@@ -82,6 +85,7 @@ def recording(
     }
     labels = {
         "hook": hooks,
+        "crane_hook": hooks,
         "crane": list(dict.fromkeys(cranes)),
         "rope": slings,
         "xyz": ["x", "y", "z"],

@@ -255,6 +255,8 @@ def sample_columns(
         "body_orientation": np.concatenate([upright * 0 + [1, 0, 0, 0], *[upright] * 6, tilted], axis=1),
         "body_velocity": np.zeros((count, 8, 3)),
         "body_angular_velocity": np.zeros((count, 8, 3)),
+        "momentum": np.zeros((count, 3)),
+        "angular_momentum": np.zeros((count, 3)),
         "joint_position": np.column_stack([hook - hook[0], yaw, travel]),
         "joint_force": joint_force,
         "contact_force": contact,

@@ -38,6 +38,7 @@ def test_a_path_is_found_longest_match_first(path: str, found: str | None) -> No
     [
         ("a.bb.c", "there is no 'bb' in 'a' of this file; did you mean 'b'?"),
         ("u.v", "there is no 'u' of this file; known here: 'a'"),
+        ("b.c.d", "there is no 'b' of this file; did you mean 'a.b.c.d'?"),
         ("a.b.c.d.e", "'a.b.c.d' is a single value; it has no 'e'"),
         ("a.list.w", "'w' is no part of the list 'a.list'; 'x', 'y', 'z' or a place from 1 to 3 is right"),
         ("a.list.0", "'0' is no part of the list 'a.list'; 'x', 'y', 'z' or a place from 1 to 3 is right"),

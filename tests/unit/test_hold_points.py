@@ -33,6 +33,7 @@ def test_each_hook_has_its_share_and_what_its_chart_allows_there() -> None:
     assert (one.name, other.name) == ("H0", "H1")
     assert one.share == pytest.approx(141 / (141 + 91))
     assert (one.hook_load, one.hoist_load) == pytest.approx((141 * T, 150 * T))
+    assert (one.height, other.height) == (30.0, 31.0)
     assert (one.radius, one.rated) == pytest.approx((16.0, 231 * T))
     assert (one.used, other.used) == pytest.approx((1.2 * 150 / 231, 1.2 * 100 / 283))
     assert other.share + one.share == pytest.approx(1.0)
@@ -57,6 +58,7 @@ def test_a_crane_of_several_hooks_has_a_line_of_its_own() -> None:
     assert (crane.share, crane.radius, crane.rated, crane.used) == pytest.approx(
         (1.0, 18.0, 195 * T, 180 / 195)
     )
+    assert crane.height is None
 
 
 def test_outside_of_its_chart_a_hook_uses_no_share_of_it() -> None:
@@ -82,10 +84,12 @@ def test_steps_that_neither_hold_nor_report_are_passed_over() -> None:
 def test_the_run_table_has_a_line_for_each_hook() -> None:
     text = [" ".join(line.split()) for line in lines_of(tandem())]
     assert text[0] == "At the end of 'look', 0.00 s"
-    assert text[1] == "Hook hook load of all hooks hoist load radius rated there used, as checked"
-    first = f"H0 {141 * 9.81:.1f} kN 60.8 % {150 * 9.81:.1f} kN 16.00 m {231 * 9.81:.1f} kN 77.9 %"
+    assert text[1] == "Hook hook load of all hooks hoist load level radius rated there used, as checked"
+    first = f"H0 {141 * 9.81:.1f} kN 60.8 % {150 * 9.81:.1f} kN 30.00 m 16.00 m {231 * 9.81:.1f} kN 77.9 %"
     assert text[2] == first
     assert len(text) == 4  # what `report` asks for stands in the table
+    level = tandem(plan=[{**HOLD, "report": ["hook_height"]}])
+    assert not any("hook height" in line for line in lines_of(level))
 
 
 def test_the_report_has_a_section_and_a_few_words_on_its_first_page() -> None:
@@ -98,6 +102,7 @@ def test_the_report_has_a_section_and_a_few_words_on_its_first_page() -> None:
         "share": "60.8",
         "hook_load": "141.0",
         "hoist_load": "150.0",
+        "height": "30.00",
         "radius": "16.00",
         "rated": "231.0",
         "used": "77.9",

@@ -9,7 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gantline.hydro import Attitude, Hull, HullError, box_hull, hydrostatics, raked_barge, read_hull
+from gantline.hydro import (
+    Attitude,
+    CannotFloatError,
+    Hull,
+    HullError,
+    box_hull,
+    float_free,
+    hydrostatics,
+    raked_barge,
+    read_hull,
+)
 
 BOX = box_hull((10.0, 4.0, 3.0))
 
@@ -152,6 +162,42 @@ def test_gaps_are_told_with_where_they_are() -> None:
     assert hydrostatics(leaking, Attitude(2.0, middle=5.0)).unbalanced == pytest.approx(
         0.1
     )  # ½ρgT²B of ρgLBT
+
+
+@pytest.mark.parametrize("lift", [0.0, 20.0, -7.0])
+def test_a_hull_without_a_deck_holds_what_is_below_its_edge(lift: float) -> None:
+    """Wherever z = 0 is. Counted from there, a box 20 m up had faced inwards; one at 0 had two thirds."""
+    vertices, triangles = BOX.mesh
+    deckless = triangles[~(vertices[triangles][:, :, 2] == 3.0).all(axis=1)]
+    hull = Hull("box", vertices + np.array([0.0, 0.0, lift]), deckless)
+    assert hull.closure.volume == pytest.approx(120.0, rel=1e-12)
+    assert not hull.is_turned
+    found = hydrostatics(hull, Attitude(2.9 + lift, middle=5.0))
+    assert found.volume == pytest.approx(10.0 * 4.0 * 2.9, rel=1e-12)
+    floating = float_free(hull, 110.0 * 1025.0, [5.0, 0.0, 1.0 + lift])
+    assert floating.hydrostatics.attitude.draft == pytest.approx(2.75 + lift, rel=1e-9)
+    with pytest.raises(CannotFloatError, match="all of the hull has 120 m³"):
+        float_free(hull, 121.0 * 1025.0, [5.0, 0.0, 1.0 + lift])
+
+
+def test_half_of_a_hull_and_its_mirror_image(tmp_path: Path) -> None:
+    """One side of a raked barge, with its wall in the centre plane and without: both times the barge."""
+    barge = raked_barge((60.0, 20.0, 6.0), 8.0, 2.0)
+    vertices, triangles = barge.mesh
+    side = vertices * (1.0, 0.5, 1.0) + (0.0, 5.0, 0.0)  # as slim as half of it, to port
+    for name, kept in (("wall.stl", triangles), ("skin.stl", triangles[side[triangles][:, :, 1].max(1) > 0])):
+        path = tmp_path / name
+        path.write_bytes(text_stl(Hull("half", side, kept)))
+        whole = read_hull(path, half=True)
+        assert whole.closure.is_closed, name
+        assert whole.box == pytest.approx(barge.box)
+        for draft in (1.5, 4.0):
+            one, other = (hydrostatics(hull, Attitude(draft, 0.1, 0.02, 30.0)) for hull in (whole, barge))
+            assert one.as_dict() == pytest.approx(other.as_dict(), rel=1e-9, abs=1e-9)
+    with pytest.raises(HullError, match="y = -10 to 10 m, to both sides of the centre plane y = 0"):
+        path = tmp_path / "both.stl"
+        path.write_bytes(text_stl(barge))
+        read_hull(path, half=True)
 
 
 def test_raked_barge() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from gantline.assembly import assemble
+from gantline.checks import check_recording
 from gantline.cli.summary import summary
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import simulate
@@ -104,3 +105,25 @@ def test_pinned_sheaves_hold_until_they_are_let_go(integrator: str) -> None:
     (line,) = [line for line in summary(run, [], str) if "locking pins" in line]
     assert line.endswith(f"pulled at {when:.2f} s")
     assert "(e1.2 at" in line
+
+
+@pytest.mark.parametrize(("capacity", "verdict"), [(60, "ok"), (30, "failed"), (None, "not checked")])
+def test_pins_are_held_against_their_capacity(capacity: float | None, verdict: str) -> None:
+    """The pin of the sling near the centre of gravity bears more than half of the load, and its sheave."""
+    said = "" if capacity is None else f", pin_capacity: {capacity} t"
+    text = UNEVEN.replace("travel: {locked: true", f"travel: {{locked: true{said}")
+    run = simulate(parse_scenario(text), duration=50.0)
+    (check,) = (one for one in check_recording(run) if one.name == "pin_force_of_capacity")
+    assert check.verdict == verdict
+    if capacity is None:
+        assert (check.value, check.remark) == (None, "no capacity: pins of e1")
+        return
+    peak = np.abs(run["pin_force"].values).max() / 1e3
+    assert check.value == pytest.approx(peak / (capacity * 9.81), rel=1e-12)
+    assert (check.element, peak > (30.0 + 0.2) * 9.81) == ("pin of e1.2", True)
+    assert check.formula == f"{peak:.1f} kN / {capacity * 9.81:.1f} kN"
+
+
+def test_an_equalizer_without_pins_has_no_such_check() -> None:
+    run = simulate(parse_scenario(ADAPTIVE), duration=1.0)
+    assert "pin_force_of_capacity" not in {check.name for check in check_recording(run)}

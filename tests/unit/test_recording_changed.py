@@ -26,7 +26,7 @@ from sample_lift import ringing_lift, sample_recording
 
 ADVICE = ". The recording is damaged, or another program has changed it: run the lift again"
 #: Variables that the sample lift has and that nothing needs.
-UNNEEDED = ("residual_constraint", "residual_complementarity")
+UNNEEDED = ("residual_constraint", "residual_complementarity", "momentum", "angular_momentum")
 
 
 @cache

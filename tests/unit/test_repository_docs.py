@@ -56,13 +56,45 @@ def test_every_exit_code_is_documented() -> None:
     assert [code for code in codes if f"| {code} |" not in text] == []
 
 
+def variables_made(tree: ast.AST) -> set[str]:
+    """Names under which a module of the results puts its variables."""
+
+    def is_variable(value: ast.expr) -> bool:
+        return isinstance(value, ast.Call) and getattr(value.func, "id", "") == "Variable"
+
+    keys: list[ast.expr | None] = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Dict):
+            keys += [key for key, value in zip(node.keys, node.values, strict=True) if is_variable(value)]
+        elif isinstance(node, ast.Assign) and is_variable(node.value):
+            keys += [target.slice for target in node.targets if isinstance(target, ast.Subscript)]
+    return {str(key.value) for key in keys if isinstance(key, ast.Constant)}
+
+
 def test_every_variable_of_a_recording_is_documented() -> None:
     import sample_lift
 
     text = page("reference/recording.md")
-    recording = sample_lift.ringing_lift()
-    assert len(recording) > 10
-    assert [name for name in recording if f"`{name}`" not in text] == []
+    made = set(sample_lift.ringing_lift())
+    for module in (ROOT / "python/gantline/results").glob("*.py"):
+        made |= variables_made(ast.parse(module.read_text(encoding="utf-8")))
+    assert made >= {"rope_tension", "hook_height", "boom_angle", "ground_pressure", "groove_slip"}
+    assert sorted(name for name in made if f"`{name}`" not in text) == []
+
+
+def test_every_kind_of_event_is_documented() -> None:
+    """Those of the core, and those that results add where a limit of a crane is passed."""
+    text = page("reference/recording.md")
+    core = (ROOT / "crates/gantline-core/src/event/mod.rs").read_text(encoding="utf-8")
+    kinds = set(re.findall(r'Self::\w+ => "(\w+)"', core))
+    for module in (ROOT / "python/gantline/results").glob("*.py"):
+        for node in ast.walk(ast.parse(module.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef) and re.search("events|overloads", node.name):
+                triples = [one.elts for one in ast.walk(node) if isinstance(one, ast.Tuple)]
+                named = [parts[1] for parts in triples if len(parts) == 3]
+                kinds |= {str(kind.value) for kind in named if isinstance(kind, ast.Constant)}
+    assert kinds >= {"taut", "capsized", "overload", "hook_too_high", "tipping"}
+    assert sorted(kind for kind in kinds if f"`{kind}`" not in text) == []
 
 
 def test_every_metric_is_documented_where_it_is_made() -> None:

@@ -33,9 +33,11 @@ def forces(path: Path) -> dict[str, Any]:
     return {force["name"]: force for force in assemble(load_scenario(path)).document["forces"]}
 
 
-@pytest.mark.parametrize("way", ["as_is", "scaled", "moved", "y_up"])
+@pytest.mark.parametrize("way", ["as_is", "scaled", "moved", "y_up", "half"])
 def test_a_mesh_floats_like_the_box_that_it_is(way: str, tmp_path: Path) -> None:
-    """A file with seams, one at model scale in centimetres, one with its origin elsewhere, one with y up."""
+    """A file with seams, one at model scale in centimetres, one with its origin elsewhere, one with y up, and
+    one with the port side alone.
+    """
     mesh = HULL
     hull: dict[str, Any] = {"mesh": "hull.obj"}
     if way == "scaled":
@@ -48,6 +50,10 @@ def test_a_mesh_floats_like_the_box_that_it_is(way: str, tmp_path: Path) -> None
             HULL.moved(np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]), np.zeros(3)),
             hull | {"up": "y"},
         )
+    elif way == "half":
+        length, breadth, depth = SIZE
+        side = (length, breadth / 2, depth)
+        mesh, hull = box(side, (length / 2, breadth / 4, depth / 2)), hull | {"half": True}
     write_obj(tmp_path / "hull.obj", mesh)
     path = afloat(tmp_path, hull, trim="1 deg", heel="2 deg")
     rest = Statics(path).equilibrium()
@@ -99,6 +105,12 @@ def test_an_open_mesh_floats_with_a_warning(tmp_path: Path) -> None:
         ),
         ({"units": "m"}, "", "a hull is 'box: [100 m, 30 m, 8 m]' or 'mesh: hull.obj'"),
         ({"box": ["60 m", "16 m", "6 m"], "scale": 2}, "", "'scale' is for a hull from a 'mesh'"),
+        ({"box": ["60 m", "16 m", "6 m"], "half": True}, "", "'half' is for a hull from a 'mesh'"),
+        (
+            {"mesh": "hull.obj", "half": True},
+            "v 0 -1 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\n",
+            "hull.mesh: hull.obj: it reaches from y = -1 to 1 m, to both sides of the centre plane y = 0",
+        ),
         ({"mesh": "hull.obj", "keel": [0, 0, 0]}, "", "'keel' is for a hull that is a 'box'"),
         ({"mesh": "hull.obj", "scale": 0}, "", "'0' is out of range; from 0.001 to 1000 is right"),
         (

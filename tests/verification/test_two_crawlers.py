@@ -54,7 +54,10 @@ cranes:
 plan:
   - {{step: lift off, hoist: [c1.H, c2.H], speed: 1 m/min, until: {{supports: clear}}}}
   - {{step: up, hoist: [c1.H, c2.H], speed: 1 m/min, by: 0.5 m}}
-  - {{step: hold, hold: until_end}}
+  - step: hold
+    hold: until_end
+    require: {{hoist_load_of_rating: below 90 %, moment_of_tipping_moment: below 50 %,
+      ground_pressure_of_allowed: below 40 %, hook_level_difference: below 20 mm}}
 watch:
   - {{between: [c1, beam], smallest: 2 m}}
 {rules}simulation: {{tension_tolerance: 100 N, sample_interval: 0.1 s}}
@@ -104,6 +107,29 @@ def test_shares_by_moments_and_what_is_kept_back() -> None:
     assert check(recording, "moment_of_tipping_moment").verdict is Verdict.OK
     # Nearest to the beam, whose side is at 2 m, is the track at 16 m - 8.4 m/2 - 1.5 m/2, at its foot.
     assert recording.column("clearance", "c1 - beam")[0] == pytest.approx(11.05 - 2.0, abs=0.02)
+
+
+def test_a_hold_point_asks_for_shares_of_what_cranes_may() -> None:
+    """Charts, tipping, ground and levels at the last sample of the step: as recorded there, and no other."""
+    recording = lifted(rules="rules: {several_cranes: queensland}\n")
+    asked = {one.name: one for one in check_recording(recording) if one.step == "hold"}
+    tipping = recording["tipping_utilisation"].values[-1]
+    pressure = recording["ground_pressure"].values[-1] / 150e3
+    assert asked["moment_of_tipping_moment"].value == pytest.approx(tipping.max(), rel=1e-12)
+    assert asked["ground_pressure_of_allowed"].value == pytest.approx(pressure.max(), rel=1e-12)
+    used = asked["hoist_load_of_rating"].value
+    assert used is not None and used <= (check(recording, "hoist_load_of_rating").value or 0.0)
+    assert used >= 1.2 * recording.column("hoist_load", "c2.H")[-1] / (231e3 * G)
+    clear = int((recording.column("load_transferred", "beam") == 1.0).argmax())
+    risen = recording["hook_height"].values[-1] - recording["hook_height"].values[clear]
+    assert asked["hook_level_difference"].value == pytest.approx(abs(risen[0] - risen[1]), abs=1e-12)
+    verdicts = {name: one.verdict for name, one in asked.items()}
+    assert verdicts == {
+        "hook_level_difference": Verdict.OK,
+        "hoist_load_of_rating": Verdict.OK,
+        "moment_of_tipping_moment": Verdict.OK,
+        "ground_pressure_of_allowed": Verdict.FAILED,
+    }
 
 
 def test_without_a_rule_the_check_says_so() -> None:

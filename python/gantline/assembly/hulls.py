@@ -86,7 +86,7 @@ def hull_mesh(scenario: Scenario, name: str, body: Afloat) -> HullMesh | None:
 @lru_cache(maxsize=8)
 def _read(path: Path, _stamp: tuple[int, int], given: HullShape) -> Hull:
     """A hull of a file, read once for all cases of a lift."""
-    return read_hull(path, given.units, up=given.up)
+    return read_hull(path, given.units, up=given.up, half=given.half)
 
 
 def hull_shape(mesh: HullMesh) -> Json:

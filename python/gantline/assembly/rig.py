@@ -246,6 +246,7 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) ->
         "travel_down": equalizer.travel.down,
         "stops": equalizer.travel.stops,
         "locked": _locked(equalizer),
+        "pin_capacity": _force(scenario, equalizer.travel.pin_capacity),
         "rated_capacity": _force(scenario, equalizer.rated_capacity),
         "heading_joint": turning_body(equalizer),
         "tilts": equalizer.hinge.tilts,

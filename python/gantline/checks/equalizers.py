@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -21,6 +21,21 @@ from gantline.units import format_quantity
 
 #: Slings pull a frame that is held upright this far off plumb below its hook before a warning says so.
 _OFF_PLUMB = math.radians(1.0)
+
+
+def pin_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Force on a locking pin, either way, over its capacity."""
+    pins = set(recording.coordinates.get("pin", ()))
+    for equalizer in recording.rig.equalizers:
+        own = [sheave for sheave in equalizer.moving_sheaves if sheave in pins]
+        if not equalizer.pin_capacity:
+            yield from (Missing(f"pins of {equalizer.name}", "no capacity") for _ in own[:1])
+            continue
+        for sheave in own:
+            used = np.abs(recording.column("pin_force", sheave)) / equalizer.pin_capacity
+            for found in extreme(recording, used, during, f"pin of {sheave}"):
+                force = kilonewton(found.value * equalizer.pin_capacity)
+                yield replace(found, formula=f"{force} / {kilonewton(equalizer.pin_capacity)}")
 
 
 def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]:

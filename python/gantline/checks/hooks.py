@@ -1,9 +1,10 @@
-"""Hook load, hoist load and dynamics of hooks."""
+"""Hook load, hoist load, dynamics and levels of hooks."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 
@@ -65,6 +66,28 @@ def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             yield replace(
                 found, formula=f"falls of {shortest:.2f} m - sheaves of {hook.sheave_diameter:.2f} m"
             )
+
+
+def level_difference(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """How far of two hooks that bear the load one has gone up more than the other since it came clear."""
+    rig = recording.rig
+    bearing = {rig.hook_of(sling) for sling in rig.slings}
+    hooks = [hook.name for hook in rig.hooks if hook.name in bearing]
+    clear = series.is_clear(recording)
+    if series.is_equilibrium(recording) or not clear.any():
+        for name in hooks:
+            yield Missing(name, "its rise counts from when a run brings the load clear")
+        return
+    # Hook blocks stay upright: a bearing goes up as its body does.
+    heights = {name: recording.column("body_position", name)[:, 2] for name in hooks}
+    risen = {name: height - height[np.argmax(clear)] for name, height in heights.items()}
+    for one, other in combinations(hooks, 2):
+
+        def text(at: int, one: str = one, other: str = other) -> str:
+            return f"{one} {risen[one][at]:.3f} m, {other} {risen[other][at]:.3f} m up since it came clear"
+
+        apart = np.abs(risen[one] - risen[other])
+        yield from extreme(recording, apart, during & clear, f"{one} to {other}", text)
 
 
 def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -143,6 +143,12 @@ LIMITS: dict[str, Measure] = {
         2,
         cranes.distance_margin,
     ),
+    "hook_level_difference": Measure(
+        "how far of two hooks that bear the load one goes up more than the other once it is clear",
+        "mm",
+        0,
+        hooks.level_difference,
+    ),
     "hoist_load_of_drive_capacity": _utilisation(
         "static hoist load with the design weight / what motor and brake of the drum hold where sheaves lose "
         "nothing",
@@ -204,6 +210,9 @@ LIMITS: dict[str, Measure] = {
         "%",
         1,
         equalizers.travel_at_any_time,
+    ),
+    "pin_force_of_capacity": _utilisation(
+        "largest force on a locking pin / its capacity", equalizers.pin_of_capacity
     ),
     "tension_spread_when_clear": Measure(
         "(max - min)/mean over one equalizer's slings while the load is clear",

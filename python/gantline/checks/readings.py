@@ -44,6 +44,7 @@ class HookReading:
         hook_load: As simulated [N].
         share: Of the hook loads of all hooks together [1]; None if nothing hangs in any.
         hoist_load: With hook block and hanging falls, as simulated [N].
+        height: Of its bearing [m]; None of a crane of several hooks, and where nothing records it.
         radius: Outreach or radius of the hook, of several the one that counts [m]; None without a boom.
         rated: What the chart of the crane rates there [N], 0 outside of it; None without a chart.
         used: What `hoist_load_of_rating` comes to there, with the factors of the rules [1]; None without a
@@ -54,6 +55,7 @@ class HookReading:
     hook_load: float
     share: float | None
     hoist_load: float
+    height: float | None = None
     radius: float | None = None
     rated: float | None = None
     used: float | None = None
@@ -117,6 +119,7 @@ def _reading(
         load,
         load / every if every > 0.0 else None,
         summed("hoist_load", hooks),
+        height=_height(recording, name, sample),
         radius=_radius(recording, hooks, sample, rating[0] if rating else None),
     )
     if rating is None:
@@ -127,6 +130,13 @@ def _reading(
         rated=float(rated_load(recording, chart, group)[sample]),
         used=used.get(group.element),
     )
+
+
+def _height(recording: Recording, hook: str, sample: int) -> float | None:
+    """Height of the bearing of a hook that a trolley or boom takes along [m]."""
+    if hook not in recording.coordinates.get("crane_hook", ()):
+        return None
+    return float(recording.column("hook_height", hook)[sample])
 
 
 def _radius(

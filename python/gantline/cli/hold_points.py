@@ -29,7 +29,9 @@ def hold_points(recording: Recording) -> list[str]:
         sample = int(np.argmax(point.at))
         readings = hook_readings(recording, point.at)
         # The table of hooks has it beside all that belongs to it.
-        asked = [measure for measure in point.step.report if not (readings and measure in _OF_HOOKS)]
+        shown = {*_OF_HOOKS} if readings else set()
+        shown |= {"hook_height"} if any(one.height is not None for one in readings) else set()
+        asked = [measure for measure in point.step.report if measure not in shown]
         measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in asked}
         rows = [(measure.replace("_", " "), text or _NOTHING) for measure, text in measured.items()]
         if rows or readings or point.step.report:
@@ -44,6 +46,7 @@ def _hooks(readings: list[HookReading]) -> list[str]:
         ("hook load", [show(one.hook_load, "kN", 1) for one in readings]),
         ("of all hooks", [show(one.share, "%", 1) for one in readings]),
         ("hoist load", [show(one.hoist_load, "kN", 1) for one in readings]),
+        ("level", [show(one.height, "m", 2) for one in readings]),
         ("radius", [show(one.radius, "m", 2) for one in readings]),
         ("rated there", [_rated(one) for one in readings]),
         ("used, as checked", [show(one.used, "%", 1) for one in readings]),

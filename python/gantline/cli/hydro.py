@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from gantline.hydro import Hull, Hydrostatics, RightingArms
 
 _MOST = 1000
+#: Axes of a file that may point up.
+_AXES: dict[str, Literal["y", "z"]] = {"y": "y", "z": "z"}
 #: Drafts and angles where none are asked for.
 _DRAFTS = 9
 #: Curves of righting arms in one table and picture.
@@ -63,6 +65,18 @@ def hydro(
             show_default=False,
         ),
     ] = None,
+    up: Annotated[
+        str | None,
+        typer.Option(
+            metavar="AXIS", help="Axis of the file that points up, y or z.  [default: y in glTF, z elsewhere]"
+        ),
+    ] = None,
+    half: Annotated[
+        bool,
+        typer.Option(
+            "--half", help="The file has one side of the hull, up to the centre plane y = 0; mirror it."
+        ),
+    ] = False,
     body: Annotated[
         str | None, typer.Option(metavar="NAME", help="Body of a hydrodynamic database that has several.")
     ] = None,
@@ -90,6 +104,8 @@ def hydro(
             "--kg": kg,
             "--trim": trim,
             "--unit": unit,
+            "--up": up,
+            "--half": half or None,
             "--output": output,
         }
         show_database(Path(hull), body, as_json, [name for name, value in given.items() if value is not None])
@@ -103,11 +119,13 @@ def hydro(
         stop(f"--density: {density!r} is not the density of water; sea water has '1.025 t/m^3'")
     if tilt is not None and abs(tilt) > math.radians(45):
         stop(f"--trim: {trim!r} is too steep; at most 45 deg, to either side")
+    if up is not None and up not in _AXES:
+        stop(f"--up: {up!r} is no axis that a hull has upwards; 'y' or 'z' is right")
     _refuse_picture(hull, output)
     from gantline.hydro import Attitude, HullError, hydrostatics, read_hull
 
     try:
-        found = read_hull(hull, unit)
+        found = read_hull(hull, unit, up=_AXES.get(up or ""), half=half)
     except HullError as problem:
         stop(str(problem))
     low, high = found.box
@@ -151,9 +169,13 @@ def _refuse_picture(hull: str, output: Path | None) -> None:
 def _refuse_drafts(hull: Hull, rows: list[Hydrostatics]) -> None:
     """Refuse drafts at which nothing of the hull is in the water, or all of it."""
     low, high = hull.box[:, 2]
+    vertices, triangles = hull.mesh
+    places = vertices[triangles.reshape(-1)]
     for row in rows:
-        if not 0 < row.volume < (1 - 1e-9) * hull.closure.volume:
-            where = "is out of the water" if row.volume == 0 else "is under water with all of it"
+        # By heights, not by volume: what a hull without a deck has inside depends on where it is closed.
+        heights = places @ row.attitude.normal + row.attitude.height
+        if heights.min() >= 0 or heights.max() <= 0:
+            where = "is out of the water" if heights.min() >= 0 else "is under water with all of it"
             stop(
                 f"--drafts: at {row.attitude.draft:g} m {hull.name} {where}; "
                 f"it reaches from {low:g} to {high:g} m"

@@ -14,6 +14,7 @@ from gantline import _core
 __all__ = ["Closure", "Hull"]
 
 Array = npt.NDArray[np.float64]
+Triangles = npt.NDArray[np.int64]
 
 #: Vertices closer than this share of the hull's size are one; files in single precision have 6e-8.
 _WELD = 1e-6
@@ -30,7 +31,8 @@ class Closure:
         turned_edges: edges whose two triangles disagree about what is outside.
         crowded_edges: edges of more than two triangles.
         unbalanced_area: sum of all triangles' areas as vectors (3,) [m^2].
-        volume: inside [m^3].
+        volume: inside [m^3]; holes count as closed by triangles between their edges and the middle of all of
+            these: of a hull without a deck what is below the plane of its edge.
     """
 
     boundary_edges: int

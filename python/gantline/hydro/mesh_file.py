@@ -5,26 +5,34 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
+import numpy as np
+
 from gantline.cad import Assumptions, CadError, read_surface
 from gantline.cad.mesh_file import MESH_FORMATS, mesh_format
-from gantline.hydro.hull import Hull
+from gantline.hydro.hull import Array, Hull, Triangles
 from gantline.hydro.shapes import box_hull
 from gantline.units import DIMENSIONS, UnitError, quantity
 
 __all__ = ["HullError", "read_hull"]
+
+#: Places closer to the centre plane than this share of a hull's size lie in it.
+_IN_PLANE = 1e-6
 
 
 class HullError(ValueError):
     """A hull that cannot be read; the message says what is wrong."""
 
 
-def read_hull(given: str | Path, unit: str | None = None, *, up: Literal["y", "z"] | None = None) -> Hull:
+def read_hull(
+    given: str | Path, unit: str | None = None, *, up: Literal["y", "z"] | None = None, half: bool = False
+) -> Hull:
     """A hull from a file, or `box:100m,30m,8m` for a box of that length, breadth and depth.
 
     Args:
         given: CAD file of the hull, see `gantline.cad.read_surface`, or a box.
         unit: unit of length in the file; None takes what the file says, or metres where it says none.
         up: axis of the file that points up; None for the format's own: y in glTF, z in all others.
+        half: whether the file has one side of the hull alone, up to its centre plane y = 0.
 
     Raises:
         HullError: if there is no such file, or it holds no hull.
@@ -39,11 +47,29 @@ def read_hull(given: str | Path, unit: str | None = None, *, up: Literal["y", "z
         if unit is None and MESH_FORMATS.get(mesh_format(path) or "") in ("STL", "OBJ"):
             unit = "m"
         mesh, doubts = read_surface(path, Assumptions(unit=unit, up=up))
-        return Hull(path.name, mesh.vertices, mesh.triangles, doubts=doubts)
+        vertices, triangles = mesh.vertices, mesh.triangles.astype(np.int64)
+        if half:
+            vertices, triangles = _both_sides(vertices, triangles)
+        return Hull(path.name, vertices, triangles, doubts=doubts)
     except (HullError, CadError) as problem:
         raise HullError(str(problem)) from None
     except ValueError as problem:
         raise HullError(f"{text}: {problem}") from None
+
+
+def _both_sides(vertices: Array, triangles: Triangles) -> tuple[Array, Triangles]:
+    """A side of a hull with its mirror image; what lies in the centre plane, as a wall there, is left out."""
+    used = vertices[triangles.reshape(-1)]
+    slack = _IN_PLANE * float(np.linalg.norm(np.ptp(used, axis=0)))
+    least, most = float(used[:, 1].min()), float(used[:, 1].max())
+    if min(-least, most) > slack:
+        sides = f"it reaches from y = {least:.4g} to {most:.4g} m"
+        raise HullError(f"{sides}, to both sides of the centre plane y = 0: it is no half of a hull")
+    in_plane = np.abs(vertices[:, 1]) <= slack
+    own = np.where(in_plane[:, None], vertices * (1.0, 0.0, 1.0), vertices)
+    skin = triangles[~in_plane[triangles].all(axis=1)]
+    mirrored = skin[:, ::-1] + len(own)
+    return np.concatenate([own, own * (1.0, -1.0, 1.0)]), np.concatenate([skin, mirrored])
 
 
 def _box(text: str) -> Hull:

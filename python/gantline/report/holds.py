@@ -32,7 +32,13 @@ class HoldPoints(Section):
         if not points:
             return None
         rig = subject.rig
-        return {"points": points, "has_booms": bool(rig.booms), "has_charts": bool(rig.rating_charts)}
+        has_heights = "hook_height" in subject.recording
+        return {
+            "points": points,
+            "has_heights": has_heights,
+            "has_booms": bool(rig.booms),
+            "has_charts": bool(rig.rating_charts),
+        }
 
 
 def _row(reading: HookReading, gravity: float) -> dict[str, str]:
@@ -42,6 +48,7 @@ def _row(reading: HookReading, gravity: float) -> dict[str, str]:
         "share": number(reading.share, "%", 1),
         "hook_load": number(reading.hook_load / gravity, "t", 1),
         "hoist_load": number(reading.hoist_load / gravity, "t", 1),
+        "height": number(reading.height, "m", 2),
         "radius": number(reading.radius, "m", 2),
         "rated": OUTSIDE if reading.is_outside else number(rated, "t", 1),
         "used": number(reading.used, "%", 1),

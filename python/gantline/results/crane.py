@@ -244,12 +244,11 @@ def crane_events(
         time: Shape (time,) [s].
         ratings: Rated capacities.
         loads: `hook_load` and `hoist_load` by hook, shape (time,) [N].
-        hooks: Hooks that a trolley or a boom takes along.
+        hooks: Hooks that a trolley or a boom takes along, whose heights may be limited.
         heights: Height of the bearing by hook, shape (time,) [m].
     """
-    own = {hook.name for hook in hooks}
     for rating in ratings:
-        if rating.rated_capacity and set(rating.hooks) <= own:
+        if rating.rated_capacity:
             of = loads["hoist_load" if rating.includes_hook_block else "hook_load"]
             total = np.sum([of[name] for name in rating.hooks], axis=0)
             for at in passed(time, total - rating.rated_capacity):

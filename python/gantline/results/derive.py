@@ -119,10 +119,10 @@ def _sheave_travel(columns: Columns, names: Names, rig: Rig) -> Derived:
 
 
 def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]) -> Derived:
-    """What is particular to cranes; moments at which their limits are passed join the events."""
-    hooks = rig.carried_hooks
-    if not hooks:
+    """What is particular to cranes; moments at which limits of hooks and cranes are passed are events."""
+    if not rig.hooks:
         return {}, {}
+    hooks = rig.carried_hooks
     loads = {
         name: {hook.name: known[name].values[:, place] for place, hook in enumerate(rig.hooks)}
         for name in ("hook_load", "hoist_load")
@@ -137,8 +137,7 @@ def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]
     ):
         found |= of
         labels |= named
-    height = found["hook_height"].values
-    heights = {name: height[:, place] for place, name in enumerate(labels["crane_hook"])}
+    heights = {hook.name: found["hook_height"].values[:, place] for place, hook in enumerate(hooks)}
     passed = list(crane_events(columns["time"], rig.ratings, loads, hooks, heights))
     passed += _overloads(columns["time"], rig, loads, found, labels)
     if rig.crawlers:

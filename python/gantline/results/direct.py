@@ -62,6 +62,13 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "rad/s",
         "angular velocity of a body, world axes",
     ),
+    "momentum": ("momentum", ("time", "xyz"), "kg m/s", "momentum of all bodies together"),
+    "angular_momentum": (
+        "angular_momentum",
+        ("time", "xyz"),
+        "kg m^2/s",
+        "angular momentum of all bodies together about the world's origin",
+    ),
     "joint_position": (
         "joint_position",
         ("time", "joint"),

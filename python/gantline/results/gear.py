@@ -97,6 +97,7 @@ class Equalizer(FromJson):
         mechanism: `sheaves`, or `approximated`: no sheave moves, the lengths of its slings are adjusted.
         adjusting_factor: Of an approximated one, else None.
         locked: Moving sheaves that pins hold at the start.
+        pin_capacity: Of each locking pin [N]; None if not said.
     """
 
     name: str
@@ -115,6 +116,7 @@ class Equalizer(FromJson):
     mechanism: str = "sheaves"
     adjusting_factor: float | None = None
     locked: Sequence[str] = ()
+    pin_capacity: float | None = None
 
 
 @dataclass(frozen=True)

@@ -123,6 +123,20 @@ class Require(Element):
     sling_tension: ForceBound | None = Field(None, description="Tension of every sling.")
     hook_load: ForceBound | None = Field(None, description="Hook load of every hook.")
     load_transferred: RatioBound | None = Field(None, description="1 - support forces/weight.")
+    hook_level_difference: LengthBound | None = Field(
+        None,
+        description="How far of two hooks that bear the load one has gone up more than the other since it "
+        "came clear.",
+    )
+    hoist_load_of_rating: RatioBound | None = Field(
+        None, description="Hoist load of the rated load of the chart where the hook is, with factors."
+    )
+    moment_of_tipping_moment: RatioBound | None = Field(
+        None, description="Moment of what hangs of that at which a crawler crane tips."
+    )
+    ground_pressure_of_allowed: RatioBound | None = Field(
+        None, description="Pressure on the ground of 'allowed_pressure' of the tracks."
+    )
     falls_out_of_plumb: AngleBound | None = Field(
         None, description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms."
     )

@@ -294,6 +294,9 @@ class Travel(Element):
         description="true: locking pins hold all moving sheaves where they start; a list such as [1, 5]: "
         "those of these sheaves. Steps of the plan pull them.",
     )
+    pin_capacity: PositiveMass | None = Field(
+        None, description="What a locking pin bears; not checked if not given."
+    )
     stops: Flag = Field(
         False, description="true: stops end the travel; false: sheaves may go past it, which is only checked."
     )

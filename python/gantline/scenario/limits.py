@@ -15,6 +15,7 @@ from gantline.scenario.quantities import (
     Number,
     PositiveAngle,
     PositiveForce,
+    PositiveLength,
     Quantity,
     Ratio,
     Text,
@@ -99,6 +100,9 @@ class Limits(Element):
         None,
         description="Static load of all slings of an equalizer, of its rated capacity; 100 % if not given.",
     )
+    pin_force_of_capacity: Ratio | None = Field(
+        None, description="Force on a locking pin of its capacity; 100 % if not given."
+    )
     spreader_load_of_rated_capacity: Ratio | None = Field(
         None,
         description="Static load of all slings under a spreader, of its rated capacity; 100 % if not given.",
@@ -150,6 +154,11 @@ class Limits(Element):
     )
     hook_distance_margin: NotNegativeLength | None = Field(
         None, description="Least distance of hooks of two trolleys beyond that of the crane; 0 if not given."
+    )
+    hook_level_difference: PositiveLength | None = Field(
+        None,
+        description="How far of two hooks that bear the load one goes up more than the other once it is "
+        "clear.",
     )
     hoist_load_of_rating: Ratio | None = Field(
         None,

@@ -72,6 +72,11 @@ plan:
   - {step: clear,         hoist: hook, speed: 0.3 m/min, by: 0.1 m}
   - {step: hold point,    hold: until_end, report: [hook_load], require: {load_tilt: below 2 deg}}
 
+# cases:                             # what may be otherwise; `gantline cases FILE` finds the worst
+#   heavy:         {set: {load.weight.simulate: design}}
+#   cog_corners:   {vary: load.centre_of_gravity.envelope, corners: all}
+#   sling_lengths: {vary: slings.tolerance, pattern: worst_pair}
+
 rules:                               # factors on loads and strengths; each of your own goes before the preset
   preset: nd_0027_onshore
   termination_factor: 1.12           # steel ferrules; aluminium 2.0

@@ -8,7 +8,7 @@ three also ``x``, ``y`` or ``z``. The last key of a mapping need not be there ye
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from numbers import Real
 from typing import Any, Final
 
@@ -130,8 +130,34 @@ def _key(node: MapNode, rest: list[str], walked: str) -> tuple[str, int]:
     # Of a name with dots the whole is more like the known one than its first part.
     words = [".".join(rest[:-1]), rest[0]]
     word = next((word for word in words if closest(word, node) is not None), rest[0])
+    if not walked and closest(word, node) is None:
+        whole = _only_place(node, rest)
+        if whole is not None:
+            raise PathError(f"there is no '{shorten(word)}' of this file; did you mean '{whole}'?")
     place = f" in '{shorten(walked)}'" if walked else ""
     raise PathError(f"there is no '{shorten(word)}'{place} of this file; {nearest(word, node)}")
+
+
+def _only_place(tree: MapNode, parts: list[str]) -> str | None:
+    """The only path that ends as a path does and has all its parts on the way, in order; None of several.
+
+    People name a hook as plans do, ``goliath.L.height``, without where it stands in the file.
+    """
+    found = []
+    for path in _paths(tree, ()):
+        left = iter(".".join(path).split("."))
+        if path[-1].split(".")[-1] == parts[-1] and all(part in left for part in parts):
+            found.append(".".join(path))
+    return found[0] if len(found) == 1 else None
+
+
+def _paths(node: MapNode, before: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    for key, value in node.items():
+        yield (*before, key)
+        if isinstance(value, MapNode):
+            yield from _paths(value, (*before, key))
+        elif isinstance(value, ListNode) and len(value) == len(_AXES):
+            yield from ((*before, key, axis) for axis in _AXES)
 
 
 def _index(node: ListNode, part: str, walked: str) -> int:

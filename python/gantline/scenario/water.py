@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from gantline.scenario.base import Element, Named
 from gantline.scenario.quantities import (
     Damping,
+    Flag,
     Inertia,
     Length,
     Mass,
@@ -88,6 +89,10 @@ class HullShape(Element):
     up: Literal["y", "z"] | None = Field(
         None, description="Axis of that file that points up; y in glTF and z elsewhere if not given."
     )
+    half: Flag = Field(
+        False,
+        description="true: the file has one side of the hull, up to its centre plane y = 0; it is mirrored.",
+    )
     at: Position = Field(ORIGIN, description="Where the origin of that file is in the body's axes.")
 
     @property
@@ -110,7 +115,7 @@ class HullShape(Element):
             raise refuse("a hull is a 'box' or comes from a 'mesh', not both", "mesh")
         if "box" not in data and "mesh" not in data:
             raise refuse("a hull is 'box: [100 m, 30 m, 8 m]' or 'mesh: hull.obj'")
-        for key in ("units", "scale", "up", "at"):
+        for key in ("units", "scale", "up", "half", "at"):
             if key in data and "mesh" not in data:
                 raise refuse(f"'{key}' is for a hull from a 'mesh'; a box has its 'keel'", key)
         if "keel" in data and "box" not in data:

@@ -28,7 +28,8 @@ pub struct Closure {
     pub crowded_edges: usize,
     /// Sum of the triangles' areas as vectors [m²]; zero where all is closed.
     pub unbalanced_area: DVec3,
-    /// Volume inside [m³]; negative where the triangles face inwards.
+    /// Volume inside [m³]; negative where the triangles face inwards. Holes count as closed by triangles between their
+    /// edges and the middle of all these edges: of a hull without a deck what is below the plane of its edge.
     pub volume: f64,
 }
 
@@ -79,23 +80,31 @@ impl Mesh {
             }
             let [a, b, c] = self.corners(index);
             closure.unbalanced_area += (b - a).cross(c - a) / 2.0;
-            closure.volume += a.dot(b.cross(c)) / 6.0;
         }
         let mut edges: Vec<_> = directions.into_iter().collect();
         // In the order of the points: sums do not depend on how a table happens to be laid out.
         edges.sort_unstable();
+        let mut around = DVec3::ZERO;
         for ((a, b), [along, against]) in edges {
             match (along, against) {
                 (1, 1) => {}
                 (1, 0) | (0, 1) => {
                     let ends = [a, b].map(|vertex| self.vertices[vertex]);
+                    let length = ends[0].distance(ends[1]);
                     closure.boundary_edges += 1;
-                    closure.boundary_length += ends[0].distance(ends[1]);
+                    closure.boundary_length += length;
+                    around += length * (ends[0] + ends[1]) / 2.0;
                     closure.lowest_boundary = closure.lowest_boundary.min(ends[0].z).min(ends[1].z);
                 }
                 (2, 0) | (0, 2) => closure.turned_edges += 1,
                 _ => closure.crowded_edges += 1,
             }
+        }
+        let middle =
+            if closure.boundary_length > 0.0 { around / closure.boundary_length } else { DVec3::ZERO };
+        for index in 0..self.triangles.len() {
+            let [a, b, c] = self.corners(index).map(|corner| corner - middle);
+            closure.volume += a.dot(b.cross(c)) / 6.0;
         }
         closure
     }

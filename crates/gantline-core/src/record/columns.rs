@@ -48,6 +48,10 @@ pub struct Columns {
     pub body_velocity: Vec<f64>,
     /// (body, xyz) [rad/s], world axes.
     pub body_angular_velocity: Vec<f64>,
+    /// (xyz) of all bodies together [kg m/s].
+    pub momentum: Vec<f64>,
+    /// (xyz) of all bodies together about the world's origin [kg m²/s].
+    pub angular_momentum: Vec<f64>,
     /// (hinge or slider) [rad or m].
     pub joint_position: Vec<f64>,
     /// (body, xyz) force of the parent on the body through its joint [N].
@@ -122,6 +126,8 @@ impl Columns {
             body_orientation: room(4 * bodies),
             body_velocity: room(3 * bodies),
             body_angular_velocity: room(3 * bodies),
+            momentum: room(3),
+            angular_momentum: room(3),
             joint_position: room(names.joint.len()),
             joint_force: room(3 * bodies),
             contact_force: room(names.contact.len()),
@@ -351,6 +357,7 @@ impl Sampled {
         let applied = Some(self.applied.as_slice());
         self.dynamics.update(tree, &self.kinematics, v, Some(acceleration), applied, &mut self.unused);
         let NewtonEuler { twists, wrenches, .. } = &self.dynamics;
+        let (mut momentum, mut angular_momentum) = (DVec3::ZERO, DVec3::ZERO);
         for (index, body) in tree.bodies.iter().enumerate() {
             if body.joint.has_axis() {
                 columns.joint_position.push(q[body.first_position]);
@@ -363,11 +370,17 @@ impl Sampled {
             let turn = turn * self.turns[index].dot(turn).signum();
             self.turns[index] = turn;
             let velocity = self.kinematics.point_velocity(twists, Some(index), centre);
+            let rotation = self.kinematics.pose[index].rotation;
+            let spin = rotation * (body.inertia * (rotation.transpose() * twists[index].angular));
+            momentum += body.mass * velocity;
+            angular_momentum += centre.cross(body.mass * velocity) + spin;
             columns.body_position.extend_from_slice(centre.as_ref());
             columns.body_orientation.extend_from_slice(&[turn.w, turn.x, turn.y, turn.z]);
             columns.body_velocity.extend_from_slice(velocity.as_ref());
             columns.body_angular_velocity.extend_from_slice(twists[index].angular.as_ref());
             columns.joint_force.extend_from_slice(wrenches[index].force.as_ref());
         }
+        columns.momentum.extend_from_slice(momentum.as_ref());
+        columns.angular_momentum.extend_from_slice(angular_momentum.as_ref());
     }
 }

@@ -27,6 +27,8 @@ pub fn named(samples: &Samples, columns: Columns, names: &Names, events: Vec<f64
         ("body_orientation", columns.body_orientation, vec![count, bodies, 4]),
         ("body_velocity", columns.body_velocity, vec![count, bodies, 3]),
         ("body_angular_velocity", columns.body_angular_velocity, vec![count, bodies, 3]),
+        ("momentum", columns.momentum, vec![count, 3]),
+        ("angular_momentum", columns.angular_momentum, vec![count, 3]),
         ("joint_position", columns.joint_position, vec![count, names.joint.len()]),
         ("joint_force", columns.joint_force, vec![count, bodies, 3]),
         ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
