@@ -310,7 +310,8 @@ def test_one_crane_stops_while_the_others_go_on_for_5_s(crane: str, by_hand: flo
 def test_the_vessel_pitches(row: int, sign: float) -> None:
     """287 t on each side to the next row of tanks: 0.2 deg; the boom head, 100 m ahead, goes by 0.35 m."""
     hold = "{step: hold point 5,      hold: 60 s, report: [hook_height, hook_load], require: "
-    hold += "{load_tilt: below 1 deg, trim: below 0.1 deg, heel: below 0.1 deg}}"
+    hold += "{load_tilt: below 1 deg, trim: below 0.1 deg, heel: below 0.1 deg, "
+    hold += "hook_level_difference: below 50 mm}}"
     end = "{step: end,               hold: until_end, report: [hook_load, load_tilt]}"
     to = f"barge.row{row}"
     port, starboard = (

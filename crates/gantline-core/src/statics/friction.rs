@@ -1,7 +1,7 @@
 //! Friction at rest: what sheaves and contacts hold follows from the forces that press, which follow from what they hold.
 //! After each search it is set anew, until it no longer changes.
 
-use super::bearing::{Bearing, Part};
+use super::bearing::{Bearing, Part, weight};
 use super::losses::{Contacts, Losses, Sheaves};
 use super::{LOSS_LEFT, Statics};
 use crate::constraint::brake::At;
@@ -15,6 +15,8 @@ const WELL_WITHIN: f64 = 1.0 - 1e-9;
 /// What is left of the error of what contacts hold, as a share of the largest bound; where no search can tell, as a share of the
 /// largest force: ten times what a search leaves.
 const LEFT: f64 = 1e-8;
+/// What a sheave holds is next to nothing, as a share of all weight.
+const LITTLE: f64 = 1e-6;
 /// Smallest and largest share of a change that is followed, and that of one which makes itself larger.
 const SHARES: [f64; 2] = [1.0 / 4096.0, 3.0];
 const RUNAWAY: f64 = 1.0 / 16.0;
@@ -109,17 +111,16 @@ fn wrong(known: f64, wanted: f64, force: f64) -> f64 {
 
 impl Statics {
     /// Sheaves begin with what they could hold, or resisted with, at the equilibrium before, if there was one: from there
-    /// it takes half the rounds.
+    /// it takes half the rounds. Under rope that is about slack they hold next to nothing, and begin with all they can: else
+    /// it wanders through them.
     pub(super) fn hold_as(&mut self, system: &System, before: &[Bearing]) {
+        let little = LITTLE * weight(system);
         for ((bearing, before), row) in self.bearings.iter_mut().zip(before).zip(0..) {
             let lossy =
                 matches!(system.constraint_of_row(row), AnyConstraint::Brake(brake) if !brake.grip.is_none());
             match (&mut bearing.part, before.part) {
-                (Part::Resist(known), Part::Resist(then)) | (Part::Hold(known), Part::Hold(then))
-                    if lossy =>
-                {
-                    *known = then;
-                }
+                (Part::Resist(known), Part::Resist(then)) if lossy => *known = then,
+                (Part::Hold(known), Part::Hold(then)) if lossy && then > little => *known = then,
                 _ => {}
             }
         }
