@@ -317,3 +317,35 @@ def test_every_verb_tells_of_what_is_no_number(tmp_path: Path, words: tuple[str,
         ropes = {one["name"]: one for one in numbers["ropes"]}
         assert ropes["sling.S2"]["deviation"]["rms"] is None
         assert ropes["sling.S1"]["deviation"]["rms"] == 0.0
+
+
+@pytest.mark.parametrize("name", ["rope_peak_tension", "rope_peak_time", "event_time"])
+def test_a_peak_or_an_event_that_is_no_number_is_named(tmp_path: Path, name: str) -> None:
+    """No sample stands for it, so that nothing could be told in its place."""
+    values = sample()[name].values.copy()
+    values[0] = np.inf
+    said = refusal(tmp_path, changed(name, values=values))
+    assert said == f"variable '{name}' has a value that is no number"
+
+
+def test_an_infinite_value_is_a_gap(tmp_path: Path) -> None:
+    tension = sample()["rope_tension"].values.copy()
+    tension[2, 1], tension[3, 1] = np.inf, -np.inf
+    others = changed("rope_tension", values=tension)
+    file = Recording(others, sample().coordinates, sample().attributes).save(tmp_path / "endless.nc")
+    read = gantline.open_recording(file)["rope_tension"].values
+    assert np.isnan(read[2:4, 1]).all() and np.isfinite(np.delete(read, 1, axis=1)).all()
+
+
+def test_a_report_without_places_says_whose_are_missing(tmp_path: Path) -> None:
+    whole = ringing_lift()
+    places = whole["body_position"].values.copy()
+    places[7, 1] = np.nan
+    one = Variable(whole["body_position"].dims, places, "m", "position")
+    file = Recording({**whole.variables, "body_position": one}, whole.coordinates, whole.attributes).save(
+        tmp_path / "nowhere.nc"
+    )
+    result = CliRunner().invoke(app, ["report", str(file)])
+    assert result.exit_code == 2 and not (tmp_path / "report.html").exists()
+    of = f"body_position of {whole.coordinates['body'][1]} is no number at 1 sample"
+    assert of in result.output and result.output.endswith("; the lift cannot be drawn\n")

@@ -11,7 +11,7 @@ import numpy as np
 from gantline.results.recording import Recording
 from gantline.results.variable import Variable
 
-__all__ = ["gaps", "without_gaps"]
+__all__ = ["gap", "gaps", "without_gaps"]
 
 #: Distances of ropes, which end where these part.
 _END = frozenset({"clearance", "clearance_point"})
@@ -24,11 +24,15 @@ def gaps(recording: Recording) -> list[str]:
     Args:
         recording: Any recording.
     """
-    return [
-        _sentence(recording, name, variable)
-        for name, variable in recording.variables.items()
-        if name not in _END and not variable.is_text and _has_gaps(variable)
-    ]
+    return [sentence for name in recording.variables if (sentence := gap(recording, name)) is not None]
+
+
+def gap(recording: Recording, name: str) -> str | None:
+    """A sentence for a variable that has values which are no numbers; None for one that has none."""
+    variable = recording[name]
+    if name in _END or variable.is_text or not _has_gaps(variable):
+        return None
+    return _sentence(recording, name, variable)
 
 
 def without_gaps(document: Any) -> Any:

@@ -174,7 +174,7 @@ def _read(file: h5netcdf.File) -> Recording:
         hold_variable(name, tuple(stored.dimensions), stored.dtype)
         if "units" not in stored.attrs and stored.dimensions != (name,):
             raise FormError(f"variable '{name}' has no attribute 'units'")
-        values = np.asarray(stored[...])
+        values = _without_infinity(np.asarray(stored[...]))
         values.flags.writeable = False
         if "units" not in stored.attrs:
             coordinates[name] = [str(label) for label in _text(values)]
@@ -194,6 +194,16 @@ def _read(file: h5netcdf.File) -> Recording:
         raise FormError(str(problem)) from None
     hold_recording(recording)
     return recording
+
+
+def _without_infinity(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[Any]]:
+    """The same with no number where one is infinite: no run leaves any, and no mean of it is known."""
+    if values.dtype.kind != "f":
+        return values
+    with np.errstate(over="ignore", invalid="ignore"):
+        if np.isfinite(values.sum()):
+            return values
+    return np.where(np.isinf(values), np.nan, values)
 
 
 def _text(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[np.str_]]:

@@ -45,7 +45,7 @@ def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
     missed = [one for one in found if one[0] > max((1 + _MISSED) * one[1], _LITTLE * largest)]
     if not missed:
         return []
-    peak, sampled, rope, when = max(missed, key=lambda one: one[0] / max(one[1], np.finfo(np.float64).tiny))
+    peak, sampled, rope, when = min(missed, key=lambda one: one[1] / one[0])
     apart = format_quantity(float(np.median(np.diff(time))), "s", 2)
     had, most = (format_quantity(value, "kN", 1) for value in (peak, sampled))
     missing = f"samples {apart} apart miss peaks: {rope} carried {had} at {when:.2f} s, and {most} in samples"

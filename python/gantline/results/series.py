@@ -388,7 +388,8 @@ def slip_ratio(recording: Recording, sheave: Sheave) -> FloatArray:
 def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
     """Largest tension of a rope over all steps, not only over the samples.
 
-    Of a mooring line steps know their ends alone, and a sample within one may have more.
+    Of a mooring line steps know their ends alone, and a sample within one may have more. Samples that are no
+    number say nothing against what the steps had.
 
     Returns:
         Tension [N] and its time [s].
@@ -398,7 +399,7 @@ def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
         float(recording.column("rope_peak_time", rope)),
     )
     of_samples = peak(recording, recording.column("rope_tension", rope))
-    return of_steps if of_samples is None or of_samples[0] <= of_steps[0] else of_samples
+    return of_samples if of_samples is not None and of_samples[0] > of_steps[0] else of_steps
 
 
 def utilisation(recording: Recording, rope: str) -> float | None:

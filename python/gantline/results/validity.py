@@ -1,8 +1,8 @@
 """A recording held against what it says itself when it is read, at one place for all that show recordings.
 
 A file that was damaged, or changed by another program, is told by what is wrong in it and not found out in
-the middle of a table. Only names, dimensions, types and attributes are looked at, and the times of the
-samples: large columns cost nothing.
+the middle of a table. Only names, dimensions, types and attributes are looked at, the times of the samples
+and what is of no sample: large columns cost nothing.
 """
 
 from __future__ import annotations
@@ -65,6 +65,7 @@ def hold_recording(recording: Recording) -> None:
         hold_variable(name, variable.dims, variable.values.dtype)
     _hold_attributes(recording)
     _hold_time(recording)
+    _hold_events_and_peaks(recording)
     _hold_names(recording)
     for name in DIMS:
         if name not in recording and name not in OPTIONAL and _is_due(recording, name):
@@ -95,6 +96,14 @@ def _hold_time(recording: Recording) -> None:
     # Also false where a time is no number.
     if not bool(np.all(np.diff(recording.time) >= 0.0) and np.all(np.isfinite(recording.time))):
         raise FormError("variable 'time' has values that do not rise; expected the times of the samples")
+
+
+def _hold_events_and_peaks(recording: Recording) -> None:
+    """What is of no sample: a gap there is a gap in all that is told of it."""
+    for name, variable in recording.variables.items():
+        if "time" in variable.dims or variable.is_text or np.isfinite(variable.values).all():
+            continue
+        raise FormError(f"variable '{name}' has a value that is no number")
 
 
 def _hold_names(recording: Recording) -> None:

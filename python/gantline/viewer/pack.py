@@ -16,11 +16,13 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.clearances import watched_span
+from gantline.results.gaps import gap
 from gantline.results.lift_off import lift_off_time
 from gantline.results.progress import stretches, unfinished
 from gantline.results.recording import Recording
 from gantline.results.rig import Watch
 from gantline.results.surroundings import ground_of, structures_of, water_level
+from gantline.results.variable import FloatArray
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
 from gantline.viewer.decimate import Places, frames, peaks
@@ -127,10 +129,18 @@ def _motion(recording: Recording, at: Places, bodies: Mapping[str, Any], arrays:
         ("position", "body_position", _MICROMETRE),
         ("turn", "body_orientation", _TURN),
     ):
-        values = recording[variable].values[at][:, columns] if variable in recording else empty
+        values = _drawn(recording, variable, at)[:, columns] if variable in recording else empty
         arrays.steps(name, values, step)
-    paths = recording["rope_point"].values[at] if "rope_point" in recording else empty
+    paths = _drawn(recording, "rope_point", at) if "rope_point" in recording else empty
     arrays.steps("path", paths, _MICROMETRE)
+
+
+def _drawn(recording: Recording, variable: str, at: Places) -> FloatArray:
+    """Places at the frames, which a drawing cannot do without."""
+    missing = gap(recording, variable)
+    if missing is not None:
+        raise ValueError(f"{missing}; the lift cannot be drawn")
+    return np.asarray(recording[variable].values[at])
 
 
 def _sheave(entry: Mapping[str, Any], bodies: Sequence[str]) -> dict[str, Any]:
