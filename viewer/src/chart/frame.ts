@@ -200,17 +200,27 @@ export interface LimitName {
 /** Where the names of limits stand. */
 export function limitNames(spec: ChartSpec, area: Area, scale: Scale): LimitName[] {
   const taken: LimitName[] = [];
-  for (const { value, label } of spec.limits ?? []) {
-    const line = yOf(area, scale, value);
+  const all = (spec.limits ?? []).map(({ value }) => yOf(area, scale, value));
+  for (const [index, { value, label }] of (spec.limits ?? []).entries()) {
+    const line = all[index]!;
     const hasRoom = line + LINE < area.bottom;
     const isBelow = line - 4 - LINE < area.top || (hasRoom && area.inverted && value > 0);
-    const baseline = isBelow ? line + LINE : line - 4;
+    const baseline = unstruck(isBelow ? line + LINE : line - 4, all, area);
     // Names of limits that are near to each other stand side by side.
     const beside = taken.filter((one) => Math.abs(one.baseline - baseline) < LINE).map((one) => one.left);
     const right = Math.min(area.right - 4, ...beside);
     taken.push({ text: label, left: right - LETTER * label.length - 8, right, baseline, line });
   }
   return taken;
+}
+
+/** A baseline, or one above the lines of limits that would strike out what stands on it. */
+function unstruck(wanted: number, lines: readonly number[], area: Area): number {
+  let baseline = wanted;
+  const isThrough = (line: number) => line > baseline - LINE + 2 && line < baseline + 2;
+  for (let through = lines.find(isThrough); through !== undefined; through = lines.find(isThrough))
+    baseline = through - 4;
+  return baseline - LINE < area.top ? wanted : baseline;
 }
 
 /** Lift-off and the limits by name; to be drawn upon the curves. */
