@@ -117,6 +117,16 @@ _ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
         "m/h": (1 / 60, "m/min"),
     },
 }
+#: Units in other spellings, which are not near to their symbols.
+_SPELT_OUT: Final[dict[str, str]] = {
+    **dict.fromkeys(("tonne", "tonnes", "metric ton", "metric tons"), "t"),
+    **dict.fromkeys(("metre", "metres", "meter", "meters"), "m"),
+    **dict.fromkeys(("second", "seconds"), "s"),
+    **dict.fromkeys(("minute", "minutes"), "min"),
+    **dict.fromkeys(("hr", "hrs", "hour", "hours"), "h"),
+    **dict.fromkeys(("\u00b0", "\u00ba"), "deg"),
+    **dict.fromkeys(("percent", "per cent"), "%"),
+}
 #: One that has several sizes.
 _TONS: Final = "a short ton is 0.9072 t, a long ton 1.016 t"
 
@@ -258,10 +268,12 @@ def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
     if unit in (elsewhere := _ELSEWHERE.get(dimension, {})):
         factor, here = elsewhere[unit]
         return f"'{shown}' is {number * factor:.7g} {here}; units are metric: {example(dimension)}"
-    if dimension == "mass" and unit.endswith(("ton", "tons")):
+    spelt_out = _SPELT_OUT.get(unit.lower())
+    if spelt_out is None and dimension == "mass" and unit.endswith(("ton", "tons")):
         return f"'{unit}' in '{shown}' has several sizes: {_TONS}; {example(dimension)}"
     known = [symbol for symbol in DIMENSIONS[dimension] if symbol]
     lowered = {symbol.lower(): symbol for symbol in reversed(known)}
     near = difflib.get_close_matches(unit.lower(), list(lowered), n=1, cutoff=0.5)
-    hint = f"did you mean '{lowered[near[0]]}'?" if near else example(dimension)
+    likely = spelt_out if spelt_out in known else lowered[near[0]] if near else None
+    hint = example(dimension) if likely is None else f"did you mean '{likely}'?"
     return f"'{unit}' in '{shown}' is not a unit of {_WORDS[dimension][0].split(' ', 1)[1]}; {hint}"

@@ -122,6 +122,14 @@ describe("the report", () => {
     const { page } = await open(browser, "report.html", { width: 360, height: 740 });
     const wide = await page.evaluate(() => document.scrollingElement!.scrollWidth);
     expect(wide).toBeLessThanOrEqual(360);
+    // Tables may be wider and scroll; what they are of is read without, and so are the checks.
+    const right = await page.evaluate(() =>
+      [...document.querySelectorAll("caption > span, .checks :is(th, td)")].map(
+        (one) => one.getBoundingClientRect().right,
+      ),
+    );
+    expect(right.length).toBeGreaterThan(20);
+    expect(Math.max(...right)).toBeLessThanOrEqual(360);
   });
 
   it("has tables that keys can scroll where they are wider than the page", async () => {

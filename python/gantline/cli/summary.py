@@ -309,7 +309,7 @@ def _drums(recording: Recording) -> list[str]:
         paid_out = recording.column("rope_paid_out", drum.name)
         extremes = (show(float(paid_out[-1]), "m", 3), show(float(paid_out.min()), "m", 3))
         fewest = recording.metrics().get(f"least_drum_wraps.{drum.name}")
-        turns = "" if fewest is None else f"{fewest:.1f}"
+        turns = ABSENT if fewest is None else f"{fewest:.1f}"
         rows.append((drum.name, *extremes, show(float(paid_out.max()), "m", 3), turns))
     head = ("Drum", "rope paid out at the end", "least", "most", "fewest turns")
     return table(head, rows, "lrrrr") if rows else []
