@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { type ChartSpec, type LimitName, limitNames } from "../src/chart/frame";
+import { type ChartSpec, type LimitName, liftOffName, limitNames } from "../src/chart/frame";
 import { crosses, type Paper, peakPlace } from "../src/chart/marks";
 import { Curve } from "../src/data/curve";
+import type { Session } from "../src/player/session";
 import { type Box, settle } from "../src/scene/settle";
 
 function box(x: number, y: number, width = 60): Box {
@@ -86,6 +87,26 @@ describe("the name of the highest point of a plot", () => {
     expect(crosses(line, paper, { left: 400, right: 500, top: 30, bottom: 40 })).toBe(false);
     expect(crosses(line, paper, { left: 180, right: 200, top: 100, bottom: 115 })).toBe(false);
     expect(crosses(line, paper, { left: 180, right: 200, top: 115, bottom: 190 })).toBe(true);
+  });
+});
+
+describe("the name of lift-off", () => {
+  const area = { left: 52, right: 600, top: 24, bottom: 234, inverted: false, beside: 607 };
+  const session = { lift: { header: { liftOff: 4 } }, span: [0, 10] } as unknown as Session;
+  const limit = (line: number): LimitName => ({
+    text: "limit",
+    left: 560,
+    right: 596,
+    baseline: line + 12,
+    line,
+  });
+
+  it("stands at the top, below a limit that would strike it out", () => {
+    const place = (...lines: number[]) => liftOffName(session, area, lines.map(limit))[0]!.baseline;
+    expect(place()).toBe(32);
+    expect(place(60)).toBe(32);
+    expect(place(26)).toBe(37);
+    expect(place(34, 26)).toBe(45);
   });
 });
 

@@ -321,6 +321,7 @@ def _trust(recording: Recording, metrics: dict[str, float]) -> list[str]:
     if remainder is not None:
         bound = energy_bound(recording.attributes["settings"])
         verdict = "the balance closes" if remainder <= bound else "THE BALANCE DOES NOT CLOSE"
-        lines.append(f"Energy remainder {remainder:.1e} of the largest energy, bound {bound:.0e}: {verdict}")
+        size = f"{remainder:.1e} of the largest energy" if remainder > 0.0 else "within rounding"
+        lines.append(f"Energy remainder {size}, bound {bound:.0e}: {verdict}")
     warnings = recording.attributes.get("warnings") or []
     return lines + [f"Warning: {warning}" for warning in warnings]
