@@ -19,6 +19,7 @@ __all__ = [
     "example",
     "format_by_size",
     "format_quantity",
+    "is_quantity",
     "quantity",
     "si_text",
     "units_of",
@@ -93,7 +94,7 @@ _WORDS: Final[dict[str, tuple[str, str]]] = {
     "coupled_damping": ("a damping that couples shift and turn", "'20 kN s'"),
     "mass_per_length": ("a mass per length", "'16.8 kg/m'"),
     "density": ("a density", "'1.025 t/m^3'"),
-    "stress": ("a stress or modulus", "'100 kN/mm^2' or '1960 MPa'"),
+    "stress": ("a stress, pressure or modulus", "'1960 MPa' or '150 kPa'"),
     "ratio": ("a share", "'5 %' or '0.05'"),
 }
 
@@ -115,6 +116,12 @@ _ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
         "kn": (1852 / 3600, "m/s"),
         "knots": (1852 / 3600, "m/s"),
         "m/h": (1 / 60, "m/min"),
+    },
+    "stress": {
+        "t/m^2": (9.80665, "kPa"),
+        "kN/m^2": (1.0, "kPa"),
+        "bar": (100.0, "kPa"),
+        "psi": (6.894757293168, "kPa"),
     },
 }
 #: Units in other spellings, which are not near to their symbols.
@@ -164,6 +171,11 @@ def common_dimension(*texts: str) -> str:
             raise UnitError(f"found '{text[:_LONGEST]}'; {what}")
         common = fitting
     return common[-1] if "ratio" in common else common[0]
+
+
+def is_quantity(text: str) -> bool:
+    """Whether a text is a number with a unit of any dimension, or a share."""
+    return any(_is_quantity(text, dimension) for dimension in DIMENSIONS)
 
 
 def si_text(value: float, dimension: str) -> str:

@@ -230,7 +230,7 @@ def test_the_check_of_a_lift_file_says_where_cad_has_the_centre(tmp_path: Path) 
     path.write_text(path.read_text(encoding="utf-8").replace(*FROM_CAD), encoding="utf-8")
     result = CliRunner().invoke(app, ["check", str(path)])
     assert result.exit_code == 0, result.output
-    assert "Centre of gravity of block by CAD and outfitting: [-0.417 m, 0.167 m, " in result.output
+    assert "by CAD and outfitting: [-0.417 m, 0.167 m, " in result.output
 
 
 def test_corners_of_an_envelope_need_a_stated_centre(tmp_path: Path) -> None:

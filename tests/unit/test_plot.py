@@ -59,7 +59,7 @@ def text_of(figure: Figure) -> str:
 
 
 def test_curves_that_are_one_on_paper_are_dashes_of_all_their_colours() -> None:
-    """Two that agree to 0.4 % of their reach, one that is 1 % beside them, and one that is not there at first."""
+    """Two that agree to 0.4 % of their reach, one 1 % beside them, and one that is not there at first."""
     time = np.linspace(0.0, 1.0, 101)
     late = np.where(time < 0.2, np.nan, 100.0 * time)
     values = {"a": 100.0 * time, "b": 100.0 * time + 0.4, "c": 100.0 * time + 1.0, "d": late}

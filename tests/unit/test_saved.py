@@ -89,8 +89,8 @@ def test_a_report_shows_what_lies_beside_it(folder: Path) -> None:
     assert "heavy, +x, slip along" in html
     # The first page has the worst of all slings, and its case in words.
     first = html.split('<section id="lift"')[1].split("<section")[0]
-    assert "most in sling S1" in first and "612.3 kN, heavy" in first
-    assert "least in sling S2" in first and "100.0 kN, heavy" in first
+    assert "most in sling S1" in first and "612.3\u00a0kN, heavy" in first
+    assert "least in sling S2" in first and "100.0\u00a0kN, heavy" in first
     assert "<strong>cut is not sound</strong>: no equilibrium: nothing holds it" in first
     assert "gantline cases LIFT" not in first
 

@@ -126,11 +126,8 @@ def _look_over(simulation: Simulation) -> None:
     ropes = table(head, kinds, "llrrr") if kinds else []
     later = _put_on_later(simulation.scenario)
     centre = _centre_from_cad(simulation)
-    typer.echo(
-        "\n".join(
-            [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
-        )
-    )
+    lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
+    typer.echo("\n".join(lines))
     for warning in simulation.assembly.warnings:
         warn(warning)
     _warn_of_time(simulation)
