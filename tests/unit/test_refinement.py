@@ -61,6 +61,15 @@ def test_the_table_tells_what_moved_most_first() -> None:
     ]
 
 
+def test_what_is_the_same_is_said_to_be() -> None:
+    alike = replace(FOUND, figures=[replace(FREE, finer=FREE.value)], lift_off=4e-5, tension=None)
+    assert refinement_table(alike) == [
+        "Numerical error",
+        "  with tolerances a tenth (5 N, 0.01 mm) 1 figure is the same",
+        "  loads come clear at the same time",
+    ]
+
+
 def test_a_recording_keeps_it(tmp_path: Path) -> None:
     whole = ringing_lift()
     attributes = {**whole.attributes, "refinement": asdict(FOUND)}

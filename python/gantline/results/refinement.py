@@ -115,12 +115,13 @@ class Refinement:
         others = len(self.figures) - len(self.told)
         many = "" if others == 1 else "s"
         verb = ("differs" if others == 1 else "differ") if self.told else "is" if others == 1 else "are"
-        rest = f" {others} other figure{many} {verb} {'by less' if self.told else 'the same'}"
+        what = f"other figure{many}" if self.told else f"figure{many}"
+        rest = f" {others} {what} {verb} {'by less' if self.told else 'the same'}"
         yield f"with {self.how}" + (rest if others else "")
         if self.lift_off is not None:
-            how = "later" if self.lift_off > 0.0 else "earlier"
             apart = format_quantity(abs(self.lift_off), "ms", 1)
-            yield f"loads come clear {apart} {how}"
+            how = "later" if self.lift_off > 0.0 else "earlier"
+            yield f"loads come clear {f'{apart} {how}' if float(apart.split()[0]) else 'at the same time'}"
         if self.tension is not None:
             yield f"tensions of ropes differ by {in_per_cent(self.tension)} rms of their largest"
 
