@@ -1,4 +1,4 @@
-"""Many answers about one lift: its cases, how it hangs over a quantity, what makes it hang as wanted."""
+"""Many answers about one lift: cases, how it hangs over a quantity, hanging as wanted, a finer run."""
 
 from gantline.study.afloat import VesselAttitude
 from gantline.study.ballast import BallastAnswer, solve_ballast
