@@ -94,7 +94,7 @@ _WORDS: Final[dict[str, tuple[str, str]]] = {
     "coupled_damping": ("a damping that couples shift and turn", "'20 kN s'"),
     "mass_per_length": ("a mass per length", "'16.8 kg/m'"),
     "density": ("a density", "'1.025 t/m^3'"),
-    "stress": ("a stress, pressure or modulus", "'1960 MPa' or '150 kPa'"),
+    "stress": ("a stress, pressure or modulus", "'100 kN/mm^2' or '150 kPa'"),
     "ratio": ("a share", "'5 %' or '0.05'"),
 }
 
