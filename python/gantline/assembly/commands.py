@@ -59,7 +59,9 @@ class Commanded:
     def state(self, drive: Drive) -> tuple[float, float]:
         """Where it is, as `to` counts it, and how fast it moves there [m or rad, and per s]."""
         position, velocity = drive(drives_of(self.mover)[0])
-        gear = self.mover.gear
+        gear, reel = self.mover.gear, self.mover.reel
+        if reel is not None:
+            return reel.gone(position) + self.mover.zero, velocity * reel.rate(position)
         if gear is None:
             return position + self.mover.zero, velocity
         angle = gear.angle(position)
@@ -117,7 +119,8 @@ def command_of(one: Commanded, speed: object, acceleration: object, drive: Drive
         most = said(mover.kind, mover.acceleration, "acceleration")
         raise CommandError(f"{sentence}; its most is {most}")
     limit = min(limit, mover.acceleration)
-    rate, ends = 1.0, [_end(end - mover.zero) for end in mover.range or (-math.inf, math.inf)]
+    rate, bounds = 1.0, [end - mover.zero for end in mover.range or (-math.inf, math.inf)]
+    ends = [_end(end if mover.reel is None else mover.reel.counted(end)) for end in bounds]
     if mover.gear is not None:
         angle, _ = one.state(drive)
         rate = mover.gear.rate(angle, angle)

@@ -179,6 +179,7 @@ def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[flo
                 "acceleration": acceleration * rate,
                 "shape": "linear",
                 **_range_to_keep(step, one),
+                **_reel_of(one),
                 **({} if step.emergency_stop_at is None else {"emergency": stop_of(one, step.speed, rate)}),
             }
         )
@@ -198,6 +199,15 @@ def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[flo
         ]
         made["until"] = {"type": "position", "positions": positions}
     return made
+
+
+def _reel_of(one: Mover) -> Json:
+    """Layers on the drum of a hook: ways and heights of the plan are those of the hook on any of them."""
+    reel = one.reel
+    if reel is None:
+        return {}
+    layers = {"radius": reel.radius, "step": reel.step, "turns": reel.turns, "start": reel.start}
+    return {"reel": {"rate": float(reel.parts), "layers": layers}}
 
 
 def _range_to_keep(step: MovingStep, one: Mover) -> Json:

@@ -6,10 +6,11 @@ from dataclasses import dataclass, replace
 
 from gantline.scenario.crawler import Crawler, Slewing, upper_body
 from gantline.scenario.goliath import Goliath, Traverse
-from gantline.scenario.hooks import full_name, trolley_name
+from gantline.scenario.hooks import Hook, full_name, trolley_name
 from gantline.scenario.luffing import Luffing, LuffingGear
 from gantline.scenario.model import Scenario
 from gantline.scenario.mooring import MooringLine
+from gantline.scenario.reel import Reel
 from gantline.scenario.steps import Kind, LuffStep
 from gantline.scenario.tag_line import TagLine, tag_rope
 
@@ -32,6 +33,7 @@ class Mover:
         zero: what `to` counts where the drive is at 0 [m, rad].
         range: least and largest position as `to` counts it [m, rad]; None where there is no limit.
         gear: of a boom in tackles what its drive takes up of them [m] at an angle.
+        reel: of a hook whose rope lies on its drum in layers how far it goes for what its drive counts.
     """
 
     name: str
@@ -45,6 +47,7 @@ class Mover:
     zero: float = 0.0
     range: tuple[float, float] | None = None
     gear: LuffingGear | None = None
+    reel: Reel | None = None
 
 
 def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
@@ -133,8 +136,19 @@ def _hooks(scenario: Scenario) -> dict[str, Mover]:
             start=hook.height,
             zero=hook.height,
             range=None if hook.highest is None else (-float("inf"), hook.highest),
+            reel=_reel(scenario, hook),
         )
     return found
+
+
+def _reel(scenario: Scenario, hook: Hook) -> Reel | None:
+    drum, reeving = hook.drum, hook.reeving
+    if drum is None or reeving is None or drum.wraps_per_layer is None or drum.wraps_at_start is None:
+        return None
+    step = drum.step((scenario.ropes or {})[reeving.rope].diameter)
+    if step == 0.0:
+        return None
+    return Reel(reeving.parts_each, drum.diameter / 2, step, drum.wraps_per_layer, drum.wraps_at_start)
 
 
 def _drums(scenario: Scenario) -> dict[str, Mover | None]:
