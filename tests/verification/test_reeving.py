@@ -176,6 +176,27 @@ def test_an_emergency_stop_slips_until_the_hook_rests(brake: str, holds: float) 
     assert recording.attributes["energy_remainder"] < 1e-8
 
 
+@pytest.mark.parametrize("brake", [180.0, 200.0])
+def test_an_emergency_stop_on_the_fourth_layer(brake: float) -> None:
+    """The brake holds 1/ρ of its force, the hook goes ρ times as fast: ρ v² (m ρ² + p² I/r²)/2(p F − ρ W).
+
+    ρ is the radius of the layer over that of the first, v the speed of rope on that.
+    """
+    drum = "layers: 5, wraps_per_layer: 40, wraps_at_start: 140, rotating_mass: 500 kg"
+    plan = """\
+  - {{step: down, lower: [{hooks}], speed: 30 m/min, emergency_stop_at: 8 s}}
+  - {{step: end, hold: until_end}}"""
+    motor = f", capacity: 300 kN, brake: {brake!r} kN"
+    recording = lift([8], plan, drum=drum, duration=12.0, motor=motor, stiffness=1e6).run()
+    ratio, speed = 1.0 + 3 * np.sin(np.pi / 3) * 0.042 / 0.8, 0.5
+    slipped = 0.5 * speed**2 * ((HOOK_BLOCK + LOAD) * ratio**2 + 8**2 * 500.0)
+    slipped /= 8 * brake * 1e3 - ratio * WEIGHT
+    height = recording.column("body_position", "h8")[:, 2]
+    # As on the first layer, 1 s of acceleration and 7 s at speed; ropes are stiff.
+    assert height[0] - height[-1] == pytest.approx(ratio * (0.25 + 7.0 * speed + slipped), abs=1e-5)
+    assert set(recording.column("drum_layer", "h8.drum")) == {4.0}
+
+
 def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_are_a_warning() -> None:
     """4 m up on 8 parts are 32 m of rope: two turns of the first layer, the rest of the second."""
     drum = "layers: 2, wraps_per_layer: 10, wraps_at_start: 8, spare_turns: 3, rotating_mass: 500 kg"
