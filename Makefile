@@ -21,8 +21,8 @@ help: ## list the targets
 setup: ## make .venv: locked packages, gantline, its compiled core and its player
 	@tools/setup.sh
 
-demo: setup ## simulate the lift of scenarios/equalizer; table, pictures, recording and report in build/demo
-	@gantline run scenarios/equalizer -o build/demo
+demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
+	@gantline run scenarios/equalizer --refine -o build/demo
 
 test: setup lint ## all tests and lints
 	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet

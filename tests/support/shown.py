@@ -151,9 +151,9 @@ def table_of(recording: Recording) -> str:
 
 
 def lift_that_runs(command: str) -> str | None:
-    """Name of the lift that a command simulates as it comes with gantline."""
+    """Name of the lift that a command simulates once as it comes with gantline."""
     words = shlex.split(command)
-    is_run = words[:2] == ["gantline", "run"]
+    is_run = words[:2] == ["gantline", "run"] and "--refine" not in words
     return words[2] if is_run and words[2] in shipped() else None
 
 

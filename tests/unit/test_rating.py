@@ -115,6 +115,15 @@ def test_a_chart_holds_for_falls_that_are_plumb(lead: float, verdict: Verdict) -
     assert found.element == "off_lead H0"
 
 
+def test_an_empty_hook_beside_the_load_may_swing() -> None:
+    """Of two hooks at one boom, of 9 t each, the second bears 91 t; both hang 1.1 deg out of plumb."""
+    of = recording([[14.0, 14.0]] * 2, [[9.0, 100.0]] * 2, lead=math.radians(1.1))
+    found = check(of, "attitude_of_rating")
+    assert (found.verdict, found.element) == (Verdict.FAILED, "off_lead H1")
+    empty = recording([[14.0, 14.0]] * 2, [[9.0, 9.0]] * 2, lead=math.radians(1.1))
+    assert not any(one.name == "attitude_of_rating" and one.value for one in check_recording(empty))
+
+
 def test_a_chart_over_angles_is_read_by_the_angle() -> None:
     chart = RatingChart("fc", "angle", (math.radians(45), math.radians(75)), (1500 * T, 3600 * T))
     between = chart.rated_at(np.radians([45.0, 60.0, 75.0, 44.9, 75.1]))

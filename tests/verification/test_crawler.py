@@ -290,6 +290,33 @@ def test_uneven_ground_is_a_lean_from_the_start() -> None:
     assert recording.column("crane_trim", "c1")[-1] == pytest.approx(-math.atan(0.042 / GAUGE), rel=1e-3)
 
 
+@pytest.mark.parametrize("settles", [False, True])
+def test_pressure_on_twisted_ground_is_that_of_the_ends_of_each_track(settles: bool) -> None:
+    """The ground under one end of a track 4 mm low, from the start or settled by as much during a run.
+
+    A rigid crane presses its ends in by N/k, so that the twist of the ground is Σ ± N/k. All carry: under
+    each track a trapezium, F/L (1 ± 6 e/L) with the e of the forces under its own ends.
+    """
+    where = ", levels: {right.front: -4 mm}"
+    if settles:
+        where = ", settling: {at: 1 s, over: 20 s, by: 4 mm, corners: [right.front]}"
+    text = crawler_lift(100e3, slew=60.0, tracks=where, duration=50.0)
+    recording = at_rest(text) if not settles else run(text)
+    found = corners(recording)[-1]
+    # 2 s of swing at the end of a run, 1e-4 of the weight; statics leaves 1e-9 of it.
+    twist = (found[0] - found[1] - found[2] + found[3]) / GROUND
+    assert twist == pytest.approx(0.004, rel=1e-6 if not settles else 1e-3)
+    for ends, at in (("left", found[:2]), ("right", found[2:])):
+        track = at.sum()
+        eccentricity = TRACK / 2 * (at[0] - at[1]) / track
+        assert abs(eccentricity) < TRACK / 6
+        for end, sign in (("front", 1.0), ("back", -1.0)):
+            closed = track / TRACK * (1.0 + sign * 6.0 * eccentricity / TRACK)
+            pressure = recording.column("ground_pressure", f"c1.{ends}.{end}")[-1]
+            # The pressure takes the ground where it has settled to, the forces also how fast the crane rocks.
+            assert pressure == pytest.approx(closed / MATS, rel=1e-8 if not settles else 1e-4)
+
+
 def test_travel_moves_the_crane_with_its_load() -> None:
     """5 m along tracks that head 30 deg from x, boom and hook along with it."""
     drive = "    travel: {speed: 1 km/h, acceleration: 0.02 m/s^2, range: [0 m, 20 m]}\n"

@@ -55,7 +55,7 @@ def lift(
     motor: str = "",
     stiffness: float = 1e4,
     tolerance: float = 1.0,
-) -> Recording:
+) -> Simulation:
     """Hooks h<p> of p parts each with 94 t under a hook block of 6 t; `plan` moves them."""
     names = [f"h{count}" for count in parts]
     cranes = [
@@ -72,7 +72,7 @@ def lift(
         bodies="\n".join(BODY.format(name=name) for name in names),
         plan=plan.format(hooks=", ".join(names)),
     )
-    return Simulation(parse_scenario(text, "reeving.yaml")).run()
+    return Simulation(parse_scenario(text, "reeving.yaml"))
 
 
 def segments(recording: Recording, rope: str) -> list[float]:
@@ -98,7 +98,7 @@ def test_lead_line_of_hooks_with_1_to_20_parts(factor: float, verb: str) -> None
         duration=30.0 + 10.0,
         sheaves=f"sheaves: {{efficiency: {1 / factor!r}, rotating_mass: 10 kg}}, ",
         stiffness=1e6,
-    )
+    ).run()
     late = int(np.searchsorted(recording.variables["time"].values, 38.0))
     names = list(recording.coordinates["segment"])
     for count in counts:
@@ -120,7 +120,7 @@ def test_speed_of_the_hook_is_that_of_the_rope_over_its_parts(ropes: int) -> Non
     fast as the drum, and not 1.002 times that.
     """
     plan = "  - {{step: up, hoist: [{hooks}], speed: 30 m/min, by: 8 m}}"
-    recording = lift([1, 2, 7, 8], plan, duration=40.0, ropes=ropes, stiffness=500.0 / ropes)
+    recording = lift([1, 2, 7, 8], plan, duration=40.0, ropes=ropes, stiffness=500.0 / ropes).run()
     names = list(recording.coordinates["body"])
     for place, count in enumerate([1, 2, 7, 8]):
         height = recording.variables["body_position"].values[:, names.index(f"h{count}"), 2]
@@ -138,7 +138,7 @@ def test_speed_of_the_hook_is_that_of_the_rope_over_its_parts(ropes: int) -> Non
 
 def test_a_hook_starts_at_rest_in_its_ropes() -> None:
     """Unstretched lengths are such that the falls carry what hangs on the hook: nothing moves."""
-    recording = lift([1, 4, 5, 20], "  - {{step: wait, hold: 5 s}}", duration=5.0, stiffness=200.0)
+    recording = lift([1, 4, 5, 20], "  - {{step: wait, hold: 5 s}}", duration=5.0, stiffness=200.0).run()
     names = list(recording.coordinates["body"])
     for count in (1, 4, 5, 20):
         height = recording.variables["body_position"].values[:, names.index(f"h{count}"), 2]
@@ -149,7 +149,7 @@ def test_a_motor_that_is_too_weak_lets_the_hook_down() -> None:
     """a = (W − p F)/(m + p² I/r²): the drum goes p times as fast as the hook, with p² of its inertia."""
     pull, count = 0.8 * WEIGHT / 4, 4
     plan = "  - {{step: up, hoist: [{hooks}], speed: 6 m/min, brake_from: 1.9 s}}"
-    recording = lift([count], plan, duration=2.0, motor=f", capacity: {pull / 1e3!r} kN")
+    recording = lift([count], plan, duration=2.0, motor=f", capacity: {pull / 1e3!r} kN").run()
     speed = recording.variables["body_velocity"].values[:, list(recording.coordinates["body"]).index("h4"), 2]
     within = recording.variables["time"].values > 0.5
     slope = np.polyfit(recording.variables["time"].values[within], speed[within], 1)[0]
@@ -165,7 +165,7 @@ def test_an_emergency_stop_slips_until_the_hook_rests(brake: str, holds: float) 
     motor = f", capacity: {1.5 * pull / 1e3!r} kN" + brake.format(2.0 * pull / 1e3)
     plan = "  - {{step: down, lower: [{hooks}], speed: 30 m/min, emergency_stop_at: 8 s}}"
     # Stiff rope: the drum and the load stop as one.
-    recording = lift([count], plan, duration=12.0, motor=motor, stiffness=1e6)
+    recording = lift([count], plan, duration=12.0, motor=motor, stiffness=1e6).run()
     height = recording.variables["body_position"].values[
         :, list(recording.coordinates["body"]).index("h4"), 2
     ]
@@ -176,29 +176,92 @@ def test_an_emergency_stop_slips_until_the_hook_rests(brake: str, holds: float) 
     assert recording.attributes["energy_remainder"] < 1e-8
 
 
+@pytest.mark.parametrize("brake", [180.0, 200.0])
+def test_an_emergency_stop_on_the_fourth_layer(brake: float) -> None:
+    """The brake holds 1/ρ of its force, the hook goes ρ times as fast: ρ v² (m ρ² + p² I/r²)/2(p F − ρ W).
+
+    ρ is the radius of the layer over that of the first, v the speed of rope on that.
+    """
+    drum = "layers: 5, wraps_per_layer: 40, wraps_at_start: 140, rotating_mass: 500 kg"
+    plan = """\
+  - {{step: down, lower: [{hooks}], speed: 30 m/min, emergency_stop_at: 8 s}}
+  - {{step: end, hold: until_end}}"""
+    motor = f", capacity: 300 kN, brake: {brake!r} kN"
+    recording = lift([8], plan, drum=drum, duration=12.0, motor=motor, stiffness=1e6).run()
+    ratio, speed = 1.0 + 3 * np.sin(np.pi / 3) * 0.042 / 0.8, 0.5
+    slipped = 0.5 * speed**2 * ((HOOK_BLOCK + LOAD) * ratio**2 + 8**2 * 500.0)
+    slipped /= 8 * brake * 1e3 - ratio * WEIGHT
+    height = recording.column("body_position", "h8")[:, 2]
+    # As on the first layer, 1 s of acceleration and 7 s at speed; ropes are stiff.
+    assert height[0] - height[-1] == pytest.approx(ratio * (0.25 + 7.0 * speed + slipped), abs=1e-5)
+    assert set(recording.column("drum_layer", "h8.drum")) == {4.0}
+
+
 def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_are_a_warning() -> None:
-    """Turns = start + p s/(π D), layer = ⌈turns/turns in a layer⌉; 4 m up on 8 parts are 6.37 turns."""
+    """4 m up on 8 parts are 32 m of rope: two turns of the first layer, the rest of the second."""
     drum = "layers: 2, wraps_per_layer: 10, wraps_at_start: 8, spare_turns: 3, rotating_mass: 500 kg"
     up = "  - {{step: up, hoist: [{hooks}], speed: 30 m/min, by: 4 m}}"
-    recording = lift([8], up, drum=drum)
-    turns = 8.0 + 8 * 4.0 / (np.pi * 1.6)
+    recording = lift([8], up, drum=drum).run()
+    # The radius of the second is sin 60° of the rope's diameter larger.
+    step = np.sin(np.pi / 3) * 0.042
+    turns = 10.0 + (8 * 4.0 / np.pi - 2.0 * 1.6) / (1.6 + 2 * step)
     assert recording.variables["drum_wraps"].values[-1, 0] == pytest.approx(turns, abs=1e-9)
     assert recording.variables["drum_layer"].values[[0, -1], 0].tolist() == [1.0, 2.0]
-    # Two turns in the first layer, the rest in the second, whose radius is sin 60° of the rope's diameter
-    # larger.
-    step = np.sin(np.pi / 3) * 0.042
-    wound = np.pi * (2.0 * 1.6 + (turns - 10.0) * (1.6 + 2 * step))
-    assert -recording.variables["rope_paid_out"].values[-1, 0] == pytest.approx(wound, abs=1e-9)
+    assert -recording.variables["rope_paid_out"].values[-1, 0] == pytest.approx(32.0, abs=1e-9)
     height = recording.variables["body_position"].values[
         :, list(recording.coordinates["body"]).index("h8"), 2
     ]
-    assert height[-1] - height[0] == pytest.approx(wound / 8, abs=1e-4)
+    assert height[-1] - height[0] == pytest.approx(4.0, abs=1e-4)
     # Here ropes are stiffer than steel, so that heights are those of their lengths, and that is told.
     (stiff,) = recording.attributes["warnings"]
     assert "EA of 10,000 MN" in stiff
     down = "  - {{step: down, lower: [{hooks}], speed: 30 m/min, by: 4 m}}"
-    (warning,) = set(lift([8], down, drum=drum).attributes["warnings"]) - {stiff}
+    (warning,) = set(lift([8], down, drum=drum).run().attributes["warnings"]) - {stiff}
     assert "h8.drum has 1.6 turns of rope left" in warning and "3 have to stay" in warning
+
+
+def test_a_hook_goes_as_far_as_its_plan_says_on_any_layer() -> None:
+    """Ways and heights of steps are the hook's; by rope of the first layer 15 m would be 15.3 to 18.2 m.
+
+    The motor keeps its speed: on layer k the hook is faster by 1 + (k - 1) step/radius.
+    """
+    drum = "layers: 5, wraps_per_layer: 10, wraps_at_start: 42, rotating_mass: 500 kg"
+    plan = """\
+  - {{step: wait, hoist: [{hooks}], speed: 6 m/min, until: {{hoist_load: {{hook: h8, above: 990 kN}}}}}}
+  - {{step: still, hold: 3 s}}
+  - {{step: down, lower: [{hooks}], speed: 60 m/min, by: 3 m}}
+  - {{step: rest down, hold: 3 s}}
+  - {{step: to, hoist: [{hooks}], speed: 60 m/min, to: 11 m}}
+  - {{step: rest, hold: 3 s}}
+  - {{step: back, lower: [{hooks}], speed: 60 m/min, to: 2.5 m}}
+  - {{step: end, hold: until_end}}"""
+    recording = lift([8], plan, drum=drum, duration=40.0).run()
+    height = recording.column("body_position", "h8")[:, 2]
+    begins = {name: time for time, kind, name in recording.events() if kind == "step_begin"}
+    waited, rested, risen = (
+        np.interp(begins[step] - before, recording.time, height)
+        for step, before in (("down", 0.2), ("to", 0.2), ("back", 0.2))
+    )
+    start, speed = height[0], np.abs(np.gradient(height, recording.time)).max()
+    # The rope hardly stretches, 12 ppm, and what is wound takes its stretch along.
+    assert rested == pytest.approx(waited - 3.0, abs=1e-6)
+    assert risen == pytest.approx(start + 1.0, abs=1e-6)
+    assert height[-1] == pytest.approx(start - 7.5, abs=1e-6)
+    assert set(recording.column("drum_layer", "h8.drum")) == {4.0, 5.0}
+    assert speed == pytest.approx(1.0 + 4 * np.sin(np.pi / 3) * 0.042 / 0.8, rel=2e-3)
+
+
+def test_a_program_sees_a_hook_where_it_is_on_any_layer() -> None:
+    """Height and speed of the hook 9 s into hauling, one layer higher than at the start."""
+    drum = "layers: 5, wraps_per_layer: 10, wraps_at_start: 17, rotating_mass: 500 kg"
+    run = lift([8], "  - {{step: wait, hold: until_end}}", drum=drum)
+    run.command("h8", speed=0.9)
+    run.advance_to(9.0)
+    height, speed = run.drive_state("h8")
+    # 100 t ring on ropes of 10 GN by what the motor's start and the climbs leave.
+    assert height == pytest.approx(run.now("body_position", "h8")[2], abs=1e-4)
+    assert speed == pytest.approx(run.now("body_velocity", "h8")[2], rel=1e-2)
+    assert speed / 0.9 == pytest.approx(1.0 + 2 * np.sin(np.pi / 3) * 0.042 / 0.8, rel=1e-9)
 
 
 def test_a_drum_without_room_is_refused() -> None:

@@ -68,6 +68,29 @@ def test_tracks_of_one_crane_share_the_moment_as_many_springs_do(place: tuple[fl
     assert found == pytest.approx(per_length, abs=2e-3 * found.max())
 
 
+@pytest.mark.parametrize("place", [(0.3, 0.5), (2.2, 2.0), (-1.0, 1.0), (0.0, 0.0)])
+@pytest.mark.parametrize("rises", [(0.010, -0.005), (-0.03, 0.02), (0.0, 0.08)])
+def test_tracks_on_uneven_ground_share_as_many_springs_do(
+    place: tuple[float, float], rises: tuple[float, float]
+) -> None:
+    """Two rows of 3000 springs of which the ground rises from back to front by `rises` [m], not alike."""
+    count, weight, corner = 3000, 7.3e6, 150e6
+    along = (np.arange(count) + 0.5) / count * LENGTH - LENGTH / 2
+    # What both tracks rise by the body leans by: it begins with that.
+    ground = np.concatenate([(rise - np.mean(rises)) * along / LENGTH for rise in rises])
+    springs = np.array([(x, side * GAUGE / 2, 0.0) for side in (1, -1) for x in along])
+    # Ground that is lower is a spring that is shorter; together they rock as the two ends of each track do.
+    away = springs - np.array([place[0], place[1], 0.0]) - np.outer(ground, (0.0, 0.0, 1.0))
+    forces = rest_on_ground(away, weight, 6 * corner / count).forces.reshape(2, count)
+    sums, moment = forces.sum(axis=1), (forces @ along).sum()
+    corners = [sums[0] / 2 + moment / LENGTH, sums[0] / 2 - moment / LENGTH, sums[1] / 2, sums[1] / 2]
+    uneven = 6 * corner * np.array([rises]) / LENGTH**2
+    found = line_pressures(np.array([corners]), LENGTH, uneven)[0].reshape(2, 2)
+    per_length = forces[:, [-1, 0]] / (LENGTH / count)
+    # As above, of triangles down to an eighth of the length: the last spring is half a part inside, 1/750.
+    assert found == pytest.approx(per_length, abs=2e-3 * found.max())
+
+
 def test_all_under_one_end_has_a_pressure_all_the_same() -> None:
     """Where no strip could carry it: a hundredth of the length at the end carries it."""
     found = line_pressures(np.array([[500.0, 0.0, 500.0, 0.0], [0.0] * 4]), LENGTH)

@@ -145,4 +145,9 @@ fn rope_of_whole_layers() {
     assert!((layers.wound(21.0 * turn) - expected).abs() < 1e-12);
     assert!((layers.ratio(21.0 * turn) - 1.2).abs() < 1e-15);
     assert!((layers.wound(-3.0 * turn) + 3.0 * turn).abs() < 1e-12);
+    // The way back, also within climbs and below the first.
+    for turns in [-3.0, 0.0, 6.9, 7.1, 16.8, 21.0, 200.0] {
+        let turned = turns * turn;
+        assert!((layers.turned_at(layers.wound(turned)) - turned).abs() <= 1e-14 * turned.abs());
+    }
 }

@@ -13,6 +13,7 @@ from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
+from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
@@ -127,6 +128,7 @@ def assemble(scenario: Scenario) -> Assembly:
             *(() if lifted is None else lifted.body.warnings),
             *parts.warnings,
             *doubtful_waits(parts, scenario),
+            *doubtful_heights(scenario),
             *doubtful_cranes(scenario),
             *doubtful_gear(scenario, rigging),
             *doubtful_following(scenario, rigging),

@@ -50,20 +50,33 @@ class Commanded:
         name: as the plan says it, in full.
         motion: verb of the plan.
         mover: its limits.
+        boom: the boom that takes a hook up and down, if one that luffs does.
     """
 
     name: str
     motion: str
     mover: Mover
+    boom: Mover | None = None
 
     def state(self, drive: Drive) -> tuple[float, float]:
         """Where it is, as `to` counts it, and how fast it moves there [m or rad, and per s]."""
         position, velocity = drive(drives_of(self.mover)[0])
-        gear = self.mover.gear
+        gear, reel = self.mover.gear, self.mover.reel
+        if reel is not None:
+            position, velocity = reel.gone(position), velocity * reel.rate(position)
         if gear is None:
-            return position + self.mover.zero, velocity
+            head, rising = self.head(drive)
+            return position + self.mover.zero + head, velocity + rising
         angle = gear.angle(position)
         return angle, velocity / gear.rate(angle, angle)
+
+    def head(self, drive: Drive) -> tuple[float, float]:
+        """How far the boom head of a hook has gone up since the start, and how fast it does [m, m/s]."""
+        head = self.mover.head
+        if head is None or self.boom is None:
+            return 0.0, 0.0
+        angle, turning = Commanded(self.boom.name, "luff", self.boom).state(drive)
+        return head.rise(angle), head.length * math.cos(angle) * turning
 
 
 def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:
@@ -89,7 +102,12 @@ def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:
     mover = known[verb][name]
     if mover is None:
         raise CommandError(f"'{name}' has nothing that drives it; give it a drive or winch in the lift file")
-    return Commanded(name, verb, mover)
+    boom = next((one for one in movers(scenario, "boom").values() if _bears(one, mover)), None)
+    return Commanded(name, verb, mover, boom)
+
+
+def _bears(boom: Mover | None, mover: Mover) -> bool:
+    return boom is not None and mover.head is not None and boom.name == mover.head.boom
 
 
 def command_of(one: Commanded, speed: object, acceleration: object, drive: Drive) -> Json:
@@ -117,7 +135,9 @@ def command_of(one: Commanded, speed: object, acceleration: object, drive: Drive
         most = said(mover.kind, mover.acceleration, "acceleration")
         raise CommandError(f"{sentence}; its most is {most}")
     limit = min(limit, mover.acceleration)
-    rate, ends = 1.0, [_end(end - mover.zero) for end in mover.range or (-math.inf, math.inf)]
+    up = mover.zero + one.head(drive)[0]
+    rate, bounds = 1.0, [end - up for end in mover.range or (-math.inf, math.inf)]
+    ends = [_end(end if mover.reel is None else mover.reel.counted(end)) for end in bounds]
     if mover.gear is not None:
         angle, _ = one.state(drive)
         rate = mover.gear.rate(angle, angle)

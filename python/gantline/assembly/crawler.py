@@ -135,7 +135,7 @@ def _add_corners(parts: Parts, scenario: Scenario, name: str, tracks: Tracks) ->
         body = tracks_body(name)
         if settling is not None and corner in settling.corners:
             # A foot that is drawn up into the track lets it down as ground that goes down would.
-            foot = f"{body}/{corner}"
+            foot = _foot(name, corner)
             speed = 2 * settling.by / settling.over
             ramps = [
                 {"at": settling.at, "duration": settling.over / 2, "velocity": speed, "shape": "smooth"},
@@ -164,6 +164,11 @@ def _add_corners(parts: Parts, scenario: Scenario, name: str, tracks: Tracks) ->
                 "friction": 0.0,  # the joints of the tracks hold what friction would
             }
         )
+
+
+def _foot(crane: str, corner: str) -> str:
+    """Name of the body between an end of a track and ground that settles, and of its joint."""
+    return f"{tracks_body(crane)}/{corner}"
 
 
 def _corners(tracks: Tracks) -> dict[str, tuple[float, float, float]]:
@@ -260,6 +265,7 @@ def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
     found = []
     for name, crane in crawlers(scenario).items():
         tracks = crane.tracks
+        settles = () if tracks.settling is None else tracks.settling.corners
         own = {
             body: parts.bodies[body]["mass"]
             for body in (tracks_body(name), upper_body(name), boom_name(name))
@@ -281,6 +287,9 @@ def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
                 "allowed_pressure": tracks.allowed_pressure,
                 "centre": parts.bodies[tracks_body(name)]["centre_of_gravity"],
                 "corners": [track_contact(name, corner) for corner in TRACK_CORNERS],
+                "stiffness": tracks.stiffness,
+                "levels": [(tracks.levels or {}).get(corner, 0.0) for corner in TRACK_CORNERS],
+                "feet": [_foot(name, corner) if corner in settles else None for corner in TRACK_CORNERS],
                 "weights": {body: mass * gravity for body, mass in own.items()},
                 "hooks": [hook.name for hook in scenario.hooks.values() if hook.crane == name],
             }

@@ -12,7 +12,7 @@ from gantline.assembly.tag_lines import line_drive
 from gantline.assembly.water import pump_drive
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.movers import Mover, boom_angles, mover
+from gantline.scenario.movers import Mover, boom_angles, boom_angles_at_end, mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import AlongStep, HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
@@ -59,14 +59,15 @@ def turned_drive(upper: str) -> str:
 def operations(scenario: Scenario, rigging: Rigging, parts: Parts, weight: float) -> list[Json]:
     """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
     found = []
-    each = zip(scenario.plan, boom_angles(scenario), slings_on(scenario), strict=True)
-    for place, (step, before, on) in enumerate(each):
+    angles = zip(boom_angles(scenario), boom_angles_at_end(scenario), strict=True)
+    each = zip(scenario.plan, angles, slings_on(scenario), strict=True)
+    for place, (step, (before, after), on) in enumerate(each):
         if isinstance(step, HoldStep):
             made = _hold(step)
         elif isinstance(step, PumpStep):
             made = _pumping(scenario, step)
         else:
-            made = _moving(scenario, step, before)
+            made = _moving(scenario, step, before, after)
         if isinstance(step, AlongStep) and step.keep_plumb:
             made["until"] = followed(scenario, rigging, parts, step, step.keep_plumb)
         if step.until is not None:
@@ -164,8 +165,13 @@ def _pumping(scenario: Scenario, step: PumpStep) -> Json:
     return made
 
 
-def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[float, bool]]) -> Json:
-    """A step; `before`: where booms are at its start, see `boom_angles`."""
+def _moving(
+    scenario: Scenario,
+    step: MovingStep,
+    before: Mapping[str, tuple[float, bool]],
+    after: Mapping[str, tuple[float, bool]],
+) -> Json:
+    """A step; where booms are at its start and its end, see `boom_angles`."""
     moved = [(one, drive) for one in _moved(scenario, step) for drive in drives_of(one)]
     targets = [_target(step, one, before) for one, _ in moved]
     moves = []
@@ -179,6 +185,7 @@ def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[flo
                 "acceleration": acceleration * rate,
                 "shape": "linear",
                 **_range_to_keep(step, one),
+                **_reel_of(one),
                 **({} if step.emergency_stop_at is None else {"emergency": stop_of(one, step.speed, rate)}),
             }
         )
@@ -192,12 +199,21 @@ def _moving(scenario: Scenario, step: MovingStep, before: Mapping[str, tuple[flo
         made["until"] = {"type": "distance", "distance": step.sign * step.by}
     elif any(target is not None for target in targets):
         positions = [
-            (one.gear.taken_up(target) if one.gear is not None else target - one.zero)
+            (one.gear.taken_up(target) if one.gear is not None else target - one.zero - _head_up(one, after))
             for (one, _), target in zip(moved, targets, strict=True)
             if target is not None
         ]
         made["until"] = {"type": "position", "positions": positions}
     return made
+
+
+def _reel_of(one: Mover) -> Json:
+    """Layers on the drum of a hook: ways and heights of the plan are those of the hook on any of them."""
+    reel = one.reel
+    if reel is None:
+        return {}
+    layers = {"radius": reel.radius, "step": reel.step, "turns": reel.turns, "start": reel.start}
+    return {"reel": {"rate": float(reel.parts), "layers": layers}}
 
 
 def _range_to_keep(step: MovingStep, one: Mover) -> Json:
@@ -215,6 +231,11 @@ def _target(step: MovingStep, one: Mover, before: Mapping[str, tuple[float, bool
     if to is None and step.by is not None and one.name in before:
         return before[one.name][0] + step.by
     return to
+
+
+def _head_up(one: Mover, after: Mapping[str, tuple[float, bool]]) -> float:
+    """How far the boom head of a hook has gone up since the start where a step ends [m]."""
+    return 0.0 if one.head is None else one.head.rise(after[one.head.boom][0])
 
 
 def _rate(one: Mover, before: Mapping[str, tuple[float, bool]], target: float | None) -> float:

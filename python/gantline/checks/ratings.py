@@ -10,7 +10,7 @@ import numpy as np
 from gantline.checks.forces import UNRAISED, Force, factor, hook_force, kilonewton
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
-from gantline.results.rating import RatedGroup, chart_load, chart_places, rated_groups, rated_load
+from gantline.results.rating import RatedGroup, bears, chart_load, chart_places, rated_groups, rated_load
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
@@ -171,7 +171,10 @@ def _shown(chart: RatingChart, place: float) -> str:
 
 
 def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Heel, trim, off-lead and side-lead while a load hangs, over the largest for which the chart holds."""
+    """Heel, trim, off-lead and side-lead under load, over the largest for which the chart holds.
+
+    Leads are those of hooks that bear something: an empty one beside them may swing.
+    """
     for chart in recording.rig.rating_charts:
         loaded = during & (chart_load(recording, chart, tuple(chart.hooks)) > 0)
         for key, variable in _OF_CRANE.items():
@@ -183,7 +186,8 @@ def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             limit = getattr(chart, key)
             for hook in chart.hooks if limit is not None else ():
                 values = np.abs(recording.column(variable, hook))
-                yield from _over(recording, values, loaded, limit, f"{key} {hook}")
+                bearing = loaded & bears(recording, chart, hook)
+                yield from _over(recording, values, bearing, limit, f"{key} {hook}")
 
 
 def _over(

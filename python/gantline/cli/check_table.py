@@ -141,5 +141,6 @@ def checks_json(recording: Recording, checks: Sequence[Check]) -> str:
         "failed": has_failed(checks),
         "verdict": verdict_of(checks),
         "checks": [check.to_json() for check in checks],
+        "refinement": recording.attributes.get("refinement"),
     }
     return json.dumps(without_gaps(document), indent=2, allow_nan=False)

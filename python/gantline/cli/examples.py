@@ -7,6 +7,7 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
     "run": (
         ("gantline run equalizer", "a lift that comes with gantline, into results/equalizer"),
         ("gantline run mylift -o out --tension-tolerance '10 N'", "your own, more precisely"),
+        ("gantline run mylift --refine", "twice, to say how far its figures are the method's"),
         ("gantline run mylift --no-plots --json > checks.json", "for programs"),
     ),
     "statics": (

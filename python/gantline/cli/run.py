@@ -21,6 +21,7 @@ from gantline.cli.lift import (
 from gantline.cli.live import live_view
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress
+from gantline.cli.refinement import with_refinement
 from gantline.cli.report import REPORT, write_beside
 from gantline.cli.run_folder import STATE, save_run
 from gantline.interrupt import noted_interrupt
@@ -63,6 +64,12 @@ def run(
     browser: Annotated[
         bool, typer.Option("--browser/--no-browser", help="With --live: open a browser.")
     ] = True,
+    refine: Annotated[
+        bool,
+        typer.Option(
+            "--refine", help="Simulate it again by a finer method, and say how far figures of checks move."
+        ),
+    ] = False,
     profile: Annotated[bool, typer.Option("--profile", help="Show where the time went.")] = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print the checks as JSON, and nothing else to standard output.")
@@ -91,6 +98,10 @@ def run(
             clock.lap("simulate")
             written = save_run(recording, folder)
             clock.lap("save")
+            if refine and recording.attributes["status"] == "done":
+                recording = with_refinement(simulation, recording)
+                written = save_run(recording, folder)
+                clock.lap("simulate finer")
         if is_interrupted():
             warn(f"interrupted after the last step; the recording is {written}")
             raise typer.Exit(INTERRUPTED)

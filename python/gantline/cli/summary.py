@@ -11,6 +11,7 @@ from gantline.checks import Check, Verdict, values_of
 from gantline.cli.check_table import check_table
 from gantline.cli.equalizer_table import equalizer_table
 from gantline.cli.hold_points import hold_points
+from gantline.cli.refinement import refinement_table
 from gantline.cli.table import ABSENT, cut, pairs, show, table
 from gantline.cli.vessels import vessels
 from gantline.results import series
@@ -19,6 +20,7 @@ from gantline.results.lift_off import lift_off_in_words
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import ATTACHED, partings
 from gantline.results.recording import Recording
+from gantline.results.refinement import refinement_of
 from gantline.results.rig import Load, Rig
 from gantline.results.upending import is_turned, kept_plumb_in_words, turning_in_words
 
@@ -60,6 +62,7 @@ def summary(
         _drums(recording),
         hold_points(recording),
         check_table(checks, str(rig.limits.get("rule") or ""), style=style, width=width, full=False),
+        refinement_table(refinement_of(recording)),
         _trust(recording, metrics),
     ]
     return [line for part in parts if part for line in (*part, "")]

@@ -20,6 +20,7 @@ from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, share, show, typeset
 from gantline.results.metrics import energy_bound
+from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Rig
 from gantline.results.saved import digest_of
 
@@ -292,4 +293,9 @@ def _trust(subject: Subject) -> str:
         rest_of = f"{remainder:.1e} of the largest energy" if remainder else "rounding"
         head += f"the energy balance {closes} to {rest_of} (bound {bound:.0e}); "
     rest = [one for one in parts if not one.startswith("energy remainder")]
+    finer = refinement_of(subject.recording)
+    if finer is not None and finer.figures:
+        most = finer.told[0].name.replace("_", " ") if finer.told else ""
+        differ = f"differ by up to {in_per_cent(finer.moved)}, most {most}" if most else "are the same"
+        rest.append(f"with {finer.how} the figures of the checks {differ}")
     return head + "; ".join(rest)

@@ -17,6 +17,7 @@ from gantline.results.gaps import gaps
 from gantline.results.gear import Equalizer
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
+from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.version import version
 
 #: Units of the settings that have one, as recordings keep them.
@@ -166,6 +167,7 @@ class Energy(Section):
         return {
             "rows": rows,
             "sentences": [*_accuracy(recording), *subject.stability.sentences()],
+            "refinement": _refinement(recording),
             "warnings": [*gaps(recording), *map(str, recording.attributes.get("warnings") or ())],
             "counters": [
                 (str(name), f"{int(count):,}".replace(",", " ")) for name, count in counters.items()
@@ -207,6 +209,24 @@ def _accuracy(recording: Recording) -> Iterator[str]:
     if isinstance(interval, int | float):
         every = show(float(interval), "s", 3)
         yield f"curves have a sample each {every}; peaks of tension are those of all steps"
+
+
+def _refinement(recording: Recording) -> dict[str, Any] | None:
+    """What a finer run found; None of a lift that had none."""
+    found = refinement_of(recording)
+    if found is None:
+        return None
+    rows = [
+        {
+            "name": one.name.replace("_", " "),
+            "element": ", ".join(filter(None, (one.element, f"end of “{one.step}”" if one.step else ""))),
+            "value": typeset(one.shown(one.value)),
+            "finer": typeset(one.shown(one.finer)),
+            "moved": f"{in_per_cent(one.moved)}{' of its limit' if one.is_of_limit else ''}",
+        }
+        for one in found.told
+    ]
+    return {"rows": rows, "sentences": list(found.sentences())}
 
 
 class LiftFile(Section):

@@ -41,6 +41,9 @@ class Crawler(FromJson):
         centre: Centre of gravity of the tracks' body in its frame, whose origin is on the ground [m].
         corners: Contacts under the ends of the tracks, in the order of
             `gantline.results.track_pressure.CORNERS`.
+        stiffness: Of mats and ground under each end of a track [N/m].
+        levels: How much higher than the rest the ground under each of the corners is at the start [m].
+        feet: Joints by which the ground under each of the corners goes down, None where it stays.
         weights: Weight of each body of the crane [N].
         hooks: Its hooks.
     """
@@ -57,6 +60,9 @@ class Crawler(FromJson):
     allowed_pressure: float | None = None
     centre: Vector = (0.0, 0.0, 0.0)
     corners: Sequence[str] = ()
+    stiffness: float = 0.0
+    levels: Sequence[float] = (0.0, 0.0, 0.0, 0.0)
+    feet: Sequence[str | None] = (None, None, None, None)
     weights: Mapping[str, float] = field(default_factory=dict)
     hooks: Sequence[str] = ()
 
@@ -72,7 +78,10 @@ def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -
     if not crawlers:
         return {}, {}
     forces = [_corner_forces(columns, names, crane) for crane in crawlers]
-    line = [line_pressures(force, crane.length) for crane, force in zip(crawlers, forces, strict=True)]
+    line = [
+        line_pressures(force, crane.length, _uneven(columns, names, crane))
+        for crane, force in zip(crawlers, forces, strict=True)
+    ]
     on_track = [one / crane.width for crane, one in zip(crawlers, line, strict=True)]
     on_ground = [one / (crane.mats or crane.width) for crane, one in zip(crawlers, line, strict=True)]
     tipping = [_tipping(columns, names, crane, one) for crane, one in zip(crawlers, forces, strict=True)]
@@ -108,6 +117,21 @@ def _corner_forces(columns: Columns, names: Names, crane: Crawler) -> FloatArray
     contacts = list(names["contact"])
     forces: FloatArray = columns["contact_force"][:, [contacts.index(one) for one in crane.corners]]
     return forces
+
+
+def _uneven(columns: Columns, names: Names, crane: Crawler) -> FloatArray:
+    """What the ground adds to the slope of the force per length of each track, shape (time, 2) [N/m^2].
+
+    The ground under a track resists its rocking as its two ends do, so that as long as all four carry, the
+    moment of each track is that of the forces under its own ends: 6 k/L, times the slope of the ground.
+    """
+    joints = list(names["joint"])
+    level = np.tile(np.asarray(crane.levels, dtype=np.float64), (len(columns["time"]), 1))
+    for corner, foot in enumerate(crane.feet):
+        if foot is not None:
+            level[:, corner] -= columns["joint_position"][:, joints.index(foot)]
+    rises: FloatArray = 6 * crane.stiffness * (level[:, 0::2] - level[:, 1::2]) / crane.length**2
+    return rises
 
 
 def _slew(columns: Columns, names: Names, crane: Crawler) -> FloatArray:

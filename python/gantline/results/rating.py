@@ -10,10 +10,11 @@ import numpy as np
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
-from gantline.results.variable import FloatArray
+from gantline.results.variable import BoolArray, FloatArray
 
 __all__ = [
     "RatedGroup",
+    "bears",
     "chart_load",
     "chart_places",
     "chart_used",
@@ -70,16 +71,26 @@ def counted_load(
     nothing is known to hang in them but what `mechanics` hangs there, it always does.
     """
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
-    bears = any(
+    borne = np.sum([loads[_seen(rig, chart)][hook] for hook in chart.hooks], axis=0)
+    total = np.sum([loads[variable][hook] for hook in hooks], axis=0)
+    load: FloatArray = np.where(borne > 0, total, 0.0)
+    return load
+
+
+def bears(recording: Recording, chart: RatingChart, hook: str) -> BoolArray:
+    """Where one hook of a crane bears something, as its chart counts it, shape (time,)."""
+    found: BoolArray = recording.column(_seen(recording.rig, chart), hook) > 0
+    return found
+
+
+def _seen(rig: Rig, chart: RatingChart) -> str:
+    """Which load tells whether a crane bears something: that of its hooks, where that is known."""
+    known = any(
         hook.bearing_joints or hook.direct_slings or hook.direct_ropes or hook.ropes_over
         for hook in rig.hooks
         if hook.name in chart.hooks
     )
-    seen = "hook_load" if bears else "hoist_load"
-    borne = np.sum([loads[seen][hook] for hook in chart.hooks], axis=0)
-    total = np.sum([loads[variable][hook] for hook in hooks], axis=0)
-    load: FloatArray = np.where(borne > 0, total, 0.0)
-    return load
+    return "hook_load" if known else "hoist_load"
 
 
 def chart_places(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -> FloatArray:

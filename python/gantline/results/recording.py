@@ -32,7 +32,8 @@ class Recording:
         coordinates: Names along a dimension, for example `{"rope": ["sling.S1", ...]}`.
         attributes: What describes the whole: `title`, `gantline_version`, `scenario` (text of the lift file),
             `settings`, `warnings`, `rig`, `scene`, `counters`, `energy_remainder`, `status`; of a run that
-            failed also `failure` with its `time` [s], `element` and `cause`.
+            failed also `failure` with its `time` [s], `element` and `cause`; of one that was simulated with a
+            finer method too `refinement`, see `gantline.results.refinement`.
 
     Raises:
         ValueError: If lengths along a dimension do not agree.

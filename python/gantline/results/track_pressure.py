@@ -18,16 +18,19 @@ CORNERS = ("left.front", "left.back", "right.front", "right.back")
 _HALVINGS = 60
 
 
-def line_pressures(corners: FloatArray, length: float) -> FloatArray:
+def line_pressures(corners: FloatArray, length: float, uneven: FloatArray | None = None) -> FloatArray:
     """Force per length at the ends of both tracks.
 
-    Each track is pressed into the ground by w + s x along its length, with one slope s of both: they are
-    parts of one crane. Where that is below zero the track is clear of the ground. What each track carries
-    [F] follows from the forces across, the slope from the moment along that both take together.
+    Each track is pressed into the ground by w + s x along its length. On level ground the slope s is the
+    same for both: they are parts of one crane. Ground that rises along a track towards its front adds a slope
+    of that track's own. Where the force is below zero the track is clear of the ground. What each track
+    carries [F] follows from the forces across, the common slope from the moment along of both.
 
     Args:
         corners: Forces under the ends of the tracks, in the order of `CORNERS`, shape (time, 4) [N].
         length: Length of a track on the ground [L, m].
+        uneven: What the ground adds to the slope of each track [u_t, N/m^2], shape (time, 2), left and right;
+            nothing on level ground.
 
     Returns:
         Force per length of each end, the same order and shape [N/m]; 0 where an end is clear. Where all
@@ -39,40 +42,42 @@ def line_pressures(corners: FloatArray, length: float) -> FloatArray:
     # Not more than what a hundredth of the length at the end can bear: a triangle of which the resultant is
     # at its third.
     most = carried.sum(axis=1) * length * (0.5 - 0.01 / 3)
-    slope = _slope(carried, np.minimum(np.abs(moment), most), length)
-    near, far = np.zeros_like(carried), np.zeros_like(carried)
-    for track in range(2):
-        force = carried[:, track]
-        mean = force / length
-        whole = slope * length <= 2 * mean  # all of the track is on the ground
-        near[:, track] = np.where(whole, mean + slope * length / 2, np.sqrt(2 * force * slope))
-        far[:, track] = np.where(whole, mean - slope * length / 2, 0.0)
-    front = np.where(forward[:, None] > 0, near, far)
-    back = np.where(forward[:, None] > 0, far, near)
+    own = np.zeros_like(carried) if uneven is None else forward[:, None] * uneven
+    slopes = own + _slope(carried, np.minimum(np.abs(moment), most), own, length)[:, None]
+    steep = np.abs(slopes)
+    mean = carried / length
+    whole = steep * length <= 2 * mean  # all of the track is on the ground
+    near = np.where(whole, mean + steep * length / 2, np.sqrt(2 * carried * steep))
+    far = np.where(whole, mean - steep * length / 2, 0.0)
+    ahead = forward[:, None] * slopes >= 0
+    front, back = np.where(ahead, near, far), np.where(ahead, far, near)
     return np.stack([front[:, 0], back[:, 0], front[:, 1], back[:, 1]], axis=1)
 
 
-def _slope(carried: FloatArray, moment: FloatArray, length: float) -> FloatArray:
-    """Slope of the force per length [s, N/m^2] with which both tracks take a moment [N m], shape (time,)."""
+def _slope(carried: FloatArray, moment: FloatArray, own: FloatArray, length: float) -> FloatArray:
+    """Slope of the force per length [s, N/m^2] with which both tracks take a moment [N m], shape (time,).
+
+    It comes on top of what each track has of its own, shape (time, 2).
+    """
     total = carried.sum(axis=1)
-    low = np.zeros_like(moment)
+    steepest = np.abs(own).max(axis=1)
     # Beyond this even the heavier track stands on less than a hundredth of its length.
-    high = np.maximum(2e4 * total / length**2, np.finfo(float).tiny)
+    low, high = -steepest, np.maximum(2e4 * total / length**2, np.finfo(float).tiny) + steepest
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
-        below = _moment(carried, middle, length) < moment
+        below = _moment(carried, own + middle[:, None], length) < moment
         low, high = np.where(below, middle, low), np.where(below, high, middle)
     slope: FloatArray = (low + high) / 2
     return slope
 
 
-def _moment(carried: FloatArray, slope: FloatArray, length: float) -> FloatArray:
-    """Moment of both tracks about their middle at a slope of the force per length, shape (time,) [N m]."""
-    total = np.zeros_like(slope)
-    for force in carried.T:
-        whole = slope * length**2 <= 2 * force
-        on_ground = np.sqrt(2 * force / np.maximum(slope, np.finfo(float).tiny))
-        total += np.where(whole, slope * length**3 / 12, force * (length / 2 - on_ground / 3))
+def _moment(carried: FloatArray, slopes: FloatArray, length: float) -> FloatArray:
+    """Moment of both tracks about their middle at slopes of the force per length, shape (time,) [N m]."""
+    steep = np.abs(slopes)
+    on_ground = np.sqrt(2 * carried / np.maximum(steep, np.finfo(float).tiny))
+    whole = steep * length**2 <= 2 * carried
+    moments = np.where(whole, steep * length**3 / 12, carried * (length / 2 - on_ground / 3))
+    total: FloatArray = (np.sign(slopes) * moments).sum(axis=1)
     return total
 
 

@@ -17,6 +17,7 @@ from gantline.results.form import FormError, hold_form
 from gantline.results.layout import BY_RIG, COUNTED, DIMS, FIXED, OPTIONAL, hold_variable
 from gantline.results.metrics import ENERGY_BOUNDS
 from gantline.results.recording import Recording
+from gantline.results.refinement import Refinement
 from gantline.results.rig import Rig
 from gantline.results.scene import hold_scene
 
@@ -52,6 +53,7 @@ _ATTRIBUTES: dict[str, tuple[Any, bool]] = {
     "counters": (Mapping[str, int] | None, False),
     "energy_remainder": (float | None, False),
     "failure": (_Failure | None, False),
+    "refinement": (Refinement | None, False),
 }
 
 

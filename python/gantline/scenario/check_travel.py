@@ -12,7 +12,7 @@ from typing import Any
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
-from gantline.scenario.movers import Mover, mover
+from gantline.scenario.movers import Mover, boom_angles_at_end, mover
 from gantline.scenario.steps import HookStep, Kind, MovingStep
 
 __all__ = ["check_travel", "said"]
@@ -41,31 +41,39 @@ def check_travel(findings: Findings) -> None:
     """Note steps that leave the range of a trolley, crane or boom, or hoist a hook too high."""
     where: dict[str, _Bounds] = {}
     plan = findings.scenario.plan
-    for place, step in enumerate(plan):
+    for place, (step, angles) in enumerate(zip(plan, boom_angles_at_end(findings.scenario), strict=True)):
         if not isinstance(step, MovingStep):
             continue
         for text in dict.fromkeys(step.moved):
             one = mover(findings.scenario, step.kind, text)
             if one is None or one.start is None:
                 continue
+            # Hooks at booms as their drums count them: a height less what the boom head has gone up.
+            angle, is_known = (0.0, True) if one.head is None else angles[one.head.boom]
+            head_up = 0.0 if one.head is None else one.head.rise(angle)
             before = where.get(one.name, (one.start, one.start))
-            where[one.name] = after = _after(step, before)
+            where[one.name] = after = _after(step, before, head_up)
             key = (
                 "to" if getattr(step, "to", None) is not None else "by" if step.by is not None else step.verb
             )
             path: Path = ("plan", place, key)
             if isinstance(step, HookStep):
-                _check_direction(findings, path, step, before)
-            _check_range(findings, path, one, after)
+                _check_direction(findings, path, step, _raised(before, head_up))
+            if is_known:
+                _check_range(findings, path, one, _raised(after, head_up))
         aside = place + 1 < len(plan) and getattr(plan[place + 1], "starts", "") == "with_previous"
         if not aside:
             _check_distances(findings, ("plan", place), where)
 
 
-def _after(step: MovingStep, before: _Bounds) -> _Bounds:
+def _raised(bounds: _Bounds, by: float) -> _Bounds:
+    return bounds[0] + by, bounds[1] + by
+
+
+def _after(step: MovingStep, before: _Bounds, head_up: float) -> _Bounds:
     to = getattr(step, "to", None)
     if to is not None:
-        return to, to
+        return to - head_up, to - head_up
     if step.by is not None:
         way = step.sign * step.by
         return before[0] + way, before[1] + way

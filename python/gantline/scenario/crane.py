@@ -63,7 +63,9 @@ class Hoist(Element):
 
     what: ClassVar[str] = "a hoist"
 
-    speed: PositiveSpeed = Field(description="Highest hoisting speed.")
+    speed: PositiveSpeed = Field(
+        description="Highest hoisting speed; on a drum with layers that on the first."
+    )
     creep: PositiveSpeed | None = Field(None, description="Creep speed.")
     acceleration: PositiveAcceleration = Field(
         description="Highest acceleration; also used where a step names none."

@@ -2,18 +2,39 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 from gantline.scenario.crawler import Crawler, Slewing, upper_body
 from gantline.scenario.goliath import Goliath, Traverse
-from gantline.scenario.hooks import full_name, trolley_name
+from gantline.scenario.hooks import Hook, full_name, trolley_name
 from gantline.scenario.luffing import Luffing, LuffingGear
 from gantline.scenario.model import Scenario
 from gantline.scenario.mooring import MooringLine
+from gantline.scenario.reel import Reel
 from gantline.scenario.steps import Kind, LuffStep
 from gantline.scenario.tag_line import TagLine, tag_rope
 
-__all__ = ["Mover", "boom_angles", "mover", "movers"]
+__all__ = ["Head", "Mover", "boom_angles", "boom_angles_at_end", "mover", "movers"]
+
+
+@dataclass(frozen=True)
+class Head:
+    """The boom head from which a hook hangs: its drum stands on it, and goes up and down with it.
+
+    Attributes:
+        boom: name of the boom.
+        length: of the boom [m].
+        start: angle of the boom at the start [rad].
+    """
+
+    boom: str
+    length: float
+    start: float
+
+    def rise(self, angle: float) -> float:
+        """How much higher it is at an angle of the boom [rad] than at the start, on a level base [m]."""
+        return self.length * (math.sin(angle) - math.sin(self.start))
 
 
 @dataclass(frozen=True)
@@ -32,6 +53,8 @@ class Mover:
         zero: what `to` counts where the drive is at 0 [m, rad].
         range: least and largest position as `to` counts it [m, rad]; None where there is no limit.
         gear: of a boom in tackles what its drive takes up of them [m] at an angle.
+        head: of a hook at a boom that luffs: where `to` counts from goes up with it.
+        reel: of a hook whose rope lies on its drum in layers how far it goes for what its drive counts.
     """
 
     name: str
@@ -45,6 +68,8 @@ class Mover:
     zero: float = 0.0
     range: tuple[float, float] | None = None
     gear: LuffingGear | None = None
+    head: Head | None = None
+    reel: Reel | None = None
 
 
 def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
@@ -86,6 +111,22 @@ def boom_angles(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
         For each step by the name of the boom the last angle that the plan says [rad], and whether it is there
         still: a step that ends on a condition or at a time leaves it somewhere else.
     """
+    return _angles(scenario)[:-1]
+
+
+def boom_angles_at_end(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
+    """The same where each step of the plan and all that goes on beside it have ended."""
+    before, found = _angles(scenario), []
+    for place in range(len(scenario.plan)):
+        after = place + 1
+        while after < len(scenario.plan) and getattr(scenario.plan[after], "starts", "") == "with_previous":
+            after += 1
+        found.append(before[after])
+    return found
+
+
+def _angles(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
+    """Where booms are before each step, and at the end of the plan."""
     where = {placed.name: (placed.boom.angle, True) for placed in scenario.booms.values()}
     before = []
     for step in scenario.plan:
@@ -101,7 +142,7 @@ def boom_angles(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
                 where[one.name] = step.to, True
             else:
                 where[one.name] = angle + (step.by or 0.0), known and step.by is not None
-    return before
+    return [*before, where]
 
 
 def mover(scenario: Scenario, kind: Kind, text: str) -> Mover | None:
@@ -133,8 +174,27 @@ def _hooks(scenario: Scenario) -> dict[str, Mover]:
             start=hook.height,
             zero=hook.height,
             range=None if hook.highest is None else (-float("inf"), hook.highest),
+            head=_head(scenario, hook),
+            reel=_reel(scenario, hook),
         )
     return found
+
+
+def _head(scenario: Scenario, hook: Hook) -> Head | None:
+    if hook.carrier is None or hook.carrier.kind != "boom":
+        return None
+    placed = scenario.booms[hook.crane]
+    return None if placed.luffing is None else Head(placed.name, placed.boom.length, placed.boom.angle)
+
+
+def _reel(scenario: Scenario, hook: Hook) -> Reel | None:
+    drum, reeving = hook.drum, hook.reeving
+    if drum is None or reeving is None or drum.wraps_per_layer is None or drum.wraps_at_start is None:
+        return None
+    step = drum.step((scenario.ropes or {})[reeving.rope].diameter)
+    if step == 0.0:
+        return None
+    return Reel(reeving.parts_each, drum.diameter / 2, step, drum.wraps_per_layer, drum.wraps_at_start)
 
 
 def _drums(scenario: Scenario) -> dict[str, Mover | None]:

@@ -1,9 +1,10 @@
-"""Many answers about one lift: its cases, how it hangs over a quantity, what makes it hang as wanted."""
+"""Many answers about one lift: cases, how it hangs over a quantity, hanging as wanted, a finer run."""
 
 from gantline.study.afloat import VesselAttitude
 from gantline.study.ballast import BallastAnswer, solve_ballast
 from gantline.study.cases import CasesResult, run_cases
 from gantline.study.inverse import CannotBeError, HookAnswer, LengthAnswer, adjust_lengths, plumb_hooks
+from gantline.study.refinement import finer_simulation, refined
 from gantline.study.state import State, Worst, values_of, worst_of
 from gantline.study.sweep import SweepPoint, run_sweep
 from gantline.study.tilting import Margin, TiltAxis, Tilting, margins_of, tilting_of
@@ -22,8 +23,10 @@ __all__ = [
     "VesselAttitude",
     "Worst",
     "adjust_lengths",
+    "finer_simulation",
     "margins_of",
     "plumb_hooks",
+    "refined",
     "run_cases",
     "run_sweep",
     "solve_ballast",

@@ -10,14 +10,19 @@ use crate::tree::Tree;
 /// Whether what is said of a drum can be.
 pub(super) fn check_drum(name: &str, drum: &DrumSpec) -> Result<(), BuildError> {
     at_least_zero(name, "the tension of the rope on its drum", drum.laid_under.unwrap_or(0.0))?;
-    let Some(LayersSpec { radius, step, turns, start }) = drum.layers else { return Ok(()) };
+    drum.layers.as_ref().map_or(Ok(()), |given| build_layers(name, given).map(|_| ()))
+}
+
+/// Layers on a drum, of which an element speaks.
+pub(super) fn build_layers(name: &str, given: &LayersSpec) -> Result<Layers, BuildError> {
+    let LayersSpec { radius, step, turns, start } = *given;
     positive(name, "the radius of its drum", radius)?;
     at_least_zero(name, "the step of the radius of its drum", step)?;
     at_least_zero(name, "the number of turns on its drum", start)?;
     if !(turns.is_finite() && turns >= 1.0) {
         return error(name, format!("a layer on its drum has {turns} turns; it must have one or more"));
     }
-    Ok(())
+    Ok(layers(given))
 }
 
 /// The ends of ropes on drums, in the order of ropes and routes: that of the numbers that the feeds have.

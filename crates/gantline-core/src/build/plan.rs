@@ -1,11 +1,12 @@
 //! Drives and the steps of the plan.
 
+use super::coils::build_layers;
 use super::conditions::{build_condition, build_follow, build_way};
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
-use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Plan, Step, StopAt, Switching, Until};
+use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Plan, Reel, Step, StopAt, Switching, Until};
 use crate::spec::{
-    AxisJointSpec, BodySpec, EmergencySpec, JointSpec, StepSpec, StopAtSpec, SystemSpec, UntilSpec,
+    AxisJointSpec, BodySpec, EmergencySpec, JointSpec, ReelSpec, StepSpec, StopAtSpec, SystemSpec, UntilSpec,
 };
 use crate::system::{ContactGroup, DriveJoint, Rows};
 use crate::tree::Tree;
@@ -107,6 +108,11 @@ pub fn build_emergency(
     Ok(Emergency { acceleration, brake })
 }
 
+fn build_reel(element: &str, given: &ReelSpec) -> Result<Reel, BuildError> {
+    positive(element, "the rope that a drive winds up", given.rate)?;
+    Ok(Reel { rate: given.rate, layers: build_layers(element, &given.layers)? })
+}
+
 fn build_step(
     given: &StepSpec,
     tree: &Tree,
@@ -128,8 +134,12 @@ fn build_step(
         if let Some(range) = motion.range {
             finite(name, "the range of a drive", &range)?;
         }
+        let reel = match &motion.reel {
+            Some(reel) => Some(build_reel(name, reel)?),
+            None => None,
+        };
         let range = motion.range;
-        moves.push(Move { drive, velocity, acceleration, shape, range, emergency });
+        moves.push(Move { drive, velocity, acceleration, shape, range, emergency, reel });
     }
     let until = match &given.until {
         UntilSpec::BrakeFrom { time } => Until::BrakeFrom(*time),

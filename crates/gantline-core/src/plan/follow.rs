@@ -236,7 +236,15 @@ mod tests {
     const LOOK: f64 = 1.0;
 
     fn limits(velocity: f64, acceleration: f64, range: Option<[f64; 2]>) -> Move {
-        Move { drive: 0, velocity, acceleration, shape: RampShape::Linear, range, emergency: None }
+        Move {
+            drive: 0,
+            velocity,
+            acceleration,
+            shape: RampShape::Linear,
+            range,
+            emergency: None,
+            reel: None,
+        }
     }
 
     /// A place that goes on by itself, the drive behind it; what it is behind at every look.

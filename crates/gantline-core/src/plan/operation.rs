@@ -261,13 +261,19 @@ impl PlanState {
             let is_position = matches!(step.until, Until::Positions(_));
             let mut last = begin;
             for (motion, given) in step.moves.iter().zip(given.iter().cycle()) {
-                let Move { drive, velocity, acceleration, shape, .. } = *motion;
+                let Move { drive, velocity, acceleration, shape, reel, .. } = *motion;
                 let timeline = &mut self.timelines[drive];
                 if timeline.commanded().is_some() {
                     continue;
                 }
-                let from = if is_position { timeline.motion(begin).position } else { 0.0 };
-                last = timeline.travel(begin, given - from, velocity, acceleration, shape).max(last);
+                let here = timeline.motion(begin).position;
+                let by = match (reel, is_position) {
+                    (None, true) => given - here,
+                    (None, false) => *given,
+                    (Some(reel), true) => reel.position(*given) - here,
+                    (Some(reel), false) => reel.position(reel.gone(here) + given) - here,
+                };
+                last = timeline.travel(begin, by, velocity, acceleration, shape).max(last);
             }
             return Phase::UntilTime(last);
         }

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::condition::Condition;
 use super::follow::Follow;
+use crate::rope::coil::Layers;
 use crate::spec::RampShape;
 
 /// One drive in a step.
@@ -21,6 +22,29 @@ pub struct Move {
     pub range: Option<[f64; 2]>,
     /// Acceleration with which it brakes at the end, where that is another, and what holds it from then on [N].
     pub emergency: Option<Emergency>,
+    /// What goes farther than the drive counts, since its rope lies on a drum in layers.
+    pub reel: Option<Reel>,
+}
+
+/// A drum with layers, of which a drive counts the rope on the first one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reel {
+    /// Rope of the first layer that is wound up per unit of the drive.
+    pub rate: f64,
+    /// Its layers.
+    pub layers: Layers,
+}
+
+impl Reel {
+    /// How far what it moves has gone since the start, where the drive is at `position` [m].
+    pub fn gone(&self, position: f64) -> f64 {
+        self.layers.wound(self.rate * position) / self.rate
+    }
+
+    /// Where the drive is when what it moves has gone so far since the start [m].
+    pub fn position(&self, gone: f64) -> f64 {
+        self.layers.turned_at(self.rate * gone) / self.rate
+    }
 }
 
 /// How a drive is stopped in an emergency.

@@ -161,6 +161,9 @@ fn together(lengths: [f64; 2], strains: [f64; 2]) -> f64 {
 /// Part of a turn in which rope climbs from one layer onto the next.
 const CLIMB: f64 = 0.5;
 
+/// Steps of Newton's method for what a drum has turned; it takes about one for each layer.
+const MOST_STEPS: usize = 100;
+
 /// Layers of rope on a drum. Their radii grow by steps; from one layer to the next the radius grows within half a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layers {
@@ -198,6 +201,20 @@ impl Layers {
         let extra = |turns: f64| CLIMB * self.sum(turns, climbed);
         let more = extra(self.turns_at(turned)) - extra(self.start);
         turned + std::f64::consts::TAU * self.radius * self.growth * more
+    }
+
+    /// What the drum has turned, as rope on the first layer [m], where so much rope has been wound up since the start.
+    pub fn turned_at(&self, wound: f64) -> f64 {
+        let mut turned = wound;
+        for _ in 0..MOST_STEPS {
+            let step = (wound - self.wound(turned)) / self.ratio(turned);
+            turned += step;
+            // Each layer is wider than the one below, so that Newton's method comes from above and cannot miss.
+            if step.abs() <= f64::EPSILON * turned.abs() {
+                break;
+            }
+        }
+        turned
     }
 
     /// Sum over the climbs that have begun at `turns`, of how far over them the rope is, in climbs.

@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use super::rope::LayersSpec;
+
 /// A drive: the prescribed motion of one joint.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -95,6 +97,19 @@ pub struct MoveSpec {
     /// A step that ends by an emergency stop.
     #[serde(default)]
     pub emergency: Option<EmergencySpec>,
+    /// Of a drive that counts the rope on the first layer of its drum: what distances and positions of the step are of.
+    #[serde(default)]
+    pub reel: Option<ReelSpec>,
+}
+
+/// A drum with layers, of which a drive counts the rope on the first one.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ReelSpec {
+    /// Rope of the first layer that is wound up per unit of the drive.
+    pub rate: f64,
+    /// Its layers.
+    pub layers: LayersSpec,
 }
 
 /// An emergency stop of a drive.

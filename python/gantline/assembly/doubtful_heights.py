@@ -1,0 +1,30 @@
+"""Steps that take a hook to a height under a boom of which nobody knows the angle before the run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gantline.scenario import Scenario
+from gantline.scenario.movers import boom_angles_at_end, mover
+from gantline.scenario.steps import HookStep
+from gantline.units import format_quantity
+
+__all__ = ["doubtful_heights"]
+
+
+def doubtful_heights(scenario: Scenario) -> Iterator[str]:
+    """A sentence for each step that ends at a height which counts from a boom head that may be elsewhere."""
+    for step, angles in zip(scenario.plan, boom_angles_at_end(scenario), strict=True):
+        if not isinstance(step, HookStep) or step.to is None:
+            continue
+        for text in step.moved:
+            one = mover(scenario, step.kind, text)
+            if one is None or one.head is None:
+                continue
+            angle, is_known = angles[one.head.boom]
+            if not is_known:
+                height = format_quantity(step.to, "m", 2)
+                at = format_quantity(angle, "deg", 1)
+                took = f"takes {one.name} to {height} as if {one.head.boom} stood at {at}"
+                luffed = "it has luffed until something held, and its head is higher or lower by that"
+                yield f"step '{step.step}' {took}; {luffed}: 'by' or 'until' says what is meant"

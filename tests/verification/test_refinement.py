@@ -1,0 +1,85 @@
+"""Numerical errors that `--refine` tells, against motion that is known."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from gantline.checks import Verdict, check_recording
+from gantline.results.refinement import Refinement, refinement_of
+from gantline.scenario import parse_scenario
+from gantline.simulation import Simulation
+from gantline.study import finer_simulation, refined
+
+#: Acceleration with which the load is picked up [m/s^2], and gravity.
+ACCELERATION, GRAVITY = 0.5, 10.0
+MASS, BREAKING = 20e3, 1e6
+#: A load of 20 t on one sling without weight, at rest as it begins; the hook accelerates all the time.
+LIFT = f"""
+format: 1
+lift: {{title: A load picked up with a constant acceleration}}
+start: rest
+duration: 1.9 s
+simulation: {{gravity: {GRAVITY} m/s^2, sample_interval: 20 ms}}
+ropes:
+  stiff: {{axial_stiffness: 20 MN, damping_time: 0, minimum_breaking_force: {BREAKING:g} N}}
+load:
+  name: module
+  shape: {{box: [4 m, 4 m, 2 m]}}
+  weight: {{calculated: 20 t}}
+  centre_of_gravity: {{at: [0, 0, 1 m]}}
+  lugs: {{top: {{at: [0, 0, 2 m]}}}}
+cranes:
+  crane: {{type: fixed_hook, at: [0, 0, 22 m], hoist: {{speed: 1 m/s, acceleration: {ACCELERATION} m/s^2}}}}
+slings:
+  one: {{from: crane, to: module.top, length: 20 m, rope: stiff}}
+plan:
+  - {{step: hoist, hoist: crane, speed: 1 m/s, by: 5 m}}
+"""
+#: T = m g + m a (1 - cos w t): what breaks the sling over the largest, whatever the stiffness.
+EXACT = BREAKING / (MASS * (GRAVITY + 2.0 * ACCELERATION))
+
+
+def errors(**settings: Any) -> tuple[float, float, Refinement]:
+    """Errors of what breaks the sling over its largest tension, as run and in the finer run."""
+    simulation = Simulation(parse_scenario(LIFT), **settings)
+    recording = simulation.run()
+    found = refinement_of(refined(recording, finer_simulation(simulation, recording).run()))
+    assert found is not None
+    figure = next(one for one in found.figures if one.name == "rope_factor_on_breaking_force")
+    return figure.value - EXACT, figure.finer - EXACT, found
+
+
+@pytest.mark.parametrize("step", [4e-3, 2e-3, 1e-3])
+def test_three_quarters_of_the_error_of_a_first_order_method(step: float) -> None:
+    """(1 - 1/4) e of `del`, to 1 %: its error has 0.6 % of a second order at the longest step."""
+    as_run, finer, found = errors(integrator="del", step=step)
+    assert as_run - finer == pytest.approx(0.75 * as_run, rel=0.01)
+    assert found.settings == {"step": step / 4}
+
+
+@pytest.mark.parametrize("tolerance", [20e3, 2e3, 200.0])
+def test_nine_tenths_of_the_error_under_error_control(tolerance: float) -> None:
+    """(1 - 1/10) e of `adaptive`, to the tenth of it by which no error follows a tolerance more closely.
+
+    Steps are whole: of a motion of 60 steps one more or less is 1.6 % of their length and 8 % of the error.
+    """
+    as_run, finer, found = errors(tension_tolerance=tolerance, position_tolerance=5e-7 * tolerance)
+    assert as_run - finer == pytest.approx(0.9 * as_run, rel=0.1)
+    assert found.settings["tension_tolerance"] == pytest.approx(tolerance / 10)
+
+
+def test_a_check_that_comes_out_otherwise_is_a_warning_of_the_recording() -> None:
+    """A limit of 4.555 lies between 4.563 of long steps and 4.545, which is right."""
+    limited = LIFT.replace("ropes:", "limits: {sling_factor_on_breaking_force: 4.555}\nropes:", 1)
+    simulation = Simulation(parse_scenario(limited), integrator="del", step=8e-3)
+    recording = simulation.run()
+    whole = refined(recording, finer_simulation(simulation, recording).run())
+    assert whole.attributes["warnings"][-1] == (
+        "with steps a quarter as long (2 ms) checks come out otherwise: "
+        "sling_factor_on_breaking_force one ok with 4.56 as run, failed with 4.55 so"
+    )
+    said = {check.name: check.verdict for check in check_recording(whole)}
+    assert said["sling_factor_on_breaking_force"] is Verdict.OK
+    assert said["no_warnings"] is Verdict.WARNING
