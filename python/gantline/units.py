@@ -19,6 +19,7 @@ __all__ = [
     "example",
     "format_by_size",
     "format_quantity",
+    "is_quantity",
     "quantity",
     "si_text",
     "units_of",
@@ -93,7 +94,7 @@ _WORDS: Final[dict[str, tuple[str, str]]] = {
     "coupled_damping": ("a damping that couples shift and turn", "'20 kN s'"),
     "mass_per_length": ("a mass per length", "'16.8 kg/m'"),
     "density": ("a density", "'1.025 t/m^3'"),
-    "stress": ("a stress or modulus", "'100 kN/mm^2' or '1960 MPa'"),
+    "stress": ("a stress, pressure or modulus", "'100 kN/mm^2' or '150 kPa'"),
     "ratio": ("a share", "'5 %' or '0.05'"),
 }
 
@@ -116,6 +117,22 @@ _ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
         "knots": (1852 / 3600, "m/s"),
         "m/h": (1 / 60, "m/min"),
     },
+    "stress": {
+        "t/m^2": (9.80665, "kPa"),
+        "kN/m^2": (1.0, "kPa"),
+        "bar": (100.0, "kPa"),
+        "psi": (6.894757293168, "kPa"),
+    },
+}
+#: Units in other spellings, which are not near to their symbols.
+_SPELT_OUT: Final[dict[str, str]] = {
+    **dict.fromkeys(("tonne", "tonnes", "metric ton", "metric tons"), "t"),
+    **dict.fromkeys(("metre", "metres", "meter", "meters"), "m"),
+    **dict.fromkeys(("second", "seconds"), "s"),
+    **dict.fromkeys(("minute", "minutes"), "min"),
+    **dict.fromkeys(("hr", "hrs", "hour", "hours"), "h"),
+    **dict.fromkeys(("\u00b0", "\u00ba"), "deg"),
+    **dict.fromkeys(("percent", "per cent"), "%"),
 }
 #: One that has several sizes.
 _TONS: Final = "a short ton is 0.9072 t, a long ton 1.016 t"
@@ -154,6 +171,11 @@ def common_dimension(*texts: str) -> str:
             raise UnitError(f"found '{text[:_LONGEST]}'; {what}")
         common = fitting
     return common[-1] if "ratio" in common else common[0]
+
+
+def is_quantity(text: str) -> bool:
+    """Whether a text is a number with a unit of any dimension, or a share."""
+    return any(_is_quantity(text, dimension) for dimension in DIMENSIONS)
 
 
 def si_text(value: float, dimension: str) -> str:
@@ -258,10 +280,12 @@ def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
     if unit in (elsewhere := _ELSEWHERE.get(dimension, {})):
         factor, here = elsewhere[unit]
         return f"'{shown}' is {number * factor:.7g} {here}; units are metric: {example(dimension)}"
-    if dimension == "mass" and unit.endswith(("ton", "tons")):
+    spelt_out = _SPELT_OUT.get(unit.lower())
+    if spelt_out is None and dimension == "mass" and unit.endswith(("ton", "tons")):
         return f"'{unit}' in '{shown}' has several sizes: {_TONS}; {example(dimension)}"
     known = [symbol for symbol in DIMENSIONS[dimension] if symbol]
     lowered = {symbol.lower(): symbol for symbol in reversed(known)}
     near = difflib.get_close_matches(unit.lower(), list(lowered), n=1, cutoff=0.5)
-    hint = f"did you mean '{lowered[near[0]]}'?" if near else example(dimension)
+    likely = spelt_out if spelt_out in known else lowered[near[0]] if near else None
+    hint = example(dimension) if likely is None else f"did you mean '{likely}'?"
     return f"'{unit}' in '{shown}' is not a unit of {_WORDS[dimension][0].split(' ', 1)[1]}; {hint}"

@@ -2,6 +2,7 @@
 
 import json
 import os
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -156,7 +157,7 @@ def test_a_new_lift_is_in_order(tmp_path: Path) -> None:
     code, out, _ = gantline_says("new", str(folder))
     assert code == 0
     assert sorted(path.name for path in folder.iterdir()) == ["lift.schema.json", "scenario.yaml"]
-    assert f"gantline run {folder}" in out
+    assert shlex.split(out.splitlines()[-1]) == ["Next:", "gantline", "run", str(folder)]  # fit for a shell
     code, out, err = gantline_says("check", str(folder))
     assert (code, err) == (0, "")
     assert "in order" in out
@@ -235,6 +236,11 @@ def test_a_lift_that_comes_with_gantline_is_known_by_name(
     assert gantline_says("check", "equalizer")[0] == 0
     (tmp_path / "equalizer").write_text("format: 2")  # a file of that name goes first
     assert gantline_says("check", "equalizer")[0] == 2
+
+
+def test_verbs_of_cad_have_lines_that_are_not_cut_short() -> None:
+    code, out, _ = gantline_says("cad", "--help")
+    assert code == 0 and not any(line.endswith("...") for line in out.splitlines()[1:])
 
 
 def test_new_never_overwrites(tmp_path: Path) -> None:

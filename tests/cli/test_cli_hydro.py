@@ -61,7 +61,7 @@ def test_drafts_are_chosen_where_none_are_given() -> None:
     ("arguments", "problem"),
     [
         (["nowhere.stl"], "nowhere.stl: cannot be read (no such file"),
-        (["box:100m,30m,8m", "--drafts", "9 m"], "is under water with all of it; it reaches from 0 to 8 m"),
+        (["box:100m,30m,8m", "--drafts", "9 m"], "is wholly under water; it reaches from 0 to 8 m"),
         (["box:100m,30m,8m", "--drafts", "-1 m"], "is out of the water"),
         (["box:100m,30m,8m", "--drafts", "4"], "--drafts: '4' has no unit"),
         (["box:100m,30m,8m", "--drafts", "1 m..2 m/x"], "'x' is no number of values"),
@@ -93,7 +93,7 @@ def test_gaps_are_warned_of(tmp_path: Path) -> None:
     # It floated no deeper than to two thirds of its depth: so much of it counted as all.
     deep = hydro(hull, "--drafts", "2.9 m")
     assert re.search(r"\n +2\.900 +53\.50 +52\.20 ", deep.stdout), deep.stdout + deep.stderr
-    assert "is under water with all of it" in hydro(hull, "--drafts", "3 m").stderr
+    assert "is wholly under water" in hydro(hull, "--drafts", "3 m").stderr
 
 
 def test_one_side_of_a_hull_and_an_axis_that_points_up(tmp_path: Path) -> None:

@@ -288,6 +288,18 @@ def test_a_sweep_as_json() -> None:
     assert all(point["sling_tension"]["S1"] > 580e3 for point in document["points"])
 
 
+@pytest.mark.parametrize(
+    ("span", "says"),
+    [
+        ("36.4..36.5", "--sweep: found '36.4'; a length is written like '23 m' or '66 mm'"),
+        ("36.4 m..36.5 s", "--sweep: found '36.5 s'; a length is written like '23 m' or '66 mm'"),
+    ],
+)
+def test_values_of_a_sweep_are_like_the_one_in_the_lift_file(span: str, says: str) -> None:
+    result = statics("equalizer", "--sweep", f"cranes.test_hook.at.z={span}/2")
+    assert (result.returncode, result.stderr.strip()) == (2, f"error: {says}")
+
+
 @pytest.mark.parametrize("names", ["", ","])
 def test_an_empty_choice_is_refused(names: str) -> None:
     result = statics("equalizer", "--level", "--adjust", names)

@@ -79,6 +79,14 @@ def test_a_load_that_is_turned_has_its_swing_in_place_of_its_drift() -> None:
     assert groups(level) == ["tilt", "drift", "height"] and not swing_of(level)
 
 
+@pytest.mark.parametrize("kind", ["traverse", "travel"])
+def test_swing_is_told_after_the_last_way_of_its_kind(kind: str) -> None:
+    plain = lift(swing=0.02)
+    plan = [{**step, "kind": kind} for step in plain.attributes["rig"]["plan"] if step["step"] == "hoist"]
+    gone = lift(swing=0.02, rig={**plain.attributes["rig"], "plan": plan})
+    assert dict(attitude(Subject(gone)))[f"swing after the last {kind}"] == "0.020 m"
+
+
 def test_a_lift_that_goes_on_keeps_room_for_what_may_come() -> None:
     assert groups(lift(status="ready")) == ["tilt", "drift", "height"]
     content = Attitude().content(Subject(lift(status="ready")))

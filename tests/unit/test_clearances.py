@@ -9,6 +9,8 @@ import pytest
 
 from gantline.checks.contacts import clearance_margin, of_capacity
 from gantline.checks.measure import Found, Missing, everywhere
+from gantline.report.attitude import attitude
+from gantline.report.subject import Subject
 from gantline.results.clearances import clearance_events, contact_warnings, peak_support_force
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
@@ -99,6 +101,12 @@ def test_checks_hold_supports_against_capacity_and_pairs_against_their_distance(
         Found(-1.0, "hull - wall", 2.0, "1.000 m - 2 m"),
         Found(0.0, "slings - hull", 3.0, "0.000 m - 0 m"),
     ]
+
+
+def test_the_first_page_names_the_pair_that_is_nearest_to_what_it_has_to_keep() -> None:
+    """The slings come to 0 m and need not keep any; the hull comes to 1 m and has to keep 2 m."""
+    (row,) = [text for name, text in attitude(Subject(recording())) if name == "tightest clearance"]
+    assert row == "hull - wall 1.00 m, at least 2 m, at 2.0 s"
 
 
 def test_peaks_and_metrics() -> None:

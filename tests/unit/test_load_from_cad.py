@@ -223,3 +223,23 @@ def test_the_load_is_lifted_and_drawn(tmp_path: Path) -> None:
     recording.save(tmp_path / "lift.nc")
     again = gantline.open_recording(tmp_path / "lift.nc")
     assert np.array_equal(snapshot(again, 0).boxes[-1].faces, snapshot(recording, 0).boxes[-1].faces)
+
+
+def test_the_check_of_a_lift_file_says_where_cad_has_the_centre(tmp_path: Path) -> None:
+    path = lift(tmp_path, OUTFITTING)
+    path.write_text(path.read_text(encoding="utf-8").replace(*FROM_CAD), encoding="utf-8")
+    result = CliRunner().invoke(app, ["check", str(path)])
+    assert result.exit_code == 0, result.output
+    assert "by CAD and outfitting: [-0.417 m, 0.167 m, " in result.output
+
+
+def test_corners_of_an_envelope_need_a_stated_centre(tmp_path: Path) -> None:
+    path = lift(tmp_path, OUTFITTING)
+    text = path.read_text(encoding="utf-8").replace(
+        "at: [0 m, 0 m, 1.5 m]", "at: from_cad, envelope: [0.1 m, 0 m, 0 m]"
+    )
+    case = "cases: {corners: {vary: load.centre_of_gravity.envelope, corners: all}}\n"
+    path.write_text(text + case, encoding="utf-8")
+    result = CliRunner().invoke(app, ["check", str(path)])
+    assert result.exit_code == 2
+    assert "cases.corners.vary: the centre of gravity is that of the CAD file; state it in" in result.output

@@ -20,6 +20,7 @@ from gantline.plot.labels import beside
 from gantline.plot.moments import moments
 from gantline.plot.panels import TENSION, draw_water
 from gantline.plot.scene import Box, snapshot
+from gantline.plot.style import curves
 from gantline.plot.views import equalizer, system
 from gantline.results.recording import Recording
 from sample_lift import ringing_lift, sample_recording, sample_rig, sample_scene
@@ -55,6 +56,19 @@ def plain_system() -> Recording:
 def text_of(figure: Figure) -> str:
     texts: list[Text] = figure.findobj(Text)
     return "\n".join(text.get_text() for text in texts)
+
+
+def test_curves_that_are_one_on_paper_are_dashes_of_all_their_colours() -> None:
+    """Two that agree to 0.4 % of their reach, one 1 % beside them, and one that is not there at first."""
+    time = np.linspace(0.0, 1.0, 101)
+    late = np.where(time < 0.2, np.nan, 100.0 * time)
+    values = {"a": 100.0 * time, "b": 100.0 * time + 0.4, "c": 100.0 * time + 1.0, "d": late}
+    panel = Figure().add_subplot()
+    curves(panel, time, values)
+    lines = panel.get_lines()
+    assert [line.is_dashed() for line in lines] == [False, True, False, False]
+    assert lines[1].get_linewidth() == lines[0].get_linewidth() > lines[2].get_linewidth()
+    assert len({line.get_color() for line in lines}) == 4
 
 
 def test_pictures_of_a_lift_with_an_equalizer(drawn: dict[str, Figure]) -> None:

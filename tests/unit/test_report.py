@@ -22,7 +22,7 @@ from gantline.report.first_page import FirstPage, beyond, stop_if
 from gantline.report.sketch import sketches
 from gantline.report.steps import StepsContinued, first_steps
 from gantline.report.subject import Subject
-from gantline.report.tables import LiftFile
+from gantline.report.tables import Energy, LiftFile
 from gantline.results import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import Variable
@@ -209,6 +209,35 @@ def test_sketches_are_to_scale() -> None:
             "S4",
             "S5",
         }
+
+
+@pytest.mark.parametrize(("way", "right"), [((40.0, 0.0), "x to the right"), ((0.0, 40.0), "y to the right")])
+def test_hooks_side_by_side_do_not_cover_each_other(way: tuple[float, float], right: str) -> None:
+    plain = ringing_lift()
+    rig = plain.attributes["rig"]
+    (hook,) = rig["hooks"]
+    place = plain["body_position"].values.copy()
+    place[:, plain.coordinates["body"].index("block"), :2] += way
+    variables = {
+        **plain.variables,
+        "body_position": dataclasses.replace(plain["body_position"], values=place),
+    }
+    two = {**rig, "hooks": [hook, {**hook, "name": "block"}]}
+    side, _ = sketches(Subject(Recording(variables, plain.coordinates, {**plain.attributes, "rig": two})))
+    assert side.title.endswith(right)
+
+
+def test_what_a_run_counts_has_names_for_people() -> None:
+    counters = {"steps": 12000, "cut": 8, "fill": 1318, "of a later version": 3}
+    plain = ringing_lift()
+    counted = Recording(plain.variables, plain.coordinates, {**plain.attributes, "counters": counters})
+    content = Energy().content(Subject(counted))
+    assert content["counters"] == [
+        ("steps", "12\u2009000"),
+        ("steps cut at a change of modes", "8"),
+        ("entries of the factors", "1\u2009318"),
+        ("of a later version", "3"),
+    ]
 
 
 def test_sections_that_a_lift_does_not_have_are_left_out() -> None:

@@ -148,6 +148,7 @@ def test_any_size_is_met_exactly_or_refused(
     [
         ({"mass": 100e3}, "yards weld plates of 5 to 40 mm. This structure weighs between 24"),
         ({"centre_height": 8.0}, "with the centre of gravity 8 m high needs"),
+        ({"centre_height": 50.0}, "a height of the centre of gravity of 50 m is not between 0 and 11 m"),
         ({"length": 1.0}, "a length of 1 m is not between 3 and 120 m"),
         ({"double_bottom": 6.0}, "a double bottom of 6 m is not between 0.8 and 4.4 m"),
         ({"tween_decks": 9}, "9 tween decks do not go into a height of 11 m"),

@@ -102,6 +102,24 @@ describe("the report", () => {
     expect(await step.evaluate((one) => getComputedStyle(one, "::after").content)).toContain("20.00 s");
   });
 
+  it("prints a drawing that fills its frame", async () => {
+    const { page } = await open(browser, "report.html");
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    await page.emulateMedia({ media: "print" });
+    const [copy, stage] = await page.evaluate(() =>
+      [".gl-on-paper", ".gl-stage"].map((one) => {
+        const { width, height } = document.querySelector(one)!.getBoundingClientRect();
+        return { width, height };
+      }),
+    );
+    const shape = await page
+      .locator(".gl-on-paper")
+      .evaluate((one: HTMLCanvasElement) => one.width / one.height);
+    expect(copy!.width / copy!.height).toBeCloseTo(shape, 1);
+    expect(stage!.width).toBeCloseTo(copy!.width, 0);
+    expect(stage!.height).toBeCloseTo(copy!.height, 0);
+  });
+
   it.each([false, true])("can be read in the light and in the dark: %s", async (dark) => {
     const texts = ["--ink", "--quiet", "--accent"].map((name): [string, string] => [name, "--paper"]);
     const toned = ["good", "warn", "bad"].map((name): [string, string] => [`--${name}`, `--${name}-wash`]);
@@ -122,6 +140,14 @@ describe("the report", () => {
     const { page } = await open(browser, "report.html", { width: 360, height: 740 });
     const wide = await page.evaluate(() => document.scrollingElement!.scrollWidth);
     expect(wide).toBeLessThanOrEqual(360);
+    // Tables may be wider and scroll; what they are of is read without, and so are the checks.
+    const right = await page.evaluate(() =>
+      [...document.querySelectorAll("caption > span, .checks :is(th, td)")].map(
+        (one) => one.getBoundingClientRect().right,
+      ),
+    );
+    expect(right.length).toBeGreaterThan(20);
+    expect(Math.max(...right)).toBeLessThanOrEqual(360);
   });
 
   it("has tables that keys can scroll where they are wider than the page", async () => {

@@ -204,7 +204,8 @@ describe("a lift", () => {
     const lift = smallLift([1, 1]);
     lift.seek(1);
     expect([...lift.nearest]).toEqual([0, 0, 0.5, 1.25, 0, 0.5]);
-    expect(lift.distance(0)).toBe(1.25);
+    expect(lift.lineOf(0)).toBe(1.25);
+    expect(lift.distance(0)).toBe(lift.group("clearance")[0]!.at(1)); // that to a rope is less than to its middle
     expect(lift.isTooClose(0)).toBe(false);
     lift.seek(2);
     expect(lift.isTooClose(0)).toBe(true);

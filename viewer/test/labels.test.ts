@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
-import type { LimitName } from "../src/chart/frame";
-import { peakPlace } from "../src/chart/marks";
+import { type ChartSpec, type LimitName, liftOffName, limitNames } from "../src/chart/frame";
+import { crosses, type Paper, peakPlace } from "../src/chart/marks";
+import { Curve } from "../src/data/curve";
+import type { Session } from "../src/player/session";
 import { type Box, settle } from "../src/scene/settle";
 
 function box(x: number, y: number, width = 60): Box {
@@ -51,5 +53,79 @@ describe("the name of the highest point of a plot", () => {
     expect(peakPlace(100, 52, 200, area, [limit])).toEqual({ x: 107, y: 46 });
     expect(peakPlace(300, 52, 250, area, [limit])).toEqual({ x: 307, y: 34 });
     expect(peakPlace(300, 32, 250, area, [{ ...limit, line: 30, baseline: 26 }]).y).toBe(49); // no room above
+  });
+
+  it("is not on a curve where there is room beside it", () => {
+    const at = (left: number, right: number) => (one: { left: number; right: number }) =>
+      one.left < right && one.right > left;
+    expect(peakPlace(300, 120, 100, area, [], at(310, 600))).toEqual({ x: 193, y: 115 });
+    expect(peakPlace(300, 120, 100, area, [], () => true)).toEqual({ x: 307, y: 115 });
+    const wide = (one: { top: number }) => one.top < 120;
+    expect(peakPlace(300, 120, 100, area, [], wide)).toEqual({ x: 307, y: 137 }); // below, where all above is taken
+  });
+
+  it("knows which curves run through its box", () => {
+    const entry = {
+      group: "g",
+      name: "a",
+      label: "a",
+      unit: "kN",
+      first: 0,
+      count: 3,
+      family: "",
+      peak: null,
+    };
+    const line = new Curve(
+      entry,
+      Float64Array.of(0, 5, 10),
+      Uint32Array.of(0, 1, 2),
+      Float32Array.of(0, 10, 10),
+    );
+    const [x, y] = [(time: number) => 52 + 54.8 * time, (value: number) => 234 - 21 * value];
+    const paper: Paper = { area, span: [0, 10], x, y };
+    expect(crosses(line, paper, { left: 400, right: 500, top: 20, bottom: 30 })).toBe(true);
+    expect(crosses(line, paper, { left: 400, right: 500, top: 30, bottom: 40 })).toBe(false);
+    expect(crosses(line, paper, { left: 180, right: 200, top: 100, bottom: 115 })).toBe(false);
+    expect(crosses(line, paper, { left: 180, right: 200, top: 115, bottom: 190 })).toBe(true);
+  });
+});
+
+describe("the name of lift-off", () => {
+  const area = { left: 52, right: 600, top: 24, bottom: 234, inverted: false, beside: 607 };
+  const session = { lift: { header: { liftOff: 4 } }, span: [0, 10] } as unknown as Session;
+  const limit = (line: number): LimitName => ({
+    text: "limit",
+    left: 560,
+    right: 596,
+    baseline: line + 12,
+    line,
+  });
+
+  it("stands at the top, below a limit that would strike it out", () => {
+    const place = (...lines: number[]) => liftOffName(session, area, lines.map(limit))[0]!.baseline;
+    expect(place()).toBe(32);
+    expect(place(60)).toBe(32);
+    expect(place(26)).toBe(37);
+    expect(place(34, 26)).toBe(45);
+  });
+});
+
+describe("names of limits", () => {
+  const area = { left: 52, right: 600, top: 24, bottom: 234, inverted: false, beside: 607 };
+  const named = (values: number[]) =>
+    limitNames(
+      { limits: values.map((value) => ({ value, label: `at least ${value} m` })) } as ChartSpec,
+      area,
+      { low: 0, high: 50, ticks: [], digits: 0 },
+    );
+
+  it("are not struck out by the line of another", () => {
+    const [two, little] = named([2, 0.05]);
+    expect(two!.baseline).toBeCloseTo(two!.line - 4);
+    expect(little!.baseline).toBeCloseTo(two!.baseline);
+    expect(little!.right).toBeLessThanOrEqual(two!.left);
+    const [low, high] = named([5, 40]);
+    expect(low!.baseline).toBeCloseTo(low!.line - 4);
+    expect(high!.baseline).toBeCloseTo(high!.line - 4);
   });
 });

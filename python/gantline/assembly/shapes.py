@@ -211,7 +211,9 @@ def _pair(name: str, group: str, shapes: tuple[str, str], law: Sequence[float]) 
 def _known(parts: Parts, scenario: Scenario, path: tuple[PathPart, ...], name: str) -> list[str]:
     found = members(parts.shapes, name)
     if not found:
-        sentence = f"'{name}' has no shape; {nearest(name, parts.shapes)}"
+        parted = (shape.split(".") for shape in parts.shapes)
+        known = {".".join(words[:count]): None for words in parted for count in range(1, len(words) + 1)}
+        sentence = f"'{name}' has no shape; {nearest(name, known)}"
         raise scenario.error(path, sentence)
     return found
 

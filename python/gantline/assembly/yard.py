@@ -32,6 +32,8 @@ __all__ = [
 
 #: A load that has settled hangs in slack slings: they may be too short by this much at most [m].
 _TAUT = 1e-6
+#: Lengths of a sling at the start over its way, from which a digit too many is likelier than a low hook [1].
+_MOST_SLACK = 5.0
 
 
 def hoist_drive(hook: str) -> str:
@@ -254,6 +256,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     if scenario.load is None:
         return
     off: list[str] = []  # slings on which the load seems to hang at the start, and which are not on
+    loose: dict[str, tuple[float, float]] = {}  # slings much longer than their way, with both
     below: dict[str, float] = {}  # slings whose upper end is below the lug that they hold, and by how much
     for sling in rigging.slings.values():
         route = sling_route(scenario, rigging, sling, lugs)
@@ -291,6 +294,8 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             and (rise := float(end_to_end(parts, route)[2])) > 0.0
         ):
             below[sling.name] = rise
+        elif sling.starts_on and sling.length > _MOST_SLACK * distance:
+            loose[sling.name] = sling.length, distance
     warn_of_off(parts, scenario, off)
     if below:
         deepest = max(below, key=lambda name: below[name])
@@ -299,6 +304,14 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         parts.warnings.append(
             f"sling {deepest}{more} cannot lift where this begins: {way} it goes {below[deepest]:.3g} m up; "
             "the height of a hook is that of its bearing"
+        )
+    if loose:
+        loosest = max(loose, key=lambda name: loose[name][0])
+        more = f" and {len(loose) - 1} more" if len(loose) > 1 else ""
+        length, distance = loose[loosest]
+        way = f"{_way(scenario.load.name, rigging.slings[loosest])} it is {distance:.4g} m at the start"
+        parts.warnings.append(
+            f"sling {loosest}{more} is {length:g} m long, and {way}; check the number and its unit"
         )
 
 

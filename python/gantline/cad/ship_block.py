@@ -76,6 +76,8 @@ class ShipBlockSizes:
         _between("longitudinal spacing", self.longitudinal_spacing, 0.3, self.breadth / 4)
         if not 0 <= self.tween_decks <= 20 or self.deck_spacing < 2 * _DECK_WEB:
             raise CadError(f"{self.tween_decks} tween decks do not go into a height of {self.height:g} m")
+        if self.centre_height is not None:
+            _between("height of the centre of gravity", self.centre_height, 0.0, self.height)
         if not self.mass > 0:
             raise CadError(f"a mass of {self.mass:g} kg is not positive")
 

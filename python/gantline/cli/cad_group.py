@@ -27,8 +27,11 @@ class _FileOrVerb(TyperGroup):
 
 
 cad_app = typer.Typer(cls=_FileOrVerb, no_args_is_help=True, rich_markup_mode=None)
-cad_app.command(_FILE, epilog=examples_of("cad file"))(cad)
-cad_app.command("block", epilog=examples_of("cad block"))(make_ship_block)
+# Each with a line that is not cut short in the help of the group.
+cad_app.command(_FILE, short_help="Weigh and draw a CAD file.", epilog=examples_of("cad file"))(cad)
+cad_app.command("block", short_help="Make a ship block of a given mass.", epilog=examples_of("cad block"))(
+    make_ship_block
+)
 
 
 @cad_app.callback(epilog="`gantline cad FILE` is short for `gantline cad file FILE`.")

@@ -125,7 +125,9 @@ def _look_over(simulation: Simulation) -> None:
     head = ("Kind of rope", "construction", "EA", "mass", "minimum breaking force")
     ropes = table(head, kinds, "llrrr") if kinds else []
     later = _put_on_later(simulation.scenario)
-    typer.echo("\n".join([*heading(rig), *weights(rig), *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]))
+    centre = _centre_from_cad(simulation)
+    lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
+    typer.echo("\n".join(lines))
     for warning in simulation.assembly.warnings:
         warn(warning)
     _warn_of_time(simulation)
@@ -151,6 +153,16 @@ def _warn_of_time(simulation: Simulation) -> None:
     if late:
         least = f"the plan takes {max(ends):.0f} s at least; {simulation.duration:g} s are simulated"
         warn(f"{least}, and end before '{late[0]}' does: make 'duration' longer")
+
+
+def _centre_from_cad(simulation: Simulation) -> list[str]:
+    """The centre of gravity of a load that has it from CAD and outfitting: the lift file does not say it."""
+    load = simulation.scenario.load
+    if load is None or load.centre_of_gravity.at != "from_cad":
+        return []
+    (given,) = simulation.assembly.rig["loads"]
+    place = ", ".join(f"{coordinate:z.3f} m" for coordinate in given["centre_of_gravity_from_datum"])
+    return [f"Centre of gravity of {load.name} by CAD and outfitting: [{place}] from its datum"]
 
 
 def _rope_weights(rig: Rig) -> list[str]:

@@ -175,7 +175,7 @@ def _refuse_drafts(hull: Hull, rows: list[Hydrostatics]) -> None:
         # By heights, not by volume: what a hull without a deck has inside depends on where it is closed.
         heights = places @ row.attitude.normal + row.attitude.height
         if heights.min() >= 0 or heights.max() <= 0:
-            where = "is out of the water" if heights.min() >= 0 else "is under water with all of it"
+            where = "is out of the water" if heights.min() >= 0 else "is wholly under water"
             stop(
                 f"--drafts: at {row.attitude.draft:g} m {hull.name} {where}; "
                 f"it reaches from {low:g} to {high:g} m"

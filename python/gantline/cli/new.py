@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 from typing import Annotated
 
@@ -38,7 +39,7 @@ def new(
             replace_bytes(path, content)
     for path in files:
         typer.echo(path)
-    typer.echo(f"Next: gantline run {folder}")
+    typer.echo(f"Next: gantline run {shlex.quote(str(folder))}")
 
 
 def _shipped(name: str) -> tuple[str, list[Path]]:

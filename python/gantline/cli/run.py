@@ -199,6 +199,8 @@ def _draw(recording: Recording, folder: Path, *, aside: bool) -> None:
 
 
 def _print_profile(clock: _Clock, stages: dict[str, float], recording: Recording, *, aside: bool) -> None:
+    from gantline.results.counted import counted_in_words
+
     lines = ["", "Where the time went"]
     lines += [f"  {lap:<22}{1e3 * passed:12.2f} ms" for lap, passed in clock.laps]
     integration = {name: passed for name, passed in stages.items() if name != "recording"}
@@ -208,5 +210,7 @@ def _print_profile(clock: _Clock, stages: dict[str, float], recording: Recording
         lines.append(f"  {name:<22}{1e3 * passed:12.2f} ms  {passed / max(whole, 1e-12):4.0%}")
     lines.append(f"Recording{'':<15}{1e3 * stages.get('recording', 0.0):12.2f} ms")
     lines.append("Counted")
-    lines += [f"  {name:<22}{count:12,}" for name, count in recording.attributes["counters"].items()]
+    counted = counted_in_words(recording.attributes["counters"])
+    width = max(len(name) for name, _ in counted)
+    lines += [f"  {name:<{width}}{count:12,}" for name, count in counted]
     typer.echo("\n".join(lines), err=aside)

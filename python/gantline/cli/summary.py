@@ -312,7 +312,7 @@ def _drums(recording: Recording) -> list[str]:
         paid_out = recording.column("rope_paid_out", drum.name)
         extremes = (show(float(paid_out[-1]), "m", 3), show(float(paid_out.min()), "m", 3))
         fewest = recording.metrics().get(f"least_drum_wraps.{drum.name}")
-        turns = "" if fewest is None else f"{fewest:.1f}"
+        turns = ABSENT if fewest is None else f"{fewest:.1f}"
         rows.append((drum.name, *extremes, show(float(paid_out.max()), "m", 3), turns))
     head = ("Drum", "rope paid out at the end", "least", "most", "fewest turns")
     return table(head, rows, "lrrrr") if rows else []
@@ -324,6 +324,7 @@ def _trust(recording: Recording, metrics: dict[str, float]) -> list[str]:
     if remainder is not None:
         bound = energy_bound(recording.attributes["settings"])
         verdict = "the balance closes" if remainder <= bound else "THE BALANCE DOES NOT CLOSE"
-        lines.append(f"Energy remainder {remainder:.1e} of the largest energy, bound {bound:.0e}: {verdict}")
+        size = f"{remainder:.1e} of the largest energy" if remainder > 0.0 else "within rounding"
+        lines.append(f"Energy remainder {size}, bound {bound:.0e}: {verdict}")
     warnings = recording.attributes.get("warnings") or []
     return lines + [f"Warning: {warning}" for warning in warnings]

@@ -32,6 +32,9 @@ KILO = 1e3
 _LEGEND_WIDTH, _KEY_WIDTH = 6.0, 0.4  # inch
 #: Most curves or sheaves that are all named beside each other; of more some are.
 MOST_NAMED = 24
+#: Curves that are nearer than this share of all their reach, for most of the samples, are one on paper.
+_NEAR, _MOSTLY = 0.005, 0.95
+_DASH = 5.0  # widths of the line
 _PEAK_BELOW = 0.84  # of a panel's height: the text above a peak stays clear of 'lift-off'
 TONNE_FORCE = 9.81e3  # N; only what people read speaks of tonne-force
 
@@ -143,10 +146,36 @@ def force_axis(panel: Axes, label: str, unit: str) -> None:
 
 
 def curves(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> None:
-    """Draw curves that may lie upon each other: the first is the widest, so that each can be seen."""
+    """Draw curves that may lie upon each other: the first is the widest, so that each can be seen.
+
+    Of those that are one on paper the first is drawn whole and the others as dashes upon it: a thin line upon
+    one that is hardly wider would look like a line of a third colour.
+    """
     widths = np.linspace(3.0, 1.0, len(values)) if len(values) > 1 else [1.6]
-    for index, ((name, curve), width) in enumerate(zip(values.items(), widths, strict=True)):
-        panel.plot(time, curve, color=colour(index), linewidth=float(width), label=name)
+    groups = _alike(list(values.values()))
+    for index, ((name, curve), group) in enumerate(zip(values.items(), groups, strict=True)):
+        members = [other for other, its in enumerate(groups) if its == group]
+        place, behind = members.index(index), len(members) - 1
+        (line,) = panel.plot(time, curve, color=colour(index), linewidth=float(widths[group]), label=name)
+        if place:
+            line.set_linestyle((-_DASH * place, (_DASH, _DASH * behind)))
+            line.set_dash_capstyle("butt")
+
+
+def _alike(values: Sequence[FloatArray]) -> list[int]:
+    """Of each curve the first one that it looks like: itself, or one that hides nearly all of it."""
+    known = [curve[np.isfinite(curve)] for curve in values]
+    reach = np.concatenate(known) if known else np.zeros(0)
+    near = _NEAR * float(np.ptp(reach)) if reach.size else 0.0
+    groups: list[int] = []
+    for index, curve in enumerate(values):
+        firsts = (other for other in dict.fromkeys(groups) if _hides(values[other], curve, near))
+        groups.append(next(firsts, index))
+    return groups
+
+
+def _hides(one: FloatArray, other: FloatArray, near: float) -> bool:
+    return bool(one.size and np.mean(np.abs(one - other) <= near) >= _MOSTLY)
 
 
 def many_curves(

@@ -14,7 +14,7 @@ from gantline.results.upending import is_turned, kept_plumb_in_words, turning_in
 
 
 def attitude(subject: Subject) -> list[tuple[str, str]]:
-    """Wind, lift-off, tilt, yaw, drift, swing and smallest clearance, in words."""
+    """Wind, lift-off, tilt, yaw, drift, swing and tightest clearance, in words."""
     recording = subject.recording
     rows = _wind(subject)
     lift_off = subject.metrics.get("lift_off_time")
@@ -62,7 +62,7 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
         rows.append(("drift at lift-off", show(float(drift[at]), "m", 3)))
     swing = _swing_after_travel(subject, load)
     if swing is not None:
-        rows.append(("swing after the last traverse", show(swing, "m", 3)))
+        rows.append((f"swing after the last {swing[0]}", show(swing[1], "m", 3)))
     if is_turned(recording, load):
         rows += turning_in_words(recording, load)
     elif clear.any():
@@ -86,32 +86,37 @@ def _tag_lines(subject: Subject) -> list[tuple[str, str]]:
     return [("largest pull of a tag line", f"{name} {show(force, 'kN', 1)} at {show(time, 's', 1)}")]
 
 
-def _swing_after_travel(subject: Subject, load: Load) -> float | None:
-    """Largest swing once the last step that traverses or travels has ended [m]; None without one."""
+def _swing_after_travel(subject: Subject, load: Load) -> tuple[str, float] | None:
+    """Kind of the last step that traverses or travels, and the largest swing after it [m]; None without."""
     recording = subject.recording
     if load.name not in recording.coordinates.get("load", ()) or "load_swing" not in recording:
         return None
-    goes = {step.step for step in subject.rig.plan if step.kind in ("traverse", "travel")}
-    ends = [time for time, _, name in recording.events("step_end") if name in goes]
+    goes = {step.step: step.kind for step in subject.rig.plan if step.kind in ("traverse", "travel")}
+    ends = [(time, goes[name]) for time, _, name in recording.events("step_end") if name in goes]
     if not ends:
         return None
-    after = recording.time >= max(ends)
-    return float(recording.column("load_swing", load.name)[after].max()) if after.any() else None
+    last, kind = max(ends)
+    after = recording.time >= last
+    return (kind, float(recording.column("load_swing", load.name)[after].max())) if after.any() else None
 
 
 def _clearance(subject: Subject) -> list[tuple[str, str]]:
-    """The watched pair that comes nearest to each other, and when."""
+    """The watched pair that comes nearest to what it has to keep, as the checks have it, and when."""
     recording = subject.recording
     pairs = recording.coordinates.get("pair", ())
     if "clearance" not in recording or not pairs:
         return []
-    watched = {watch.name: watched_during(recording, watch) for watch in subject.rig.watches}
+    watches = {watch.name: watch for watch in subject.rig.watches}
+    watched = {name: watched_during(recording, watch) for name, watch in watches.items()}
+    keeps = np.array([watches[name].smallest if name in watches else 0.0 for name in pairs])
     during = np.stack([watched.get(name, np.ones(len(recording.time), bool)) for name in pairs], axis=1)
     distance = np.where(during, recording["clearance"].values, np.inf)
     if not np.isfinite(distance).any():
         return []
-    at, pair = np.unravel_index(int(np.argmin(distance)), distance.shape)
+    at, pair = np.unravel_index(int(np.argmin(distance - keeps)), distance.shape)
     time = float(recording.time[at])
     step = subject.step_at(time)
     place = f" at {show(time, 's', 1)}" + (f", “{step}”" if step else "")
-    return [("smallest clearance", f"{pairs[pair]} {show(float(distance[at, pair]), 'm', 2)}{place}")]
+    found = show(float(distance[at, pair]), "m", 2)
+    least = f", at least {keeps[pair]:g} m," if keeps[pair] > 0.0 else ""
+    return [("tightest clearance", f"{pairs[pair]} {found}{least}{place}")]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -21,6 +22,7 @@ from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, LiftFile
 from gantline.results.recording import Recording
 from gantline.results.saved import Beside, read_beside
+from gantline.units import DIMENSIONS
 from gantline.viewer import bundle, pack
 from gantline.viewer.inline import json_for_script, policy, script_is_safe
 
@@ -47,6 +49,9 @@ SECTIONS: tuple[Section, ...] = (
 
 #: Those of a lift that is still running.
 LIVE_SECTIONS: tuple[Section, ...] = (Player(), Tensions(), HookLoads(), Attitude(), Clearances())
+
+_UNITS = "|".join(re.escape(unit) for units in DIMENSIONS.values() for unit in units if unit)
+_BEFORE_UNIT = re.compile(rf"(?<=[0-9]) (?=(?:{_UNITS})(?![\w/^]))")
 
 _STYLES = ("report.css", "first_page.css", "narrow.css", "print.css")
 
@@ -145,11 +150,18 @@ def _title(subject: Subject) -> str:
 
 @cache
 def _environment() -> Environment:
-    return Environment(
+    environment = Environment(
         loader=PackageLoader("gantline.report", "templates"),
         autoescape=select_autoescape(default=True, default_for_string=True),
         undefined=StrictUndefined,
     )
+    environment.filters["unbroken"] = _unbroken
+    return environment
+
+
+def _unbroken(text: str) -> str:
+    """A text in which no line ends between a number and its unit."""
+    return _BEFORE_UNIT.sub("\u00a0", text)
 
 
 @cache

@@ -149,7 +149,9 @@ def sketches(subject: Subject) -> list[Sketch]:
     carried = [one for kind, pieces in solids.values() if kind in ("load", "frame") for one in pieces]
     frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
     booms = subject.rig.booms if turned is None else ()
-    along = _along(moment, booms, np.concatenate(frames or carried or parts))
+    # Hooks side by side would cover each other, seen along the line that they are in.
+    shown = np.concatenate([*(frames or carried or parts), np.reshape(bearings, (-1, 3))])
+    along = _along(moment, booms, shown)
     view = _SIDES[along]
     when = "" if turned is None else f" at {format_quantity(moment.time, 's', 0)}"
     paper = Paper(view, extent)

@@ -12,6 +12,7 @@ from gantline.report.first_page import fingerprint
 from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, show, typeset
 from gantline.results import series
+from gantline.results.counted import counted_in_words
 from gantline.results.equalising import equalising
 from gantline.results.gaps import gaps
 from gantline.results.gear import Equalizer
@@ -170,7 +171,7 @@ class Energy(Section):
             "refinement": _refinement(recording),
             "warnings": [*gaps(recording), *map(str, recording.attributes.get("warnings") or ())],
             "counters": [
-                (str(name), f"{int(count):,}".replace(",", " ")) for name, count in counters.items()
+                (name, f"{count:,}".replace(",", "\u2009")) for name, count in counted_in_words(counters)
             ],
         }
 

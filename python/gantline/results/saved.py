@@ -47,6 +47,7 @@ QUANTITIES: dict[str, tuple[str, int]] = {
 #: What losses of sheaves do, in words.
 LOSSES: dict[str, str] = {"none": "", "forward": "slip along", "backward": "slip against"}
 
+_OF_ANOTHER = "is of another lift file than the recording, or of that file before or after it was edited"
 _LARGEST = 50_000_000  # bytes of a file that is read
 
 
@@ -161,14 +162,15 @@ def read_beside(folder: Path, recording: Recording) -> Beside:
         left_out.append(f"{CASES}: {problem}")
     if cases is not None and cases.scenario_sha256 != own:
         cases = None
-        left_out.append(f"{CASES}: is of another lift file; 'gantline cases' renews it")
+        left_out.append(f"{CASES}: {_OF_ANOTHER}; 'gantline cases' renews it, 'gantline run' the recording")
     try:
         equilibrium = _read_equilibrium(folder / EQUILIBRIUM)
     except (OSError, ValueError) as problem:
         left_out.append(f"{EQUILIBRIUM}: {problem}")
     if equilibrium is not None and digest_of(str(equilibrium.attributes.get("scenario", ""))) != own:
         equilibrium = None
-        left_out.append(f"{EQUILIBRIUM}: is of another lift file; 'gantline statics' renews it")
+        renewed = "'gantline statics' renews it, 'gantline run' the recording"
+        left_out.append(f"{EQUILIBRIUM}: {_OF_ANOTHER}; {renewed}")
     return Beside(equilibrium, cases, left_out)
 
 

@@ -89,11 +89,17 @@ def shorten(text: str) -> str:
 
 
 def closest(word: str, known: Iterable[str]) -> str | None:
-    """The known word that is written most like a word, or alone ends in it after a dot; None if none does."""
+    """The known word that is written most like a word, alone ends in it after a dot, or is its first part.
+
+    None if there is no such word.
+    """
     by_lower = {name.lower(): name for name in reversed(list(known))}
     in_full = [name for lower, name in by_lower.items() if lower.endswith(f".{word.lower()}")]
     if len(in_full) == 1 and word.lower() not in by_lower:
         return in_full[0]
+    of_it = [name for lower, name in by_lower.items() if lower.startswith(f"{word.lower()}.")]
+    if of_it and word.lower() not in by_lower:
+        return of_it[-1]  # `row1` of `row1.1`, `row1.2`; they are in reverse
     near = difflib.get_close_matches(word.lower()[:200], list(by_lower), n=1, cutoff=0.6)
     return by_lower[near[0]] if near else None
 

@@ -13,6 +13,8 @@ __all__ = ["problem_of"]
 
 _CLOSING: Final = {"[": "]", "{": "}"}
 _ONE_COLUMN: Final = "keys of one mapping begin in one column"
+#: How a thing with a name begins, in a mapping.
+_NAMED: Final = re.compile(r"[\w.-]+:(?:\s|$)")
 _ENTRY: Final = "an entry of a list begins with '- ', a dash and a blank"
 #: Where a line ends in YAML.
 _NEW_LINE: Final = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
@@ -80,7 +82,8 @@ def _in_line(found: str, context: str, at: Any, text: str) -> str:
     if found.endswith("'<scalar>'"):
         return f"'{rest}' stands behind a value; a quote is not closed, here or above, or ends too early"
     if context.endswith("collection"):
-        return f"'{rest}' stands in a list; {_ENTRY}"
+        of_mapping = "; named things of a mapping have none" if _NAMED.match(rest) else ""
+        return f"'{rest}' stands in a list; {_ENTRY}{of_mapping}"
     if found.startswith("sequence entries"):
         return "'- ' begins an entry of a list, which stands in a line of its own"
     if "end>, but found" in found:

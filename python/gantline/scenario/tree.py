@@ -46,6 +46,8 @@ __all__ = [
 #: Largest lift file that is read [byte].
 LARGEST_FILE: Final = 5_000_000
 _DEEPEST: Final = 32
+#: How the rest of a number begins behind a comma between thousands.
+_THOUSANDS: Final = re.compile(r"[0-9]{3}(?![0-9])")
 #: What the reader refuses as it stands comes by an escape of quoted text; no file can be written with it.
 _NO_TEXT: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 #: With what a recording begins.
@@ -276,10 +278,12 @@ class _Builder:
             sentence = "nothing is given here; write a value or leave the key out"
             if ":" in key:
                 sentence += " (a ':' needs a blank behind it)"
+            elif _THOUSANDS.match(key):  # so is `{mass: 26,000 kg}`
+                sentence += " (a comma within a number? write 26000 kg, or 26.5 m)"
             elif key[:1].isdigit():  # `{length: 26,0 m}` is two keys to YAML
                 sentence += " (a decimal comma? write a point, such as 26.5 m)"
             elif self._stands_behind_a_comma(key):  # `{title: one, two}` is two keys, too
-                sentence += " (a text with a comma in it stands in quotes)"
+                sentence += " (several go into a list, [A, B]; a text with a comma in it stands in quotes)"
             self.problems.append(Problem(key.line, self._path(key), sentence))
         else:
             self.problems.append(

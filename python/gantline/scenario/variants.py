@@ -182,6 +182,10 @@ def _corners(scenario: Scenario, name: str) -> list[Variant]:
     if not any(margins):
         sentence = "the load has no such envelope; give 'centre_of_gravity' one"
         raise scenario.error(path, f"{sentence}, such as 'envelope: [0.1 m, 0.1 m, 0.1 m]'")
+    if load is not None and load.centre_of_gravity.at == "from_cad":
+        sentence = "the centre of gravity is that of the CAD file; state it in 'load.centre_of_gravity.at'"
+        right = "so that it can be varied ('gantline check' without this case says where it is)"
+        raise scenario.error(path, f"{sentence} {right}")
     offsets = {
         f"load.centre_of_gravity.at.{axis}": (si_text(-margin, "length"), si_text(margin, "length"))
         for axis, margin in zip(_AXES, margins, strict=True)

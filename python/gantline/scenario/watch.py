@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import ListOf, NameText, NotNegativeLength, Text
+from gantline.scenario.quantities import ListOf, NameText, NotNegativeLength, Text, refuse
 
 __all__ = ["Watch"]
 
@@ -38,3 +38,10 @@ class Watch(Element):
     to_step: Text | None = Field(
         None, description="Step of the plan with whose end it ceases to count; to the end if not given."
     )
+
+    @model_validator(mode="after")
+    def _is_of_two_things(self) -> Watch:
+        one, other = self.between
+        if one == other:
+            raise refuse(f"both are '{one}'; two things have a distance", "between")
+        return self

@@ -14,7 +14,7 @@ from gantline.scenario.tree_path import PathError, node_at
 from gantline.scenario.variants import with_value
 from gantline.statics import Statics
 from gantline.study.state import State, settled, unstartable
-from gantline.units import common_dimension, quantity, si_text
+from gantline.units import common_dimension, is_quantity, quantity, si_text
 
 __all__ = ["SweepPoint", "run_sweep"]
 
@@ -59,10 +59,11 @@ def run_sweep(
     if count < 1:
         raise ValueError(f"count: {count} values are none")
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
-    dimension = common_dimension(first, last)
     given = node_at(scenario.tree, path)
     if given is not None and not isinstance(given, TextNode):
         raise PathError(f"'{path}' has several values; name one of its parts")
+    like = [] if given is None or not is_quantity(given) else [str(given)]
+    dimension = common_dimension(*like, first, last)
     for value in np.linspace(quantity(first, dimension), quantity(last, dimension), count):
         changed = with_value(scenario, path, si_text(float(value), dimension))
         state = State("", path, "none", 0.0)

@@ -193,7 +193,7 @@ export class Chart {
       ...names(session, area, limits),
       ...(hasRoom ? endNames(this.families.map(shownOnly), this.curves, paper) : []),
       ...(this.spec.peak
-        ? peakMark(visible, this.spec.unit, paper, [...limits, ...liftOffName(session, area)])
+        ? peakMark(visible, this.spec.unit, paper, [...limits, ...liftOffName(session, area, limits)])
         : []),
     );
   }

@@ -154,15 +154,18 @@ function liftOff(session: Session, area: Area): SVGElement[] {
   return [svg("line", { x1: x, x2: x, y1: area.top - 2, y2: area.bottom, class: "gl-lift-off" })];
 }
 
-/** The room of its name, which belongs to no line across the plot. */
-export function liftOffName(session: Session, area: Area): LimitName[] {
+/** The room of its name, which belongs to no line across the plot and stands below those of limits at the top. */
+export function liftOffName(session: Session, area: Area, limits: readonly LimitName[]): LimitName[] {
   const x = liftOffAt(session, area);
   if (x === null) return [];
   const text = "lift-off";
   const wide = LETTER * text.length;
   const isLate = x > area.left + 0.8 * (area.right - area.left);
   const left = isLate ? x - 4 - wide : x + 4;
-  return [{ text, left, right: left + wide, baseline: area.top + 8, line: Number.NEGATIVE_INFINITY }];
+  let baseline = area.top + 8;
+  const lines = limits.map(({ line }) => line).sort((one, other) => one - other);
+  for (const line of lines) if (isThrough(line, baseline)) baseline = line + LINE;
+  return [{ text, left, right: left + wide, baseline, line: Number.NEGATIVE_INFINITY }];
 }
 
 /** Where the run has ended before its plan; to be drawn upon the curves. */
@@ -200,11 +203,12 @@ export interface LimitName {
 /** Where the names of limits stand. */
 export function limitNames(spec: ChartSpec, area: Area, scale: Scale): LimitName[] {
   const taken: LimitName[] = [];
-  for (const { value, label } of spec.limits ?? []) {
-    const line = yOf(area, scale, value);
+  const all = (spec.limits ?? []).map(({ value }) => yOf(area, scale, value));
+  for (const [index, { value, label }] of (spec.limits ?? []).entries()) {
+    const line = all[index]!;
     const hasRoom = line + LINE < area.bottom;
     const isBelow = line - 4 - LINE < area.top || (hasRoom && area.inverted && value > 0);
-    const baseline = isBelow ? line + LINE : line - 4;
+    const baseline = unstruck(isBelow ? line + LINE : line - 4, all, area);
     // Names of limits that are near to each other stand side by side.
     const beside = taken.filter((one) => Math.abs(one.baseline - baseline) < LINE).map((one) => one.left);
     const right = Math.min(area.right - 4, ...beside);
@@ -213,13 +217,26 @@ export function limitNames(spec: ChartSpec, area: Area, scale: Scale): LimitName
   return taken;
 }
 
+/** Whether a line strikes out what stands on a baseline. */
+function isThrough(line: number, baseline: number): boolean {
+  return line > baseline - LINE + 2 && line < baseline + 2;
+}
+
+/** A baseline, or one above the lines of limits that would strike out what stands on it. */
+function unstruck(wanted: number, lines: readonly number[], area: Area): number {
+  let baseline = wanted;
+  const through = () => lines.find((line) => isThrough(line, baseline));
+  for (let line = through(); line !== undefined; line = through()) baseline = line - 4;
+  return baseline - LINE < area.top ? wanted : baseline;
+}
+
 /** Lift-off and the limits by name; to be drawn upon the curves. */
 export function names(session: Session, area: Area, limits: readonly LimitName[]): SVGElement[] {
   return [
     ...limits.map(({ text, right, baseline }) =>
       svg("text", { x: right, y: baseline, "text-anchor": "end", class: "gl-limit-name" }, text),
     ),
-    ...liftOffName(session, area).map(({ text, left, baseline }) =>
+    ...liftOffName(session, area, limits).map(({ text, left, baseline }) =>
       svg("text", { x: left, y: baseline, class: "gl-note" }, text),
     ),
   ];

@@ -9,6 +9,7 @@ import { digitsOf, shown } from "./scale";
 const LINE = 12; // pixels from one name to the next
 const LETTER = 6.1; // pixels, mean width of a letter
 const ASIDE = 7; // pixels from a point to its name
+const STRIDE = 2; // pixels from one look at a curve to the next
 
 /** Where a value at a time is on paper. */
 export interface Paper {
@@ -63,21 +64,52 @@ export function peakMark(
   if (!(time >= span[0] && time <= span[1]) || value <= 0) return [];
   const [x, y] = [paper.x(time), paper.y(value)];
   const text = `${highest.entry.label} ${shown(value, digitsOf(unit))} ${unit} at ${shown(time, 2)} s`;
-  const place = { ...peakPlace(x, y, LETTER * text.length, area, limits), class: "gl-peak-name" };
+  const isCrossed = (box: Box) => curves.some((curve) => crosses(curve, paper, box));
+  const place = { ...peakPlace(x, y, LETTER * text.length, area, limits, isCrossed), class: "gl-peak-name" };
   return [svg("circle", { cx: x, cy: y, r: 3, class: "gl-peak" }), svg("text", place, text)];
 }
 
-/** Where the name of a point begins: on its right, else on its left, else as far right as there is room. */
+/** A box on paper [pixels]. */
+export interface Box {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
+/** Whether a curve runs through a box. */
+export function crosses(curve: Curve, paper: Paper, box: Box): boolean {
+  const { area, span } = paper;
+  const seconds = (span[1] - span[0]) / (area.right - area.left);
+  let before: number | null = null;
+  for (let x = box.left; x <= box.right; x += STRIDE) {
+    const time = span[0] + (x - area.left) * seconds;
+    const y = curve.isKnownAt(time) ? paper.y(curve.at(time)) : Number.NaN;
+    if (Number.isNaN(y)) before = null;
+    else {
+      if (Math.max(y, before ?? y) > box.top && Math.min(y, before ?? y) < box.bottom) return true;
+      before = y;
+    }
+  }
+  return false;
+}
+
+/**
+ * Where the name of a point begins: on its right, else on its left, else as far right as there is room; clear of
+ * limits, other names and, where that goes, of the curves.
+ */
 export function peakPlace(
   x: number,
   y: number,
   wide: number,
   area: Area,
   limits: readonly LimitName[],
+  isCrossed: (box: Box) => boolean = () => false,
 ): { x: number; y: number } {
   const [right, left] = [x + ASIDE, x - ASIDE - wide];
-  const from = right + wide <= area.right ? right : left >= area.left ? left : area.right - wide;
-  const isFree = (baseline: number) =>
+  const sides = [right, left].filter((from) => from >= area.left && from + wide <= area.right);
+  if (!sides.length) sides.push(Math.max(area.left + 2, area.right - wide));
+  const isFree = (from: number, baseline: number) =>
     baseline >= area.top &&
     limits.every(
       ({ line, baseline: other, ...name }) =>
@@ -86,5 +118,14 @@ export function peakPlace(
     );
   const near = limits.map(({ line }) => line - 4).filter((line) => Math.abs(line - y) < 2 * LINE);
   const above = [y - 5, ...near, ...near.map((line) => line - LINE)];
-  return { x: Math.max(area.left + 2, from), y: above.find(isFree) ?? y + LINE + 5 };
+  const below = { x: sides[0]!, y: y + LINE + 5 };
+  const places = above.flatMap((baseline) => sides.map((from) => ({ x: from, y: baseline })));
+  const free = places.filter((place) => isFree(place.x, place.y));
+  const box = (place: { x: number; y: number }): Box => ({
+    left: place.x,
+    right: place.x + wide,
+    top: place.y - LINE + 3,
+    bottom: place.y + 2,
+  });
+  return [...free, below].find((place) => !isCrossed(box(place))) ?? free[0] ?? below;
 }

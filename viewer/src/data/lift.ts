@@ -168,8 +168,13 @@ export class Lift {
     }
   }
 
-  /** Distance of a watched pair at the present time [m]; 0 where it has none, or touches. */
+  /** Distance of a watched pair at the present time [m]: from the skin of a rope, below zero where they overlap. */
   distance(pair: number): number {
+    return this.clearanceCurves[pair]!.at(this.now);
+  }
+
+  /** Length of the line between a watched pair at the present time [m]; 0 where it has none, or touches. */
+  lineOf(pair: number): number {
     const [at, { nearest }] = [6 * pair, this];
     return Math.hypot(
       nearest[at + 3]! - nearest[at]!,
@@ -181,7 +186,7 @@ export class Lift {
   isTooClose(pair: number): boolean {
     const { smallest, span } = this.header.pairs[pair]!;
     if (span !== undefined && (this.now < span[0] || this.now > span[1])) return false;
-    return this.clearanceCurves[pair]!.at(this.now) < smallest;
+    return this.distance(pair) < smallest;
   }
 
   /** Whether a rope is drawn hanging: it carries nothing and is longer than its way. */

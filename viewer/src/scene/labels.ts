@@ -1,6 +1,6 @@
 /** Names beside what they name, as text above the drawing. */
 
-import { forceText } from "../chart/scale";
+import { forceText, shown } from "../chart/scale";
 import type { Lift } from "../data/lift";
 import { element, set } from "../dom";
 import { TOUCHING } from "./clearances";
@@ -129,7 +129,7 @@ export class Labels {
     if (label.pair >= 0) {
       const isTooClose = this.lift.isTooClose(label.pair);
       set(label.root, { "data-close": isTooClose ? "" : undefined });
-      const distance = `${this.lift.distance(label.pair).toFixed(2)} m`;
+      const distance = `${shown(this.lift.distance(label.pair), 2)} m`;
       // Its colour alone would not tell everybody.
       return isTooClose ? `${distance} < ${this.lift.header.pairs[label.pair]!.smallest} m` : distance;
     }
@@ -148,7 +148,7 @@ export class Labels {
     if (label.pair >= 0) {
       const { nearest } = this.lift;
       const at = 6 * label.pair;
-      if (!this.world.clearances.lines.visible || this.lift.distance(label.pair) < TOUCHING) return null;
+      if (!this.world.clearances.lines.visible || this.lift.lineOf(label.pair) < TOUCHING) return null;
       const middle = (axis: number) => (nearest[at + axis]! + nearest[at + 3 + axis]!) / 2;
       return this.world.project(middle(0), middle(1), middle(2), width, height);
     }
