@@ -25,6 +25,7 @@ def run() -> Simulation:
     ("name", "asked", "message"),
     [
         ("gol.on", {"speed": 0.1}, "'gol.on' is nothing in this lift that can move; did you mean 'gol.one'?"),
+        (None, {"speed": 0.1}, "'None' is nothing in this lift that can move"),
         ("A", {"speed": 0.1, "motion": "traverse"}, "'A' is nothing in this lift that can traverse"),
         ("A", {"speed": 0.1, "motion": "hoists"}, "motion: 'hoists' is none; did you mean 'hoist'?"),
         ("A", {"speed": math.nan}, "speed: nan is not a speed"),

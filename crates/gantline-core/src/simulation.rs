@@ -117,6 +117,8 @@ impl Simulation {
         }
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);
+        let mut samples = Samples::with_room(&state, parsed.duration / parsed.sample_interval);
+        samples.make_room_for_peaks(&system);
         Ok(Self {
             method: Method::new(&system, &frame, &parsed.integrator)?,
             recorder: Recorder::new(&system, &state, parsed.sample_interval),
@@ -125,7 +127,7 @@ impl Simulation {
             fingerprint: fingerprint([document, settings]),
             document: fingerprint([document]),
             before: state.clone(),
-            samples: Samples::with_room(&state, parsed.duration / parsed.sample_interval),
+            samples,
             events: EventLog::new(),
             commands: Vec::new(),
             counters: Counters::default(),

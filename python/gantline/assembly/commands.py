@@ -93,7 +93,7 @@ def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:
     if not fitting:
         names = dict.fromkeys(name for of in known.values() for name in of)
         can = "can move" if motion is None else f"can {motion}"
-        raise CommandError(f"'{text}' is nothing in this lift that {can}; {nearest(text, names)}")
+        raise CommandError(f"'{text}' is nothing in this lift that {can}; {nearest(str(text), names)}")
     if len(fitting) > 1:
         verbs = ", ".join(verb for verb, _ in fitting)
         sentence = f"'{text}' can move in several ways: {verbs}"

@@ -165,7 +165,9 @@ def ran_out(recording: Recording) -> list[Check]:
 
 
 def _slips(recording: Recording, drum: str) -> list[tuple[float, float]]:
-    """From when to when a drum slips against its motor or brake [s]."""
+    """From when to when a drum slips against its motor or brake [s]; nothing before there are samples."""
+    if not len(recording.time):
+        return []
     begins = [time for time, _, name in recording.events("drum_slips") if name == drum]
     ends = [time for time, _, name in recording.events("drum_holds") if name == drum]
     # One that slips at the end of the run has not come to hold again.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Iterator, Sequence
 from itertools import product
+from math import prod
 from pathlib import Path
 
 from gantline.replacing import replaced
@@ -38,7 +39,7 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
     for name in variables or [one for one in over_time if one != "rope_point"]:
         variable = recording[name]
         labels = [recording.coordinates.get(dim) or range(recording.sizes[dim]) for dim in variable.dims[1:]]
-        flat = variable.values.reshape(len(recording.time), -1)
+        flat = variable.values.reshape(len(recording.time), prod(variable.values.shape[1:]))
         unit = "" if variable.unit == "1" else f" [{variable.unit}]"
         for place, label in enumerate(product(*labels)):
             yield f"{'.'.join([name, *map(str, label)])}{unit}", flat[:, place]

@@ -69,8 +69,12 @@ def render_report(recording: Recording, *, beside: Beside | None = None, reload_
 
     Raises:
         BundleMissing: If the player is not built in this installation.
-        ValueError: If the recording cannot be drawn.
+        ValueError: If the recording cannot be drawn, or has no samples.
     """
+    if not len(recording.time):
+        raise ValueError(
+            "this recording has no samples to show: its run has not begun, or failed in its first step"
+        )
     return _rendered(Subject(recording, beside), SECTIONS, reload_from=reload_from)
 
 
@@ -130,7 +134,7 @@ def write_report(recording: Recording, path: str | Path, *, beside: Beside | Non
     Raises:
         OSError: If it cannot be written there.
         BundleMissing: If the player is not built in this installation.
-        ValueError: If the recording cannot be drawn.
+        ValueError: If the recording cannot be drawn, or has no samples.
     """
     target = Path(path)
     text = render_report(recording, beside=beside or read_beside(target.parent, recording))

@@ -146,7 +146,9 @@ def direct(columns: Columns, names: Names, of_nodes: Mapping[str, Variable]) -> 
     """Variables that are columns of the core as they are, and the names along dimensions."""
     variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
     for column, (name, dims, unit, description) in _DIRECT.items():
-        if columns[column].size or "event" in dims:
+        # Before there are samples, what a lift has is there without values.
+        is_there = dims[0] == "time" and 0 not in columns[column].shape[1:]
+        if is_there or columns[column].size or "event" in dims:
             # Nobody else has them: no copy is needed to keep them as they are.
             columns[column].flags.writeable = False
             variables[name] = Variable(dims, columns[column], unit, description)

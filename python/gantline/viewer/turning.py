@@ -67,7 +67,7 @@ def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float |
         recording: Any recording with drawn paths.
         frames: Samples that are looked at.
     """
-    at = np.array(frames)
+    at = np.array(frames, dtype=np.intp)
     slings = {sling.rope: sling.length for sling in recording.rig.slings}
     found: list[float | None] = []
     for name in recording.coordinates.get("rope", ()):

@@ -152,7 +152,8 @@ impl Samples {
         }
     }
 
-    fn make_room_for_peaks(&mut self, system: &System) {
+    /// Every rope has a largest tension, also before there is any.
+    pub fn make_room_for_peaks(&mut self, system: &System) {
         self.rope_peak_tension.resize(system.all_ropes(), 0.0);
         self.rope_peak_time.resize(system.all_ropes(), 0.0);
     }

@@ -18,6 +18,8 @@ struct Checkpoint {
     events: EventLog,
     commands: Vec<Command>,
     counters: Counters,
+    /// Steps and time [s] at which it was last asked whether the run gets on.
+    asked: (u64, f64),
 }
 
 /// What a saved state begins with. The number is that of its form: it grows when what the samples are packed as changes.
@@ -86,6 +88,7 @@ impl Simulation {
             events: self.events.clone(),
             commands: self.commands.clone(),
             counters: self.counters,
+            asked: self.asked,
         };
         let (json, samples) = (serde_json::to_vec(&checkpoint)?, self.samples.packed());
         let length = (json.len() as u64).to_le_bytes();
@@ -111,7 +114,7 @@ impl Simulation {
         self.events = checkpoint.events;
         self.commands = checkpoint.commands;
         self.counters = checkpoint.counters;
-        self.asked = (self.counters.steps, self.state.time);
+        self.asked = checkpoint.asked;
         self.before.copy_from(&self.state);
         self.frame.update(&self.system, &self.state);
         if let Method::Adaptive(adaptive) = &mut self.method {

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! That is the one mean for which Σ ΔL_i = 0. While the ends of taut ropes stand still, T_i − T̄ becomes (1 − f) times
-//! what it was: nothing is left of it at f = 1. A slack rope has T_i = 0 and is shortened. ε stays that of the length
-//! at the start. The row's value is ℓ − L − m, m the sum of all ΔL, which the state remembers.
+//! what it was: nothing is left of it at f = 1. A slack rope has T_i = 0 and is shortened; one that has parted or is off
+//! takes no part. ε stays that of the length at the start. The row's value is ℓ − L − m, m the sum of all ΔL, which the state remembers.
 
 use crate::audit::spring_energy;
 use crate::state::State;
@@ -21,12 +21,13 @@ pub fn adjust(system: &System, state: &mut State, frame: &mut Frame) {
     let laws = &system.rows.laws;
     for adjuster in &system.adjusters {
         let (mut weighted, mut total) = (0.0, 0.0);
-        for &row in &adjuster.rows {
+        let is_on = |row: &&usize| !state.modes[**row].is_absent();
+        for &row in adjuster.rows.iter().filter(is_on) {
             weighted += laws[row].compliance() * state.tension[row];
             total += laws[row].compliance();
         }
         let mean = weighted / total;
-        for &row in &adjuster.rows {
+        for &row in adjuster.rows.iter().filter(is_on) {
             let change = adjuster.factor * laws[row].compliance() * (state.tension[row] - mean);
             let before = frame.value[row];
             let after = before - change;

@@ -21,6 +21,8 @@ impl Adaptive {
         frame: &mut Frame,
         log: &mut EventLog,
     ) -> Result<(), ZeroPivot> {
+        self.before.copy_from_slice(&state.acceleration);
+        self.jumped = false;
         for (drive, timeline) in system.prescribed(&state.plan.timelines) {
             let (a, _) = timeline.acceleration(state.time, state.time);
             state.restart |= state.acceleration[drive.dof] != a;
@@ -59,6 +61,7 @@ impl Adaptive {
     /// Evaluates the start of the step; where forces have jumped, with the accelerations that belong to them.
     fn settle_forces(&mut self, system: &System, state: &mut State, frame: &Frame) -> Result<(), ZeroPivot> {
         if state.restart {
+            self.jumped = true;
             self.restart(system, state, frame)?;
             for _ in 0..SETTLING {
                 self.rodas.evaluate(system, state);

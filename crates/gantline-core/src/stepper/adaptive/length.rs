@@ -13,7 +13,7 @@ impl Adaptive {
         if state.engaged {
             h = h.min(2.0 * state.engaged_step);
         }
-        h = h.min(self.winding_limit(system, state));
+        h = h.min(self.ringing_limit(system, state)).min(self.winding_limit(system, state));
         h = prescribed::turning_limit(system, state, h.min(stop - state.time));
         if !system.finders.is_empty() {
             let here = &self.rodas.here;

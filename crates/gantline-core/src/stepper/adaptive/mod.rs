@@ -19,6 +19,7 @@ mod looks;
 mod places;
 pub mod point;
 mod prescribed;
+mod ringing;
 pub mod rodas;
 mod seating;
 mod spins;
@@ -128,6 +129,9 @@ pub struct Adaptive {
     start: Option<Box<State>>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
+    /// Accelerations at the end of the last step, and whether forces have jumped since.
+    before: Vec<f64>,
+    jumped: bool,
     /// Share of the last computed step that was made.
     made: f64,
 }
@@ -167,6 +171,8 @@ impl Adaptive {
             slipping: Vec::with_capacity(system.motors.len()),
             start: None,
             current: false,
+            before: vec![0.0; system.tree.velocities],
+            jumped: false,
             made: 1.0,
         }
     }
