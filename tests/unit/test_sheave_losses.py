@@ -180,7 +180,7 @@ def test_metrics_and_table_of_losses(tackle: Recording) -> None:
     head = next(place for place, line in enumerate(lines) if line.startswith("Rope with losses"))
     assert "1.0417" in lines[head + 1] and "fall/sheave_" in lines[head + 1]
     drums = next(place for place, line in enumerate(lines) if line.startswith("Drum"))
-    assert lines[drums + 1].split() == ["winch", "-1.000", "m", "-2.000", "m", "0.000", "m"]
+    assert lines[drums + 1].split() == ["winch", "-1.000", "m", "-2.000", "m", "0.000", "m", "-"]
     assert lines[0] == "A tackle"
 
 

@@ -73,3 +73,53 @@ impl Adaptive {
         limit
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::SEEN;
+    use crate::stepper::adaptive::SWITCHING;
+    use crate::stepper::adaptive::tableau::{A, C, GAMMA, STAGES};
+
+    type Complex = [f64; 2];
+
+    fn times(a: Complex, b: Complex) -> Complex {
+        [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+    }
+
+    fn over(a: Complex, b: Complex) -> Complex {
+        times(a, [b[0], -b[1]]).map(|part| part / b[0].hypot(b[1]).powi(2))
+    }
+
+    fn sum(weights: &[f64], stages: &[Complex]) -> Complex {
+        weights.iter().zip(stages).fold([0.0, 0.0], |[re, im], (w, k)| [re + w * k[0], im + w * k[1]])
+    }
+
+    /// |ΔR(ix)|: the last stage of a step of the length x of y' = iy from y = 1.
+    fn seen(x: f64) -> f64 {
+        let mut stages: Vec<Complex> = Vec::new();
+        for i in 0..STAGES {
+            let at = sum(A[i], &stages);
+            let [re, im] = times([0.0, x], [1.0 + at[0], at[1]]);
+            let before = sum(C[i], &stages);
+            stages.push(over([re + before[0], im + before[1]], [1.0 / GAMMA, -x]));
+        }
+        let [re, im] = stages[STAGES - 1];
+        re.hypot(im)
+    }
+
+    /// The table above, to the digits that it has.
+    #[test]
+    fn the_estimate_of_a_swing_falls_to_both_sides() {
+        let table =
+            [(1.0, 2.29e-4), (3.0, 0.0533), (4.6, 0.217), (10.0, 0.610), (50.0, 0.239), (500.0, 0.0246)];
+        for (x, expected) in table {
+            assert!((seen(x) / expected - 1.0).abs() < 5e-3, "{x}: {}", seen(x));
+        }
+    }
+
+    /// A swing of as many tolerances as count rejects the step.
+    #[test]
+    fn what_counts_is_seen_at_the_limit() {
+        assert!(SWITCHING * seen(SEEN) > 1.0);
+    }
+}
