@@ -40,6 +40,11 @@ _DRAFT_LEFT = 1e-6
 _ROUNDS = 30
 #: A step is halved this often before it is given up.
 _HALVINGS = 8
+#: Rounds in which any tank may take the place of another. Where several ways move nearly as little water,
+#: what answers do not say to first order makes now one and now another of them the least, without an end.
+_FREE_ROUNDS = 6
+#: A tank is changed from so much on, of its capacity.
+_CHANGED = 1e-9
 #: A metre of draft counts like so many radians where not all of what is wanted can be had [1/m].
 _DRAFT_COUNTS = 0.1
 #: Parts of an attitude with the units in which people read them.
@@ -188,6 +193,7 @@ class _Search:
         given = [self._all[tank].content for tank in self._tanks]
         self._given: Floats = np.array(given)
         self._contents = self._given
+        self._capacity: Floats = np.array([self._all[tank].capacity for tank in self._tanks])
         room = _room(scenario, vessel)
         self._room: Floats = np.array([room[tank] for tank in self._tanks]).T
         self._acts_against = any(isinstance(step, PumpStep) and step.until for step in scenario.plan)
@@ -226,7 +232,12 @@ class _Search:
             if all(abs(missing[key]) <= (_DRAFT_LEFT if key == "draft" else _LEFT) for key in wanted):
                 self._refuse_unsound()
                 return found
-            target, reached = self._programme(missing)
+            free = np.full(len(self._tanks), True)
+            if found >= _FREE_ROUNDS:
+                free = np.abs(self._contents - self._given) > _CHANGED * self._capacity
+            target, reached = self._programme(missing, free)
+            if not reached and not free.all():
+                target, reached = self._programme(missing, np.full(len(self._tanks), True))
             if not reached and float(np.abs(target - self._contents).max()) <= 1.0:
                 raise CannotBeError(f"the tanks cannot do it; {self._short_of(wanted)}")
             self._step(target, found + 1)
@@ -235,8 +246,8 @@ class _Search:
     def _missing(self, wanted: Mapping[str, float]) -> dict[str, float]:
         return {key: value - float(getattr(self.now.attitude, key)) for key, value in wanted.items()}
 
-    def _programme(self, missing: Mapping[str, float]) -> tuple[Floats, bool]:
-        """Contents that do it to first order with the least sum of changes.
+    def _programme(self, missing: Mapping[str, float], free: npt.NDArray[np.bool_]) -> tuple[Floats, bool]:
+        """Contents that do it to first order with the least sum of changes, in tanks that are free to change.
 
         Those that come nearest, and False, where none do.
         """
@@ -248,8 +259,8 @@ class _Search:
         scale = np.array([_DRAFT_COUNTS if key == "draft" else 1.0 for key in missing])
         slope = slope * scale[:, None]
         right = scale * np.array(list(missing.values())) + slope @ (self._contents - self._given)
-        capacity = np.array([self._all[tank].capacity for tank in self._tanks])
-        least, most = self._room - self._given
+        capacity = self._capacity
+        least, most = np.where(free, self._room - self._given, 0.0)
         # Changes as more and less, in parts of the largest tank and of what a full one does.
         unit, effect = float(capacity.max()), float(np.abs(slope).max() * capacity.max()) or 1.0
         both = np.hstack([slope, -slope]) * (unit / effect)
