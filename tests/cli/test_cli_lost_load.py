@@ -38,6 +38,8 @@ def test_tables_and_picture(tmp_path: Path) -> None:
     assert "'load' lost at 2750 s; at rest without it: stable" in said
     assert re.search(r"barge +stern +-0\.01 deg +1\.3\d deg +2\.6\d deg +0\.8\d m +3\.57 deg", said)
     assert "barge has no 'openings' in the lift file" in said
+    saved = json.loads((tmp_path / "lost_load.json").read_text(encoding="utf-8"))
+    assert saved["load"] == "load" and saved["swings"][0]["towards"] == "stern"
     with Image.open(tmp_path / "lost_load_barge.png") as picture:
         assert picture.width > 1000
         assert len(picture.convert("RGB").resize((200, 100)).getcolors(20_000) or []) > 50

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
@@ -17,18 +17,6 @@ if TYPE_CHECKING:
 
     from gantline.statics import Statics
     from gantline.study.lost_load import LostLoad, Swing
-
-#: What a swing goes towards, by the angle from the bow to port in steps of 45°.
-_WAYS = (
-    "bow",
-    "port bow",
-    "port",
-    "port quarter",
-    "stern",
-    "starboard quarter",
-    "starboard",
-    "starboard bow",
-)
 
 #: Of pictures.
 _DOTS_PER_INCH = 200
@@ -42,13 +30,19 @@ def lose(
     question: Statics, load: str, moment: float | None, *, held: bool, output: Path | None, as_json: bool
 ) -> NoReturn:
     """Lose a load of a lift at rest and show what becomes of it; code 1 where a vessel stays away."""
+    from gantline.replacing import replace_text
+    from gantline.results.saved import LOST_LOAD
+
     found = _found(question, load, moment, held=held)
+    text = json.dumps(found.to_json(), indent=2, allow_nan=False)
     if output is not None:
         place = output_folder(output)
         with writing(place):
             written = _draw(found, place)
-        typer.echo("\n".join(f"Picture     {path}" for path in written), err=as_json)
-    typer.echo(json.dumps(_as_json(found), indent=2) if as_json else "\n".join(_as_lines(question, found)))
+            replace_text(place / LOST_LOAD, text + "\n")
+        lines = [f"Picture     {path}" for path in written]
+        typer.echo("\n".join([*lines, f"Lost load   {place / LOST_LOAD}"]), err=as_json)
+    typer.echo(text if as_json else "\n".join(_as_lines(question, found)))
     raise typer.Exit(DONE if found.is_sound else CHECK_FAILED)
 
 
@@ -87,18 +81,13 @@ def _as_lines(question: Statics, found: LostLoad) -> list[str]:
     return [*lines, *(note for one in found.swings for note in _notes(one)), ""]
 
 
-def _towards(swing: Swing) -> str:
-    """The way a vessel swings, in words."""
-    return _WAYS[round(swing.away / math.radians(45.0)) % len(_WAYS)]
-
-
 def _swing(one: Swing) -> tuple[str, ...]:
     from gantline.cli.table import show
 
     angles = (one.before, one.after, one.farthest)
     return (
         one.vessel,
-        _towards(one),
+        one.towards,
         *(show(angle, "deg", 2) for angle in angles),
         show(one.freeboard, "m", 2),
         show(one.under.get("deck_edge"), "deg", 2),
@@ -127,36 +116,6 @@ def _notes(one: Swing) -> list[str]:
     return lines
 
 
-def _as_json(found: LostLoad) -> dict[str, Any]:
-    """The same as a JSON object, SI units."""
-    return {
-        "load": found.load,
-        "sound": found.is_sound,
-        **found.rest.to_json(),
-        "metacentric_heights": {
-            name: [height.transverse, height.longitudinal] for name, height in found.heights.items()
-        },
-        "swings": [
-            {
-                "vessel": one.vessel,
-                "away": one.away,
-                "before": one.before,
-                "after": one.after,
-                "farthest": one.farthest,
-                "freeboard": one.freeboard,
-                "under": dict(one.under),
-                "vanishing": one.vanishing,
-                "left": one.left,
-                "taken": one.taken,
-                "ratio": one.ratio,
-                "angle": one.angles.tolist(),
-                "arm": one.arms.tolist(),
-            }
-            for one in found.swings
-        ],
-    }
-
-
 def figures_of(found: LostLoad) -> list[tuple[str, Figure]]:
     """Pictures of the righting arms by the names of the vessels that turn."""
     from gantline.plot.lost_load import SwingCurve, lost_load_picture
@@ -166,7 +125,7 @@ def figures_of(found: LostLoad) -> list[tuple[str, Figure]]:
             one.vessel,
             lost_load_picture(
                 SwingCurve(
-                    title=f"{one.vessel}, '{found.load}' lost: righting arms towards its {_towards(one)}",
+                    title=f"{one.vessel}, '{found.load}' lost: righting arms towards its {one.towards}",
                     angles=one.angles,
                     arms=one.arms,
                     before=one.before,

@@ -12,6 +12,7 @@ import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +21,7 @@ from gantline.hydro import CannotFloatError, Heeled, Hull, Righting
 from gantline.results.attitude import Lie
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
+from gantline.results.saved import digest_of
 from gantline.results.vessels import Vessel
 from gantline.statics import Equilibrium, Statics
 from gantline.study.afloat import hull_of
@@ -29,6 +31,17 @@ __all__ = ["LostLoad", "Swing", "lose_load"]
 
 Floats = npt.NDArray[np.float64]
 
+#: What a vessel swings towards, by the angle from its bow to port in steps of 45°.
+_WAYS = (
+    "bow",
+    "port bow",
+    "port",
+    "port quarter",
+    "stern",
+    "starboard quarter",
+    "starboard",
+    "starboard bow",
+)
 #: Name of the edge of the deck among the marks of a vessel: it is told, and no water comes in there.
 DECK_EDGE = "deck_edge"
 #: A vessel that turns by less is not moved by the load [rad].
@@ -81,6 +94,11 @@ class Swing:
     arms: Floats = field(repr=False)
 
     @property
+    def towards(self) -> str:
+        """The way it swings, in words."""
+        return _WAYS[round(self.away / math.radians(45.0)) % len(_WAYS)]
+
+    @property
     def ratio(self) -> float:
         """A2 over A1."""
         return self.taken / self.left
@@ -111,6 +129,32 @@ class LostLoad:
     def is_sound(self) -> bool:
         """Whether all vessels come back, and rest without the load."""
         return self.rest.is_stable and all(swing.is_held for swing in self.swings)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units, with the lift file that it belongs to."""
+        return {
+            "load": self.load,
+            "scenario_sha256": digest_of(str(self.rest.recording.attributes["scenario"])),
+            "sound": self.is_sound,
+            **self.rest.to_json(),
+            "metacentric_heights": {
+                name: [height.transverse, height.longitudinal] for name, height in self.heights.items()
+            },
+            "swings": [_swing_json(swing) for swing in self.swings],
+        }
+
+
+def _swing_json(one: Swing) -> dict[str, Any]:
+    single = (
+        "vessel", "towards", "away", "before", "after", "farthest", "freeboard", "flooding", "vanishing",
+        "end", "left", "taken", "ratio",
+    )  # fmt: skip
+    return {
+        **{name: getattr(one, name) for name in single},
+        "under": dict(one.under),
+        "angle": one.angles.tolist(),
+        "arm": one.arms.tolist(),
+    }
 
 
 def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
