@@ -229,7 +229,9 @@ def _release(subject: Subject) -> list[tuple[str, str]]:
     asked = [] if cases is None else [one for one in cases.cases if "release" in one.name.lower()]
     if asked:
         return [(f"case {one.name}", "; ".join(one.troubles) or "sound, at rest") for one in asked]
-    return [("sudden release of the load", "not simulated")]
+    loads = [load.name for load in subject.rig.loads]
+    ask = f"; 'gantline statics LIFT --lost {loads[0]} -o DIR' says what it does" if loads else ""
+    return [("sudden release of the load", f"not simulated{ask}")]
 
 
 def _comes_back(lost: SavedLostLoad) -> str:
