@@ -13,7 +13,7 @@ from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, kept_back
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 
 
 def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -69,25 +69,39 @@ def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def level_difference(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """How far of two hooks that bear the load one has gone up more than the other since it came clear."""
+    """How far of two hooks that bear the load one has gone up more than the other since it came clear.
+
+    Only while both have slings on: a hook goes where it likes before its slings are put on, and after they
+    have been taken off. One that stays behind so far that its slings go slack counts.
+    """
     rig = recording.rig
-    bearing = {rig.hook_of(sling) for sling in rig.slings}
-    hooks = [hook.name for hook in rig.hooks if hook.name in bearing]
+    bearing: dict[str, list[BoolArray]] = {}
+    for sling in rig.slings:
+        bearing.setdefault(rig.hook_of(sling), []).append(series.is_on(recording, sling.rope))
+    on = {hook.name: np.any(bearing[hook.name], axis=0) for hook in rig.hooks if hook.name in bearing}
     clear = series.is_clear(recording)
     if series.is_equilibrium(recording) or not clear.any():
-        for name in hooks:
+        for name in on:
             yield Missing(name, "its rise counts from when a run brings the load clear")
         return
     # Hook blocks stay upright: a bearing goes up as its body does.
-    heights = {name: recording.column("body_position", name)[:, 2] for name in hooks}
-    risen = {name: height - height[np.argmax(clear)] for name, height in heights.items()}
-    for one, other in combinations(hooks, 2):
+    heights = {name: recording.column("body_position", name)[:, 2] for name in on}
+    for one, other in combinations(on, 2):
+        for together in series.stretches(on[one] & on[other]):
+            counts = together & clear
+            if not counts.any():
+                continue
+            first, second = (heights[name] - heights[name][np.argmax(counts)] for name in (one, other))
 
-        def text(at: int, one: str = one, other: str = other) -> str:
-            return f"{one} {risen[one][at]:.3f} m, {other} {risen[other][at]:.3f} m up since it came clear"
+            def text(
+                at: int,
+                names: tuple[str, str] = (one, other),
+                rises: tuple[FloatArray, ...] = (first, second),
+            ) -> str:
+                risen = [f"{name} {rise[at]:.3f} m" for name, rise in zip(names, rises, strict=True)]
+                return f"{', '.join(risen)} up since it came clear"
 
-        apart = np.abs(risen[one] - risen[other])
-        yield from extreme(recording, apart, during & clear, f"{one} to {other}", text)
+            yield from extreme(recording, np.abs(first - second), during & counts, f"{one} to {other}", text)
 
 
 def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
