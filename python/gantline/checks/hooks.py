@@ -10,10 +10,13 @@ import numpy as np
 
 from gantline.checks.forces import NO_STATIC, OTHER_SLINGS, Raised, as_it_is, hook_force, kilonewton, over
 from gantline.checks.measure import Finding, Found, Missing, extreme
-from gantline.checks.ratings import SEVERAL, kept_back
+from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
+
+#: Levels of rated capacities, that of most first.
+_LEVELS = ("crane", "trolley", "hook")
 
 
 def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -131,10 +134,17 @@ def _first_layer_over_last(recording: Recording, name: str, during: BoolArray) -
 def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Hoist load (or hook load, as the rating says) of hooks, trolleys and cranes over rated capacity.
 
-    Cranes that lift together keep capacity back: of their charts, and those without a chart of this.
+    Cranes that lift together keep capacity back: of their charts, those without a chart of this, where a
+    crane has none of trolleys or hooks. Hooks that move as told may be of one crane: without a rule nothing
+    is said of them.
     """
-    charted = {chart.crane for chart in recording.rig.rating_charts}
-    for rating in recording.rig.ratings:
+    rig = recording.rig
+    charted = {chart.crane for chart in rig.rating_charts}
+    levels: dict[str, list[str]] = {}
+    for rating in rig.ratings:
+        if rating.rated_capacity:
+            levels.setdefault(crane_of(rig, rating.hooks[0]), []).append(rating.level)
+    for rating in rig.ratings:
         element = rating.name if rating.level == "hook" else f"{rating.level} {rating.name}"
         if not rating.rated_capacity:
             yield Missing(element, "rated capacity not known")
@@ -142,8 +152,9 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
         variable = "hoist_load" if rating.includes_hook_block else "hook_load"
         force = hook_force(recording, rating.hooks, variable, during)
         raised = Raised()
-        if rating.level == "crane" and rating.name not in charted:
-            kept, cautions = kept_back(recording, rating.name)
-            yield from cautions
+        crane = crane_of(rig, rating.hooks[0])
+        if crane not in charted and rating.level == min(levels[crane], key=_LEVELS.index):
+            kept, cautions = kept_back(recording, crane)
+            yield from cautions if rating.level == "crane" else ()
             raised = Raised(kept, f" x {kept:.4g}", (SEVERAL,)) if kept > 1.0 else raised
         yield from over(force, rating.rated_capacity, element, raised)
