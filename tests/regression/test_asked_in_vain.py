@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from gantline.checks import Check, Verdict, check_recording, verdict_of
@@ -80,6 +81,20 @@ def test_what_a_step_requires_fails_outside_of_the_chart() -> None:
     assert "18.50 m at 0.00 s is outside of the chart" in found.remark
     beside = required([14.0, 18.5], ("c1", "c2"))
     assert (beside.verdict, beside.element) == (Verdict.FAILED, "crane c2")
+
+
+def test_slings_that_hang_slack_have_no_spread() -> None:
+    """A step required `tension_spread: below 5 %` while all slings were slack, and had 0 %: ok."""
+    rig = sample_rig()
+    rig["plan"][0]["require"] = {"tension_spread": {"below": 0.05}}
+    begun = [(0.0, "step_begin", "hoist"), (5.0, "step_end", "hoist"), (5.0, "step_begin", "hold")]
+    found = {}
+    for least in (0.0, 600e3):
+        tension = np.full((2001, 5), 600e3)
+        tension[:500] = least
+        found[least] = one(ringing_lift(rig=rig, tension=tension, events=begun), "tension_spread", "hoist")
+    assert (found[0.0].verdict, found[0.0].remark) == (Verdict.WARNING, "none of its slings carries: e1")
+    assert (found[600e3].verdict, found[600e3].value) == (Verdict.OK, 0.0)
 
 
 @pytest.mark.parametrize(("status", "words"), [("failed", "failed"), ("stopped", "was stopped")])

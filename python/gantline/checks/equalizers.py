@@ -39,14 +39,17 @@ def pin_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding
 
 
 def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """(max - min)/mean over the slings of one equalizer."""
-    for equalizer in recording.rig.equalizers:
-        counts = during & series.are_whole(recording, equalizer.slings).any(axis=0)
+    """(max - min)/mean over the slings of one equalizer, while one of them carries anything."""
+    for equalizer in (one for one in recording.rig.equalizers if one.slings):
+        on = series.are_whole(recording, equalizer.slings)
+        tensions = np.array([recording.column("rope_tension", rope) for rope in equalizer.slings])
+        counts = during & (on & (tensions > 0.0)).any(axis=0)
         if counts.any():
             spread = series.tension_spread(recording, equalizer)
             yield from extreme(recording, spread, counts, equalizer.name)
-        elif equalizer.slings:
-            yield Missing(equalizer.name, "none of its slings is on")
+        else:
+            is_on = (during & on.any(axis=0)).any()
+            yield Missing(equalizer.name, f"none of its slings {'carries' if is_on else 'is on'}")
 
 
 def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
