@@ -14,9 +14,11 @@ from PIL import Image
 import gantline
 from gantline.cad.ship_block import ShipBlockSizes, ship_block
 from gantline.cli.cad_picture import model_picture
+from gantline.cli.lost_load import figures_of
 from gantline.plot import comparison_figures, figures
 from gantline.plot.style import RC
 from gantline.scenario import load_scenario
+from gantline.study import lose_load
 
 ROOT = Path(__file__).resolve().parents[1]
 #: Name of the picture in the documentation by the name of the plot.
@@ -64,6 +66,13 @@ def main() -> None:
         keep(figures(gantline.simulate(ROOT / "scenarios" / name)), pictures, folder)
     blown = load_scenario(ROOT / "scenarios" / "spreader_bar").changed(IN_GUSTS)
     keep(figures(gantline.simulate(blown)), {"attitude": "gusts"}, folder)
+    keep(lost_load_figures(), {"barge": "lost_load"}, folder)
+
+
+def lost_load_figures() -> list[tuple[str, Figure]]:
+    """What becomes of the vessel of `floating_crane` whose load is lost."""
+    question = gantline.Statics("floating_crane")
+    return figures_of(lose_load(question, question.equilibrium(), "load"))
 
 
 def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:

@@ -108,8 +108,11 @@ class Statics:
     ) -> dict[str, Any]:
         """The same of where a simulation of the document has got to; ValueError if it is not of it."""
 
-    def step_off(self, losses: str = "none", slide: list[float] | None = None) -> dict[str, Any] | None:
+    def step_off(self, losses: str = "none") -> dict[str, Any] | None:
         """Move off the unstable equilibrium found last to a stable one; None where it is not unstable."""
+
+    def lose(self, body: str, losses: str) -> dict[str, Any]:
+        """Lose a body at the equilibrium found last: that of everything else; for errors see `settle`."""
 
     def time(self) -> float:
         """Time of the equilibrium looked for last [s]."""

@@ -17,7 +17,7 @@ from gantline.report.first_page import FirstPage
 from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.saved import Beside, SavedCase, SavedCases
+from gantline.results.saved import Beside, SavedCase, SavedCases, SavedLostLoad, SavedSwing
 from gantline.results.surroundings import Ground, Hole, is_cut, water_cut
 
 TANKS = {"fore": tank((80.0, 0.0, 0.0), 500.0), "aft": tank((20.0, 0.0, 0.0), 500.0)}
@@ -67,6 +67,22 @@ def test_cases_of_a_release_stand_on_the_first_page(pumped: Recording) -> None:
     cases = SavedCases("", False, [SavedCase("", 1, ()), SavedCase("release", 1, ("freeboard failed",))], [])
     facts = dict(afloat_facts(Subject(pumped, Beside(cases=cases))))
     assert facts["case release"] == "freeboard failed"
+
+
+def test_a_load_that_is_lost_stands_on_the_first_page(pumped: Recording) -> None:
+    swing = SavedSwing("barge", "stern", np.radians(2.684), 0.826, 28.74)
+    lost = SavedLostLoad("", True, "module", 40.0, [swing])
+    facts = dict(afloat_facts(Subject(pumped, Beside(lost_load=lost))))
+    assert facts["'module' lost at once"] == "at 40.0 s, comes back"
+    assert facts["barge as it is lost"] == "2.68 deg towards its stern, freeboard 0.83 m, A2/A1 28.7"
+    gone = dataclasses.replace(swing, farthest=None, freeboard=None, ratio=0.8)
+    facts = dict(
+        afloat_facts(
+            Subject(pumped, Beside(lost_load=dataclasses.replace(lost, is_sound=False, swings=[gone])))
+        )
+    )
+    assert facts["'module' lost at once"] == "at 40.0 s, DOES NOT COME BACK"
+    assert facts["barge as it is lost"] == "no end towards its stern, A2/A1 0.8"
 
 
 def test_what_a_vessel_does_after_a_rope_has_parted(pumped: Recording) -> None:

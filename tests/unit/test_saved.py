@@ -16,7 +16,7 @@ from gantline.report.first_page import FirstPage
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.saved import CASES, EQUILIBRIUM, SavedCases, digest_of, read_beside
+from gantline.results.saved import CASES, EQUILIBRIUM, LOST_LOAD, SavedCases, digest_of, read_beside
 from gantline.viewer.bundle import Bundle
 from hostile import EVIL
 from sample_lift import ringing_lift
@@ -66,6 +66,13 @@ def equilibrium(**changed: Any) -> Recording:
     away = {"number": 2, "period": None, "growth_time": 3.0, "damping_ratio": None, "motion": "hook moves"}
     attributes = {**one.attributes, "scenario": SCENARIO, "statics": said, "modes": [mode, away]}
     return Recording(one.variables, one.coordinates, {**attributes, **changed})
+
+
+def lost_load(**changed: Any) -> dict[str, Any]:
+    """A barge that comes back; the numbers are made up."""
+    swing = {"vessel": "barge", "towards": "stern", "farthest": 0.05, "freeboard": 0.8, "ratio": 20.0}
+    document = {"load": "module", "scenario_sha256": digest_of(SCENARIO), "sound": True, "time": 40.0}
+    return {**document, "swings": [swing], **changed}
 
 
 @pytest.fixture
@@ -176,3 +183,27 @@ def test_sections_of_statics_give_the_numbers_of_the_last_sample(folder: Path) -
     assert Cases().content(Subject(lift())) is None
     what_if = FirstPage().content(subject)["what_if"]
     assert what_if["sound"] is False and what_if["more"] == 0
+
+
+def test_a_lost_load_beside_its_recording(tmp_path: Path) -> None:
+    replace_text(tmp_path / LOST_LOAD, json.dumps(lost_load()))
+    found = read_beside(tmp_path, lift()).lost_load
+    assert found is not None and found.is_sound and found.load == "module" and found.time == 40.0
+    assert [(one.vessel, one.towards, one.ratio) for one in found.swings] == [("barge", "stern", 20.0)]
+
+
+@pytest.mark.parametrize(
+    ("written", "said"),
+    [
+        (lost_load(scenario_sha256="0"), "is of another lift file than the recording"),
+        (lost_load(time="now"), "is not what 'gantline statics --lost' writes ('time' is no number)"),
+        (lost_load(swings=[{}]), "is not what 'gantline statics --lost' writes"),
+        ([], "is not what 'gantline statics --lost' writes (an object was expected)"),
+    ],
+)
+def test_a_lost_load_that_is_anything_else_is_left_out(tmp_path: Path, written: Any, said: str) -> None:
+    replace_text(tmp_path / LOST_LOAD, json.dumps(written))
+    found = read_beside(tmp_path, lift())
+    assert found.lost_load is None
+    (sentence,) = found.left_out
+    assert sentence.startswith(f"{LOST_LOAD}: {said}")

@@ -106,17 +106,21 @@ impl Statics {
     }
 
     /// Moves from the unstable equilibrium found last to the stable one beside it; none where it is not unstable.
-    #[pyo3(signature = (losses="none", slide=None))]
-    fn step_off<'py>(
-        &mut self,
-        py: Python<'py>,
-        losses: &str,
-        slide: Option<[f64; 3]>,
-    ) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let losses = losses_of(losses, slide)?;
+    #[pyo3(signature = (losses="none"))]
+    fn step_off<'py>(&mut self, py: Python<'py>, losses: &str) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let losses = losses_of(losses, None)?;
         self.modes.clear();
         let rest = py.detach(|| self.inner.step_off(losses)).map_err(no_equilibrium)?;
         rest.map(|rest| self.found(py, rest)).transpose()
+    }
+
+    /// Loses a body at the equilibrium found last and finds that of everything else.
+    fn lose<'py>(&mut self, py: Python<'py>, body: &str, losses: &str) -> PyResult<Bound<'py, PyDict>> {
+        let missing = || PyValueError::new_err(format!("there is no {body} to lose"));
+        let (index, losses) = (self.inner.body(body).ok_or_else(missing)?, losses_of(losses, None)?);
+        self.modes.clear();
+        let rest = py.detach(|| self.inner.lose(index, losses)).map_err(no_equilibrium)?;
+        self.found(py, rest)
     }
 
     /// Modes about the equilibrium found last, slowest first, so many or all; arrays over the modes.

@@ -39,7 +39,7 @@ def report(
     It opens by a double click, prints to A4, and reads nothing from a network.
     """
     from gantline.report import write_report
-    from gantline.results.saved import CASES, EQUILIBRIUM, read_beside
+    from gantline.results.saved import FILES_BESIDE, read_beside
     from gantline.viewer import BundleMissing
 
     file = asked_for(recording)
@@ -48,7 +48,7 @@ def report(
         stop(f"{target}: is a folder; --output needs a file")
     if target.suffix.lower() == ".nc":
         stop(f"{target}: ends with '.nc' as recordings do; a report is a file such as {REPORT}")
-    read = [file, *(file.parent / name for name in (CASES, EQUILIBRIUM))]
+    read = [file, *(file.parent / name for name in FILES_BESIDE)]
     refuse_to_replace(read, [target], "--output needs another file")
     try:
         found = opened(file)

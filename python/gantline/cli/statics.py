@@ -17,6 +17,7 @@ from gantline.cli.statics_options import (
     AsJson,
     Held,
     Level,
+    Lost,
     Margins,
     Modes,
     Most,
@@ -52,6 +53,7 @@ def statics(
     adjust: Adjust = None,
     most: Most = None,
     held: Held = False,
+    lost: Lost = None,
     state: StateFile = None,
     output: Output = None,
     as_json: AsJson = False,
@@ -67,6 +69,10 @@ def statics(
         from gantline.cli.sweep import sweep as run_sweep
 
         run_sweep(lift, sweep, moment, as_json=as_json)
+    if lost is not None:
+        from gantline.cli.lost_load import lose
+
+        lose(_question(lift, moment), lost, moment, held=held, output=output, as_json=as_json)
     if level or plumb or want is not None:
         from gantline.cli.inverse import hang_as_wanted
 

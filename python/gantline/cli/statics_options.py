@@ -16,6 +16,7 @@ __all__ = [
     "AsJson",
     "Held",
     "Level",
+    "Lost",
     "Margins",
     "Modes",
     "Most",
@@ -70,6 +71,12 @@ Held = Annotated[
     bool,
     typer.Option("--held", help="Let friction of contacts and sheaves hold what it can, from the start on."),
 ]
+Lost = Annotated[
+    str | None,
+    typer.Option(
+        metavar="LOAD", help="Show how vessels swing that lose this load at once, and whether they come back."
+    ),
+]
 StateFile = Annotated[
     Path | None,
     typer.Option(
@@ -92,6 +99,7 @@ _QUESTIONS: dict[str, tuple[str, tuple[str, ...]]] = {
         ("--modes", "--sensitivities", "--json", "--output"),
     ),
     "--sweep": ("makes a table of many equilibria", ("--time", "--json")),
+    "--lost": ("shows vessels that lose a load", ("--held", "--time", "--json", "--output")),
     "--plumb": ("moves hooks until none is pulled aside", ("--adjust", "--time", "--output")),
     "--want": ("finds lengths of slings", ("--level", "--adjust", "--most", "--time", "--output")),
     "--level": ("finds lengths of slings", ("--want", "--adjust", "--most", "--time", "--output")),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from gantline.cli.table import table
@@ -11,6 +12,7 @@ from gantline.units import format_quantity
 
 if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics
+    from gantline.study.inclining import MetacentricHeights
 
 #: Of a vessel at its last sample: variable, title, unit, decimals.
 _LIES = (
@@ -45,9 +47,13 @@ def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:
     lies = vessels(rest.recording)
     if not lies:
         return []
+    return [*lies, "", *righting(metacentric_heights(question, rest))]
+
+
+def righting(heights: Mapping[str, MetacentricHeights]) -> list[str]:
+    """What rights each vessel."""
     rows = [
         (name, *(format_quantity(height, "m", 2) for height in (found.transverse, found.longitudinal)))
-        for name, found in metacentric_heights(question, rest).items()
+        for name, found in heights.items()
     ]
-    head = ("Righting", "GM transverse, with free surfaces", "longitudinal")
-    return [*lies, "", *table(head, rows, "lrr")]
+    return table(("Righting", "GM transverse, with free surfaces", "longitudinal"), rows, "lrr")

@@ -28,12 +28,12 @@ def view(
     """
     from gantline.report import render_report
     from gantline.results import open_recording
-    from gantline.results.saved import CASES, EQUILIBRIUM, read_beside
+    from gantline.results.saved import FILES_BESIDE, read_beside
     from gantline.viewer import BundleMissing
     from gantline.viewer.server import PageServer
 
     file = asked_for(recording)
-    beside = [file.parent / name for name in (CASES, EQUILIBRIUM)]
+    beside = [file.parent / name for name in FILES_BESIDE]
 
     def page() -> str:
         recording = open_recording(file)

@@ -18,7 +18,7 @@ from gantline.hydro.hull import Closure, Hull
 from gantline.hydro.hydrostatics import Hydrostatics, hydrostatics
 from gantline.hydro.memory import Memory, Misfit, fit_memory
 from gantline.hydro.mesh_file import HullError, read_hull
-from gantline.hydro.righting import RightingArms, righting_arms
+from gantline.hydro.righting import Heeled, Righting, RightingArms, righting_arms
 from gantline.hydro.shapes import box_hull, raked_barge, wigley_hull
 from gantline.hydro.tank import Tank, free_surface_correction
 
@@ -29,12 +29,14 @@ __all__ = [
     "Closure",
     "DatabaseError",
     "Floating",
+    "Heeled",
     "Hull",
     "HullError",
     "HydrodynamicDatabase",
     "Hydrostatics",
     "Memory",
     "Misfit",
+    "Righting",
     "RightingArms",
     "Tank",
     "box_hull",

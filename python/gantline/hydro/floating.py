@@ -23,7 +23,7 @@ from gantline.hydro.attitude import Attitude
 from gantline.hydro.hull import Hull
 from gantline.hydro.hydrostatics import SEA_WATER, Hydrostatics, hydrostatics
 
-__all__ = ["CannotFloatError", "Floating", "float_free", "settle"]
+__all__ = ["CannotFloatError", "Energy", "Floating", "energy_at", "float_free", "settle"]
 
 Array = npt.NDArray[np.float64]
 
@@ -61,14 +61,29 @@ class Floating:
 
 
 @dataclass(frozen=True)
-class _Energy:
+class Energy:
+    """Energy of weight and water over rho g, up to a constant, with derivatives over height, heel and trim.
+
+    Attributes:
+        value: E [m^4].
+        slope: shape (3,).
+        curvature: shape (3, 3).
+    """
+
     value: float
     slope: Array
     curvature: Array
 
 
-def _energy(hull: Hull, volume: float, centre: Array, state: Array) -> _Energy:
-    """E and its derivatives over d, heel and trim, the vessel's origin `state[0]` above the water."""
+def energy_at(hull: Hull, volume: float, centre: Array, state: Array) -> Energy:
+    """E of a hull and its derivatives.
+
+    Args:
+        hull: The hull.
+        volume: to displace [m^3].
+        centre: of gravity, vessel axes (3,) [m].
+        state: height of the origin above the water [m], heel and trim [rad], shape (3,).
+    """
     height, heel, trim = (float(part) for part in state)
     attitude = Attitude(0.0, heel, trim)
     normal, forward, port = attitude.normal, attitude.forward, attitude.port
@@ -86,7 +101,7 @@ def _energy(hull: Hull, volume: float, centre: Array, state: Array) -> _Energy:
         for j in range(2):
             curvature[1 + i, 1 + j] = turned[i] @ below["area_second"] @ turned[j] + lever @ curved[i][j]
     value = below["depth_moment"] + volume * (normal @ centre + height)
-    return _Energy(float(value), slope, curvature)
+    return Energy(float(value), slope, curvature)
 
 
 def settle(
@@ -119,7 +134,7 @@ def settle(
         state[1] = heel
     size = float(np.linalg.norm(np.ptp(hull.box, axis=0)))
     scale = np.array([volume, volume * size, volume * size])[free]
-    here = _energy(hull, volume, gravity, state)
+    here = energy_at(hull, volume, gravity, state)
     damping = 0.0
     for _ in range(_STEPS):
         slope, curvature = here.slope[free], here.curvature[np.ix_(free, free)]
@@ -131,7 +146,7 @@ def settle(
         step = np.zeros(3)
         step[free] = -np.linalg.solve(curvature + shift * np.diag(stiff), slope)
         step *= min(1.0, _TURN / max(np.abs(step[1:]).max(), 1e-300), 0.2 * size / max(abs(step[0]), 1e-300))
-        there = _energy(hull, volume, gravity, state + step)
+        there = energy_at(hull, volume, gravity, state + step)
         gained, noise = here.value - there.value, 1e-13 * (abs(here.value) + volume * size)
         closer = np.abs(there.slope[free] / scale).max() < np.abs(slope / scale).max()
         if gained > 0 or (abs(gained) <= noise and closer):

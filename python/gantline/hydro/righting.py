@@ -9,13 +9,80 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.hydro.attitude import Attitude
-from gantline.hydro.floating import CannotFloatError, settle
+from gantline.hydro.floating import CannotFloatError, energy_at, settle
 from gantline.hydro.hull import Hull
 from gantline.hydro.hydrostatics import SEA_WATER
 
-__all__ = ["RightingArms", "righting_arms"]
+__all__ = ["Heeled", "Righting", "RightingArms", "righting_arms"]
 
 Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Heeled:
+    """A hull at an angle of heel.
+
+    Attributes:
+        heel: The angle [rad].
+        trim: that it takes then, by the stern [rad].
+        height: of its origin above the water [m].
+        arm: horizontal distance of the centre of buoyancy from that of gravity, positive where it rights [m].
+        work: energy of weight and water over the weight, up to a constant: what heeling takes [m].
+    """
+
+    heel: float
+    trim: float
+    height: float
+    arm: float
+    work: float
+
+    @property
+    def normal(self) -> Array:
+        """Upwards, vessel axes (3,)."""
+        return Attitude(0.0, self.heel, self.trim).normal
+
+
+class Righting:
+    """A hull that something heels, free to trim, at constant displacement.
+
+    Args:
+        hull: The hull.
+        mass: of everything [kg].
+        centre_of_gravity: of everything, vessel axes (3,) [m].
+        density: of the water [kg/m^3].
+
+    Raises:
+        CannotFloatError: if it weighs more than all its volume displaces.
+    """
+
+    def __init__(
+        self, hull: Hull, mass: float, centre_of_gravity: npt.ArrayLike, *, density: float = SEA_WATER
+    ) -> None:
+        whole = hull.closure.volume
+        self._hull, self._volume = hull, mass / density
+        if not 0 < self._volume < whole:
+            raise CannotFloatError(f"{hull.name}: {mass / 1e3:g} t do not float on {whole:.6g} m³")
+        self._centre = np.asarray(centre_of_gravity, dtype=float)
+        low, high = hull.box
+        middle = float(low[0] + high[0]) / 2
+        draft = float(low[2] + (high[2] - low[2]) * self._volume / whole)
+        # Height and trim by heel: each search begins where its neighbour ended.
+        self._known = {0.0: (Attitude(draft, 0.0, 0.0, middle).height, 0.0)}
+
+    def at(self, heel: float) -> Heeled:
+        """Where it is at an angle of heel, positive to starboard [rad].
+
+        Raises:
+            CannotFloatError: if no trim was found in which it rests.
+        """
+        height, trim = self._known[min(self._known, key=lambda known: abs(known - heel))]
+        state, _ = settle(self._hull, self._volume, self._centre, (height, heel, trim), heel=heel)
+        self._known[heel] = (float(state[0]), float(state[2]))
+        attitude = Attitude(0.0, heel, float(state[2]))
+        below = self._hull.below(attitude.normal, float(state[0]))
+        arm = (self._centre - below["moment"] / below["volume"]) @ attitude.port
+        work = energy_at(self._hull, self._volume, self._centre, state).value / self._volume
+        return Heeled(heel, attitude.trim, float(state[0]), float(arm), work)
 
 
 @dataclass(frozen=True)
@@ -60,24 +127,11 @@ def righting_arms(
     Raises:
         CannotFloatError: if it weighs more than all its volume displaces.
     """
-    volume, whole = mass / density, hull.closure.volume
-    if not 0 < volume < whole:
-        raise CannotFloatError(f"{hull.name}: {mass / 1e3:g} t do not float on {whole:.6g} m³")
     centre = np.asarray(centre_of_gravity, dtype=float) + np.array([0.0, 0.0, correction])
-    low, high = hull.box
-    middle = float(low[0] + high[0]) / 2
-    start = Attitude(float(low[2] + (high[2] - low[2]) * volume / whole), 0.0, 0.0, middle).height
+    righting = Righting(hull, mass, centre, density=density)
     angles = np.asarray(heel, dtype=float)
-    order = np.argsort(np.abs(angles), kind="stable")
     arm, trim = np.zeros_like(angles), np.zeros_like(angles)
-    last = {True: (start, 0.0), False: (start, 0.0)}  # from the neighbour on the same side
-    for index in order:
-        angle = float(angles[index])
-        height, tilt = last[angle >= 0]
-        state, _ = settle(hull, volume, centre, (height, angle, tilt), heel=angle)
-        last[angle >= 0] = (float(state[0]), float(state[2]))
-        attitude = Attitude(0.0, angle, float(state[2]))
-        below = hull.below(attitude.normal, float(state[0]))
-        arm[index] = (centre - below["moment"] / below["volume"]) @ attitude.port
-        trim[index] = attitude.trim
+    for index in np.argsort(np.abs(angles), kind="stable"):
+        there = righting.at(float(angles[index]))
+        arm[index], trim[index] = there.arm, there.trim
     return RightingArms(angles, arm, trim)

@@ -18,6 +18,7 @@ from gantline.results import series
 from gantline.results.parting import PLANNED, partings
 from gantline.results.progress import spans
 from gantline.results.rotation import axes
+from gantline.results.saved import SavedLostLoad, SavedSwing
 from gantline.results.variable import BoolArray
 from gantline.results.vessels import Vessel
 
@@ -213,18 +214,36 @@ def _moorings(subject: Subject) -> list[tuple[str, str]]:
 
 
 def _release(subject: Subject) -> list[tuple[str, str]]:
-    """What a vessel does after a rope has parted; else what cases of that name say, or that nobody asked."""
+    """What vessels do after a rope has parted, or without a load; else what cases say, or that nobody did."""
     recording = subject.recording
     parted = [one.time for one in partings(recording) if one.kind not in PLANNED]
     if parted:
         after = recording.time >= min(parted)
         rows = [("sudden release", f"at {show(min(parted), 's', 1)}")]
         return rows + [(f"{one.name} after it", _swings(subject, one, after)) for one in subject.rig.vessels]
+    lost = subject.beside.lost_load
+    if lost is not None:
+        rows = [(f"'{lost.load}' lost at once", f"at {show(lost.time, 's', 1)}, {_comes_back(lost)}")]
+        return rows + [(f"{one.vessel} as it is lost", _first_swing(one)) for one in lost.swings]
     cases = subject.beside.cases
     asked = [] if cases is None else [one for one in cases.cases if "release" in one.name.lower()]
     if asked:
         return [(f"case {one.name}", "; ".join(one.troubles) or "sound, at rest") for one in asked]
-    return [("sudden release of the load", "not simulated")]
+    loads = [load.name for load in subject.rig.loads]
+    ask = f"; 'gantline statics LIFT --lost {loads[0]} -o DIR' says what it does" if loads else ""
+    return [("sudden release of the load", f"not simulated{ask}")]
+
+
+def _comes_back(lost: SavedLostLoad) -> str:
+    if not lost.swings:
+        return "no vessel turns" if lost.is_sound else "no vessel is stable without it"
+    return "comes back" if lost.is_sound else "DOES NOT COME BACK"
+
+
+def _first_swing(one: SavedSwing) -> str:
+    farthest = "no end" if one.farthest is None else show(one.farthest, "deg", 2)
+    freeboard = "" if one.freeboard is None else f", freeboard {show(one.freeboard, 'm', 2)}"
+    return f"{farthest} towards its {one.towards}{freeboard}, A2/A1 {one.ratio:.3g}"
 
 
 def _swings(subject: Subject, vessel: Vessel, after: BoolArray) -> str:

@@ -1,8 +1,8 @@
-"""What was asked of a lift beside its recording: its cases, and its equilibrium with its motions.
+"""What was asked of a lift beside its recording: its cases, its equilibrium with its motions, a lost load.
 
-`gantline cases LIFT -o DIR` writes `cases.json`, `gantline statics LIFT -o DIR` writes `equilibrium.nc`; a
-report in the same folder shows both. Each names the lift file that it was made from, so that one of another
-lift, or of an older file, is told apart.
+`gantline cases LIFT -o DIR` writes `cases.json`, `gantline statics LIFT -o DIR` writes `equilibrium.nc` and
+with `--lost LOAD` `lost_load.json`; a report in the same folder shows them. Each names the lift file that it
+was made from, so that one of another lift, or of an older file, is told apart.
 """
 
 from __future__ import annotations
@@ -10,21 +10,27 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from gantline.results.recording import Recording, open_recording
+
+_T = TypeVar("_T")
 
 __all__ = [
     "CASES",
     "EQUILIBRIUM",
+    "FILES_BESIDE",
     "LOSSES",
+    "LOST_LOAD",
     "QUANTITIES",
     "Beside",
     "SavedCase",
     "SavedCases",
+    "SavedLostLoad",
+    "SavedSwing",
     "SavedWorst",
     "digest_of",
     "read_beside",
@@ -33,6 +39,8 @@ __all__ = [
 #: Names of the files.
 CASES = "cases.json"
 EQUILIBRIUM = "equilibrium.nc"
+LOST_LOAD = "lost_load.json"
+FILES_BESIDE = (CASES, EQUILIBRIUM, LOST_LOAD)
 
 #: Quantities of a lift at rest, each with the unit and decimals in which people read it.
 QUANTITIES: dict[str, tuple[str, int]] = {
@@ -136,17 +144,73 @@ class SavedCases:
 
 
 @dataclass(frozen=True)
+class SavedSwing:
+    """How a vessel swings that has lost a load.
+
+    Attributes:
+        vessel: Its name.
+        towards: The way, in words.
+        farthest: Angle of the first swing [rad]; None where nothing stops it.
+        freeboard: There [m].
+        ratio: A2 over A1.
+    """
+
+    vessel: str
+    towards: str
+    farthest: float | None
+    freeboard: float | None
+    ratio: float
+
+
+@dataclass(frozen=True)
+class SavedLostLoad:
+    """What `gantline statics --lost` found.
+
+    Attributes:
+        scenario_sha256: Of the lift file's text.
+        is_sound: Whether all vessels come back, and rest without the load.
+        load: Its name.
+        time: When it is lost [s].
+        swings: Of the vessels that turn.
+    """
+
+    scenario_sha256: str
+    is_sound: bool
+    load: str
+    time: float
+    swings: Sequence[SavedSwing]
+
+    @classmethod
+    def from_json(cls, document: Any) -> SavedLostLoad:
+        """Read what `LostLoad.to_json` made.
+
+        Raises:
+            ValueError: If it is something else.
+        """
+        whole = _object(document)
+        return cls(
+            _text(whole, "scenario_sha256"),
+            whole.get("sound") is True,
+            _text(whole, "load"),
+            _number(whole, "time"),
+            [_swing(_object(one)) for one in _list(whole, "swings")],
+        )
+
+
+@dataclass(frozen=True)
 class Beside:
     """What lies beside a recording and belongs to it.
 
     Attributes:
         equilibrium: The lift at rest, with the attributes `statics` and `modes`; None where there is none.
         cases: Its cases; None where there are none.
+        lost_load: A load that it loses; None where nobody asked.
         left_out: Why a file that is there is not shown, a sentence each.
     """
 
     equilibrium: Recording | None = None
     cases: SavedCases | None = None
+    lost_load: SavedLostLoad | None = None
     left_out: Sequence[str] = ()
 
 
@@ -154,42 +218,53 @@ def read_beside(folder: Path, recording: Recording) -> Beside:
     """Read what lies in a folder and belongs to a recording of the same lift file."""
     own = digest_of(str(recording.attributes.get("scenario", "")))
     left_out: list[str] = []
-    cases: SavedCases | None = None
-    equilibrium: Recording | None = None
-    try:
-        cases = _read_cases(folder / CASES)
-    except (OSError, ValueError) as problem:
-        left_out.append(f"{CASES}: {problem}")
-    if cases is not None and cases.scenario_sha256 != own:
-        cases = None
-        left_out.append(f"{CASES}: {_OF_ANOTHER}; 'gantline cases' renews it, 'gantline run' the recording")
-    try:
-        equilibrium = _read_equilibrium(folder / EQUILIBRIUM)
-    except (OSError, ValueError) as problem:
-        left_out.append(f"{EQUILIBRIUM}: {problem}")
-    if equilibrium is not None and digest_of(str(equilibrium.attributes.get("scenario", ""))) != own:
-        equilibrium = None
-        renewed = "'gantline statics' renews it, 'gantline run' the recording"
-        left_out.append(f"{EQUILIBRIUM}: {_OF_ANOTHER}; {renewed}")
-    return Beside(equilibrium, cases, left_out)
 
-
-def _read_cases(path: Path) -> SavedCases | None:
-    if not path.is_file():
+    def belonging(
+        name: str, command: str, read: Callable[[Path], _T], digest: Callable[[_T], str]
+    ) -> _T | None:
+        path = folder / name
+        try:
+            if not path.is_file():
+                return None
+            if path.stat().st_size > _LARGEST:
+                raise ValueError(f"is larger than {_LARGEST // 1_000_000} MB")
+            found = read(path)
+        except (OSError, ValueError) as problem:
+            left_out.append(f"{name}: {problem}")
+            return None
+        if digest(found) == own:
+            return found
+        left_out.append(f"{name}: {_OF_ANOTHER}; '{command}' renews it, 'gantline run' the recording")
         return None
-    if path.stat().st_size > _LARGEST:
-        raise ValueError(f"is larger than {_LARGEST // 1_000_000} MB")
+
+    cases = belonging(CASES, "gantline cases", _read_cases, lambda found: found.scenario_sha256)
+    equilibrium = belonging(
+        EQUILIBRIUM,
+        "gantline statics",
+        _read_equilibrium,
+        lambda found: digest_of(str(found.attributes.get("scenario", ""))),
+    )
+    lost = belonging(
+        LOST_LOAD, "gantline statics --lost", _read_lost_load, lambda found: found.scenario_sha256
+    )
+    return Beside(equilibrium, cases, lost, left_out)
+
+
+def _read_cases(path: Path) -> SavedCases:
     try:
         return SavedCases.from_json(json.loads(path.read_text(encoding="utf-8")))
     except (RecursionError, ValueError) as problem:
         raise ValueError(f"is not what 'gantline cases' writes ({problem})") from None
 
 
-def _read_equilibrium(path: Path) -> Recording | None:
-    if not path.is_file():
-        return None
-    if path.stat().st_size > _LARGEST:
-        raise ValueError(f"is larger than {_LARGEST // 1_000_000} MB")
+def _read_lost_load(path: Path) -> SavedLostLoad:
+    try:
+        return SavedLostLoad.from_json(json.loads(path.read_text(encoding="utf-8")))
+    except (RecursionError, ValueError) as problem:
+        raise ValueError(f"is not what 'gantline statics --lost' writes ({problem})") from None
+
+
+def _read_equilibrium(path: Path) -> Recording:
     found = open_recording(path)
     if not isinstance(found.attributes.get("statics"), dict) or not len(found.time):
         raise ValueError("holds no equilibrium of 'gantline statics'")
@@ -224,6 +299,15 @@ def _number(given: Mapping[str, Any], name: str) -> float:
     if isinstance(found, bool) or not isinstance(found, int | float) or not math.isfinite(found):
         raise ValueError(f"'{name}' is no number")
     return float(found)
+
+
+def _swing(given: Mapping[str, Any]) -> SavedSwing:
+    farthest, freeboard = (
+        None if given.get(name) is None else _number(given, name) for name in ("farthest", "freeboard")
+    )
+    return SavedSwing(
+        _text(given, "vessel"), _text(given, "towards"), farthest, freeboard, _number(given, "ratio")
+    )
 
 
 def _case(given: Mapping[str, Any]) -> SavedCase:

@@ -203,6 +203,33 @@ class Statics:
             raise self._nowhere(self._core.time(), *problem.args) from None
         return None if found is None else self._found(found, losses)
 
+    @_one_at_a_time
+    def lose(self, load: str) -> Equilibrium:
+        """The equilibrium of everything else where a load is lost at the equilibrium found last.
+
+        The load, with what is fixed to it, and all ropes and contacts that reach it are gone at once; hooks,
+        spreaders and what hangs below them stay. Modes, sensitivities and further losses are then of that,
+        until an equilibrium of the lift itself is asked for. Where none was asked for, that at the end of the
+        lift counts.
+
+        Args:
+            load: Its name.
+
+        Raises:
+            NoEquilibriumError: If there is none without it.
+            ValueError: If the lift has no such load.
+        """
+        bodies = {one.name: one.body for one in self.rig.loads}
+        if load not in bodies:
+            known = ", ".join(bodies) or "none"
+            raise ValueError(f"the lift has no load {load!r}; its loads: {known}")
+        losses = self._of_last()
+        try:
+            found = self._core.lose(bodies[load], losses)
+        except RuntimeError as problem:
+            raise self._nowhere(self._core.time(), *problem.args) from None
+        return self._found(found, losses)
+
     def _of_last(self) -> Losses:
         """What losses the equilibrium found last has; finds that at the lift's end if none was asked for.
 

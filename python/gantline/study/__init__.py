@@ -11,6 +11,7 @@ from gantline.study.inverse import (
     adjust_lengths,
     plumb_hooks,
 )
+from gantline.study.lost_load import LostLoad, Swing, lose_load
 from gantline.study.refinement import finer_simulation, refined
 from gantline.study.state import State, Worst, values_of, worst_of
 from gantline.study.sweep import SweepPoint, run_sweep
@@ -23,15 +24,18 @@ __all__ = [
     "CasesResult",
     "HookAnswer",
     "LengthAnswer",
+    "LostLoad",
     "Margin",
     "State",
     "SweepPoint",
+    "Swing",
     "TiltAxis",
     "Tilting",
     "VesselAttitude",
     "Worst",
     "adjust_lengths",
     "finer_simulation",
+    "lose_load",
     "margins_of",
     "plumb_hooks",
     "refined",

@@ -19,7 +19,7 @@ from gantline.scenario.water import Water
 from gantline.statics import Statics
 from gantline.study.inclining import heights_of
 
-__all__ = ["Afloat", "VesselAttitude"]
+__all__ = ["Afloat", "VesselAttitude", "hull_of"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -37,6 +37,13 @@ class VesselAttitude:
     heel: float
     trim: float
     draft: float
+
+
+def hull_of(question: Statics, vessel: str) -> Hull:
+    """The hull of a vessel of a lift, vessel axes."""
+    name = hull_name(vessel)
+    force = next(one for one in question.assembly.document["forces"] if one["name"] == name)
+    return Hull(name, force["vertices"], force["triangles"])
 
 
 class Afloat:
@@ -102,9 +109,7 @@ class Afloat:
 
     def _displaced(self, up: Floats, height: float) -> float:
         """With a vertical in vessel axes, and its origin at a height above the water [m]."""
-        name = hull_name(self.vessel)
-        force = next(one for one in self.question.assembly.document["forces"] if one["name"] == name)
-        hull = Hull(name, force["vertices"], force["triangles"])
+        hull = hull_of(self.question, self.vessel)
         return float(hull.below(up, height)["volume"]) * sea_density(self.scenario)
 
     def slopes(self) -> dict[str, Floats]:

@@ -13,11 +13,14 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from gantline.results.rotation import axes, heading
 from gantline.statics import Equilibrium, Statics
 
 __all__ = ["MetacentricHeights", "heights_of", "metacentric_heights"]
+
+Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -25,12 +28,26 @@ class MetacentricHeights:
     """What rights a vessel, free surfaces and hanging loads included; negative where nothing does.
 
     Attributes:
-        transverse: for heel [m].
-        longitudinal: for trim [m].
+        yielding: turns about the level ways forward and to port under moments about them, over those of its
+            displacement at a lever of 1 m, shape (2, 2) [1/m].
     """
 
-    transverse: float
-    longitudinal: float
+    yielding: Floats
+
+    @property
+    def transverse(self) -> float:
+        """For heel [m]."""
+        return self.about((1.0, 0.0))
+
+    @property
+    def longitudinal(self) -> float:
+        """For trim [m]."""
+        return self.about((0.0, 1.0))
+
+    def about(self, axis: npt.ArrayLike) -> float:
+        """For turning about a level axis, forward and to port, shape (2,), length 1 [m]."""
+        way = np.asarray(axis, dtype=float)
+        return 1.0 / float(way @ self.yielding @ way)
 
 
 def metacentric_heights(question: Statics, rest: Equilibrium) -> dict[str, MetacentricHeights]:
@@ -67,4 +84,4 @@ def heights_of(question: Statics, rest: Equilibrium, body: str, displaced: float
     # About the ways forward and to port, for level shifts along them: one to port heels it to port.
     per_shift = turns @ np.linalg.inv(shifts)
     share = masses[body] / displaced if displaced > 0.0 else math.inf
-    return MetacentricHeights(share / -float(per_shift[0, 1]), share / float(per_shift[1, 0]))
+    return MetacentricHeights(per_shift @ np.array([[0.0, 1.0], [-1.0, 0.0]]) / share)

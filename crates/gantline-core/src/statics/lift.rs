@@ -1,6 +1,7 @@
 //! A lift at rest, from its document: where it hangs at any time of its plan, how it moves about that, and what it
 //! answers to what is uncertain. What the border hands on.
 
+mod lost;
 mod way;
 
 use glam::DVec3;
@@ -40,6 +41,8 @@ pub struct StaticLift {
     log: EventLog,
     /// Groups of contacts that slid on that way since their friction found no balance, and when [s].
     slides: Vec<(f64, usize)>,
+    /// The system as it is given, while a load of it is lost.
+    whole: Option<System>,
     fingerprint: u64,
 }
 
@@ -59,7 +62,7 @@ impl StaticLift {
         let statics = Statics::new(&system);
         let fingerprint = fingerprint([document]);
         let (state, samples, log) = (first.clone(), Samples::default(), EventLog::new());
-        Ok(Self { state, samples, log, slides: Vec::new(), first, statics, system, fingerprint })
+        Ok(Self { state, samples, log, slides: Vec::new(), first, statics, system, whole: None, fingerprint })
     }
 
     /// Finds the equilibrium at `time` [s] of the plan, downhill of the start of the lift after `increment` of its
@@ -78,6 +81,7 @@ impl StaticLift {
         losses: Losses,
         goes_on: GoesOn,
     ) -> Result<Rest, NoEquilibrium> {
+        self.find_again();
         let Self { system, first, state, .. } = self;
         state.copy_from(first);
         self.slides.clear();
@@ -115,6 +119,7 @@ impl StaticLift {
         saved: &[u8],
         losses: Losses,
     ) -> Result<Result<Rest, NoEquilibrium>, SetupError> {
+        self.find_again();
         self.state = saved_state(self.fingerprint, saved)?;
         let Self { system, state, statics, .. } = self;
         statics.resume(system, state);

@@ -1,0 +1,332 @@
+"""A load that is lost at once: how far vessels swing, and whether they come back.
+
+With the load a vessel lies at an angle; without it, it comes to rest at another one, and swings past that.
+The work that the load has left in it is the area A1 below the righting arms without the load, from where it
+lies to where it comes to rest. What it can take on the other side is A2, up to where water comes in or arms
+vanish. See docs/concepts/lost_load.md.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.hydro import CannotFloatError, Heeled, Hull, Righting
+from gantline.results.attitude import Lie
+from gantline.results.recording import Recording
+from gantline.results.rotation import axes
+from gantline.results.saved import digest_of
+from gantline.results.vessels import Vessel
+from gantline.statics import Equilibrium, Statics
+from gantline.study.afloat import hull_of
+from gantline.study.inclining import MetacentricHeights, metacentric_heights
+
+__all__ = ["LostLoad", "Swing", "lose_load"]
+
+Floats = npt.NDArray[np.float64]
+
+#: What a vessel swings towards, by the angle from its bow to port in steps of 45°.
+_WAYS = (
+    "bow",
+    "port bow",
+    "port",
+    "port quarter",
+    "stern",
+    "starboard quarter",
+    "starboard",
+    "starboard bow",
+)
+#: Name of the edge of the deck among the marks of a vessel: it is told, and no water comes in there.
+DECK_EDGE = "deck_edge"
+#: A vessel that turns by less is not moved by the load [rad].
+_STAYS = math.radians(0.001)
+#: Farthest from rest that arms are looked at, as far as they count by the IS Code, and how far apart [rad].
+_FARTHEST = math.radians(50.0)
+_STEP = math.radians(0.5)
+#: Roots of angles are found to this [rad].
+_ANGLE = 1e-10
+
+
+@dataclass(frozen=True)
+class Swing:
+    """How a vessel swings that has lost a load, undamped, and what it can take.
+
+    Angles are from the vessel's upright about one axis, positive the way it swings, away from the load.
+
+    Attributes:
+        vessel: Its name.
+        away: The way it swings, over its bow 0, to port positive [rad].
+        before: Angle with the load [rad].
+        after: Angle at rest without it [rad].
+        farthest: Angle of the first swing [rad]; None where the arms do not stop it.
+        freeboard: Of the lowest point of deck edge and openings there [m]; None without `farthest`.
+        under: Angles at which deck edge and openings go under on that side [rad]; of those that do.
+        flooding: The first of the openings' [rad]; None where none goes under.
+        has_openings: Whether the lift file gives the vessel any.
+        vanishing: Angle at which the arms vanish [rad]; None where they do not within 50° of rest.
+        end: Angle up to which A2 counts, the first of these two, or 50° past rest [rad].
+        left: A1, the work over the weight that the load has left in it [m rad].
+        taken: A2, what it can take on that side [m rad].
+        angles: Of the curve [rad], shape (n,).
+        arms: Righting arms there, positive where they push back towards the load [m], shape (n,).
+    """
+
+    vessel: str
+    away: float
+    before: float
+    after: float
+    farthest: float | None
+    freeboard: float | None
+    under: Mapping[str, float]
+    flooding: float | None
+    has_openings: bool
+    vanishing: float | None
+    end: float
+    left: float
+    taken: float
+    angles: Floats = field(repr=False)
+    arms: Floats = field(repr=False)
+
+    @property
+    def towards(self) -> str:
+        """The way it swings, in words."""
+        return _WAYS[round(self.away / math.radians(45.0)) % len(_WAYS)]
+
+    @property
+    def ratio(self) -> float:
+        """A2 over A1."""
+        return self.taken / self.left
+
+    @property
+    def is_held(self) -> bool:
+        """Whether it swings back before water comes in."""
+        return self.taken > self.left
+
+
+@dataclass(frozen=True)
+class LostLoad:
+    """What becomes of a lift that loses a load at once.
+
+    Attributes:
+        load: Its name.
+        rest: The equilibrium without it.
+        heights: Metacentric heights of the vessels there.
+        swings: Of the vessels that it moves.
+    """
+
+    load: str
+    rest: Equilibrium
+    heights: Mapping[str, MetacentricHeights]
+    swings: Sequence[Swing]
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether all vessels come back, and rest without the load."""
+        return self.rest.is_stable and all(swing.is_held for swing in self.swings)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units, with the lift file that it belongs to."""
+        return {
+            "load": self.load,
+            "scenario_sha256": digest_of(str(self.rest.recording.attributes["scenario"])),
+            "sound": self.is_sound,
+            **self.rest.to_json(),
+            "metacentric_heights": {
+                name: [height.transverse, height.longitudinal] for name, height in self.heights.items()
+            },
+            "swings": [_swing_json(swing) for swing in self.swings],
+        }
+
+
+def _swing_json(one: Swing) -> dict[str, Any]:
+    single = (
+        "vessel", "towards", "away", "before", "after", "farthest", "freeboard", "flooding", "vanishing",
+        "end", "left", "taken", "ratio",
+    )  # fmt: skip
+    return {
+        **{name: getattr(one, name) for name in single},
+        "under": dict(one.under),
+        "angle": one.angles.tolist(),
+        "arm": one.arms.tolist(),
+    }
+
+
+def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
+    """Lose a load at the equilibrium found last.
+
+    Args:
+        question: The lift.
+        rest: Its equilibrium that was found last.
+        load: Name of the load.
+
+    Raises:
+        NoEquilibriumError: If there is none without it.
+        ValueError: If there is no such load, or no vessel.
+    """
+    vessels = rest.recording.rig.vessels
+    if not vessels:
+        raise ValueError("no vessel of this lift floats")
+    without = question.lose(load)
+    heights = metacentric_heights(question, without)
+    swings = []
+    for vessel in vessels:
+        turn, _ = _lie(rest.recording, vessel)
+        swing = _swing(
+            hull_of(question, vessel.name), vessel, turn[2], without.recording, heights[vessel.name]
+        )
+        swings += [swing] if swing is not None else []
+    return LostLoad(load, without, heights, swings)
+
+
+def _lie(recording: Recording, vessel: Vessel) -> tuple[Floats, Lie]:
+    """World from vessel, shape (3, 3), and how it lies, at the last sample."""
+    turn = axes(recording.column("body_orientation", vessel.body)[-1])
+    origin = recording.column("body_position", vessel.body)[-1] - turn @ np.asarray(vessel.centre_of_gravity)
+    return turn, Lie(turn, origin[2] - vessel.level)
+
+
+def _swing(
+    hull: Hull, vessel: Vessel, up_before: Floats, without: Recording, heights: MetacentricHeights
+) -> Swing | None:
+    """The swing of a vessel; None where the load does not move it, or nothing rights it without the load.
+
+    Args:
+        hull: Its hull.
+        vessel: It.
+        up_before: Upwards in its axes with the load, shape (3,).
+        without: The equilibrium without the load.
+        heights: What rights it there.
+    """
+    turn, lie = _lie(without, vessel)
+    up = turn[2]
+    axis = np.cross(up, up_before)[:2]  # of the turn that the vessel makes
+    if np.linalg.norm(axis) < _STAYS:
+        return None
+    axis /= np.linalg.norm(axis)
+    centre = _centre_of_gravity(hull, up, float(lie.height), heights, axis)
+    if centre is None:
+        return None
+    # Turned so that the axis points forward: the swing is heel to starboard.
+    aside = np.array([[axis[0], axis[1], 0.0], [-axis[1], axis[0], 0.0], [0.0, 0.0, 1.0]])
+    vertices, triangles = hull.mesh
+    turned = Hull(hull.name, vertices @ aside.T, triangles)
+    mass = float(without.column("vessel_displacement", vessel.name)[-1])
+    righting = Righting(turned, mass, aside @ centre, density=vessel.density)
+    marks = {name: np.array(points) @ aside.T for name, points in vessel.marks.items()}
+    before, after = (math.atan2(way[1], way[2]) for way in (aside @ up_before, aside @ up))
+    away = math.atan2(-aside[1, 1], -aside[1, 0])
+    return _measured(_Curve(righting, marks), vessel.name, away, before, after)
+
+
+def _centre_of_gravity(
+    hull: Hull, up: Floats, height: float, heights: MetacentricHeights, axis: Floats
+) -> Floats | None:
+    """Of all that weighs on a vessel at rest, vessel axes (3,) [m], such that it rights itself as it does.
+
+    None where nothing rights it about the axis. It is plumb over the centre of buoyancy, by s. Where the
+    section of the surface has the moments I about its middle and V lies below it, a turn about a level axis u
+    yields by uᵀ (I/V - s)⁻¹ u.
+    """
+    below = hull.below(up, height)
+    forward = np.array([1.0, 0.0, 0.0]) - up[0] * up
+    forward /= np.linalg.norm(forward)
+    ways = np.array([forward, np.cross(up, forward)])
+    first = ways @ below["area_moment"]
+    second = ways @ below["area_second"] @ ways.T - np.outer(first, first) / below["area"]
+    # A turn about one way lifts what lies along the other one.
+    across = np.array([[second[1, 1], -second[0, 1]], [-second[0, 1], second[0, 0]]]) / below["volume"]
+    level = ways @ np.append(axis, 0.0)
+    level /= np.linalg.norm(level)
+    yields = 1.0 / heights.about(level)
+    if yields <= 0.0:
+        return None
+    radii, principal = np.linalg.eigh(across)
+    shares = (principal.T @ level) ** 2
+    # shares_0/(radii_0 - s) + shares_1/(radii_1 - s) = yields; the lower root rights it about both.
+    polynomial = [
+        yields,
+        1.0 - yields * radii.sum(),
+        yields * radii.prod() - shares[0] * radii[1] - shares[1] * radii[0],
+    ]
+    above = float(np.roots(polynomial).real.min())
+    return np.asarray(below["moment"] / below["volume"] + above * up)
+
+
+class _Curve:
+    """Righting arms of a vessel without the load, and how high its marks are over the water."""
+
+    def __init__(self, righting: Righting, marks: Mapping[str, Floats]) -> None:
+        self.at, self.marks = righting.at, marks
+
+    def height_of(self, mark: str, there: Heeled) -> float:
+        """Of the lowest point of a mark over the water [m]."""
+        return float((self.marks[mark] @ there.normal).min()) + there.height
+
+    def looks(self, rest: float) -> list[Heeled]:
+        """From the angle of rest [rad] away from the load, to where the arms vanish."""
+        found = [self.at(rest)]
+        while found[-1].heel < rest + _FARTHEST:
+            try:
+                there = self.at(found[-1].heel + _STEP)
+            except CannotFloatError:
+                break
+            if there.arm < 0.0:
+                # At rest the arm is zero as well, but for rounding.
+                end = self.first(lambda one: -one.arm, [*found[1:], there])
+                return found if end is None else [*found, self.at(end)]
+            found.append(there)
+        return found
+
+    def first(self, what: Callable[[Heeled], float], looks: Sequence[Heeled]) -> float | None:
+        """The first angle on the way along some looks where something is not below zero [rad]."""
+        if what(looks[0]) >= 0.0:
+            return looks[0].heel
+        for one, other in itertools.pairwise(looks):
+            if what(other) >= 0.0:
+                from scipy.optimize import brentq  # takes long to load
+
+                return float(brentq(lambda angle: what(self.at(angle)), one.heel, other.heel, xtol=_ANGLE))
+        return None
+
+
+def _measured(curve: _Curve, name: str, away: float, before: float, after: float) -> Swing:
+    """Angles and areas of a curve."""
+    looks = curve.looks(after)
+    rest, last, released = looks[0], looks[-1], curve.at(before)
+    under = {}
+    for mark in curve.marks:
+        angle = curve.first(lambda there, mark=mark: -curve.height_of(mark, there), looks)  # type: ignore[misc]
+        if angle is not None:
+            under[mark] = angle
+    flooding = min((angle for mark, angle in under.items() if mark != DECK_EDGE), default=None)
+    end = last.heel if flooding is None else flooding
+    farthest = curve.first(lambda there: there.work - released.work, looks)
+    freeboard = None
+    if farthest is not None:
+        there = curve.at(farthest)
+        freeboard = min(curve.height_of(mark, there) for mark in curve.marks)
+    steps = math.ceil((after - before) / _STEP)
+    drawn = [*(curve.at(before + (after - before) * step / steps) for step in range(steps)), *looks]
+    return Swing(
+        vessel=name,
+        away=away,
+        before=before,
+        after=after,
+        farthest=farthest,
+        freeboard=freeboard,
+        under=under,
+        flooding=flooding,
+        has_openings=any(mark != DECK_EDGE for mark in curve.marks),
+        vanishing=last.heel if last.heel < after + _FARTHEST else None,
+        end=end,
+        left=released.work - rest.work,
+        taken=curve.at(end).work - rest.work,
+        angles=np.array([one.heel for one in drawn]),
+        arms=np.array([one.arm for one in drawn]),
+    )

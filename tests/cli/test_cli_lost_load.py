@@ -1,0 +1,82 @@
+"""`gantline statics --lost`: what it prints, draws and refuses."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+
+import pytest
+from PIL import Image
+from typer.testing import CliRunner
+
+from gantline.cli.app import app
+
+CRANE = Path(__file__).parents[2] / "python/gantline/scenarios/floating_crane.yaml"
+
+
+def lost(*arguments: str | Path) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, ["statics", *map(str, arguments)])
+    return result.exit_code, result.stdout, result.stderr
+
+
+def with_opening(folder: Path, at: str) -> Path:
+    """The floating crane with a hatch at the stern that is not weathertight."""
+    text = CRANE.read_text(encoding="utf-8")
+    assert text.count("    draft: ") == 1
+    path = folder / "lift.yaml"
+    path.write_text(
+        text.replace("    draft: ", f"    openings: {{hatch: {at}}}\n    draft: "), encoding="utf-8"
+    )
+    return path
+
+
+def test_tables_and_picture(tmp_path: Path) -> None:
+    code, said, _ = lost("floating_crane", "--lost", "load", "--output", tmp_path)
+    assert code == 0
+    assert "'load' lost at 2750 s; at rest without it: stable" in said
+    assert re.search(r"barge +stern +-0\.01 deg +1\.3\d deg +2\.6\d deg +0\.8\d m +3\.57 deg", said)
+    assert "barge has no 'openings' in the lift file" in said
+    saved = json.loads((tmp_path / "lost_load.json").read_text(encoding="utf-8"))
+    assert saved["load"] == "load" and saved["swings"][0]["towards"] == "stern"
+    with Image.open(tmp_path / "lost_load_barge.png") as picture:
+        assert picture.width > 1000
+        assert len(picture.convert("RGB").resize((200, 100)).getcolors(20_000) or []) > 50
+
+
+def test_numbers_in_si_units() -> None:
+    code, said, _ = lost("floating_crane", "--lost", "load", "--json")
+    assert code == 0
+    found = json.loads(said)
+    (swing,) = found["swings"]
+    assert found["load"] == "load" and found["sound"] is True
+    assert swing["vessel"] == "barge" and abs(swing["away"]) == pytest.approx(math.pi)
+    assert swing["before"] < swing["after"] < swing["farthest"] < swing["under"]["deck_edge"]
+    assert swing["ratio"] == pytest.approx(swing["taken"] / swing["left"])
+    assert len(swing["angle"]) == len(swing["arm"]) > 20
+    # Half the trim's square by GM is what it has left: the righting moment is straight so far.
+    heel, gm = swing["after"] - swing["before"], found["metacentric_heights"]["barge"][1]
+    assert swing["left"] == pytest.approx(gm * heel**2 / 2, rel=2e-3)
+
+
+def test_a_vessel_that_does_not_come_back(tmp_path: Path) -> None:
+    """A hatch low at the stern goes under before the vessel has used up what the load leaves."""
+    code, said, _ = lost(with_opening(tmp_path, "[0 m, 10 m, 6.2 m]"), "--lost", "load")
+    assert code == 1
+    assert "WARNING: barge does not swing back before water comes in or its arms vanish" in said
+    assert "has no 'openings'" not in said
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("equalizer --lost load", "--lost: no vessel of this lift floats"),
+        ("floating_crane --lost modul", "--lost: the lift has no load 'modul'; its loads: load"),
+        ("floating_crane --lost load --time '1 h'", "--time: 3600 s is after the end of the lift"),
+    ],
+)
+def test_what_cannot_be_lost_is_said(words: str, said: str) -> None:
+    result = CliRunner().invoke(app, f"statics {words}")
+    assert result.exit_code == 2
+    assert said in result.stderr
