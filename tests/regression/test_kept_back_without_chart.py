@@ -83,6 +83,7 @@ def on_fixed_hooks(more: str) -> Check:
         ("rules: {several_cranes_factor: 1.1}\n", 1.1 * 80.0 / 90.0),
         ("", 80.0 / 90.0),
         (RULE + GROUP, 80.0 / 90.0),
+        (RULE + GROUP.replace("type: crane", "type: trolley"), 80.0 / 90.0),
     ],
 )
 def test_hooks_that_move_as_told_are_cranes_unless_a_group_has_them(more: str, value: float) -> None:

@@ -45,10 +45,10 @@ def kept_back(recording: Recording, crane: str) -> tuple[float, list[Caution]]:
 
 
 def crane_of(rig: Rig, hook: str) -> str:
-    """The crane to which a hook belongs; of one that moves as told the group of a crane that has it."""
+    """The crane to which a hook belongs; of one that moves as told the group of a crane or trolley."""
     crane = next((one.crane for one in rig.hooks if one.name == hook), hook)
-    groups = (one.name for one in rig.ratings if one.level == "crane" and hook in one.hooks)
-    return next(groups, crane) if crane == hook else crane
+    groups = {one.level: one.name for one in rig.ratings if hook in one.hooks and one.level != "hook"}
+    return groups.get("crane", groups.get("trolley", crane)) if crane == hook else crane
 
 
 def _lifting(recording: Recording) -> set[str]:
