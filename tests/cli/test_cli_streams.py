@@ -32,6 +32,17 @@ def test_a_disk_that_is_full_is_told_in_a_sentence(words: list[str]) -> None:
     assert result.stderr == "error: standard output: cannot be written (no space left on device)\n"
 
 
+@pytest.mark.parametrize("words", [["schema"], ["check", "equalizer"], ["statics", "equalizer"]])
+def test_nobody_reads_on(words: list[str]) -> None:
+    """As after `| head -1`: it ended with 1, the code of a check that failed. Shells have 141 for SIGPIPE."""
+    ours, theirs = os.pipe()
+    os.close(ours)
+    with os.fdopen(theirs, "w") as closed:
+        command = [*PROGRAM, *words]
+        result = subprocess.run(command, stdout=closed, stderr=subprocess.PIPE, text=True, check=False)
+    assert (result.returncode, result.stderr) == (141, "")
+
+
 def test_a_recording_in_place_of_a_lift_file(tmp_path: Path) -> None:
     path = ringing_lift().save(tmp_path / "recording.nc")
     result = CliRunner().invoke(app, ["run", str(path)])

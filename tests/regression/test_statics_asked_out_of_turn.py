@@ -89,6 +89,15 @@ def test_a_swing_has_frames_and_an_amplitude(wrong: dict[str, float]) -> None:
         question.modes(-1)
 
 
+@pytest.mark.parametrize("wrong", [None, 0])
+def test_what_swings_is_a_mode(wrong: object) -> None:
+    """A number said that it has no `body_motion`."""
+    question = Statics(parse_scenario(LIFT))
+    question.modes()
+    with pytest.raises(ValueError, match=rf"mode: {wrong} is no Mode; modes\(\) answers with them"):
+        question.swing(wrong)  # type: ignore[arg-type]
+
+
 def test_answers_can_be_compared_and_shown() -> None:
     """`==` of two modes raised an error of arrays, and a list of them filled a page."""
     question = Statics(parse_scenario(LIFT))

@@ -6,12 +6,15 @@ from collections.abc import Iterable
 
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart, Problem, StartError
+from gantline.scenario.rigging import resolve
 from gantline.scenario.slinging import starts_off
 
-__all__ = ["FALLS", "origin_of", "refused"]
+__all__ = ["FALLS", "origin_of", "refused", "with_advice"]
 
 #: What the core says of a body that nothing holds.
 FALLS = "nothing holds it, it falls without end"
+#: What it says of a rope of which nothing is left between two of its guides.
+_USED_UP = "the rope is hauled in until two of the places that it passes have come together"
 
 #: Keys of the lift file whose elements bear a prefix in the core.
 _PREFIXED = {
@@ -40,11 +43,30 @@ def refused(scenario: Scenario, message: str) -> StartError:
     if off:
         later = f"; {', '.join(off)} {'is' if len(off) == 1 else 'are'} off until 'attach' of the plan"
         sentence, message = f"{sentence}{later}", f"{message}{later}"
+    sentence, message = (with_advice(scenario, element, one) for one in (sentence, message))
     if path is None:
         return StartError(str(scenario.source), [Problem(None, "", message)])
     # Of what is made of an element the name says more than the path.
     is_itself = element in (path[-1], f"{element.partition('.')[0]}.{path[-1]}")
     return scenario.start_error(path, sentence if is_itself else message)
+
+
+def with_advice(scenario: Scenario, element: str, cause: str) -> str:
+    """What the core says of an element, and what would be right where the lift file has that.
+
+    Args:
+        scenario: The lift.
+        element: As the core names it.
+        cause: Why the lift comes to rest nowhere, as the core says it.
+    """
+    if not cause.endswith(_USED_UP):
+        return cause
+    equalizers = resolve(scenario).equalizers
+    own = next((one for name, one in equalizers.items() if element == f"{name}.equalizing"), None)
+    if own is None or own.travel.stops:
+        return cause
+    runs_up = "a moving sheave that less hangs on than on the others runs up to the fixed ones"
+    return f"{cause}: {runs_up}; 'stops: true' under 'travel' ends its way, 'locked: true' holds it"
 
 
 def origin_of(scenario: Scenario, element: str) -> tuple[PathPart, ...] | None:

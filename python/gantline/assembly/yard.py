@@ -14,7 +14,8 @@ from gantline.assembly.route import MOST_STRAIN, end_to_end, route_length, too_f
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.slinging import check_reach, hangs_load, warn_of_off
 from gantline.assembly.spatial import inertia_list, solid_box
-from gantline.scenario import Scenario
+from gantline.scenario import Scenario, StartError
+from gantline.scenario.errors import Problem
 from gantline.scenario.extension import SlingEnd
 from gantline.scenario.rigging import EqualizerRigging, Rigging, SlingRigging
 
@@ -251,10 +252,11 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     """Each sling from its moving sheave (or hook) to its lug; `lugs` are positions in the load's body frame.
 
     Raises:
-        ScenarioError: if a sling is too short for where its ends are at the start, or cannot hang there.
+        ScenarioError: if slings are too short for where their ends are at the start, or cannot hang there.
     """
     if scenario.load is None:
         return
+    too_short: list[Problem] = []
     off: list[str] = []  # slings on which the load seems to hang at the start, and which are not on
     loose: dict[str, tuple[float, float]] = {}  # slings much longer than their way, with both
     below: dict[str, float] = {}  # slings whose upper end is below the lug that they hold, and by how much
@@ -265,23 +267,9 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             check_reach(parts, scenario, sling, route)
             if hangs_load(scenario, sling, distance):
                 off.append(sling.name)
-        short = distance - sling.length if sling.starts_on else -math.inf
-        # One that an extension sheave or a spreader hangs on stretches under its weight.
-        at_rest = scenario.load_has_settled and sling.lugs
-        may_stretch = not (at_rest or sling.rope.inextensible)
-        allowed = MOST_STRAIN * sling.length if may_stretch else _TAUT
-        if short > allowed:
-            apart = f"{_way(scenario.load.name, sling)} it is {_not_shorter(distance, sling.length)} m"
-            sentence = f"the sling is {sling.length:g} m, but {apart} at the start"
-            sentence += f": {too_far(distance, sling.length)}; " if may_stretch else "; "
-            advice = "lower the hook or make the sling longer"
-            aside = float(np.hypot(*end_to_end(parts, route)[:2]))
-            if sling.over is None and aside > sling.length:
-                sentence += f"{aside:.3f} m of that sideways, which no height of the hook makes up; "
-                advice = "put crane, boom or load elsewhere"
-            if scenario.load_has_settled and short <= MOST_STRAIN * sling.length:
-                advice += ", or write 'start: as_given' if it shall pull from the start"
-            raise scenario.start_error(("slings", sling.name), sentence + advice)
+        if sling.starts_on and (problem := _too_short(parts, scenario, sling, route)) is not None:
+            too_short.append(problem)
+            continue
         path = ("slings", sling.name)
         rope = f"sling.{sling.name}"
         if sling.weight.mass_per_length > 0:  # lumped where hook, sheaves and load are made
@@ -296,6 +284,8 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             below[sling.name] = rise
         elif sling.starts_on and sling.length > _MOST_SLACK * distance:
             loose[sling.name] = sling.length, distance
+    if too_short:
+        raise StartError(scenario.source, too_short)
     warn_of_off(parts, scenario, off)
     if below:
         deepest = max(below, key=lambda name: below[name])
@@ -313,6 +303,30 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         parts.warnings.append(
             f"sling {loosest}{more} is {length:g} m long, and {way}; check the number and its unit"
         )
+
+
+def _too_short(parts: Parts, scenario: Scenario, sling: SlingRigging, route: list[Json]) -> Problem | None:
+    """What is wrong with a sling that does not reach from end to end at the start; None if it does."""
+    assert scenario.load is not None
+    distance = route_length(parts, route)
+    short = distance - sling.length
+    # One that an extension sheave or a spreader hangs on stretches under its weight.
+    at_rest = scenario.load_has_settled and sling.lugs
+    may_stretch = not (at_rest or sling.rope.inextensible)
+    allowed = MOST_STRAIN * sling.length if may_stretch else _TAUT
+    if short <= allowed:
+        return None
+    apart = f"{_way(scenario.load.name, sling)} it is {_not_shorter(distance, sling.length)} m"
+    sentence = f"the sling is {sling.length:g} m, but {apart} at the start"
+    sentence += f": {too_far(distance, sling.length)}; " if may_stretch else "; "
+    advice = "lower the hook or make the sling longer"
+    aside = float(np.hypot(*end_to_end(parts, route)[:2]))
+    if sling.over is None and aside > sling.length:
+        sentence += f"{aside:.3f} m of that sideways, which no height of the hook makes up; "
+        advice = "put crane, boom or load elsewhere"
+    if scenario.load_has_settled and short <= MOST_STRAIN * sling.length:
+        advice += ", or write 'start: as_given' if it shall pull from the start"
+    return scenario.problem(("slings", sling.name), sentence + advice)
 
 
 def lower_end(scenario: Scenario, lugs: Mapping[str, Sequence[float]], end_of_sling: SlingEnd) -> Json:

@@ -70,7 +70,7 @@ class Check:
     @property
     def has_no_limit(self) -> bool:
         """Whether there is a value and nothing to hold it against, so that its verdict is `not checked`."""
-        return self.value is not None and self.limit is None
+        return self.verdict is Verdict.NOT_CHECKED and self.value is not None and self.limit is None
 
     @property
     def utilisation(self) -> float | None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.forces import NO_STATIC, kilonewton, sum_force
+from gantline.checks.forces import NO_STATIC, kilonewton, over, sum_force
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, everywhere, extreme
 from gantline.results import series
 from gantline.results.gear import Equalizer, Sling, Spreader
@@ -39,14 +39,17 @@ def pin_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding
 
 
 def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """(max - min)/mean over the slings of one equalizer."""
-    for equalizer in recording.rig.equalizers:
-        counts = during & series.are_whole(recording, equalizer.slings).any(axis=0)
+    """(max - min)/mean over the slings of one equalizer, while one of them carries anything."""
+    for equalizer in (one for one in recording.rig.equalizers if one.slings):
+        on = series.are_whole(recording, equalizer.slings)
+        tensions = np.array([recording.column("rope_tension", rope) for rope in equalizer.slings])
+        counts = during & (on & (tensions > 0.0)).any(axis=0)
         if counts.any():
             spread = series.tension_spread(recording, equalizer)
             yield from extreme(recording, spread, counts, equalizer.name)
-        elif equalizer.slings:
-            yield Missing(equalizer.name, "none of its slings is on")
+        else:
+            is_on = (during & on.any(axis=0)).any()
+            yield Missing(equalizer.name, f"none of its slings {'carries' if is_on else 'is on'}")
 
 
 def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -69,7 +72,9 @@ def hanging_of_capacity(
         vertical = [series.sling_upright(recording, sling) for sling in slings]
         force = sum_force(recording, np.sum(vertical, axis=0), slings[0].to_load, during)
         if force.static is None:
-            yield Missing(gear.name, NO_STATIC)
+            # What never hung still is rated all the same: the peak is no less.
+            yield from over(force, gear.rated_capacity, gear.name)
+            yield Caution(NO_STATIC)
             return
         text = f"{force.static_text} / {kilonewton(gear.rated_capacity)}"
         text += f" (peak {kilonewton(force.peak)})" if force.peak is not None else ""

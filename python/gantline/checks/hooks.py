@@ -10,10 +10,13 @@ import numpy as np
 
 from gantline.checks.forces import NO_STATIC, OTHER_SLINGS, Raised, as_it_is, hook_force, kilonewton, over
 from gantline.checks.measure import Finding, Found, Missing, extreme
-from gantline.checks.ratings import SEVERAL, kept_back
+from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
+
+#: Levels of rated capacities, that of most first.
+_LEVELS = ("crane", "trolley", "hook")
 
 
 def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -69,25 +72,39 @@ def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def level_difference(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """How far of two hooks that bear the load one has gone up more than the other since it came clear."""
+    """How far of two hooks that bear the load one has gone up more than the other since it came clear.
+
+    Only while both have slings on: a hook goes where it likes before its slings are put on, and after they
+    have been taken off. One that stays behind so far that its slings go slack counts.
+    """
     rig = recording.rig
-    bearing = {rig.hook_of(sling) for sling in rig.slings}
-    hooks = [hook.name for hook in rig.hooks if hook.name in bearing]
+    bearing: dict[str, list[BoolArray]] = {}
+    for sling in rig.slings:
+        bearing.setdefault(rig.hook_of(sling), []).append(series.is_on(recording, sling.rope))
+    on = {hook.name: np.any(bearing[hook.name], axis=0) for hook in rig.hooks if hook.name in bearing}
     clear = series.is_clear(recording)
     if series.is_equilibrium(recording) or not clear.any():
-        for name in hooks:
+        for name in on:
             yield Missing(name, "its rise counts from when a run brings the load clear")
         return
     # Hook blocks stay upright: a bearing goes up as its body does.
-    heights = {name: recording.column("body_position", name)[:, 2] for name in hooks}
-    risen = {name: height - height[np.argmax(clear)] for name, height in heights.items()}
-    for one, other in combinations(hooks, 2):
+    heights = {name: recording.column("body_position", name)[:, 2] for name in on}
+    for one, other in combinations(on, 2):
+        for together in series.stretches(on[one] & on[other]):
+            counts = together & clear
+            if not counts.any():
+                continue
+            first, second = (heights[name] - heights[name][np.argmax(counts)] for name in (one, other))
 
-        def text(at: int, one: str = one, other: str = other) -> str:
-            return f"{one} {risen[one][at]:.3f} m, {other} {risen[other][at]:.3f} m up since it came clear"
+            def text(
+                at: int,
+                names: tuple[str, str] = (one, other),
+                rises: tuple[FloatArray, ...] = (first, second),
+            ) -> str:
+                risen = [f"{name} {rise[at]:.3f} m" for name, rise in zip(names, rises, strict=True)]
+                return f"{', '.join(risen)} up since it came clear"
 
-        apart = np.abs(risen[one] - risen[other])
-        yield from extreme(recording, apart, during & clear, f"{one} to {other}", text)
+            yield from extreme(recording, np.abs(first - second), during & counts, f"{one} to {other}", text)
 
 
 def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -117,10 +134,17 @@ def _first_layer_over_last(recording: Recording, name: str, during: BoolArray) -
 def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Hoist load (or hook load, as the rating says) of hooks, trolleys and cranes over rated capacity.
 
-    Cranes that lift together keep capacity back: of their charts, and those without a chart of this.
+    Cranes that lift together keep capacity back: of their charts, those without a chart of this, where a
+    crane has none of trolleys or hooks. Hooks that move as told may be of one crane: without a rule nothing
+    is said of them.
     """
-    charted = {chart.crane for chart in recording.rig.rating_charts}
-    for rating in recording.rig.ratings:
+    rig = recording.rig
+    charted = {chart.crane for chart in rig.rating_charts}
+    levels: dict[str, list[str]] = {}
+    for rating in rig.ratings:
+        if rating.rated_capacity:
+            levels.setdefault(crane_of(rig, rating.hooks[0]), []).append(rating.level)
+    for rating in rig.ratings:
         element = rating.name if rating.level == "hook" else f"{rating.level} {rating.name}"
         if not rating.rated_capacity:
             yield Missing(element, "rated capacity not known")
@@ -128,8 +152,9 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
         variable = "hoist_load" if rating.includes_hook_block else "hook_load"
         force = hook_force(recording, rating.hooks, variable, during)
         raised = Raised()
-        if rating.level == "crane" and rating.name not in charted:
-            kept, cautions = kept_back(recording, rating.name)
-            yield from cautions
+        crane = crane_of(rig, rating.hooks[0])
+        if crane not in charted and rating.level == min(levels[crane], key=_LEVELS.index):
+            kept, cautions = kept_back(recording, crane)
+            yield from cautions if rating.level == "crane" else ()
             raised = Raised(kept, f" x {kept:.4g}", (SEVERAL,)) if kept > 1.0 else raised
         yield from over(force, rating.rated_capacity, element, raised)

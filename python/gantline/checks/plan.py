@@ -13,6 +13,8 @@ from gantline.results.gear import Drum
 from gantline.results.recording import Recording
 from gantline.units import format_quantity
 
+#: How a run ended that did not come to its end, by its status.
+_BROKE_OFF = {"stopped": "was stopped", "failed": "failed"}
 #: A load of which less than this share ever hangs has not been lifted [1].
 _LIFTED_FROM = 0.05
 #: Motors that pull all they can for longer in all are told [s]; at starts and stops that is nothing.
@@ -30,15 +32,21 @@ _LOST = 0.05
 
 
 def unfinished(recording: Recording) -> list[Check]:
-    """A warning where a run ends before its plan: what did not happen has not been checked."""
+    """A warning where a run ends before its plan, or broke off: what did not happen has not been checked.
+
+    One that broke off in its last hold has done all that its plan moves, and has not shown that the load
+    hangs quietly after that.
+    """
     left = progress.unfinished(recording)
-    if left is None:
+    ended = _BROKE_OFF.get(str(recording.attributes.get("status")), "ends")
+    if left is None and ended == "ends":
         return []
-    at = f" in '{left.under_way[0]}'" if left.under_way else ""
-    not_begun = f"; not begun: {named(left.not_begun)}" if left.not_begun else ""
+    at = f" in '{left.under_way[0]}'" if left is not None and left.under_way else ""
+    not_begun = f"; not begun: {named(left.not_begun)}" if left is not None and left.not_begun else ""
     stopped = [time for time, _, _ in recording.events("emergency_stop")]
     after = f", after the emergency stop at {stopped[0]:.4g} s" if stopped else ""
-    remark = f"the run ends at {recording.time[-1]:.4g} s{at}{after}{not_begun}"
+    end = f"{recording.time[-1]:.4g} s" if len(recording.time) else "its start"
+    remark = f"the run {ended} at {end}{at}{after}{not_begun}"
     return [Check(PLAN_FINISHED, Verdict.WARNING, "all steps of the plan within the run", remark=remark)]
 
 

@@ -13,6 +13,7 @@ from gantline.results import series
 from gantline.results.rating import RatedGroup, bears, chart_load, chart_places, rated_groups, rated_load
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
+from gantline.results.rig import Rig
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
@@ -43,11 +44,18 @@ def kept_back(recording: Recording, crane: str) -> tuple[float, list[Caution]]:
     return kept, []
 
 
+def crane_of(rig: Rig, hook: str) -> str:
+    """The crane to which a hook belongs; of one that moves as told the group of a crane or trolley."""
+    crane = next((one.crane for one in rig.hooks if one.name == hook), hook)
+    groups = {one.level: one.name for one in rig.ratings if hook in one.hooks and one.level != "hook"}
+    return groups.get("crane", groups.get("trolley", crane)) if crane == hook else crane
+
+
 def _lifting(recording: Recording) -> set[str]:
     """The cranes from whose hooks slings hang."""
     rig = recording.rig
     hooks = {rig.hook_of(sling) for sling in rig.slings}
-    return {hook.crane for hook in rig.hooks if hook.name in hooks}
+    return {crane_of(rig, hook.name) for hook in rig.hooks if hook.name in hooks}
 
 
 def _without_chart(recording: Recording) -> Iterator[Missing]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.run import end_of_step, values_of
-from gantline.results.rating import RatedGroup, rated_groups, rated_load
+from gantline.results.rating import RatedGroup, chart_load, rated_groups, rated_load
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
@@ -49,6 +49,7 @@ class HookReading:
         rated: What the chart of the crane rates there [N], 0 outside of it; None without a chart.
         used: What `hoist_load_of_rating` comes to there, with the factors of the rules [1]; None without a
             chart, outside of it, or if nothing hangs.
+        is_outside: Whether it bears something outside of the chart.
     """
 
     name: str
@@ -59,11 +60,7 @@ class HookReading:
     radius: float | None = None
     rated: float | None = None
     used: float | None = None
-
-    @property
-    def is_outside(self) -> bool:
-        """Whether it hangs outside of the chart."""
-        return self.rated == 0.0 and self.hook_load > 0.0
+    is_outside: bool = False
 
 
 def hold_points(recording: Recording) -> Iterator[HoldPoint]:
@@ -125,11 +122,9 @@ def _reading(
     if rating is None:
         return reading
     chart, group = rating
-    return replace(
-        reading,
-        rated=float(rated_load(recording, chart, group)[sample]),
-        used=used.get(group.element),
-    )
+    rated = float(rated_load(recording, chart, group)[sample])
+    hangs = bool(chart_load(recording, chart, group.hooks)[sample] > 0.0)
+    return replace(reading, rated=rated, used=used.get(group.element), is_outside=rated == 0.0 and hangs)
 
 
 def _height(recording: Recording, hook: str, sample: int) -> float | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -153,14 +153,10 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     factors = found.worst.factors if found.worst is not None else ()
     check = replace(check, limit=limit, source=_with_factors(recording, source, factors))
     if found.refused:
-        refused = "; ".join(f"{one.reason}: {one.element}" for one in found.refused)
-        first = found.refused[0]
-        check = (
-            replace(check, element=first.element) if first.found is None else _with_value(check, first.found)
-        )
-        return replace(check, verdict=Verdict.FAILED, remark=refused)
+        return _refused(check, found.refused)
     if found.worst is None:
-        return replace(check, remark=found.missing or _nothing(measure))
+        is_asked = given is not None and key not in rig.assumed_limits
+        return _without_value(recording, check, found.missing, _nothing(measure), is_asked=is_asked)
     check = _with_value(check, found.worst)
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     if given is None and measure.alarm is not None:
@@ -172,7 +168,8 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
             )
             return replace(check, verdict=Verdict.WARNING, remark=_joined([_OWN_LIMIT, *remarks]))
     if limit is None:
-        return replace(check, remark=_joined([found.missing, found.cautions]))
+        verdict = Verdict.WARNING if found.cautions else Verdict.NOT_CHECKED
+        return replace(check, verdict=verdict, remark=_joined([found.missing, found.cautions]))
     verdict = _verdict(measure, found.worst.value, limit)
     if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
@@ -181,6 +178,27 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if remark and verdict is Verdict.OK:
         verdict = Verdict.WARNING
     return replace(check, verdict=verdict, remark=remark)
+
+
+def _refused(check: Check, refused: Sequence[Refused]) -> Check:
+    """The check of elements to which something happens that is not allowed at all."""
+    first = refused[0]
+    check = replace(check, element=first.element) if first.found is None else _with_value(check, first.found)
+    reasons = "; ".join(f"{one.reason}: {one.element}" for one in refused)
+    return replace(check, verdict=Verdict.FAILED, remark=reasons)
+
+
+def _without_value(
+    recording: Recording, check: Check, missing: str, nothing: str, *, is_asked: bool
+) -> Check:
+    """The check of which no element has a value; a warning where the lift asks for it and a run has one.
+
+    Less is known then than where some elements have a value, which is a warning too. What an equilibrium
+    lacks, a peak first of all, the run of the lift has.
+    """
+    asked_in_vain = is_asked and missing and not series.is_equilibrium(recording)
+    verdict = Verdict.WARNING if asked_in_vain else Verdict.NOT_CHECKED
+    return replace(check, verdict=verdict, remark=missing or nothing)
 
 
 def _with_value(check: Check, found: Found) -> Check:
@@ -235,9 +253,17 @@ def _check_requirement(recording: Recording, step: Step, key: str, side: str, li
             return replace(check, remark="a run checks what steps require; an equilibrium has no steps")
         return replace(check, remark="the recording ends before this step does")
     found = _look(sided, recording, during)
+    if found.refused:
+        return _refused(check, found.refused)
     if found.worst is None:
-        return replace(check, remark=found.missing or "nothing to check at the end of this step")
-    return replace(_with_value(check, found.worst), verdict=_verdict(sided, found.worst.value, limit))
+        nothing = "nothing to check at the end of this step"
+        return _without_value(recording, check, found.missing, nothing, is_asked=True)
+    check = _with_value(check, found.worst)
+    verdict = _verdict(sided, found.worst.value, limit)
+    if found.missing:
+        verdict = Verdict.WARNING if verdict is Verdict.OK else verdict
+        check = replace(check, remark=f"not checked, {found.missing}")
+    return replace(check, verdict=verdict)
 
 
 def _parted(parting: Parting) -> Check:

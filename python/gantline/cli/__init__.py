@@ -1,9 +1,9 @@
 """The command line. Verbs load what they need when they run, so `gantline --help` loads nothing else."""
 
-__all__ = ["INTERRUPTED", "main"]
+__all__ = ["CLOSED_PIPE", "INTERRUPTED", "main"]
 
-#: Exit code of an end by Ctrl-C, as shells count it.
-INTERRUPTED = 130
+#: Exit codes of an end by Ctrl-C, and since nobody reads on what is printed, as shells count them.
+INTERRUPTED, CLOSED_PIPE = 130, 141
 
 
 def main() -> None:

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from gantline.cli import CLOSED_PIPE
 from gantline.cli.ballast import ballast
 from gantline.cli.cad_group import cad_app
 from gantline.cli.cases import cases
@@ -36,6 +37,15 @@ class _Verbs(TyperGroup):
             both = f"'gantline run {lift}' simulates it, 'gantline check {lift}' looks it over"
             ctx.fail(f"'{lift}' is no verb; {both}")
         return super().resolve_command(ctx, args)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run a verb; `| head` ends it without a word, and not with the code of a check that failed."""
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError:
+            # What has not gone out by now would be tried once more at the end, with a traceback.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+            raise typer.Exit(CLOSED_PIPE) from None
 
 
 app = typer.Typer(

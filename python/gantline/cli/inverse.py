@@ -69,7 +69,7 @@ def hang_as_wanted(
     with scenario_errors():
         from gantline.scenario import ScenarioError, load_scenario
         from gantline.statics import NoEquilibriumError
-        from gantline.study import CannotBeError, adjust_lengths, plumb_hooks
+        from gantline.study import AdjustError, CannotBeError, adjust_lengths, plumb_hooks
 
         answer: LengthAnswer | HookAnswer
         scenario = load_scenario(lift)
@@ -94,6 +94,8 @@ def hang_as_wanted(
             stop(f"{option}: {problem}", COULD_NOT_GO_ON)
         except ScenarioError:
             raise
+        except AdjustError as problem:
+            stop(f"--adjust: {problem}")
         except ValueError as problem:
             stop(f"{option}: {problem}")
     typer.echo("\n".join([*scenario.left_out_at_rest, *lines]))

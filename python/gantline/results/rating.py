@@ -25,6 +25,8 @@ __all__ = [
 
 #: What may count.
 _LOADS = ("hook_load", "hoist_load")
+#: Rounding of what hangs in a hook over what always does.
+_ROUNDED_UP = 1.0 + 1e-9
 
 
 @dataclass(frozen=True)
@@ -67,11 +69,13 @@ def counted_load(
 ) -> FloatArray:
     """The same of hook and hoist loads by name of the variable and of the hook [N].
 
-    What the hooks bear counts from when it does: a hoist load of hook block and falls alone is no lift. Where
-    nothing is known to hang in them but what `mechanics` hangs there, it always does.
+    What the hooks bear counts from when it does: a hoist load of hook block and falls alone, with slings that
+    have been taken off the load, is no lift. Where nothing is known to hang in them but what `mechanics`
+    hangs there, it always does.
     """
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
-    borne = np.sum([loads[_seen(rig, chart)][hook] for hook in chart.hooks], axis=0)
+    seen = loads[_seen(rig, chart)]
+    borne = np.sum([_beyond_own(rig, chart, hook, seen[hook]) for hook in chart.hooks], axis=0)
     total = np.sum([loads[variable][hook] for hook in hooks], axis=0)
     load: FloatArray = np.where(borne > 0, total, 0.0)
     return load
@@ -79,8 +83,18 @@ def counted_load(
 
 def bears(recording: Recording, chart: RatingChart, hook: str) -> BoolArray:
     """Where one hook of a crane bears something, as its chart counts it, shape (time,)."""
-    found: BoolArray = recording.column(_seen(recording.rig, chart), hook) > 0
+    seen = recording.column(_seen(recording.rig, chart), hook)
+    found: BoolArray = _beyond_own(recording.rig, chart, hook, seen) > 0
     return found
+
+
+def _beyond_own(rig: Rig, chart: RatingChart, name: str, load: FloatArray) -> FloatArray:
+    """What a hook bears beside its own end of slings and ropes, which hangs in it whatever it lifts [N]."""
+    own = next((hook.direct_weight for hook in rig.hooks if hook.name == name), 0.0)
+    if not own or _seen(rig, chart) != "hook_load":
+        return load
+    beyond: FloatArray = np.where(load > own * _ROUNDED_UP, load - own, 0.0)
+    return beyond
 
 
 def _seen(rig: Rig, chart: RatingChart) -> str:

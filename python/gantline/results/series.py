@@ -129,7 +129,7 @@ def quiet_windows(recording: Recording) -> list[BoolArray]:
     earlier = []
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
         still = clear & np.append(_drives_stand(recording), True)
-        earlier = [one for one in _stretches(still) if _lasts(recording, one)]
+        earlier = [one for one in stretches(still) if _lasts(recording, one)]
         if earlier and earlier[-1][-1]:
             return earlier
     return [*earlier, last] if last.any() else earlier
@@ -152,16 +152,16 @@ def _drives_stand(recording: Recording) -> BoolArray:
     return np.isclose(np.diff(work), slipped, rtol=_SLIPPING, atol=rounding)
 
 
-def _stretches(mask: BoolArray) -> list[BoolArray]:
-    """Every run of true values of a mask."""
+def stretches(mask: BoolArray) -> list[BoolArray]:
+    """Every run of true values of a mask, each of its shape."""
     begins = np.flatnonzero(mask & ~np.append(False, mask[:-1]))
     ends = np.flatnonzero(mask & ~np.append(mask[1:], False))
-    stretches = []
+    found = []
     for begin, end in zip(begins, ends, strict=True):
         stretch = np.zeros_like(mask)
         stretch[begin : end + 1] = True
-        stretches.append(stretch)
-    return stretches
+        found.append(stretch)
+    return found
 
 
 def _lasts(recording: Recording, stretch: BoolArray) -> bool:

@@ -13,7 +13,7 @@ import numpy as np
 
 from gantline import _core
 from gantline.assembly import assemble
-from gantline.assembly.origin import FALLS, refused
+from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.results.derive import recording_of
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, at_rest
@@ -243,7 +243,7 @@ class Statics:
 
     def _nowhere(self, moment: float, element: str, cause: str) -> NoEquilibriumError:
         """That there is none; noted, so that nothing is asked about it."""
-        self._last = NoEquilibriumError(moment, element, cause)
+        self._last = NoEquilibriumError(moment, element, with_advice(self.scenario, element, cause))
         return self._last
 
     def _found(self, found: dict[str, Any], losses: Losses) -> Equilibrium:
@@ -331,6 +331,8 @@ class Statics:
         Raises:
             ValueError: If it is no mode found last, or amplitude or frames are not right.
         """
+        if not isinstance(mode, Mode):
+            raise ValueError(f"mode: {mode!r} is no Mode; modes() answers with them")
         if not (math.isfinite(amplitude) and frames >= 1):
             raise ValueError(f"no motion of {frames} frames with the amplitude {amplitude:g} can be shown")
         moved = mode.body_motion.reshape(-1, 2, 3)

@@ -3,7 +3,14 @@
 from gantline.study.afloat import VesselAttitude
 from gantline.study.ballast import BallastAnswer, solve_ballast
 from gantline.study.cases import CasesResult, run_cases
-from gantline.study.inverse import CannotBeError, HookAnswer, LengthAnswer, adjust_lengths, plumb_hooks
+from gantline.study.inverse import (
+    AdjustError,
+    CannotBeError,
+    HookAnswer,
+    LengthAnswer,
+    adjust_lengths,
+    plumb_hooks,
+)
 from gantline.study.lost_load import LostLoad, Swing, lose_load
 from gantline.study.refinement import finer_simulation, refined
 from gantline.study.state import State, Worst, values_of, worst_of
@@ -11,6 +18,7 @@ from gantline.study.sweep import SweepPoint, run_sweep
 from gantline.study.tilting import Margin, TiltAxis, Tilting, margins_of, tilting_of
 
 __all__ = [
+    "AdjustError",
     "BallastAnswer",
     "CannotBeError",
     "CasesResult",

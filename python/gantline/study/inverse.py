@@ -19,7 +19,7 @@ from gantline.statics import Equilibrium, Statics
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import CannotBeError, Search, Unknown
 
-__all__ = ["CannotBeError", "HookAnswer", "LengthAnswer", "adjust_lengths", "plumb_hooks"]
+__all__ = ["AdjustError", "CannotBeError", "HookAnswer", "LengthAnswer", "adjust_lengths", "plumb_hooks"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -27,6 +27,10 @@ Floats = npt.NDArray[np.float64]
 _MOST = 0.1
 #: A drift counts like a slope over this height [m].
 _HEIGHT = 10.0
+
+
+class AdjustError(ValueError):
+    """A sling or hook that may change is none."""
 
 
 @dataclass(frozen=True)
@@ -103,6 +107,7 @@ def adjust_lengths(
         time: Time of the plan [s] at which the load hangs; None for the end of the lift.
 
     Raises:
+        AdjustError: If what may change is no sling.
         CannotBeError: If it cannot be had, with the reason.
         NoEquilibriumError: If the lift as it is given has no equilibrium.
         ScenarioError: If the lift file is not right.
@@ -111,9 +116,10 @@ def adjust_lengths(
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     known = {name: one.length for name, one in resolve(scenario).slings.items()}
     chosen = list(known) if slings is None else list(slings)
-    for name in (*chosen, *(shares or {})):
-        if name not in known:
-            raise ValueError(f"'{name}' is not a sling; {nearest(name, known)}")
+    for names, error in ((chosen, AdjustError), (shares or {}, ValueError)):
+        for name in names:
+            if name not in known:
+                raise error(f"'{name}' is not a sling; {nearest(name, known)}")
     for name, share in (shares or {}).items():
         if not 0.0 <= share <= 1.0:
             sentence = f"{name}: {100.0 * share:g} % is no share of what all slings carry"
@@ -169,6 +175,7 @@ def plumb_hooks(
         time: Time of the plan [s] at which the load hangs; None for the end of the lift.
 
     Raises:
+        AdjustError: If what may move is no hook in which slings hang.
         CannotBeError: If it cannot be had, with the reason.
         NoEquilibriumError: If the lift as it is given has no equilibrium.
         ScenarioError: If the lift file is not right.
@@ -183,7 +190,7 @@ def plumb_hooks(
     chosen = used if hooks is None else list(hooks)
     for name in chosen:
         if name not in used:
-            raise ValueError(f"'{name}' is not a hook in which slings hang; {nearest(name, used)}")
+            raise AdjustError(f"'{name}' is not a hook in which slings hang; {nearest(name, used)}")
         if name not in told:
             sentence = f"the hook '{name}' has no place of its own in the lift file that could be moved"
             raise ValueError(f"{sentence}; only hooks of 'type: fixed_hook' have, by 'at'")
