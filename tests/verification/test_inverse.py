@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from extension_lifts import DEEP, PAIRED
 from gantline.results import series
 from gantline.results.rotation import axes
 from gantline.scenario import Scenario, load_scenario, parse_scenario
@@ -101,6 +102,35 @@ def test_wanted_shares_of_four_plumb_slings() -> None:
         )
         assert pulls == pytest.approx(WEIGHT / 4, rel=1e-8)
     assert answer.before.tension("sling.SA") > WEIGHT / 4 + 0.2 * AXIAL_STIFFNESS / LENGTH * short
+
+
+def test_shares_below_a_spreader_are_of_the_load_and_above_it_of_what_hangs_in_the_hook() -> None:
+    """NW takes 26 % of what the module weighs, with the shackles on it, and T1 then 49 % of that and the bar:
+    not of the sum of both tiers, which is twice the load.
+    """
+
+    def vertical(rest: Equilibrium, name: str) -> float:
+        top, bottom = (one[-1] for one in series.rope_ends(rest.recording, f"sling.{name}"))
+        along = (top - bottom) / np.linalg.norm(top - bottom)
+        return rest.tension(f"sling.{name}") * float(along[2])
+
+    spreader = REFERENCE.parent / "spreader_bar"
+    answer = adjust_lengths(spreader, shares={"NW": 0.26, "T1": 0.49})
+    again = Statics(answer.scenario).equilibrium()
+    masses = {
+        one["name"]: one["mass"] for one in Statics(load_scenario(spreader)).assembly.document["bodies"]
+    }
+    module = G * masses["module"]
+    # Residuals of 1e-9, shares and forces of the equilibrium.
+    assert vertical(again, "NW") == pytest.approx(0.26 * module, rel=1e-7)
+    assert vertical(again, "T1") == pytest.approx(0.49 * (module + G * masses["bar"]), rel=1e-7)
+
+
+@pytest.mark.parametrize(("name", "lift"), [("S1x", PAIRED), ("S2", DEEP)])
+def test_slings_over_extension_sheaves_have_no_share(name: str, lift: str) -> None:
+    """Said in a sentence; it was an error of Python."""
+    with pytest.raises(CannotBeError, match=rf"^{name} has no share: .* runs over an extension sheave$"):
+        adjust_lengths(parse_scenario(lift), shares={name: 0.4})
 
 
 def test_two_hooks_come_over_their_lugs() -> None:

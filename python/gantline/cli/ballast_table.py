@@ -31,7 +31,7 @@ def report(answer: BallastAnswer) -> list[str]:
         *pairs(
             f"{answer.vessel} at rest",
             [
-                (f"at {answer.time:g} s, before", _attitude(answer.attitude_given)),
+                (f"at {answer.time_given:g} s, before", _attitude(answer.attitude_given)),
                 (f"at {answer.time:g} s, so", _attitude(answer.attitude)),
                 ("at the start, so", _attitude(answer.attitude_before)),
                 ("displacement", _tonnes(answer.displacement)),

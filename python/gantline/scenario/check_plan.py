@@ -33,6 +33,7 @@ _WORDS = {
 def check_plan(findings: Findings) -> None:
     """Note everything that is wrong with the plan."""
     plan = findings.scenario.plan
+    _check_names(findings)
     earliest = began = 0.0
     busy: set[str] = set()  # what the steps that go on side by side move
     for place, step in enumerate(plan):
@@ -70,15 +71,25 @@ def check_plan(findings: Findings) -> None:
 
 
 def place_of_step(findings: Findings, path: Path, name: str) -> int | None:
-    """Which step of the plan, from 0, a name means; None, with a note, where it means none or several."""
+    """Which step of the plan, from 0, a name means; None, with a note, where it means none."""
     steps = [step.step for step in findings.scenario.plan]
-    if steps.count(name) == 1:
-        return steps.index(name)
     if name in steps:
-        findings.add(path, f"'{name}' is the name of {steps.count(name)} steps; one is needed")
-    else:
-        findings.add(path, f"'{name}' is not a step of the plan; {nearest(name, steps)}")
+        return steps.index(name)
+    findings.add(path, f"'{name}' is not a step of the plan; {nearest(name, steps)}")
     return None
+
+
+def _check_names(findings: Findings) -> None:
+    """Events say which step they are of by its name: requirements, readings and times are found by it."""
+    steps = [step.step for step in findings.scenario.plan]
+    for place, name in enumerate(steps):
+        if name in steps[:place]:
+            sentence = f"'{name}' is the name of plan[{steps.index(name) + 1}] already"
+            number = 2
+            while f"{name} {number}" in steps:
+                number += 1
+            right = f"results are told by step, so each has its own, such as '{name} {number}'"
+            findings.add(("plan", place, "step"), f"{sentence}; {right}")
 
 
 def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:

@@ -55,7 +55,7 @@ Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper", "line"]
 
 
 class _AnyStep(Element):
-    step: Text = Field(description="Name of the step.")
+    step: Text = Field(description="Name of the step; each has its own.")
     report: Annotated[tuple[str, ...], MeasuresReader()] = Field(
         (), description="Measures to report at its end."
     )

@@ -311,7 +311,3 @@ def _check_cut(findings: Findings, name: str, case: Case) -> None:
     if case.at_step is not None and case.at_step not in steps:
         sentence = f"'{case.at_step}' is not a step of the plan; {nearest(case.at_step, steps)}"
         findings.add(("cases", name, "at_step"), sentence)
-    elif case.at_step is not None and steps.count(case.at_step) > 1:
-        findings.add(
-            ("cases", name, "at_step"), f"'{case.at_step}' is the name of several steps; one is needed"
-        )

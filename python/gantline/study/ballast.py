@@ -36,10 +36,19 @@ Floats = npt.NDArray[np.float64]
 #: What may be left of heel and trim [rad] and of draft [m].
 _LEFT = 1e-7
 _DRAFT_LEFT = 1e-6
+#: The same where the moment moves with the contents: equilibria find the end of a step that waits for
+#: something at looks some hundredths of a second apart, from one to the next of which a hoist goes on.
+_LEFT_BY_LOOKS = 1e-5
+_DRAFT_LEFT_BY_LOOKS = 1e-4
 #: Rounds, at most.
 _ROUNDS = 30
 #: A step is halved this often before it is given up.
 _HALVINGS = 8
+#: Rounds in which any tank may take the place of another. Where several ways move nearly as little water,
+#: what answers do not say to first order makes now one and now another of them the least, without an end.
+_FREE_ROUNDS = 6
+#: A tank is changed from so much on, of its capacity.
+_CHANGED = 1e-9
 #: A metre of draft counts like so many radians where not all of what is wanted can be had [1/m].
 _DRAFT_COUNTS = 0.1
 #: Parts of an attitude with the units in which people read them.
@@ -54,7 +63,8 @@ class BallastAnswer:
 
     Attributes:
         vessel: Its name.
-        time: The moment [s].
+        time: The moment [s]; of a step its end with the contents found.
+        time_given: The same with the contents that the lift file gives.
         given: Content of each tank at the start in the lift file [kg].
         contents: The same as found [kg].
         contents_then: What is in the tanks at the moment, with what the plan has pumped until then [kg].
@@ -72,6 +82,7 @@ class BallastAnswer:
 
     vessel: str
     time: float
+    time_given: float
     given: Mapping[str, float]
     contents: Mapping[str, float]
     contents_then: Mapping[str, float]
@@ -108,6 +119,7 @@ class BallastAnswer:
         return {
             "vessel": self.vessel,
             "time": self.time,
+            "time_given": self.time_given,
             "given": dict(self.given),
             "contents": dict(self.contents),
             "contents_then": dict(self.contents_then),
@@ -162,37 +174,49 @@ def solve_ballast(
     if draft is not None:
         refuse_draft(scenario, name, draft)
     tell = on_progress or (lambda _: None)
-    search = _Search(scenario, name, chosen, moment_of(scenario, time, step), tell)
     wanted = {"heel": heel, "trim": trim} | ({} if draft is None else {"draft": draft})
+
+    def moment(changed: Scenario) -> float:
+        return moment_of(changed, time, step)
+
+    search = _Search(scenario, name, chosen, moment, wanted, tell)
     if draft is not None:
         search.refuse_mass(VesselAttitude(heel, trim, draft))
     first = search.now
-    rounds = search.run(wanted)
+    rounds = search.run()
     return search.answer(first, rounds)
 
 
 class _Search:
-    """Rounds of equilibrium and linear programme."""
+    """Rounds of equilibrium and linear programme.
+
+    The moment is asked of the lift with each try of contents: a step that ends on a condition, or comes after
+    one that does, ends at another time where the vessel lies otherwise.
+    """
 
     def __init__(
         self,
         scenario: Scenario,
         vessel: str,
         tanks: Sequence[str],
-        time: float,
+        moment: Callable[[Scenario], float],
+        wanted: Mapping[str, float],
         tell: Callable[[str], None],
     ) -> None:
-        self._scenario, self._vessel, self._time, self._tell = scenario, vessel, time, tell
+        self._scenario, self._vessel, self._tell = scenario, vessel, tell
+        self._moment, self._wanted = moment, wanted
         self._tanks = list(tanks)
         self._all = _tanks(scenario, vessel)
         given = [self._all[tank].content for tank in self._tanks]
         self._given: Floats = np.array(given)
         self._contents = self._given
+        self._capacity: Floats = np.array([self._all[tank].capacity for tank in self._tanks])
         room = _room(scenario, vessel)
         self._room: Floats = np.array([room[tank] for tank in self._tanks]).T
         self._acts_against = any(isinstance(step, PumpStep) and step.until for step in scenario.plan)
-        tell(f"how {vessel} floats at {time:g} s with the contents given")
-        self.now = Afloat(scenario, vessel, time)
+        self._time = self._begun = moment(scenario)
+        tell(f"how {vessel} floats at {self._time:g} s with the contents given")
+        self.now = Afloat(scenario, vessel, self._time)
 
     def refuse_mass(self, wanted: VesselAttitude) -> None:
         """Refuse a draft for which there is not enough room in the tanks, or not enough water.
@@ -215,28 +239,41 @@ class _Search:
         now = format_quantity(self.now.attitude.draft, "m", 3)
         raise CannotBeError(f"the tanks cannot do it: {sentence} (the draft is {now} now)")
 
-    def run(self, wanted: Mapping[str, float]) -> int:
+    def run(self) -> int:
         """Find contents with which the vessel floats as wanted; returns the rounds that it took.
 
         Raises:
             CannotBeError: If no contents do it.
         """
         for found in range(_ROUNDS):
-            missing = self._missing(wanted)
-            if all(abs(missing[key]) <= (_DRAFT_LEFT if key == "draft" else _LEFT) for key in wanted):
+            missing = self._missing(self.now)
+            left = (
+                (_LEFT, _DRAFT_LEFT) if self._time == self._begun else (_LEFT_BY_LOOKS, _DRAFT_LEFT_BY_LOOKS)
+            )
+            if all(abs(more) <= left[key == "draft"] for key, more in missing.items()):
                 self._refuse_unsound()
                 return found
-            target, reached = self._programme(missing)
+            free = np.full(len(self._tanks), True)
+            if found >= _FREE_ROUNDS:
+                free = np.abs(self._contents - self._given) > _CHANGED * self._capacity
+            target, reached = self._programme(missing, free)
+            if not reached and not free.all():
+                target, reached = self._programme(missing, np.full(len(self._tanks), True))
             if not reached and float(np.abs(target - self._contents).max()) <= 1.0:
-                raise CannotBeError(f"the tanks cannot do it; {self._short_of(wanted)}")
+                raise CannotBeError(f"the tanks cannot do it; {self._short_of()}")
             self._step(target, found + 1)
-        raise CannotBeError(f"no answer in {_ROUNDS} rounds; {self._short_of(wanted)}")
+        raise CannotBeError(f"no answer in {_ROUNDS} rounds; {self._short_of()}")
 
-    def _missing(self, wanted: Mapping[str, float]) -> dict[str, float]:
-        return {key: value - float(getattr(self.now.attitude, key)) for key, value in wanted.items()}
+    def _missing(self, one: Afloat) -> dict[str, float]:
+        return {key: value - float(getattr(one.attitude, key)) for key, value in self._wanted.items()}
 
-    def _programme(self, missing: Mapping[str, float]) -> tuple[Floats, bool]:
-        """Contents that do it to first order with the least sum of changes.
+    def _off(self, one: Afloat) -> float:
+        """How far it is from what is wanted, as the linear programme counts [rad]."""
+        counts = {"draft": _DRAFT_COUNTS}
+        return math.fsum(abs(more) * counts.get(key, 1.0) for key, more in self._missing(one).items())
+
+    def _programme(self, missing: Mapping[str, float], free: npt.NDArray[np.bool_]) -> tuple[Floats, bool]:
+        """Contents that do it to first order with the least sum of changes, in tanks that are free to change.
 
         Those that come nearest, and False, where none do.
         """
@@ -248,8 +285,8 @@ class _Search:
         scale = np.array([_DRAFT_COUNTS if key == "draft" else 1.0 for key in missing])
         slope = slope * scale[:, None]
         right = scale * np.array(list(missing.values())) + slope @ (self._contents - self._given)
-        capacity = np.array([self._all[tank].capacity for tank in self._tanks])
-        least, most = self._room - self._given
+        capacity = self._capacity
+        least, most = np.where(free, self._room - self._given, 0.0)
         # Changes as more and less, in parts of the largest tank and of what a full one does.
         unit, effect = float(capacity.max()), float(np.abs(slope).max() * capacity.max()) or 1.0
         both = np.hstack([slope, -slope]) * (unit / effect)
@@ -275,29 +312,44 @@ class _Search:
         return np.array([x, y, z + one.box[2] * self.now.content(tank) / one.capacity])
 
     def _step(self, target: Floats, number: int) -> None:
-        """To these contents, or as far towards them as the vessel floats."""
+        """To these contents, or as far towards them as the vessel floats and comes nearer to what is wanted.
+
+        A load that still stands in part holds the vessel by its ropes in an answer to first order, and does
+        not where the step waits for its share: all of such a step goes too far. Where no part of it betters
+        things it is made as far as the vessel floats, which may lead past where the programme changes tanks.
+        """
         lies = "; ".join(f"{key} {_shown(key, getattr(self.now.attitude, key))}" for key in _SHOWN)
-        cause = ""
+        cause, off = "", self._off(self.now)
+        floats: tuple[float, Afloat, Floats] | None = None
         for halving in range(_HALVINGS):
             contents = self._contents + (target - self._contents) * 0.5**halving
             nearer = f", {0.5**halving:.3g} of the way" if halving else ""
             moved = _tonnes(float(np.abs(contents - self._given).sum()))
             self._tell(f"round {number}: {lies}; tries {moved} moved{nearer}")
             try:
-                tried = Afloat(self._with(contents), self._vessel, self._time)
+                changed = self._with(contents)
+                time = self._moment(changed)
+                tried = Afloat(changed, self._vessel, time)
             except NoEquilibriumError as problem:
                 cause = f"{problem.cause} ({problem.element})"
                 continue
             except ScenarioError as problem:
                 cause = problem.problems[0].sentence
                 continue
+            except ValueError as problem:
+                cause = str(problem)
+                continue
             # One that has sunk or lies on its side is at rest too, and leads nowhere.
             if not tried.keel < tried.attitude.draft < tried.deck:
                 cause = f"{self._vessel} would not float with its deck dry"
                 continue
-            self.now, self._contents = tried, contents
-            return
-        raise CannotBeError(f"with such contents {cause}")
+            floats = floats or (time, tried, contents)
+            if self._off(tried) < off:
+                floats = (time, tried, contents)
+                break
+        if floats is None:
+            raise CannotBeError(f"with such contents {cause}")
+        self._time, self.now, self._contents = floats
 
     def _with(self, contents: Floats) -> Scenario:
         where = ".".join(_path(self._scenario, self._vessel))
@@ -307,11 +359,11 @@ class _Search:
         }
         return with_values(self._scenario, texts)
 
-    def _short_of(self, wanted: Mapping[str, float]) -> str:
+    def _short_of(self) -> str:
         """What the tanks come to, and by how much that misses what is wanted."""
         parts = [
             f"{key} {_shown(key, getattr(self.now.attitude, key))}, {_shown(key, abs(more))} off"
-            for key, more in self._missing(wanted).items()
+            for key, more in self._missing(self.now).items()
         ]
         because = "; the plan itself pumps until a condition holds" if self._acts_against else ""
         return f"the nearest that was found is {'; '.join(parts)}{because}"
@@ -344,6 +396,7 @@ class _Search:
         return BallastAnswer(
             vessel=self._vessel,
             time=self._time,
+            time_given=self._begun,
             given={name: tank.content for name, tank in self._all.items()},
             contents=contents,
             contents_then={name: now.content(name) for name in self._all},

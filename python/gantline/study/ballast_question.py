@@ -84,9 +84,7 @@ def moment_of(scenario: Scenario, time: float | None, step: str | None) -> float
     if time is not None:
         raise ValueError("a time and a step are given; one of them says when")
     steps = [one.step for one in scenario.plan]
-    if steps.count(step) != 1:
-        if step in steps:
-            raise ValueError(f"'{step}' is the name of {steps.count(step)} steps; one is needed")
+    if step not in steps:
         raise ValueError(f"'{step}' is not a step of the plan; {nearest(step, steps)}")
     end = end_of_step(scenario, step)
     if end is None:

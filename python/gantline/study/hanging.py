@@ -93,14 +93,37 @@ class Hanging:
         change = [one.of_body(self.load.body)[axis] for one in self._answers]
         return Row(float(at[axis]), np.array(change), f"the place along {'xyz'[axis]}")
 
-    def share(self, sling: Sling) -> Row:
-        """Vertical force of a sling over that of all slings [1]."""
-        pulls = [self._pull(one) for one in self.slings]
+    def share(self, name: str) -> Row:
+        """Vertical force of a sling over that of all that carry the same as it does [1].
+
+        A sling that ends on the load has its share of all that do, one above spreaders or extension
+        sheaves of all that hangs in hooks.
+
+        Raises:
+            ValueError: If it has none, with the reason.
+        """
+        sling = next((one for one in self.slings if one.name == name), None)
+        if sling is None:
+            raise ValueError(f"{name} has no share: it is off then, or runs over an extension sheave")
+        pulls = [self._pull(one) for one in self._beside(sling)]
         all_of_them = sum(value[2] for value, _ in pulls)
         all_changes = sum((change[:, 2] for _, change in pulls), start=np.zeros(len(self._answers)))
         value, change = self._pull(sling)
         share = float(value[2] / all_of_them)
-        return Row(share, (change[:, 2] - share * all_changes) / all_of_them, f"the share of {sling.name}")
+        return Row(share, (change[:, 2] - share * all_changes) / all_of_them, f"the share of {name}")
+
+    def _beside(self, sling: Sling) -> list[Sling]:
+        """Slings that together carry what one of them carries its share of."""
+        if sling.to_load is not None:
+            on = series.slings_on(self.rest.recording)
+            over = [one.name for one in on if one.over is not None and self.load.name in one.lugs_of]
+            if over:
+                sentence = f"{', '.join(over)} over extension sheaves bear {self.load.name} too"
+                raise ValueError(f"{sling.name} has no share: {sentence}")
+            return [one for one in self.slings if one.to_load is not None]
+        if self.rig.hook_of(sling) not in self.hooks():
+            raise ValueError(f"{sling.name} has no share: it hangs in no hook and ends on no load")
+        return [one for one in self.slings if self.rig.hook_of(one) in self.hooks()]
 
     def side_pull(self, hook: str) -> tuple[Row, Row]:
         """Horizontal over vertical force of what hangs in a hook on it [1], along world x and y."""

@@ -100,7 +100,8 @@ def adjust_lengths(
         lift: A lift file, its folder, or a loaded scenario.
         slopes: By what angle the load's own x and y axes shall rise [rad]; (0, 0) is level.
         heading: Wanted angle of its own x axis from world x [rad].
-        shares: Wanted vertical force of slings over that of all slings [1], by name.
+        shares: Wanted vertical force of slings over that of all beside them [1], by name: of all that end
+            on the load, or of all that hang in hooks for one above spreaders and extension sheaves.
         slings: Slings that may change; all if not given.
         most: Largest change of a length [m]; a tenth of it if not given.
         time: Time of the plan [s] at which the load hangs; None for the end of the lift.
@@ -138,8 +139,10 @@ def adjust_lengths(
         if heading is not None:
             row = hanging.heading()
             found.append(replace(row, value=math.remainder(row.value - heading, math.tau)))
-        by_name = {sling.name: sling for sling in hanging.slings}
-        found += [hanging.share(by_name[name]).minus(wanted) for name, wanted in (shares or {}).items()]
+        try:
+            found += [hanging.share(name).minus(wanted) for name, wanted in (shares or {}).items()]
+        except ValueError as problem:
+            raise CannotBeError(str(problem)) from None
         return found
 
     search = Search(scenario, unknowns, rows, time, "lengths of slings")
