@@ -256,7 +256,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     """
     if scenario.load is None:
         return
-    too_short: list[Problem] = []
+    too_short: list[tuple[SlingRigging, list[Json]]] = []
     off: list[str] = []  # slings on which the load seems to hang at the start, and which are not on
     loose: dict[str, tuple[float, float]] = {}  # slings much longer than their way, with both
     below: dict[str, float] = {}  # slings whose upper end is below the lug that they hold, and by how much
@@ -267,8 +267,8 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             check_reach(parts, scenario, sling, route)
             if hangs_load(scenario, sling, distance):
                 off.append(sling.name)
-        if sling.starts_on and (problem := _too_short(parts, scenario, sling, route)) is not None:
-            too_short.append(problem)
+        if sling.starts_on and distance - sling.length > _may_be_short(scenario, sling):
+            too_short.append((sling, route))
             continue
         path = ("slings", sling.name)
         rope = f"sling.{sling.name}"
@@ -285,7 +285,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         elif sling.starts_on and sling.length > _MOST_SLACK * distance:
             loose[sling.name] = sling.length, distance
     if too_short:
-        raise StartError(scenario.source, too_short)
+        raise StartError(scenario.source, _too_short(parts, scenario, too_short))
     warn_of_off(parts, scenario, off)
     if below:
         deepest = max(below, key=lambda name: below[name])
@@ -305,28 +305,40 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         )
 
 
-def _too_short(parts: Parts, scenario: Scenario, sling: SlingRigging, route: list[Json]) -> Problem | None:
-    """What is wrong with a sling that does not reach from end to end at the start; None if it does."""
-    assert scenario.load is not None
-    distance = route_length(parts, route)
-    short = distance - sling.length
-    # One that an extension sheave or a spreader hangs on stretches under its weight.
+def _stretches(scenario: Scenario, sling: SlingRigging) -> bool:
+    """Whether a sling may begin stretched; one that an extension sheave or a spreader hangs on does."""
     at_rest = scenario.load_has_settled and sling.lugs
-    may_stretch = not (at_rest or sling.rope.inextensible)
-    allowed = MOST_STRAIN * sling.length if may_stretch else _TAUT
-    if short <= allowed:
-        return None
-    apart = f"{_way(scenario.load.name, sling)} it is {_not_shorter(distance, sling.length)} m"
-    sentence = f"the sling is {sling.length:g} m, but {apart} at the start"
-    sentence += f": {too_far(distance, sling.length)}; " if may_stretch else "; "
-    advice = "lower the hook or make the sling longer"
-    aside = float(np.hypot(*end_to_end(parts, route)[:2]))
-    if sling.over is None and aside > sling.length:
-        sentence += f"{aside:.3f} m of that sideways, which no height of the hook makes up; "
-        advice = "put crane, boom or load elsewhere"
-    if scenario.load_has_settled and short <= MOST_STRAIN * sling.length:
-        advice += ", or write 'start: as_given' if it shall pull from the start"
-    return scenario.problem(("slings", sling.name), sentence + advice)
+    return not (at_rest or sling.rope.inextensible)
+
+
+def _may_be_short(scenario: Scenario, sling: SlingRigging) -> float:
+    """By how much a sling may be shorter than its way at the start [m]."""
+    return MOST_STRAIN * sling.length if _stretches(scenario, sling) else _TAUT
+
+
+def _too_short(
+    parts: Parts, scenario: Scenario, slings: Sequence[tuple[SlingRigging, list[Json]]]
+) -> list[Problem]:
+    """What is wrong with slings that do not reach from end to end at the start, with their routes."""
+    assert scenario.load is not None
+    sideways = {sling.name: float(np.hypot(*end_to_end(parts, route)[:2])) for sling, route in slings}
+    aside = {sling.name for sling, _ in slings if sling.over is None and sideways[sling.name] > sling.length}
+    problems = []
+    for sling, route in slings:
+        distance = route_length(parts, route)
+        apart = f"{_way(scenario.load.name, sling)} it is {_not_shorter(distance, sling.length)} m"
+        sentence = f"the sling is {sling.length:g} m, but {apart} at the start"
+        stretches = _stretches(scenario, sling)
+        sentence += f": {too_far(distance, sling.length)}; " if stretches else "; "
+        # No height of the hook helps any sling where it is too far aside for one of them.
+        advice = "put crane, boom or load elsewhere" if aside else "lower the hook or make the sling longer"
+        if sling.name in aside:
+            way = f"{sideways[sling.name]:.3f} m of that sideways"
+            sentence += f"{way}, which no height of the hook makes up; "
+        if scenario.load_has_settled and distance - sling.length <= MOST_STRAIN * sling.length:
+            advice += ", or write 'start: as_given' if it shall pull from the start"
+        problems.append(scenario.problem(("slings", sling.name), sentence + advice))
+    return problems
 
 
 def lower_end(scenario: Scenario, lugs: Mapping[str, Sequence[float]], end_of_sling: SlingEnd) -> Json:
