@@ -27,7 +27,7 @@ demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error,
 test: setup lint ## all tests and lints
 	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 	npm --prefix viewer test --silent
-	pytest --hypothesis-seed=$(SEED)
+	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --hypothesis-seed=$(SEED)
 
 lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	cargo fmt --all --check
