@@ -261,15 +261,18 @@ def test_a_sweep_goes_from_the_first_value_to_the_last() -> None:
         list(run_sweep(scenario, "cranes.test_hook.at", "1 m", "2 m", 2))
 
 
-def test_slings_without_sensitivities_are_off_one_by_one() -> None:
-    """A sling with nodes is several ropes in the core; each pattern is solved all the same."""
-    nodes = ("SA: {from", "SA: {rope_weight: distributed, rope_nodes: 4, from")
-    kind = "{axial_stiffness: 200 MN, mass: 1 kg/m}"
-    text = plumb_lift("off: {vary: slings.tolerance, pattern: each}", tolerance="0.01 %", rope=kind)
-    states = run_cases(parse_scenario(text.replace(*nodes))).of("off")
+def test_slings_without_sensitivities_are_off_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the tangent answers nothing each pattern is solved all the same; the worst is not known."""
+
+    def nothing(*_: object) -> None:
+        raise RuntimeError("nothing answers smoothly")
+
+    monkeypatch.setattr("gantline.study.cases.changes_of_tension", nothing)
+    text = plumb_lift("off: {vary: slings.tolerance, pattern: each}", tolerance="0.01 %")
+    states = run_cases(parse_scenario(text)).of("off")
     assert len(states) == 8 and not any(state.first_order for state in states)
     assert values_of(states[0])["sling_tension"]["SA"] < values_of(states[1])["sling_tension"]["SA"]
     with pytest.raises(
         ScenarioError, match=r"cases\.off\.vary: tensions have no .* 'pattern: each' needs none"
     ):
-        run_cases(parse_scenario(text.replace(*nodes).replace("pattern: each", "pattern: worst")))
+        run_cases(parse_scenario(text.replace("pattern: each", "pattern: worst")))

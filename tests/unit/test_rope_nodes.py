@@ -171,7 +171,6 @@ def test_a_piece_that_parts_is_the_rope_that_parts() -> None:
     assert list(zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)) == [
         (1.0, "cut", "a"),
         (2.0, "broken", "a"),
-        (3.0, "slack", "a"),
     ]
 
 

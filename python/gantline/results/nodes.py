@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results.gear import Rope
+from gantline.results.parting import PARTING
 from gantline.results.rig import Rig
 from gantline.results.variable import Columns, FloatArray, Names, Variable
 
@@ -24,7 +25,7 @@ def joined(columns: Columns, names: Names, rig: Rig) -> tuple[Columns, Names, di
     """Columns and names in which each rope with nodes is one rope.
 
     Its tension is the largest anywhere along it. Events of its pieces become those of the rope: slack when
-    the first piece goes slack, taut when no piece is slack any more.
+    the first piece goes slack, taut when no piece is slack any more, and neither once the rope has parted.
 
     Args:
         columns: columns of the core by name.
@@ -158,11 +159,16 @@ def _join_events(
             slack[owner[subject]].add(subject)
         seen.add(subject)
     kept = []
+    parted: set[str] = set()  # what is left of them whips, and carries nothing
     for at, (kind, subject) in enumerate(zip(kinds, subjects, strict=True)):
         if subject not in owner or kind not in ("taut", "slack"):
             kept.append(at)
+            if subject in owner and kind in PARTING:
+                parted.add(owner[subject])
             continue
         rope = owner[subject]
+        if rope in parted:
+            continue
         before = bool(slack[rope])
         (slack[rope].add if kind == "slack" else slack[rope].discard)(subject)
         if bool(slack[rope]) != before:

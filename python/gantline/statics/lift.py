@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import wraps
+from itertools import islice
 from pathlib import Path
 from threading import RLock
 from typing import Any, Concatenate, ParamSpec, TypeVar
@@ -31,6 +32,7 @@ from gantline.statics.answers import (
 )
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import in_words
+from gantline.statics.pieces import Pieces
 from gantline.version import version
 
 #: What happens at the end of the lift is looked at so much later [s].
@@ -357,23 +359,23 @@ class Statics:
         """
         self._of_last()
         wanted = list(parameters) if parameters is not None else self._uncertain()
-        names = self._core.names()
-        ropes, bodies = tuple(names["rope"]), tuple(names["body"])
+        names = Pieces(self.rig, self._core.names())
         for kind, name in wanted:
             if kind not in KINDS:
                 raise ValueError(f"there is no sensitivity to {kind!r}; there are {', '.join(KINDS)}")
-            known = ropes if kind in OF_ROPES else bodies
+            known = names.ropes if kind in OF_ROPES else names.bodies
             if name not in known:
                 raise ValueError(f"there is no {name} to ask the {kind} of; there are {likely(name, known)}")
+        asked = [names.asked(kind, name) for kind, name in wanted]
         try:
-            found = self._core.sensitivities(wanted)
+            found = self._core.sensitivities([one for each in asked for one in each])
         except RuntimeError as problem:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
+        parts = zip(found["rope_tension"], found["body_motion"], strict=True)
+        loads = self._core.columns()["rope_tension"][-1]
         return [
-            Sensitivity(kind, name, tension, ropes, motion, bodies)
-            for (kind, name), tension, motion in zip(
-                wanted, found["rope_tension"], found["body_motion"], strict=True
-            )
+            names.answer(kind, name, list(islice(parts, len(each))), loads)
+            for (kind, name), each in zip(wanted, asked, strict=True)
         ]
 
     @_one_at_a_time
@@ -410,6 +412,8 @@ class Statics:
     def _stiffness(self) -> dict[str, float]:
         """Axial stiffness of ropes that stretch [N]."""
         materials = {rope["name"]: rope["material"] for rope in self.assembly.document["ropes"]}
+        # All pieces of one with nodes are of one stiffness.
+        materials |= {rope.name: materials[f"{rope.name}/0"] for rope in self.rig.ropes if rope.nodes}
         return {
             name: float(one["axial_stiffness"]) for name, one in materials.items() if one["type"] == "elastic"
         }

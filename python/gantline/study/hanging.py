@@ -50,7 +50,7 @@ class Hanging:
 
     Raises:
         RuntimeError: If there are no sensitivities to these parameters.
-        ValueError: The same, or a sling has nodes, so that it is several ropes in the core.
+        ValueError: The same, or a sling has nodes: it does not pull straight from end to end.
     """
 
     def __init__(

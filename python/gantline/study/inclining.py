@@ -45,9 +45,13 @@ class MetacentricHeights:
         return self.about((0.0, 1.0))
 
     def about(self, axis: npt.ArrayLike) -> float:
-        """For turning about a level axis, forward and to port, shape (2,), length 1 [m]."""
+        """For turning about a level axis, forward and to port, shape (2,), length 1 [m].
+
+        Infinite where nothing turns it, as of one that displaces nothing.
+        """
         way = np.asarray(axis, dtype=float)
-        return 1.0 / float(way @ self.yielding @ way)
+        yields = float(way @ self.yielding @ way)
+        return 1.0 / yields if yields else math.inf
 
 
 def metacentric_heights(question: Statics, rest: Equilibrium) -> dict[str, MetacentricHeights]:

@@ -30,7 +30,6 @@ def changes_of_tension(question: Statics, longer: Mapping[str, float]) -> Floats
 
     Raises:
         RuntimeError: If tensions have no sensitivities to lengths.
-        ValueError: If a sling is several ropes in the core, as one with nodes is.
     """
     ropes = {sling.name: sling.rope for sling in question.rig.slings}
     found = question.sensitivities([("length", ropes[sling]) for sling in longer])

@@ -21,7 +21,7 @@ const SAME: f64 = 1e-9;
 /// A piece shorter than this [m] is one with what comes on next, whatever its strain: a drum that rings under its brake
 /// would leave hundreds.
 const SHORT: f64 = 1e-9;
-/// A coil remembers at most so many pieces; then neighbours are taken together, two by two.
+/// A coil remembers at most so many pieces; then neighbours that are most alike are taken together, two by two.
 pub const MOST_PIECES: usize = 1024;
 
 /// What a drum remembers of the rope on it.
@@ -116,20 +116,43 @@ impl Coil {
         gained - lost
     }
 
-    /// Takes neighbours together, the coil ending at `end`; returns what that loses.
+    /// Takes neighbours together, the coil ending at `end`: of all pairs the half that this moves the least, so that what
+    /// was wound long ago is kept as well as what came on last. Returns what that loses.
     fn coarsen(&mut self, end: f64) -> f64 {
-        let mut lost = 0.0;
-        for index in 0..self.pieces.len() / 2 {
-            let [one, other] = [self.pieces[2 * index], self.pieces[2 * index + 1]];
-            let stop = self.pieces.get(2 * index + 2).map_or(end, |piece| piece.from);
-            let lengths = [other.from - one.from, stop - other.from];
-            let strain = together(lengths, [one.strain, other.strain]);
-            lost += held(lengths[0], one.strain) + held(lengths[1], other.strain)
-                - held(lengths[0] + lengths[1], strain);
-            self.pieces[index] = Piece { from: one.from, strain };
+        let last = self.pieces.len() - 1;
+        let mut moved = [0.0; MOST_PIECES];
+        for (index, moved) in moved[..last].iter_mut().enumerate() {
+            *moved = self.moved_by_one(index, end);
         }
-        self.pieces.truncate(self.pieces.len() / 2);
+        let (_, &mut bound, _) = moved[..last].select_nth_unstable_by(last / 2, f64::total_cmp);
+        let (mut lost, mut kept, mut index) = (0.0, 0, 0);
+        while index <= last {
+            let mut piece = self.pieces[index];
+            if index < last && self.moved_by_one(index, end) <= bound {
+                let (lengths, strains) = self.pair(index, end);
+                piece.strain = together(lengths, strains);
+                lost += held(lengths[0], strains[0]) + held(lengths[1], strains[1])
+                    - held(lengths[0] + lengths[1], piece.strain);
+                index += 1;
+            }
+            self.pieces[kept] = piece;
+            (kept, index) = (kept + 1, index + 1);
+        }
+        self.pieces.truncate(kept);
         lost
+    }
+
+    /// Lengths [m] and strains of a piece and the next, the coil ending at `end`.
+    fn pair(&self, index: usize, end: f64) -> ([f64; 2], [f64; 2]) {
+        let [one, other] = [self.pieces[index], self.pieces[index + 1]];
+        let stop = self.pieces.get(index + 2).map_or(end, |piece| piece.from);
+        ([other.from - one.from, stop - other.from], [one.strain, other.strain])
+    }
+
+    /// By how much what has been let go would differ between the ends of a piece and the next [m], were they one.
+    fn moved_by_one(&self, index: usize, end: f64) -> f64 {
+        let ([one, other], [first, second]) = self.pair(index, end);
+        one * other / (one + other) * (first - second).abs()
     }
 
     /// Lets rope off from `from` down to `to`; returns what it held.
