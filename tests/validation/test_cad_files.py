@@ -81,7 +81,7 @@ def test_an_assembly_places_its_parts_once() -> None:
 
 
 def test_a_hull_as_a_step_solid(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Curved faces: published are 113.850 m³ by integration of fixed order; ours is adaptive, to 1e-7.
+    """Curved faces: published are 113.850 m³ by integration of fixed order; ours is adaptive.
 
     Triangles decide: they lie within the hull, lack volume in proportion to how far they may be from it, and
     already hold more than the published volume at 2.7 mm (113.894); 113.690 at 13 mm.

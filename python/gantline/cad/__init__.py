@@ -44,7 +44,7 @@ def read(path: str | Path, given: Assumptions | None = None, *, keep: bool = Tru
     data = content(place)
     if _is_ocx(place, data):
         model = _kept(place, data, Assumptions(), keep)
-        _check_unit(place, model, given)
+        _check_given(place, model, given)
         return model
     return _kept(place, data, given if given is not None else Assumptions(), keep)
 
@@ -53,8 +53,10 @@ def _is_ocx(place: Path, data: bytes) -> bool:
     return place.suffix.lower() in _OCX or b"ocxXML" in data[:4096]
 
 
-def _check_unit(place: Path, model: CadModel, given: Assumptions | None) -> None:
-    """OCX files say their units at each value; another one asked for is a misunderstanding."""
+def _check_given(place: Path, model: CadModel, given: Assumptions | None) -> None:
+    """OCX files say their units and have z up; anything else that is asked for is a misunderstanding."""
+    if given is not None and given.up == "y":
+        raise CadError(f"{place}: its axes are those of the ship, as the format has it, so z is up and not y")
     said = model.unit.partition(",")[0].split(" and ")
     if given is not None and given.unit is not None and given.unit not in said:
         raise CadError(

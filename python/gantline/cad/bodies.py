@@ -41,9 +41,10 @@ def parts_of_mesh(name: str, mesh: TriangleMesh, size: float, given: Assumptions
         doubts.append(
             f"{len(welded.duplicates)} of {len(welded.triangles)} triangles are there twice; they count once"
         )
-    if 4 * len(whole.backs) > len(whole.triangles):
-        doubts.append(f"{len(whole.backs)} triangles are there from both sides; they count once")
-        whole = whole.without(whole.backs)
+    drawn_twice = whole.backs_of_surfaces
+    if len(drawn_twice):
+        doubts.append(f"{len(drawn_twice)} triangles are there from both sides; they count once")
+        whole = whole.without(drawn_twice)
     closed: list[TriangleMesh] = []
     opened: list[TriangleMesh] = []
     for shell in whole.shells():
@@ -69,23 +70,35 @@ _Found = tuple[PartKind, MassProperties | None, TriangleMesh, list[str]]
 
 
 def _nested(closed: list[TriangleMesh]) -> Iterator[tuple[TriangleMesh, list[TriangleMesh]]]:
-    """Bodies with their cavities: pieces that face inwards and lie within one that faces outwards."""
-    outer = [shell for shell in closed if shell.volume >= 0]
+    """Bodies with their cavities: pieces that face inwards and lie within one that faces outwards.
+
+    Where a piece that faces inwards lies in none, it is inside out, and so is what lies within it: a mirrored
+    file has its cavities facing outwards.
+    """
+    inwards = [shell.volume < 0 for shell in closed]
+    inside_out = [
+        place
+        for place, shell in enumerate(closed)
+        if inwards[place] and not any(_contains(other, shell) for other in closed if other is not shell)
+    ]
+    turned = [
+        place in inside_out or any(_contains(closed[outer], shell) for outer in inside_out)
+        for place, shell in enumerate(closed)
+    ]
+    outer = [place for place in range(len(closed)) if inwards[place] == turned[place]]
     cavities: dict[int, list[TriangleMesh]] = {}
     alone = []
-    for shell in closed:
-        if shell.volume >= 0:
+    for place, shell in enumerate(closed):
+        if inwards[place] == turned[place]:
             continue
-        within = [place for place, body in enumerate(outer) if _contains(body, shell)]
+        within = [other for other in outer if _contains(closed[other], shell)]
         if within:
-            smallest = min(within, key=lambda place: outer[place].volume)
-            cavities.setdefault(smallest, []).append(shell)
+            smallest = min(within, key=lambda other: abs(closed[other].volume))
+            cavities.setdefault(smallest, []).append(shell.flipped() if turned[place] else shell)
         else:
-            alone.append(shell)
-    for place, body in enumerate(outer):
-        yield body, cavities.get(place, [])
-    for body in alone:
-        yield body, []
+            alone.append(place)
+    for place in [*outer, *alone]:
+        yield closed[place], cavities.get(place, [])
 
 
 def _contains(outer: TriangleMesh, inner: TriangleMesh) -> bool:

@@ -178,6 +178,34 @@ class TriangleMesh:
         """
         return self._repeated(np.sort(self.triangles, axis=1))
 
+    @property
+    def backs_of_surfaces(self) -> Whole:
+        """Those of `backs` that belong to surfaces drawn from both sides: their indices.
+
+        Pieces that hang together over edges are told apart. Faces of bodies that touch cover each other too,
+        but what is left without them is closed, for it encloses all of these bodies. Of a piece that is drawn
+        from both sides more than a quarter are backs, and nothing is left, or something with free edges.
+        """
+        backs = self.backs
+        if not len(backs):
+            return backs
+        sides = self._edges.of_triangle
+        owners = np.repeat(np.arange(len(self.triangles)), 3)
+        count = len(self.triangles)
+        piece = _connected(
+            count + len(self._edges.ends), np.stack([owners, count + sides.reshape(-1)], axis=1)
+        )[:count]
+        _, same, times = np.unique(
+            np.sort(self.triangles, axis=1), axis=0, return_inverse=True, return_counts=True
+        )
+        lone = times[same.reshape(-1)] == 1
+        uses = np.bincount(sides[lone].reshape(-1), minlength=len(self._edges.ends))
+        ends_free = np.bincount(piece, weights=np.any(uses[sides] % 2 == 1, axis=1) & lone) > 0
+        left, all_of = np.bincount(piece, weights=lone), np.bincount(piece)
+        of_backs = np.bincount(piece[backs], minlength=len(all_of))
+        drawn = (4 * of_backs > all_of) & (ends_free | (left == 0))
+        return np.asarray(backs[drawn[piece[backs]]])
+
     def _repeated(self, rows: npt.NDArray[np.int32]) -> Whole:
         _, first = np.unique(rows, axis=0, return_index=True)
         return np.setdiff1d(np.arange(len(self.triangles)), first)

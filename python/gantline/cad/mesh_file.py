@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from gantline.cad.assumptions import Assumptions
+from gantline.cad.assumptions import STAND_UP, Assumptions
 from gantline.cad.bodies import parts_of_mesh
 from gantline.cad.errors import CadError
 from gantline.cad.files import content, missing
@@ -27,8 +27,8 @@ MESH_FORMATS = {".stl": "STL", ".obj": "OBJ", ".gltf": "glTF", ".glb": "GLB"}
 _MOST_TRIANGLES = 2_000_000
 #: Largest coordinate, in whatever unit: volumes and inertias of larger ones leave what numbers can hold.
 _LARGEST = 1e12
-#: From y up to z up.
-_STAND_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+#: How names of extensions of glTF begin that only change how things look.
+_OF_LOOKS = ("KHR_materials", "KHR_texture", "KHR_lights", "EXT_texture", "MSFT_texture")
 
 
 def mesh_format(path: Path) -> str | None:
@@ -104,7 +104,7 @@ def _read(path: Path, given: Assumptions) -> _Placed:
         doubts.append("turned from y up, as the format has it, to z up: x stays, −z becomes y, y becomes z")
     placed = [(name, mesh.scaled(factor)) for name, mesh in meshes]
     if turned:
-        placed = [(name, mesh.moved(_STAND_UP, np.zeros(3))) for name, mesh in placed]
+        placed = [(name, mesh.moved(STAND_UP, np.zeros(3))) for name, mesh in placed]
     return _Placed(placed, unit, doubts, factor * whole.size)
 
 
@@ -132,8 +132,7 @@ def _scene(path: Path, kind: str, data: bytes) -> Iterator[tuple[str, TriangleMe
         import trimesh
     except ImportError:
         raise missing(path, "trimesh") from None
-    if kind == "gltf":
-        _check_gltf(path, data)
+    _check_gltf(path, kind, data)
     try:
         # Without a resolver no other file is opened, whatever this one names.
         scene = trimesh.load_scene(
@@ -150,12 +149,21 @@ def _scene(path: Path, kind: str, data: bytes) -> Iterator[tuple[str, TriangleMe
         if "reshape" in said:
             said = "the corners of its triangles, or their coordinates, do not come in threes"
         raise CadError(f"{path}: it is no {MESH_FORMATS['.' + kind]} file, or a broken one: {said}") from None
+    names: dict[str, str] = {}
+    found: dict[str, list[TriangleMesh]] = {}
     for node, matrix, geometry in placed:
         mesh = scene.geometry[geometry]
         if not isinstance(mesh, trimesh.Trimesh):
             continue
-        name = _name(path, str(node), str(geometry))
-        yield name, _placed(f"{path}: '{name}'", mesh.vertices, mesh.faces, matrix)
+        # What differs in colour stands below the node of its mesh, under a name drawn at random.
+        whole = scene.graph.transforms.parents[node] if mesh.metadata.get("from_gltf_primitive") else node
+        name = _name(path, str(whole), str(geometry))
+        found.setdefault(str(whole), []).append(
+            _placed(f"{path}: '{name}'", mesh.vertices, mesh.faces, matrix)
+        )
+        names[str(whole)] = name
+    for whole, meshes in found.items():
+        yield names[whole], TriangleMesh.combined(meshes)
 
 
 def _placed(what: str, vertices: npt.ArrayLike, faces: npt.ArrayLike, matrix: npt.ArrayLike) -> TriangleMesh:
@@ -178,13 +186,24 @@ def _too_many(path: Path) -> CadError:
     return CadError(f"{path}: more than {_MOST_TRIANGLES} triangles, so it is not read")
 
 
-def _check_gltf(path: Path, data: bytes) -> None:
+def _check_gltf(path: Path, kind: str, data: bytes) -> None:
+    """Refuse what is no glTF, and what needs an extension that moves vertices: trimesh reads past it."""
+    form = MESH_FORMATS["." + kind]
     try:
-        document = json.loads(data)
+        # A GLB file: twelve bytes, then length and kind of the first chunk, which is the document.
+        text = data if kind == "gltf" else data[20 : 20 + int.from_bytes(data[12:16], "little")]
+        document = json.loads(text)
     except ValueError as problem:
-        raise CadError(f"{path}: it is no glTF file, or a broken one: {problem}") from None
+        raise CadError(f"{path}: it is no {form} file, or a broken one: {problem}") from None
     if not isinstance(document, dict) or "asset" not in document:
-        raise CadError(f"{path}: it is no glTF file: it has no 'asset'")
+        raise CadError(f"{path}: it is no {form} file: it has no 'asset'")
+    needed = document.get("extensionsRequired")
+    for name in needed if isinstance(needed, list) else []:
+        if not str(name).startswith(_OF_LOOKS):
+            raise CadError(
+                f"{path}: it needs the extension '{name}' of glTF, which is not read; "
+                "one that is exported without compression can be"
+            )
 
 
 class _NoOtherFiles(Mapping[str, bytes]):

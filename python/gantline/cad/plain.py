@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.cad.mesh import TriangleMesh
+from gantline.cad.ocx.triangulate import triangulated
 
 __all__ = ["TooManyTrianglesError", "read_obj", "read_stl"]
 
 _BINARY = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _HEAD = 84
+#: Corners of a polygon that is not convex, above which it is cut as if it were.
+_MOST_CORNERS = 500
+#: How far corners of a polygon may lie off its plane, as a share of its size. Of a skew one no cut is more
+#: right than another for what is enclosed, and other programs make fans.
+_FLAT = 1e-5
 #: One decimal number as text files have it.
 _VERTEX = re.compile(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", re.IGNORECASE)
 
@@ -75,8 +82,8 @@ def read_obj(data: bytes, most: int) -> dict[str, TriangleMesh]:
         ValueError: if a line of it is broken; the sentence says which.
     """
     vertices: list[list[float]] = []
-    objects: dict[str, list[tuple[int, int, int]]] = {}
-    triangles = objects.setdefault("", [])
+    objects: dict[str, list[list[int]]] = {}
+    polygons = objects.setdefault("", [])
     count = 0
     last, named_by = -1, 0  # the highest vertex that a face names, from 0 on, and the line that does
     for number, line in enumerate(data.decode("utf-8", errors="replace").split("\n"), 1):
@@ -91,14 +98,14 @@ def read_obj(data: bytes, most: int) -> dict[str, TriangleMesh]:
                 corners = [_vertex(word, len(vertices)) for word in words[1:]]
                 if len(corners) < 3:
                     raise ValueError("a face has three corners or more")
-                triangles += [(corners[0], *pair) for pair in pairwise(corners[1:])]
+                polygons.append(corners)
                 count += len(corners) - 2
                 if max(corners) > last:
                     last, named_by = max(corners), number
                 if count > most:
                     raise TooManyTrianglesError
             elif words[0] == "o":
-                triangles = objects.setdefault(" ".join(words[1:]), [])
+                polygons = objects.setdefault(" ".join(words[1:]), [])
         except TooManyTrianglesError:
             raise
         except ValueError:
@@ -110,7 +117,8 @@ def read_obj(data: bytes, most: int) -> dict[str, TriangleMesh]:
             f"it is no OBJ file, or a broken one: line {named_by} names vertex {last + 1}, "
             f"but the file has only {len(vertices)}"
         )
-    return {name: _object(vertices, faces) for name, faces in objects.items() if faces}
+    places = np.array(vertices, dtype=float).reshape(-1, 3)
+    return {name: _object(places, [*_cut(places, faces)]) for name, faces in objects.items() if faces}
 
 
 def _vertex(word: str, count: int) -> int:
@@ -121,7 +129,54 @@ def _vertex(word: str, count: int) -> int:
     return index - 1 if index > 0 else count + index
 
 
-def _object(vertices: list[list[float]], faces: list[tuple[int, int, int]]) -> TriangleMesh:
+def _cut(vertices: npt.NDArray[np.float64], polygons: list[list[int]]) -> Iterator[tuple[int, int, int]]:
+    """Triangles of polygons: a fan about the first corner; where that leaves a flat polygon, its ears."""
+    hollow = _not_convex(vertices, polygons)
+    for place, corners in enumerate(polygons):
+        fan = [(corners[0], *pair) for pair in pairwise(corners[1:])]
+        if place in hollow and len(corners) <= _MOST_CORNERS:
+            ears = _ears(vertices[corners])
+            # Fewer, as of a skew one, would leave out a corner, and open an edge to the next face.
+            if len(ears) == len(fan):
+                fan = [(corners[a], corners[b], corners[c]) for a, b, c in ears]
+        yield from fan
+
+
+def _not_convex(vertices: npt.NDArray[np.float64], polygons: list[list[int]]) -> set[int]:
+    """Which polygons have a corner that turns against the sense in which the whole runs round."""
+    by_size: dict[int, list[int]] = {}
+    for place, corners in enumerate(polygons):
+        if len(corners) > 3:
+            by_size.setdefault(len(corners), []).append(place)
+    found: set[int] = set()
+    for places in by_size.values():
+        with np.errstate(over="ignore", invalid="ignore"):  # what is no number is refused with the mesh
+            points = vertices[[polygons[place] for place in places]]
+            sides = np.roll(points, -1, axis=1) - points
+            turns = np.cross(sides, np.roll(sides, -1, axis=1))
+            whole = np.cross(points[:, 1:-1] - points[:, :1], points[:, 2:] - points[:, :1]).sum(axis=1)
+            against = (
+                np.einsum("mni,mi->mn", turns, whole) < -1e-9 * np.einsum("mi,mi->m", whole, whole)[:, None]
+            )
+        found.update(places[which] for which in np.flatnonzero(against.any(axis=1)))
+    return found
+
+
+def _ears(points: npt.NDArray[np.float64]) -> list[tuple[int, int, int]]:
+    """Triangles of a flat polygon (n, 3) seen along the axis that it faces most, in its own sense."""
+    whole = np.cross(points[1:-1] - points[0], points[2:] - points[0]).sum(axis=0)
+    off = np.abs((points - points.mean(axis=0)) @ whole).max() / np.linalg.norm(whole)
+    if off > _FLAT * np.linalg.norm(np.ptp(points, axis=0)):
+        return []
+    axis = int(np.argmax(np.abs(whole)))
+    flat = [(axis + 1) % 3, (axis + 2) % 3]
+    return [
+        (int(a), int(b), int(c))
+        for a, b, c in triangulated(points[:, flat[:: 1 if whole[axis] > 0 else -1]])[1]
+    ]
+
+
+def _object(vertices: npt.NDArray[np.float64], faces: list[tuple[int, int, int]]) -> TriangleMesh:
     try:
         mesh = TriangleMesh(vertices, faces)
     except ValueError as problem:

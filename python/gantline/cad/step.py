@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.cad.assumptions import Assumptions
+from gantline.cad.assumptions import STAND_UP, Assumptions
 from gantline.cad.bodies import NO_THICKNESS, NO_WEIGHT
 from gantline.cad.errors import CadError
 from gantline.cad.files import content, missing
@@ -65,10 +65,14 @@ def read_step_file(path: Path, given: Assumptions) -> CadModel:
         raise CadError(f"{path}: there is no solid and no surface in this {form} file")
     factor, unit, doubts = _unit(found["unit"], given)
     doubts += found["doubts"]
+    if count := sum(not body["agree"] for body in found["parts"]):
+        doubts.append(f"{count} of {len(found['parts'])} parts have faces that do not agree on their outside")
     parts = [
         _part(body, TriangleMesh(*mesh).scaled(factor), factor, given)
         for body, mesh in zip(found["parts"], meshes, strict=True)
     ]
+    if given.up == "y":
+        parts = [_stood_up(part) for part in parts]
     return CadModel(path.name, form, tuple(_numbered(parts, path)), unit, tuple(doubts))
 
 
@@ -135,6 +139,10 @@ def _part(body: Mapping[str, Any], mesh: TriangleMesh, factor: float, given: Ass
         else:
             doubts.append("the file gives a density that is that of no material, which is not used")
     amount = body["content"] * factor ** (3 if solid else 2)
+    if not body["agree"]:
+        doubts.append("its faces do not agree on which side is outside, so its mass may be wrong")
+    if count := body["cavities"]:
+        doubts.append(f"{count} closed surface{'s' * (count > 1)} within it: taken as what is hollow")
     smallest = 1e-12 * mesh.size ** (3 if solid else 2) if len(mesh.triangles) else 0.0
     properties = None
     if solid and amount < -smallest:
@@ -143,12 +151,13 @@ def _part(body: Mapping[str, Any], mesh: TriangleMesh, factor: float, given: Ass
         mesh = mesh.flipped()
     if abs(amount) <= smallest:
         doubts.append(NO_WEIGHT)
-    elif solid:
-        properties = _weighed(body, factor, density * amount)
-    elif given.thickness is None:
+    elif not solid and given.thickness is None:
         doubts.append(NO_THICKNESS)
     else:
-        properties = _weighed(body, factor, density * given.thickness * amount)
+        try:
+            properties = _weighed(body, factor, density * amount * (1.0 if solid else given.thickness or 0.0))
+        except ValueError as problem:  # faces that the library has read wrongly
+            doubts.append(f"its faces are broken, so it has no weight: {problem}")
     return Part(
         name=names[-1] if names else "",
         kind=PartKind.SOLID if solid else PartKind.SHELL,
@@ -177,6 +186,13 @@ def _weighed(body: Mapping[str, Any], factor: float, mass: float) -> MassPropert
     """Mass properties from moments of volume or area: both scale with the mass that is spread over them."""
     inertia = np.array(body["inertia"]) / body["content"] * factor**2
     return MassProperties(mass, np.array(body["centre"]) * factor, mass * inertia)
+
+
+def _stood_up(part: Part) -> Part:
+    """A part of a file that has y up, turned."""
+    still = np.zeros(3)
+    properties = None if part.properties is None else part.properties.moved(STAND_UP, still)
+    return replace(part, properties=properties, mesh=part.mesh.moved(STAND_UP, still))
 
 
 def _numbered(parts: list[Part], path: Path) -> list[Part]:
