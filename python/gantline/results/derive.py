@@ -11,7 +11,7 @@ import numpy as np
 from gantline.results.boom import boom_state
 from gantline.results.crane import corner_loads, crane_events, hook_state
 from gantline.results.crawler import crawler_events, crawler_state
-from gantline.results.direct import commands, direct, only, rounded
+from gantline.results.direct import commands, direct, only, round_path
 from gantline.results.flows import rope_flows
 from gantline.results.hook_load import hook_loads
 from gantline.results.moorings import mooring_state
@@ -41,6 +41,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     lift = Rig.from_json(rig)
     columns, names, of_nodes = joined(columns, names, lift)
     columns, names, contents, tanks = tank_contents(columns, names, lift)
+    round_path(columns["rope_point"], names["rope_point"])
     variables, coordinates = direct(columns, names, of_nodes)
     variables |= commands(columns, names)
     for derived, labels in ((contents, tanks), *_of_each_sample(columns, names, lift)):
@@ -49,8 +50,6 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     of_cranes, labels = _cranes(columns, names, lift, variables)
     variables |= of_cranes
     coordinates |= labels
-    if "rope_point" in variables:
-        variables["rope_point"] = rounded(variables["rope_point"], names["rope_point"])
     return Recording(variables, _used(coordinates, variables), {**attributes, "rig": dict(rig)})
 
 

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
-from gantline.results.variable import Columns, Derived, Names, Variable
+from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["commands", "direct", "only", "rounded"]
+__all__ = ["commands", "direct", "only", "round_path"]
 
 #: A drawn path is kept to 60 nm; a power of two, so that the last bits of its numbers are zeros, which pack.
 _POINTS_PER_METRE = 2.0**24
+#: Samples that are rounded at once: few enough to stay in the cache.
+_AT_ONCE = 32
 
 # name in the columns -> name in the recording, dimensions, unit, description
 _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
@@ -194,17 +195,24 @@ def commands(columns: Columns, names: Names) -> dict[str, Variable]:
     return found
 
 
-def rounded(path: Variable, ropes: Sequence[str]) -> Variable:
-    """Drawn points, rounded but for the ends of ropes, whose directions count.
+def round_path(points: FloatArray, ropes: Sequence[str]) -> None:
+    """Round drawn points in place, but for the ends of ropes, whose directions count.
 
-    Forces have been found by them before: their last digits fill half of a file.
+    Forces have been found by them before: their last digits fill half of a file. A path is most of what a
+    recording holds, and a copy of it would double that.
+
+    Args:
+        points: Points of all ropes, (time, rope_point, xyz) [m].
+        ropes: The rope to which each of them belongs.
     """
-    points = path.values * _POINTS_PER_METRE
-    np.rint(points, out=points)
-    points /= _POINTS_PER_METRE
     owner = np.asarray(ropes)
-    is_new = owner[1:] != owner[:-1]
-    ends = np.flatnonzero(np.append(True, is_new) | np.append(is_new, True))
-    points[:, ends] = path.values[:, ends]
-    points.flags.writeable = False
-    return replace(path, values=points)
+    is_end = np.ones((2, len(owner)), dtype=np.bool_)
+    is_end[0, 1:] = is_end[1, :-1] = owner[1:] != owner[:-1]
+    ends = np.flatnonzero(is_end.any(axis=0))
+    for first in range(0, len(points), _AT_ONCE):
+        some = points[first : first + _AT_ONCE]
+        kept = some[:, ends]
+        some *= _POINTS_PER_METRE
+        np.rint(some, out=some)
+        some /= _POINTS_PER_METRE
+        some[:, ends] = kept

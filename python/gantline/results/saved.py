@@ -18,6 +18,7 @@ from typing import Any, TypeVar
 from gantline.results.recording import Recording, open_recording
 
 _T = TypeVar("_T")
+_J = TypeVar("_J", "SavedCases", "SavedLostLoad")
 
 __all__ = [
     "CASES",
@@ -237,31 +238,30 @@ def read_beside(folder: Path, recording: Recording) -> Beside:
         left_out.append(f"{name}: {_OF_ANOTHER}; '{command}' renews it, 'gantline run' the recording")
         return None
 
-    cases = belonging(CASES, "gantline cases", _read_cases, lambda found: found.scenario_sha256)
+    def of_json(name: str, command: str, kind: type[_J]) -> _J | None:
+        return belonging(name, command, _reader(kind.from_json, command), lambda found: found.scenario_sha256)
+
+    cases = of_json(CASES, "gantline cases", SavedCases)
     equilibrium = belonging(
         EQUILIBRIUM,
         "gantline statics",
         _read_equilibrium,
         lambda found: digest_of(str(found.attributes.get("scenario", ""))),
     )
-    lost = belonging(
-        LOST_LOAD, "gantline statics --lost", _read_lost_load, lambda found: found.scenario_sha256
-    )
+    lost = of_json(LOST_LOAD, "gantline statics --lost", SavedLostLoad)
     return Beside(equilibrium, cases, lost, left_out)
 
 
-def _read_cases(path: Path) -> SavedCases:
-    try:
-        return SavedCases.from_json(json.loads(path.read_text(encoding="utf-8")))
-    except (RecursionError, ValueError) as problem:
-        raise ValueError(f"is not what 'gantline cases' writes ({problem})") from None
+def _reader(read: Callable[[Any], _T], command: str) -> Callable[[Path], _T]:
+    """What reads a file of JSON that a command has written."""
 
+    def from_file(path: Path) -> _T:
+        try:
+            return read(json.loads(path.read_text(encoding="utf-8")))
+        except (RecursionError, ValueError) as problem:
+            raise ValueError(f"is not what '{command}' writes ({problem})") from None
 
-def _read_lost_load(path: Path) -> SavedLostLoad:
-    try:
-        return SavedLostLoad.from_json(json.loads(path.read_text(encoding="utf-8")))
-    except (RecursionError, ValueError) as problem:
-        raise ValueError(f"is not what 'gantline statics --lost' writes ({problem})") from None
+    return from_file
 
 
 def _read_equilibrium(path: Path) -> Recording:
