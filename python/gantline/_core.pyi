@@ -100,8 +100,12 @@ class Statics:
         increment: list[float] | None = None,
         losses: str = "none",
         slide: list[float] | None = None,
+        goes_on: Callable[[], bool] | None = None,
     ) -> dict[str, Any]:
-        """Find the equilibrium at a time [s]; RuntimeError(element, cause) where there is none."""
+        """Find the equilibrium at a time [s]; RuntimeError(element, cause) where there is none.
+
+        Or where `goes_on`, which is asked before every part of the way, says no.
+        """
 
     def settle_saved(
         self, saved: bytes, losses: str = "none", slide: list[float] | None = None

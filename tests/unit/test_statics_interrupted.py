@@ -1,4 +1,4 @@
-"""Ctrl-C while statics follows a plan from rest to rest, which takes seconds."""
+"""Ctrl-C, or somebody else's no, while statics follows a plan from rest to rest, which takes seconds."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from gantline.statics import Statics
+from gantline.scenario import load_scenario
+from gantline.statics import Equilibrium, NoEquilibriumError, Statics
+from gantline.study.side_by_side import SideBySide
 
 LIFT = Path(__file__).resolve().parents[2] / "scenarios" / "floating_crane"
 
@@ -42,3 +44,19 @@ def test_ctrl_c_ends_a_search_between_two_equilibria() -> None:
     finally:
         signal.signal(signal.SIGINT, before)
     assert question.equilibrium(time=0.0).is_stable
+
+
+def test_what_other_threads_look_for_is_given_up() -> None:
+    """Ctrl-C reaches one thread alone; as that leaves the block, those that search for it are told."""
+    has_begun = threading.Event()
+
+    def search(question: Statics) -> Equilibrium:
+        has_begun.set()
+        return question.equilibrium()
+
+    with pytest.raises(KeyboardInterrupt), SideBySide(1) as pool:
+        pending = pool.submit(search, pool.question(load_scenario(LIFT)))
+        has_begun.wait()
+        raise KeyboardInterrupt
+    with pytest.raises(NoEquilibriumError, match="it was stopped"):
+        pending.result()

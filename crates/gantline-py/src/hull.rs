@@ -3,11 +3,10 @@
 use gantline_core::hull::{Mesh, Plane, Surface};
 use glam::DVec3;
 use numpy::PyReadonlyArray2;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::array;
+use super::{array, value_error};
 
 /// A hull that can be cut by planes.
 #[pyclass(module = "gantline._core", frozen)]
@@ -32,13 +31,13 @@ impl Hull {
     ) -> PyResult<Self> {
         let (points, corners) = (vertices.as_array(), triangles.as_array());
         if points.ncols() != 3 || corners.ncols() != 3 {
-            return Err(PyValueError::new_err("vertices have three coordinates, triangles three vertices"));
+            return Err(value_error("vertices have three coordinates, triangles three vertices"));
         }
         if points.iter().any(|value| !value.is_finite()) {
-            return Err(PyValueError::new_err("a coordinate of the hull is not finite"));
+            return Err(value_error("a coordinate of the hull is not finite"));
         }
         if corners.iter().any(|&index| index < 0 || index as usize >= points.nrows()) {
-            return Err(PyValueError::new_err("a triangle of the hull names a vertex that does not exist"));
+            return Err(value_error("a triangle of the hull names a vertex that does not exist"));
         }
         let vertices = points.rows().into_iter().map(|row| DVec3::new(row[0], row[1], row[2])).collect();
         let row_of = |row: numpy::ndarray::ArrayView1<i64>| [0, 1, 2].map(|k| row[k] as usize);

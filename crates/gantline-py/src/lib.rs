@@ -8,7 +8,6 @@ use std::time::{Duration, Instant};
 
 use gantline_core::record::named::Named;
 use gantline_core::record::names::Names;
-use gantline_core::simulation::SetupError;
 use gantline_core::stepper::StepError;
 use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn};
@@ -22,7 +21,7 @@ const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 /// Steps between looks at the clock.
 const STEPS_PER_LOOK: u32 = 64;
 
-fn value_error(error: SetupError) -> PyErr {
+fn value_error(error: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
@@ -113,7 +112,7 @@ impl Simulation {
     /// Position and velocity of what a drive moves now.
     fn drive(&self, py: Python<'_>, name: &str) -> PyResult<(f64, f64)> {
         let found = self.inner(py)?.drive(name);
-        found.ok_or_else(|| PyValueError::new_err(format!("there is no drive `{name}`")))
+        found.ok_or_else(|| value_error(format!("there is no drive `{name}`")))
     }
 
     /// Tensions of all ropes (samples, ropes) [N], without working out the other columns.
@@ -253,7 +252,7 @@ fn name_lists(py: Python<'_>, names: Names) -> PyResult<Bound<'_, PyDict>> {
 
 fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let array = ArrayD::from_shape_vec(IxDyn(shape), values);
-    Ok(array.map_err(|error| PyValueError::new_err(error.to_string()))?.into_pyarray(py))
+    Ok(array.map_err(value_error)?.into_pyarray(py))
 }
 
 /// The compiled heart of gantline.

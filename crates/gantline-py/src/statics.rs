@@ -6,7 +6,7 @@ use gantline_core::statics::losses::Losses;
 use gantline_core::statics::modes::Mode;
 use gantline_core::statics::sensitivity::Parameter;
 use gantline_core::statics::{NoEquilibrium, Rest};
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -27,15 +27,13 @@ fn losses_of(word: &str, slide: Option<[f64; 3]>) -> PyResult<Losses> {
     match (word, slide.and_then(Losses::slid)) {
         ("none", Some(slides)) => Ok(slides),
         _ if slide.is_some() => {
-            Err(PyValueError::new_err("what slides does so along a direction, with sheaves without losses"))
+            Err(value_error("what slides does so along a direction, with sheaves without losses"))
         }
         ("none", None) => Ok(Losses::NONE),
         ("forward", None) => Ok(Losses::FORWARD),
         ("backward", None) => Ok(Losses::BACKWARD),
         ("held", None) => Ok(Losses::HELD),
-        _ => Err(PyValueError::new_err(format!(
-            "there are no losses {word}; there are none, forward, backward and held"
-        ))),
+        _ => Err(value_error(format!("losses are none, forward, backward or held, not {word}"))),
     }
 }
 
@@ -58,8 +56,9 @@ impl Statics {
         self.inner.state().time
     }
 
-    /// Finds the equilibrium at a time of the plan; raises `RuntimeError` with element and cause where there is none.
-    #[pyo3(signature = (time=0.0, increment=None, losses="none", slide=None))]
+    /// Finds the equilibrium at a time of the plan; raises `RuntimeError` with element and cause where there is none,
+    /// or where `goes_on`, which is asked before every part of the way, says no.
+    #[pyo3(signature = (time=0.0, increment=None, losses="none", slide=None, goes_on=None))]
     fn settle<'py>(
         &mut self,
         py: Python<'py>,
@@ -67,26 +66,29 @@ impl Statics {
         increment: Option<Vec<f64>>,
         losses: &str,
         slide: Option<[f64; 3]>,
+        goes_on: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let size = self.degrees_of_freedom();
-        if let Some(given) = increment.as_ref().filter(|given| given.len() != size) {
-            let sentence = format!("{} increments for {size} degrees of freedom", given.len());
-            return Err(PyValueError::new_err(sentence));
+        if let Some(given) = increment.as_ref().map(Vec::len).filter(|&given| given != size) {
+            return Err(value_error(format!("{given} increments for {size} degrees of freedom")));
         }
         if !(time >= 0.0 && time.is_finite()) {
-            return Err(PyValueError::new_err(format!("the time is {time} s; it must be zero or more")));
+            return Err(value_error(format!("the time is {time} s; it must be zero or more")));
         }
         let losses = losses_of(losses, slide)?;
         self.modes.clear();
-        let mut interrupt = Ok(());
+        let mut answer = Ok(true);
         let found = py.detach(|| {
-            let mut goes_on = || {
-                interrupt = Python::attach(|py| py.check_signals());
-                interrupt.is_ok()
+            let mut ask = || {
+                answer = Python::attach(|py| {
+                    py.check_signals()?;
+                    goes_on.as_ref().map_or(Ok(true), |asked| asked.call0(py)?.is_truthy(py))
+                });
+                matches!(answer, Ok(true))
             };
-            self.inner.settle(time, increment.as_deref(), losses, &mut goes_on)
+            self.inner.settle(time, increment.as_deref(), losses, &mut ask)
         });
-        interrupt?;
+        answer?;
         self.found(py, found.map_err(no_equilibrium)?)
     }
 
@@ -116,7 +118,7 @@ impl Statics {
 
     /// Loses a body at the equilibrium found last and finds that of everything else.
     fn lose<'py>(&mut self, py: Python<'py>, body: &str, losses: &str) -> PyResult<Bound<'py, PyDict>> {
-        let missing = || PyValueError::new_err(format!("there is no {body} to lose"));
+        let missing = || value_error(format!("there is no {body} to lose"));
         let (index, losses) = (self.inner.body(body).ok_or_else(missing)?, losses_of(losses, None)?);
         self.modes.clear();
         let rest = py.detach(|| self.inner.lose(index, losses)).map_err(no_equilibrium)?;
@@ -142,8 +144,7 @@ impl Statics {
 
     /// Lets the equilibrium swing in one of the modes that were found last; `columns` has one period of it.
     fn swing(&mut self, mode: usize, amplitude: f64, frames: usize) -> PyResult<()> {
-        let found =
-            self.modes.get(mode).ok_or_else(|| PyValueError::new_err(format!("there is no mode {mode}")))?;
+        let found = self.modes.get(mode).ok_or_else(|| value_error(format!("there is no mode {mode}")))?;
         self.inner.swing(found, amplitude, frames);
         Ok(())
     }
@@ -214,7 +215,7 @@ impl Statics {
     }
 
     fn parameter(&self, kind: &str, name: &str) -> PyResult<Parameter> {
-        let missing = || PyValueError::new_err(format!("there is no {name} to ask the {kind} of"));
+        let missing = || value_error(format!("there is no {name} to ask the {kind} of"));
         let rope = || self.inner.rope(name).ok_or_else(missing);
         let body = || self.inner.body(name).ok_or_else(missing);
         let (what, axis) = kind.split_once('_').unwrap_or((kind, ""));
@@ -225,7 +226,7 @@ impl Statics {
             ("mass", None) => Parameter::Mass(body()?),
             ("centre", Some(axis)) => Parameter::Centre(body()?, axis),
             ("place", Some(axis)) => Parameter::Place(body()?, axis),
-            _ => return Err(PyValueError::new_err(format!("there is no parameter {kind}"))),
+            _ => return Err(value_error(format!("there is no parameter {kind}"))),
         })
     }
 }

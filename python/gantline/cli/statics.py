@@ -32,8 +32,11 @@ from gantline.cli.statics_options import (
 )
 
 if TYPE_CHECKING:
+    from concurrent.futures import Future
+
     from gantline.checks import Check
-    from gantline.statics import Equilibrium, Mode, Statics
+    from gantline.statics import Equilibrium, Losses, Mode, Statics
+    from gantline.study.side_by_side import SideBySide
     from gantline.study.tilting import Margin
 
 #: Modes that are shown where it is not said how many.
@@ -194,17 +197,20 @@ def _settled(
     """The equilibrium; with all sheaves slipping one way and the other; lines on what friction may hold."""
     from gantline.cli.friction import stick_ranges
     from gantline.statics import NoEquilibriumError
+    from gantline.study.side_by_side import SideBySide
 
-    try:
-        bounds = _bounds(question, moment) if state is None else []
-        rest = _rest(question, moment, state, held=held)
-        ranges = []
-        if held and state is None and any(contact.bound > 0.0 for contact in rest.contacts):
-            ranges = stick_ranges(question, rest)
-            # Motions are those of the equilibrium found last.
+    with SideBySide() as pool:
+        try:
+            pending = _bounds(pool, question, moment) if state is None else []
             rest = _rest(question, moment, state, held=held)
-    except NoEquilibriumError as problem:
-        stop(str(problem), COULD_NOT_GO_ON)
+            ranges = []
+            if held and state is None and any(contact.bound > 0.0 for contact in rest.contacts):
+                ranges = stick_ranges(question, rest)
+                # Motions are those of the equilibrium found last.
+                rest = _rest(question, moment, state, held=held)
+            bounds = [one.result() for one in pending]
+        except NoEquilibriumError as problem:
+            stop(str(problem), COULD_NOT_GO_ON)
     return rest, bounds, ranges
 
 
@@ -243,11 +249,12 @@ def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
     ]
 
 
-def _bounds(question: Statics, moment: float | None) -> list[Equilibrium]:
+def _bounds(pool: SideBySide, question: Statics, moment: float | None) -> list[Future[Equilibrium]]:
     """With all sheaves slipping one way and the other; none where no sheave has losses."""
     if not any(sheave.has_losses for sheave in question.rig.sheaves):
         return []
-    return [question.equilibrium(moment, losses="forward"), question.equilibrium(moment, losses="backward")]
+    ways: tuple[Losses, ...] = ("forward", "backward")
+    return [pool.submit(pool.question(question.scenario).equilibrium, moment, losses=way) for way in ways]
 
 
 def _margins(question: Statics, rest: Equilibrium) -> list[Margin]:

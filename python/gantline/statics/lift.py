@@ -65,12 +65,14 @@ class Statics:
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
+        goes_on: Asked before every part of a plan that is followed, for threads, which Ctrl-C does not reach;
+            where it says no there is no equilibrium, since the search was stopped.
 
     Raises:
         ScenarioError: If the lift file is not right, or the lift has no statics (lengths that are adjusted).
     """
 
-    def __init__(self, lift: str | Path | Scenario) -> None:
+    def __init__(self, lift: str | Path | Scenario, *, goes_on: Callable[[], bool] | None = None) -> None:
         self.scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
         self.assembly = assemble(self.scenario)
         try:
@@ -78,6 +80,7 @@ class Statics:
         except ValueError as problem:
             raise refused(self.scenario, str(problem)) from problem
         self._lock = RLock()
+        self._goes_on = goes_on
         self._last: Losses | NoEquilibriumError | None = None
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
 
@@ -129,7 +132,7 @@ class Statics:
         way = None if slide is None else [float(part) for part in slide]
         self._last = None
         try:
-            found = self._core.settle(moment, start, losses, way)
+            found = self._core.settle(moment, start, losses, way, self._goes_on)
         except RuntimeError as problem:
             raise self._nowhere(moment, *problem.args) from None
         return self._found(found, losses)

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -33,6 +32,7 @@ from gantline.study.pattern import (
     single_patterns,
     worst_patterns,
 )
+from gantline.study.side_by_side import SideBySide
 from gantline.study.state import State, Worst, settled, stands, unstartable, worst_of
 
 __all__ = ["CasesResult", "run_cases"]
@@ -131,17 +131,12 @@ def run_cases(
     """
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     base = without_cases(scenario)
-    # Threads do: the core looks for equilibria without holding the interpreter.
-    with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
-        try:
-            whole = _with_bounds(pool, base, time, State("", "", "none", 0.0))
-            pending = [whole]
-            for name in scenario.cases or {}:
-                pending += _states(pool, scenario, base, name, time)
-            states = [state for each in pending for state in each.result()]
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
+    with SideBySide(workers) as pool:
+        whole = _with_bounds(pool, base, time, State("", "", "none", 0.0))
+        pending = [whole]
+        for name in scenario.cases or {}:
+            pending += _states(pool, scenario, base, name, time)
+        states = [state for each in pending for state in each.result()]
     given = states[0]
     as_given = {state.losses: state for state in states if not state.case}
     states = [
@@ -163,7 +158,7 @@ def _known(state: State) -> _Pending:
 
 
 def _states(
-    pool: Executor, scenario: Scenario, base: Scenario, name: str, time: float | None
+    pool: SideBySide, scenario: Scenario, base: Scenario, name: str, time: float | None
 ) -> Iterator[_Pending]:
     """All states of a case."""
     case = (scenario.cases or {})[name]
@@ -178,7 +173,7 @@ def _states(
 
 
 def _of_case(
-    pool: Executor, scenario: Scenario, changed: Scenario, time: float | None, state: State
+    pool: SideBySide, scenario: Scenario, changed: Scenario, time: float | None, state: State
 ) -> _Pending:
     """States of a case's lift, one that cannot start too; what else is wrong with it is said at the case."""
     try:
@@ -192,9 +187,9 @@ def _of_case(
         raise scenario.error(("cases", state.case), f"{where}{sentence}") from None
 
 
-def _with_bounds(pool: Executor, scenario: Scenario, time: float | None, state: State) -> _Pending:
+def _with_bounds(pool: SideBySide, scenario: Scenario, time: float | None, state: State) -> _Pending:
     """A state settled, and with all sheaves slipping one way and the other where they have losses."""
-    question = Statics(scenario)
+    question = pool.question(scenario)
 
     def work() -> list[State]:
         found = settled(question, time, state)
@@ -206,7 +201,7 @@ def _with_bounds(pool: Executor, scenario: Scenario, time: float | None, state: 
     return pool.submit(work)
 
 
-def _cut(pool: Executor, scenario: Scenario, base: Scenario, name: str, time: float | None) -> _Pending:
+def _cut(pool: SideBySide, scenario: Scenario, base: Scenario, name: str, time: float | None) -> _Pending:
     """The lift at rest once ropes have been cut; at its own time, if it says one."""
     case = (scenario.cases or {})[name]
     moment = case.at
@@ -233,7 +228,7 @@ def _cut(pool: Executor, scenario: Scenario, base: Scenario, name: str, time: fl
 
 
 def _tolerances(
-    pool: Executor, scenario: Scenario, base: Scenario, name: str, time: float | None
+    pool: SideBySide, scenario: Scenario, base: Scenario, name: str, time: float | None
 ) -> Iterator[_Pending]:
     """Patterns of long and short slings, by sensitivities, and each solved anew."""
     case = (scenario.cases or {})[name]

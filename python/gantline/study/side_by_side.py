@@ -1,0 +1,44 @@
+"""Equilibria that are looked for side by side."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from threading import Event
+from types import TracebackType
+
+from gantline.scenario import Scenario
+from gantline.statics import Statics
+
+__all__ = ["SideBySide"]
+
+
+class SideBySide(ThreadPoolExecutor):
+    """Threads that look for equilibria. Threads do: the core does so without holding the interpreter.
+
+    What is still looked for as its block ends, by an error or by Ctrl-C, is given up.
+
+    Args:
+        workers: How many at a time; None for as many as there are processors.
+    """
+
+    def __init__(self, workers: int | None = None) -> None:
+        super().__init__(workers or os.cpu_count())
+        self._stopped = Event()
+
+    def question(self, scenario: Scenario) -> Statics:
+        """A lift of which one of the threads may ask.
+
+        Raises:
+            ScenarioError: As of `Statics`.
+        """
+        return Statics(scenario, goes_on=lambda: not self._stopped.is_set())
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._stopped.set()
+        self.shutdown(cancel_futures=True)
