@@ -23,6 +23,8 @@ _UNSYMMETRIC = 0.02
 _CONTRADICTS = 0.25
 #: Directions of waves that are the same [deg].
 _SAME_DIRECTION = 1e-6
+#: Directions are within a turn to either side, but for rounding [rad].
+_ONE_TURN = 2 * math.pi * (1 + 1e-6)
 #: Directions that are further apart have nothing to say of what is between them [deg].
 _WIDEST = 60.0
 #: Gravity by which waves of files are as long as they are [m/s^2].
@@ -91,8 +93,28 @@ class HydrodynamicDatabase:
             self.infinite_added_mass.shape == (6, 6) and np.isfinite(self.infinite_added_mass).all()
         ):
             raise DatabaseError(f"{self.source}: its added mass at infinite frequency is no 6 × 6 matrix")
+        if self.reference is not None and self.reference.shape != (3,):
+            found = f"its reference point has {self.reference.size} coordinates"
+            raise DatabaseError(f"{self.source}: {found}; x, y and z are needed")
+        self._hold_waves()
 
-        if self.excitation is not None and not np.isfinite(self.excitation).all():
+    def _hold_waves(self) -> None:
+        """Raise DatabaseError where directions or wave forces are none."""
+        farthest = float(np.abs(self.directions).max(initial=0.0))
+        if not farthest <= _ONE_TURN:
+            raise DatabaseError(
+                f"{self.source}: its waves run in directions up to {farthest:g} rad; degrees are no radians"
+            )
+        if self.excitation is None:
+            return
+        needed = (len(self.frequencies), len(self.directions), 6)
+        if self.excitation.shape != needed:
+            shape, wanted = (" × ".join(map(str, one)) for one in (self.excitation.shape, needed))
+            raise DatabaseError(
+                f"{self.source}: its wave forces are {shape}; {needed[0]} frequencies and {needed[1]} "
+                f"directions need {wanted}"
+            )
+        if not np.isfinite(self.excitation).all():
             raise DatabaseError(f"{self.source}: its wave forces have numbers that are not finite")
 
     def __repr__(self) -> str:
