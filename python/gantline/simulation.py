@@ -28,7 +28,13 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
-from gantline.results.run_warnings import command_warnings, missed_crests, missed_peaks, sheave_warnings
+from gantline.results.run_warnings import (
+    command_warnings,
+    missed_bumps,
+    missed_crests,
+    missed_peaks,
+    sheave_warnings,
+)
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.unfollowed import unfollowed
@@ -318,7 +324,8 @@ class Simulation:
         warnings += crossed_ropes(self.assembly.document.get("ropes", ()), diameters, columns, names)
         columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
-        warnings += missed_peaks(rig, columns, names) + missed_crests(rig, columns)
+        warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
+        warnings += missed_crests(rig, columns)
         warnings += drum_warnings(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
