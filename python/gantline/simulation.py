@@ -332,8 +332,8 @@ class Simulation:
         if len(columns["time"]):
             warnings += unfollowed(self.assembly.document, columns, names)
         loads = {load.name: load.body for load in rig.loads}
-        density = (self.scenario.water or Water()).density
-        warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density, rig.sea)
+        water = self.scenario.water or Water()
+        warnings += immersion_warnings(columns, names, self.assembly.scene, loads, water.density, rig.sea)
         if len(columns["time"]):
             at_start, turned = (
                 dict(zip(names["body"], columns[name][0], strict=True))
@@ -344,7 +344,8 @@ class Simulation:
             afloat = [vessel.body for vessel in rig.vessels]
             warnings += adrift(self.assembly.document, afloat, at_start, turned)
             hulls = vessel_hulls(self.assembly.document, afloat)
-            warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground_in(self.assembly.scene))
+            ground = ground_in(self.assembly.scene)
+            warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground, water.depth)
         warnings += pump_warnings(rig, columns, names)
         warnings += command_warnings(columns, names)
         for met in stops_met(
