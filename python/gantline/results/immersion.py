@@ -92,7 +92,7 @@ def dry_areas(document: Mapping[str, Any], columns: Columns, names: Names, level
     """
     if not len(columns["time"]):
         return []
-    bodies = {body["name"]: body for body in document["bodies"]}
+    bodies = {body["name"]: body for body in document.get("bodies", ())}
     warnings = []
     for force in document.get("forces", ()):
         body, _, area = str(force["name"]).partition(_CURRENT)
