@@ -97,6 +97,20 @@ def test_most_of_what_looks_up_is_deck(tmp_path: Path) -> None:
     assert run.events("flooding")
 
 
+def test_a_deck_awash_is_a_deck(tmp_path: Path) -> None:
+    """A low deck of 29 % aft that rises from 4 m at the stern to 5 m: at 4.5 m of draft its end is 0.5 m
+    under, whatever stands ahead of it.
+    """
+    path = boxes(tmp_path, ((40.0, 20.0, 8.0), (40.0, 0.0, 0.0)), ((16.0, 20.0, 5.0), (12.0, 0.0, 0.0)))
+    text = path.read_text(encoding="utf-8")
+    for y in (-10.0, 10.0):
+        text = text.replace(f"v 4.0 {y!r} 5.0\n", f"v 4.0 {y!r} 4.0\n")
+    path.write_text(text, encoding="utf-8")
+    run = at_rest(tmp_path, path, 4.5)
+    assert run.metrics()["least_freeboard"] < -0.4
+    assert not said(run, "looks up")
+
+
 @pytest.mark.skipif(not SHARED.is_dir(), reason="needs the shared data")
 @pytest.mark.parametrize(
     ("name", "draft", "edge"),

@@ -33,8 +33,8 @@ def deck_edge(mesh: HullMesh, apart: float | None = None, draft: float = -math.i
     Args:
         mesh: The hull.
         apart: How far apart its points may be at most [m]; None: its corners alone.
-        draft: At which it floats, above z = 0 [m]: pieces that are under water then, up to half of what
-            looks up, are pontoons and no deck.
+        draft: At which it floats, above z = 0 [m]: pieces all of which is under water then, up to half of
+            what looks up, are pontoons and no deck.
     """
     between = _between(mesh)
     sides = _ends(between, _deck(mesh, between, draft))
@@ -91,13 +91,14 @@ def _deck(mesh: HullMesh, between: _Sides, draft: float) -> Bools:
     The top of a bulb, of a sonar dome or of a skeg looks up as well, and is under water as it should be.
     """
     looks = _looks(mesh, 1.0)
-    areas, heights = _plan_areas(mesh), mesh.vertices[mesh.triangles][:, :, 2].min(axis=1)
+    areas, heights = _plan_areas(mesh), mesh.vertices[mesh.triangles][:, :, 2]
     whole = max(float(areas[looks].sum()), _FILLED * float(np.prod(np.ptp(mesh.box, axis=0)[:2])))
     pieces = sorted(_pieces(looks, between), key=lambda piece: float(heights[piece].min()))
     dropped = 0.0
     for piece in pieces:
         dropped += float(areas[piece].sum()) / whole
-        if dropped > (_SUNK if heights[piece].min() < draft else _BULB):
+        # One of which a part is dry is a deck awash.
+        if dropped > (_SUNK if heights[piece].max() < draft else _BULB):
             break
         looks[piece] = False
     return looks
