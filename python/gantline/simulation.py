@@ -23,12 +23,18 @@ from gantline.results.crossing import crossed_ropes
 from gantline.results.derive import present_of, recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
-from gantline.results.immersion import immersion_warnings
+from gantline.results.immersion import dry_areas, immersion_warnings
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
-from gantline.results.run_warnings import command_warnings, missed_peaks, sheave_warnings
+from gantline.results.run_warnings import (
+    command_warnings,
+    missed_bumps,
+    missed_crests,
+    missed_peaks,
+    sheave_warnings,
+)
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.unfollowed import unfollowed
@@ -318,15 +324,17 @@ class Simulation:
         warnings += crossed_ropes(self.assembly.document.get("ropes", ()), diameters, columns, names)
         columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
-        warnings += missed_peaks(rig, columns, names)
+        warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
+        warnings += missed_crests(rig, columns)
         warnings += drum_warnings(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
         if len(columns["time"]):
             warnings += unfollowed(self.assembly.document, columns, names)
         loads = {load.name: load.body for load in rig.loads}
-        density = (self.scenario.water or Water()).density
-        warnings += immersion_warnings(columns, names, self.assembly.scene, loads, density, rig.sea)
+        water = self.scenario.water or Water()
+        warnings += immersion_warnings(columns, names, self.assembly.scene, loads, water.density, rig.sea)
+        warnings += dry_areas(self.assembly.document, columns, names, water.level)
         if len(columns["time"]):
             at_start, turned = (
                 dict(zip(names["body"], columns[name][0], strict=True))
@@ -337,7 +345,8 @@ class Simulation:
             afloat = [vessel.body for vessel in rig.vessels]
             warnings += adrift(self.assembly.document, afloat, at_start, turned)
             hulls = vessel_hulls(self.assembly.document, afloat)
-            warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground_in(self.assembly.scene))
+            ground = ground_in(self.assembly.scene)
+            warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground, water.depth)
         warnings += pump_warnings(rig, columns, names)
         warnings += command_warnings(columns, names)
         for met in stops_met(

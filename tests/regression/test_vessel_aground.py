@@ -1,7 +1,7 @@
 """A barge of 4 m draft in a basin that was written 1.5 m deep for 15 m.
 
 Nothing holds a hull off the ground in a simulation. The barge floated metres deep in the floor of its basin,
-or within the quay, and the lift was GO without a word.
+or within the quay, and the lift was GO without a word. So it was in water of a depth of 3 m.
 """
 
 from __future__ import annotations
@@ -48,3 +48,18 @@ def test_ground_that_has_no_dock_says_nothing_of_water(tmp_path: Path) -> None:
     given = lift_of(barge(), duration="0.1 s", ground={"level": "0 m"})
     run = simulate(written(tmp_path, given))
     assert not [one for one in run.attributes["warnings"] if "in the ground" in one]
+
+
+@pytest.mark.parametrize(("depth", "level"), [(3.0, 0.0), (3.9, 2.0), (4.1, 2.0)])
+def test_water_that_is_not_deep_enough(tmp_path: Path, depth: float, level: float) -> None:
+    """By draft and depth, wherever the water stands."""
+    water = {"density": "1025 kg/m^3", "level": f"{level} m", "depth": f"{depth} m"}
+    run = simulate(written(tmp_path, lift_of(barge(), duration="0.1 s", water=water)))
+    found = [one for one in run.attributes["warnings"] if "in the ground" in one]
+    if depth > DRAFT:
+        assert not found
+        return
+    assert found == [
+        f"barge is {DRAFT - depth:.2f} m in the ground at 0.00 s, which does not hold its hull here, as it "
+        "would; see its draft and the 'depth' of the 'water'"
+    ]

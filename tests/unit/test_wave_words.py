@@ -121,21 +121,23 @@ def test_forces_between_frequencies_directions_and_sides(tmp_path: Path) -> None
         read_database(without).excitation_at(at, known, 1000.0)
 
 
-def test_the_phase_counts_from_the_origin_of_the_file(tmp_path: Path) -> None:
-    """The way of the file's origin through the waves counts, not that of the point that its forces act at: a
-    reference point 3 m ahead and 1 m to port of it is that far from it on the vessel. Forces are those per
-    metre, whatever the place of the barge.
+def test_the_phase_counts_from_amidships(tmp_path: Path) -> None:
+    """The way of the middle of the vessel through the waves counts. A reference point there that is 3 m ahead
+    of the file's origin has the phases of the file κ 3 m cos β earlier. Forces are those per metre, whatever
+    the place of the barge.
     """
     wave = {"height": "2 cm", "period": f"{2 * np.pi / 0.7!r} s", "direction": "40 deg"}
     path = waves.in_waves(tmp_path, {"swell": wave}, {"position": ["70 m", "30 m"], "heading": "20 deg"})
-    waves.database(tmp_path, reference=(3.0, 1.0, -1.0))
+    waves.database(tmp_path, reference=(3.0, 0.0, -1.0))
     force = next(f for f in assemble(load_scenario(path)).document["forces"] if f["type"] == "wave")
     assert force["at"] == [LENGTH / 2, 0.0, DRAFT]
-    assert force["origin"] == [LENGTH / 2 - 3.0, -1.0, DRAFT]
+    assert force["origin"] == [LENGTH / 2, 0.0, DRAFT]
     # All seven of the file, and five of them from the other side.
     assert np.degrees(force["directions"]) == pytest.approx(np.arange(0.0, 360.0, 30.0), abs=1e-9)
     both = np.array(force["phasors"])[0]
-    expected = [waves.force_per_metre(0.7, np.radians(30.0 * k)) for k in range(12)]
+    around = np.radians(30.0 * np.arange(12))
+    turned = np.exp(-1j * 0.7**2 / waves.G * 3.0 * np.cos(around))
+    expected = [waves.force_per_metre(0.7, b) * turn for b, turn in zip(around, turned, strict=True)]
     found = both[..., 0] + 1j * both[..., 1]
     assert found == pytest.approx(np.array(expected), rel=1e-9, abs=1e-6)
 

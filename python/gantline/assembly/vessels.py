@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
+from gantline.assembly.deck import bottom_edge, deck_edge, sunk_share
 from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array, about_axis, quaternion_product, rotation_matrix
@@ -22,7 +22,6 @@ from gantline.scenario.water import Water
 __all__ = [
     "add_vessels",
     "adrift",
-    "deck_edge",
     "misplaced",
     "vessel_hull",
     "vessel_hulls",
@@ -31,8 +30,8 @@ __all__ = [
     "watch_vessels",
 ]
 
-#: A triangle of a hull is part of its deck where the cosine of its slope is more than this.
-_DECK = 0.5
+#: More of a hull that looks up and is under water than this is told [of all that looks up].
+_SUNK_SILENTLY = 0.02
 #: A vessel or load that the way to rest takes farther than this was not meant to go there [m].
 _ADRIFT = 1.0
 #: One whose heel and trim come out farther than this from those of the lift file was not meant so [rad]: the
@@ -110,10 +109,23 @@ def watch_vessels(parts: Parts, scenario: Scenario) -> None:
     level = (scenario.water or Water()).level
     for name in scenario.vessels or {}:
         points = _marks(scenario, name)
+        parts.warnings += _sunk(scenario, name)
         marks = [{"name": f"{name}.{mark}", "points": places} for mark, places in points.items()]
         bottom = bottom_edge(vessel_hull(scenario, name, (scenario.vessels or {})[name]))
         watched = {"name": name, "body": name, "level": level, "capsized_beyond": CAPSIZED_BEYOND}
         parts.vessels.append({**watched, "bottom": bottom, "marks": marks})
+
+
+def _sunk(scenario: Scenario, name: str) -> list[str]:
+    """A sentence where much of what looks up is under water at the draft of the lift file."""
+    vessel = (scenario.vessels or {})[name]
+    share = sunk_share(vessel_hull(scenario, name, vessel), vessel.draft)
+    if share <= _SUNK_SILENTLY:
+        return []
+    sunk = (
+        f"{100.0 * share:.0f} % of what looks up on the hull of {name} is under water at {vessel.draft:g} m"
+    )
+    return [f"{sunk} of draft: pontoons, if that is right; the deck's edge is that of the rest"]
 
 
 def vessel_rig(scenario: Scenario, parts: Parts) -> list[Json]:
@@ -142,7 +154,7 @@ def _marks(scenario: Scenario, name: str) -> dict[str, list[list[float]]]:
     vessel = (scenario.vessels or {})[name]
     openings = {opening: [list(at)] for opening, at in (vessel.openings or {}).items()}
     mesh = vessel_hull(scenario, name, vessel)
-    return {DECK_EDGE: deck_edge(mesh, _seen_by_waves(scenario, mesh)), **openings}
+    return {DECK_EDGE: deck_edge(mesh, _seen_by_waves(scenario, mesh), vessel.draft), **openings}
 
 
 def _seen_by_waves(scenario: Scenario, mesh: HullMesh) -> float | None:
@@ -158,47 +170,6 @@ def _seen_by_waves(scenario: Scenario, mesh: HullMesh) -> float | None:
     return max(
         2 * math.pi / float(number[0]) / _PER_WAVE, float(np.ptp(mesh.box, axis=0).max()) / _MOST_PIECES
     )
-
-
-def deck_edge(mesh: HullMesh, apart: float | None = None) -> list[list[float]]:
-    """A deck's edge, where its triangles meet others that are no deck, or end.
-
-    Args:
-        mesh: The hull.
-        apart: How far apart its points may be at most [m]; None: its corners alone.
-    """
-    sides = _sides(mesh, 1.0)
-    found = _corners(mesh, sides)
-    if apart is None:
-        return found
-    for side in sides:
-        first, last = (mesh.vertices[at] for at in sorted(side))
-        pieces = math.ceil(float(np.linalg.norm(last - first)) / apart)
-        found += [(first + (last - first) * k / pieces).tolist() for k in range(1, pieces)]
-    return found
-
-
-def bottom_edge(mesh: HullMesh) -> list[list[float]]:
-    """Corners of the edge of a hull's bottom, found from below as a deck's edge is from above."""
-    return _corners(mesh, _sides(mesh, -1.0))
-
-
-def _corners(mesh: HullMesh, sides: list[frozenset[int]]) -> list[list[float]]:
-    return [
-        [float(part) for part in mesh.vertices[at]] for at in sorted({at for side in sides for at in side})
-    ]
-
-
-def _sides(mesh: HullMesh, upwards: float) -> list[frozenset[int]]:
-    """The sides of triangles, as pairs of vertices, along which what looks upwards ends."""
-    corners = mesh.vertices[mesh.triangles]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    is_flat = upwards * across[:, 2] > _DECK * np.linalg.norm(across, axis=1)
-    sides: dict[frozenset[int], list[bool]] = defaultdict(list)
-    for triangle, flat in zip(mesh.triangles.tolist(), is_flat, strict=True):
-        for place in range(3):
-            sides[frozenset((triangle[place - 1], triangle[place]))].append(bool(flat))
-    return [side for side, flats in sides.items() if set(flats) == {True, False} or len(flats) == 1]
 
 
 def adrift(

@@ -11,12 +11,13 @@ import numpy.typing as npt
 from gantline.assembly.databases import from_database
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.trains import Train
+from gantline.assembly.vessels import vessel_hull
 from gantline.hydro.database import DatabaseError, HydrodynamicDatabase
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart
 from gantline.scenario.vessel import Vessel
-from gantline.scenario.water import Water, WaveForces
+from gantline.scenario.water import Water
 from gantline.scenario.waves import WaveTrain
 
 __all__ = ["add_waves"]
@@ -89,23 +90,25 @@ class _Around:
     Attributes:
         directions: from forward to port (k,) [rad].
         forces: of each wave (n, k, 6) [N/m, N], vessel axes.
-        origin: the reference point from the file's origin (3,) [m].
     """
 
     directions: Array
     forces: Complex
-    origin: Array
 
 
 def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]) -> Json:
-    """What all waves do to a vessel, vessel axes, phases from the file's origin."""
+    """What all waves do to a vessel, vessel axes, phases from the middle of its length in the centre plane.
+
+    There they change least between the frequencies and directions of a file, whose own origin may be far off.
+    """
     given = vessel.wave_forces
     assert given is not None
     path = ("vessels", name, "wave_forces")
+    middle = float(vessel_hull(scenario, name, vessel).box[:, 0].mean())
     found = []
     for train_name, train in trains.items():
         waves = train.waves
-        per_metre, around, doubts = _of_database(scenario, path, given, waves, vessel.heading)
+        per_metre, around, doubts = _of_database(scenario, path, vessel, waves, middle)
         parts.warnings += [f"wave forces of {name}: {doubt}" for doubt in doubts]
         unknown = _unknown(waves, per_metre)
         if unknown > _SILENT:
@@ -116,22 +119,27 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
             parts.warnings.append(f"wave forces of {name}: {sentence}; they do nothing")
         found.append(around)
     forces = np.concatenate([around.forces for around in found])
-    # One file has the same directions and one origin for all waves.
+    # One file has the same directions for all waves.
     return {
         "type": "wave",
         "name": f"{name}.wave_forces",
         "body": name,
         "at": list(given.at),
-        "origin": (np.array(given.at) - found[0].origin).tolist(),
+        "origin": [middle, 0.0, given.at[2]],
         "directions": found[0].directions.tolist(),
         "phasors": np.stack([forces.real, forces.imag], axis=-1).tolist(),
     }
 
 
 def _of_database(
-    scenario: Scenario, path: tuple[PathPart, ...], given: WaveForces, train: Components, heading: float
+    scenario: Scenario, path: tuple[PathPart, ...], vessel: Vessel, train: Components, middle: float
 ) -> tuple[Complex, _Around, list[str]]:
-    """Forces per metre at the start in the vessel's axes (n, 6), in all directions, doubts."""
+    """Forces per metre at the start in the vessel's axes (n, 6), in all directions, doubts.
+
+    Phases count from `middle` of its length [m] in its centre plane.
+    """
+    given = vessel.wave_forces
+    assert given is not None
     density = (scenario.water or Water()).density
     lowest = float(train.frequency[0])
 
@@ -140,11 +148,13 @@ def _of_database(
         if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-6):
             wanted = f"has no waves of {2 * math.pi / lowest:.4g} s"
             raise DatabaseError(f"{database.source}: {wanted}; the shortest are of {shortest:.4g} s")
-        found, doubts = database.excitation_at(train.frequency, train.direction - heading, density)
+        reference = np.zeros(3) if database.reference is None else database.reference
+        phased_at = (reference + np.array([middle, 0.0, 0.0]) - given.at)[:2]
+        towards = train.direction - vessel.heading
+        found, doubts = database.excitation_at(train.frequency, towards, density, phased_at)
         doubts += _of_other_waves(scenario, database, train)
-        reference = database.reference
-        origin = np.zeros(3) if reference is None else np.array([*reference[:2], 0.0])
-        return found, _Around(*database.excitation_around(train.frequency, density), origin), doubts
+        around = database.excitation_around(train.frequency, density, phased_at)
+        return found, _Around(*around), doubts
 
     return from_database(scenario, path, (given.database, given.body), forces)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gantline.checks.measure import Finding, extreme, to_either_side
+from gantline.checks.measure import Finding, Found, Refused, extreme, to_either_side
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
@@ -24,7 +24,16 @@ def _names(recording: Recording) -> list[str]:
 
 
 def freeboard(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Height of the lowest of deck edge and openings above the water."""
+    """Height of the lowest of deck edge and openings above the water.
+
+    What goes under between two samples, and comes out, is seen by its event alone.
+    """
     for vessel in recording.rig.vessels:
         height = recording.column("vessel_freeboard", vessel.name)
         yield from extreme(recording, height, during, vessel.name, smallest=True)
+        if not (during.all() and height.min() >= 0.0):
+            continue
+        marks = {f"{vessel.name}.{mark}": mark for mark in vessel.marks}
+        for time, _, name in [one for one in recording.events("flooding") if one[2] in marks][:1]:
+            reason = f"its {marks[name]} goes under water between two samples"
+            yield Refused(vessel.name, reason, Found(0.0, vessel.name, time))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from gantline.cli.table import table
 from gantline.results import series
 from gantline.results.recording import Recording
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics
     from gantline.study.inclining import MetacentricHeights
 
-#: Of a vessel at its last sample: variable, title, unit, decimals.
+#: Of a vessel at the end: variable, title, unit, decimals.
 _LIES = (
     ("vessel_displacement", "displacement", "t", 1),
     ("vessel_draft_aft", "draft aft", "m", 3),
@@ -25,11 +27,16 @@ _LIES = (
 
 
 def vessels(recording: Recording) -> list[str]:
-    """How each vessel lies at the last sample, and its least freeboard, at rest that there."""
+    """How each vessel lies at the end, and its least freeboard, at rest that there.
+
+    In waves and gusts the last sample is a moment between a crest and a trough; a mean is told.
+    """
+    last = 0.0 if series.is_equilibrium(recording) else recording.rig.time_to_average
+    late = recording.time >= recording.time[-1:] - last if last > 0.0 else np.s_[-1:]
     rows = []
     for vessel in recording.rig.vessels:
         at_end = [
-            format_quantity(float(recording.column(name, vessel.name)[-1]), unit, digits)
+            format_quantity(float(recording.column(name, vessel.name)[late].mean()), unit, digits)
             for name, _, unit, digits in _LIES
         ]
         freeboard = recording.column("vessel_freeboard", vessel.name)
@@ -37,7 +44,10 @@ def vessels(recording: Recording) -> list[str]:
             freeboard = freeboard[-1:]
         rows.append((vessel.name, *at_end, format_quantity(float(freeboard.min()), "m", 3)))
     head = ("Vessel", *(title for _, title, _, _ in _LIES), "least freeboard")
-    return table(head, rows, "l" + "r" * (len(head) - 1)) if rows else []
+    if not rows:
+        return []
+    of_waves = f"  means over the last {format_quantity(last, 's', 0)}; freeboard: the least of all"
+    return [*table(head, rows, "l" + "r" * (len(head) - 1)), *([of_waves] if last > 0.0 else [])]
 
 
 def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:

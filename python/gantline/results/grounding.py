@@ -25,10 +25,12 @@ def grounding_warnings(
     vessels: Sequence[Vessel],
     hulls: Mapping[str, FloatArray],
     ground: Ground | None,
+    depth: float | None = None,
 ) -> list[str]:
     """A sentence for each vessel of which part is in the ground, at the worst moment looked at.
 
-    Only ground that says where there is water counts: with a dock in it, or below the water.
+    Only ground that says where there is water counts: with a dock in it, or below the water. The bed does at
+    the depth of the water.
 
     Args:
         columns: Columns of the core by name.
@@ -36,8 +38,11 @@ def grounding_warnings(
         vessels: Those of the rig.
         hulls: Vertices of hulls by the body of their vessel, vessel axes, shape (vertices, 3) [m].
         ground: That of the lift; None if it has none.
+        depth: Of the water [m]; None if not known.
     """
-    if ground is None or not vessels or not is_cut(ground, min(one.level for one in vessels)):
+    if ground is not None and vessels and not is_cut(ground, min(one.level for one in vessels)):
+        ground = None
+    if (ground is None and depth is None) or not vessels:
         return []
     count = len(columns["time"])
     looks = np.unique(np.linspace(0, count - 1, min(count, _LOOKS)).astype(int))
@@ -47,12 +52,18 @@ def grounding_warnings(
         from_centre = hulls[vessel.body] - np.asarray(vessel.centre_of_gravity)
         turns = axes(columns["body_orientation"][looks, body])
         places = columns["body_position"][looks, body][:, None] + from_centre @ turns.transpose(0, 2, 1)
-        depths = np.array([(ground.under(points) - points[:, 2]).max() for points in places])
-        worst = int(np.argmax(depths))
-        if depths[worst] > _ROUNDING:
-            when = f"{depths[worst]:.2f} m in the ground at {columns['time'][looks[worst]]:.2f} s"
+        in_ground, in_bed = np.full((2, len(looks)), -np.inf)
+        if ground is not None:
+            in_ground = np.array([(ground.under(points) - points[:, 2]).max() for points in places])
+        if depth is not None:
+            in_bed = vessel.level - depth - places[..., 2].min(axis=1)
+        deepest = np.maximum(in_ground, in_bed)
+        worst = int(np.argmax(deepest))
+        if deepest[worst] > _ROUNDING:
+            when = f"{deepest[worst]:.2f} m in the ground at {columns['time'][looks[worst]]:.2f} s"
             without = "which does not hold its hull here, as it would"
-            warnings.append(
-                f"{vessel.name} is {when}, {without}; see position, draft and the floor of its dock"
-            )
+            see = "position, draft and the floor of its dock"
+            if in_bed[worst] > in_ground[worst]:
+                see = "its draft and the 'depth' of the 'water'"
+            warnings.append(f"{vessel.name} is {when}, {without}; see {see}")
     return warnings

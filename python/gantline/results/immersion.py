@@ -1,4 +1,4 @@
-"""Loads that go into water: only hulls feel it in a simulation."""
+"""Loads that go into water, and areas that come out of it: only hulls feel where it ends in a simulation."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ from gantline.results.solids import skin_of
 from gantline.results.surroundings import SIGNS, ground_in, is_cut
 from gantline.results.variable import Columns, FloatArray, Names
 
-__all__ = ["immersion_warnings"]
+__all__ = ["dry_areas", "immersion_warnings"]
 
-#: How deep a load may dip without a word [m]: contact and slings give that much.
+#: How deep a load may dip, and an area come out, without a word [m]: contact and slings give that much.
 _DIPS = 0.01
+#: What is between body and area in the name of a force.
+_CURRENT = ".current_areas."
 #: Points of a box of twice the size 1 at which waves are looked at: corners, middles of sides and edges.
 _POINTS = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)], dtype=np.float64)
 
@@ -76,6 +78,35 @@ def immersion_warnings(
                 since = f"at {columns['time'][reached[0]]:.2f} s"
                 high = f"up to {crests.max():.2f} m above its lowest point"
                 warnings.append(f"waves reach {load} {since}, {high}; {without}")
+    return warnings
+
+
+def dry_areas(document: Mapping[str, Any], columns: Columns, names: Names, level: float) -> list[str]:
+    """A sentence for each current area that comes out of still water.
+
+    Args:
+        document: What has been assembled of the lift.
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+        level: Of the water [m].
+    """
+    if not len(columns["time"]):
+        return []
+    bodies = {body["name"]: body for body in document.get("bodies", ())}
+    warnings = []
+    for force in document.get("forces", ()):
+        body, _, area = str(force["name"]).partition(_CURRENT)
+        if not area:
+            continue
+        arm = np.asarray(force["at"]) - bodies[body].get("centre_of_gravity", (0.0, 0.0, 0.0))
+        at = list(names["body"]).index(body)
+        up = axes(columns["body_orientation"][:, at])[:, 2]
+        height = columns["body_position"][:, at, 2] + up @ arm - level
+        if height.max() > _DIPS:
+            first = columns["time"][np.argmax(height > _DIPS)]
+            where = f"up to {height.max():.2f} m above the water, first at {first:.2f} s"
+            as_in = "it resists and is pushed there as in water, which damps motion as air does not"
+            warnings.append(f"the current area {area} of {body} is {where}: {as_in}")
     return warnings
 
 

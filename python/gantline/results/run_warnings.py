@@ -1,7 +1,8 @@
-"""Warnings of a run about what a program moved, ropes that left their sheaves, and peaks between samples."""
+"""Warnings of a run: what a program moved, ropes that left their sheaves, and what is between samples."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -11,12 +12,17 @@ from gantline.results.rig import Rig
 from gantline.results.variable import Columns, Names
 from gantline.units import format_quantity
 
-__all__ = ["command_warnings", "missed_peaks", "sheave_warnings"]
+__all__ = ["command_warnings", "missed_bumps", "missed_crests", "missed_peaks", "sheave_warnings"]
 
 #: Share by which the peak of a rope over all steps may be more than that of samples without a word.
 _MISSED = 0.02
 #: Ropes whose peaks are less than this share of the largest are not looked at.
 _LITTLE = 0.1
+#: Share of the height of waves that may come and go between two samples without a word; of a period, as long
+#: as what is just about that: 1 - cos(π/10) = 4.9 %.
+_UNSEEN, _OF_PERIOD = 0.05, 0.1
+#: Of the largest sample of a bump both beside it have at least this share where no more than 5 % is missed.
+_BESIDE = 0.8
 
 
 def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
@@ -51,6 +57,53 @@ def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
     missing = f"samples {apart} apart miss peaks: {rope} carried {had} at {when:.2f} s, and {most} in samples"
     of_samples = "hook loads, angles and distances are those of samples"
     return [f"{missing}; {of_samples}: a shorter 'sample_interval' has their peaks"]
+
+
+def missed_crests(rig: Rig, columns: Columns) -> list[str]:
+    """A warning where crests come and go between samples, whether or not a rope shows it.
+
+    Half-way between two samples Δt apart a wave of the period T may be higher than at both by 1 - cos(πΔt/T)
+    of its amplitude. Of several waves that counts by their heights.
+    """
+    time = columns["time"]
+    if not rig.vessels or rig.sea is None or not rig.sea.trains or len(time) < 3:
+        return []
+    apart = float(np.median(np.diff(time)))
+    heights, periods = (
+        np.array([getattr(one, key) for one in rig.sea.trains]) for key in ("height", "period")
+    )
+    lost = 1.0 - np.cos(math.pi * np.minimum(apart / periods, 0.5))
+    share = float(heights @ lost / heights.sum())
+    if share <= _UNSEEN:
+        return []
+    period = float(periods[np.argmax(heights * lost)])
+    missed = (
+        f"samples {format_quantity(apart, 's', 2)} apart miss up to {100.0 * share:.0f} % of the height of"
+    )
+    of_samples = "heel, trim, freeboard, angles and distances are those of samples"
+    right = f"a 'sample_interval' of {_OF_PERIOD * period:.2g} s has their peaks"
+    return [f"{missed} waves every {format_quantity(period, 's', 1)}: {of_samples}; {right}"]
+
+
+def missed_bumps(rig: Rig, columns: Columns, names: Names) -> list[str]:
+    """A warning where a fender is pressed and let go within a few samples, whose force nothing else knows.
+
+    Of half a swing that takes D samples Δt apart have cos(πΔt/2D) of the peak at least, and those beside the
+    largest cos(πΔt/D) of it if that is the peak: 95 % and 80 % of Δt/D = 0.2.
+    """
+    time, found = columns["time"], []
+    for fender in rig.fenders:
+        force = columns["contact_force"][:, list(names["contact"]).index(fender.contact)]
+        at = int(np.argmax(force)) if len(time) else 0
+        if 0 < at < len(time) - 1 and min(force[at - 1], force[at + 1]) < _BESIDE * force[at]:
+            found.append((float(force[at]), fender.name, float(time[at])))
+    if not found:
+        return []
+    largest, name, when = max(found)
+    apart = format_quantity(float(np.median(np.diff(time))), "s", 2)
+    had = f"{name} has {format_quantity(largest, 'kN', 1)} at {when:.2f} s, and much less beside it"
+    missed = f"samples {apart} apart miss the peaks of fenders: {had}"
+    return [f"{missed}; a shorter 'sample_interval' has more of them"]
 
 
 def command_warnings(columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:

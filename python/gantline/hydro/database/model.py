@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from gantline.hydro.waves import wave_number
+
 __all__ = ["AXES", "DatabaseError", "HydrodynamicDatabase"]
 
 Array = npt.NDArray[np.float64]
@@ -21,8 +23,12 @@ _UNSYMMETRIC = 0.02
 _CONTRADICTS = 0.25
 #: Directions of waves that are the same [deg].
 _SAME_DIRECTION = 1e-6
+#: Directions are within a turn to either side, but for rounding [rad].
+_ONE_TURN = 2 * math.pi * (1 + 1e-6)
 #: Directions that are further apart have nothing to say of what is between them [deg].
 _WIDEST = 60.0
+#: Gravity by which waves of files are as long as they are [m/s^2].
+_GRAVITY = 9.81
 #: Negative damping that panel methods leave near irregular frequencies, of the diagonal.
 _NEGATIVE = 0.02
 
@@ -87,8 +93,28 @@ class HydrodynamicDatabase:
             self.infinite_added_mass.shape == (6, 6) and np.isfinite(self.infinite_added_mass).all()
         ):
             raise DatabaseError(f"{self.source}: its added mass at infinite frequency is no 6 × 6 matrix")
+        if self.reference is not None and self.reference.shape != (3,):
+            found = f"its reference point has {self.reference.size} coordinates"
+            raise DatabaseError(f"{self.source}: {found}; x, y and z are needed")
+        self._hold_waves()
 
-        if self.excitation is not None and not np.isfinite(self.excitation).all():
+    def _hold_waves(self) -> None:
+        """Raise DatabaseError where directions or wave forces are none."""
+        farthest = float(np.abs(self.directions).max(initial=0.0))
+        if not farthest <= _ONE_TURN:
+            raise DatabaseError(
+                f"{self.source}: its waves run in directions up to {farthest:g} rad; degrees are no radians"
+            )
+        if self.excitation is None:
+            return
+        needed = (len(self.frequencies), len(self.directions), 6)
+        if self.excitation.shape != needed:
+            shape, wanted = (" × ".join(map(str, one)) for one in (self.excitation.shape, needed))
+            raise DatabaseError(
+                f"{self.source}: its wave forces are {shape}; {needed[0]} frequencies and {needed[1]} "
+                f"directions need {wanted}"
+            )
+        if not np.isfinite(self.excitation).all():
             raise DatabaseError(f"{self.source}: its wave forces have numbers that are not finite")
 
     def __repr__(self) -> str:
@@ -134,7 +160,7 @@ class HydrodynamicDatabase:
         return self._ready(self._between(self.damping, period), density, "damping")
 
     def excitation_at(
-        self, frequency: Array, direction: float, density: float
+        self, frequency: Array, direction: float, density: float, phased_at: npt.ArrayLike = (0.0, 0.0)
     ) -> tuple[npt.NDArray[np.complex128], list[str]]:
         """Wave forces per metre of amplitude, linear between frequencies and between directions.
 
@@ -144,14 +170,16 @@ class HydrodynamicDatabase:
             frequency: ω of waves (n,) [rad/s].
             direction: that they run in, from x towards y [rad].
             density: of the water that they are wanted for [kg/m^3].
+            phased_at: point from which phases count, in the file's axes, x and y (2,) [m]. From the middle
+                of the body forces change least from one frequency or direction to the next.
 
         Returns:
-            forces (n, 6) [N/m, N] about the reference point, phases from the file's origin; what is doubtful.
+            forces (n, 6) [N/m, N] about the reference point; what is doubtful.
 
         Raises:
             DatabaseError: if the file has no wave forces, or none for this direction.
         """
-        directions, forces = self.excitation_around(frequency, density)
+        directions, forces = self.excitation_around(frequency, density, phased_at)
         doubts = list(self.doubts)
         if self.density is None:
             doubts.append(f"{self.source} does not say for which water; that of the lift is taken")
@@ -168,12 +196,15 @@ class HydrodynamicDatabase:
         before, after, share = place
         return (1 - share) * forces[:, before] + share * forces[:, after], doubts
 
-    def excitation_around(self, frequency: Array, density: float) -> tuple[Array, npt.NDArray[np.complex128]]:
+    def excitation_around(
+        self, frequency: Array, density: float, phased_at: npt.ArrayLike = (0.0, 0.0)
+    ) -> tuple[Array, npt.NDArray[np.complex128]]:
         """Wave forces per metre in all directions of the file, and mirrored in those of its other side.
 
         Args:
             frequency: ω of waves (n,) [rad/s].
             density: of the water that they are wanted for [kg/m^3].
+            phased_at: as of `excitation_at`; of what is mirrored it is on the centre plane of the body.
 
         Returns:
             directions that waves run in, from x towards y, rising from 0 to below 2π (k,) [rad]; forces
@@ -184,13 +215,18 @@ class HydrodynamicDatabase:
         """
         if self.excitation is None or not len(self.directions):
             raise DatabaseError(f"{self.source}: has no wave forces; a file of a run with waves has")
+        x, y = np.asarray(phased_at, dtype=float)
+        depth = None if self.water_depth is None or math.isinf(self.water_depth) else self.water_depth
+        along = np.cos(self.directions) * x + np.sin(self.directions) * y
+        way = np.outer(wave_number(self.frequencies, _GRAVITY, depth), along)
+        phased = self.excitation * np.exp(-1j * way)[:, :, np.newaxis]
         own = np.degrees(self.directions) % 360.0
         # A file for a body with two sides alike needs half of the directions.
         missing = np.array([_beside(own, -angle % 360.0) is None for angle in own])
         around = np.round(np.concatenate([own, -own[missing]]), 6) % 360.0
-        mirrored = self.excitation[:, missing] * np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
+        mirrored = phased[:, missing] * np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
         order = np.unique(around, return_index=True)[1]
-        given = np.concatenate([self.excitation, mirrored], axis=1)[:, order]
+        given = np.concatenate([phased, mirrored], axis=1)[:, order]
         # The highest frequency itself may come with another last digit.
         known = np.where(
             np.isclose(frequency, self.frequencies[-1], rtol=1e-6), self.frequencies[-1], frequency

@@ -43,8 +43,11 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
         for name in ("omega", *_RADIATION[1:]):
             if name not in found.coords:
                 raise DatabaseError(f"{path}: has no '{name}', which its tables run over")
-        if "forward_speed" in found.sizes and found.sizes["forward_speed"] > 1:
-            raise DatabaseError(f"{path}: has several forward speeds; one without speed can be read")
+        # A single one is no dimension, but is there.
+        speeds = np.asarray(found["forward_speed"].values if "forward_speed" in found else 0.0, dtype=float)
+        if speeds.any():
+            fastest = speeds.flat[np.abs(speeds).argmax()]
+            raise DatabaseError(f"{path}: is for a vessel at {fastest:g} m/s; one without speed can be read")
         bodies = _bodies(path, [text_of(dof) for dof in found["influenced_dof"].values])
         density = _scalar(path, found, "rho")
         depth = _scalar(path, found, "water_depth")
