@@ -21,7 +21,7 @@ from gantline.results import progress, series
 from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 #: Of a bound that nobody set.
@@ -119,6 +119,16 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
         cautions="; ".join(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
     )
+
+
+def _look_one_by_one(measure: Measure, recording: Recording, during: BoolArray, found: _Outcome) -> _Outcome:
+    """The same with the worst of each sample: of many at once a measure finds the largest, or its least."""
+    looks = [_look(measure, recording, _sample(int(at), during)) for at in np.flatnonzero(during)]
+    values = [look.worst for look in looks if look.worst is not None]
+    pick = min if measure.at_least else max
+    worst = pick(values, key=lambda one: one.value, default=None)
+    nothing = next((one for one in values if math.isnan(one.value)), None)
+    return replace(found, worst=nothing or worst)
 
 
 def _reasons(missing: Iterable[Missing]) -> str:
@@ -253,6 +263,8 @@ def _check_requirement(recording: Recording, step: Step, key: str, side: str, li
             return replace(check, remark="a run checks what steps require; an equilibrium has no steps")
         return replace(check, remark="the recording ends before this step does")
     found = _look(sided, recording, during)
+    if sided.at_least != measure.at_least and np.count_nonzero(during) > 1:
+        found = _look_one_by_one(sided, recording, during, found)
     if found.refused:
         return _refused(check, found.refused)
     if found.worst is None:
@@ -302,8 +314,13 @@ def end_of_step(recording: Recording, step: Step) -> BoolArray | None:
     if end is None or not len(recording.time):
         return None
     last = max(0, int(np.searchsorted(recording.time, end, side="right")) - 1)
-    mask = np.zeros(len(recording.time), dtype=np.bool_)
-    mask[last] = True
+    return _sample(last, recording.time)
+
+
+def _sample(at: int, like: BoolArray | FloatArray) -> BoolArray:
+    """A mask of one sample, as long as something else."""
+    mask = np.zeros(len(like), dtype=np.bool_)
+    mask[at] = True
     return mask
 
 
