@@ -2,13 +2,15 @@
 
 What is watched over the whole lift is judged by its distance, and not by `no_overlap`. A Goliath crane has
 distances of its legs alone, and a floating crane of its boom: with `between: [tower, gol]` a tower that went
-through a trolley into the girder stood 49 m clear of the crane, and nothing else was told.
+through a trolley into the girder stood 47 m clear of the crane, and nothing else was told. Hook blocks have
+no distances either: one in the load of a crawler crane that was watched was not told.
 """
 
 from __future__ import annotations
 
 import pytest
 
+from crawler_lift import crawler_lift
 from gantline.checks import Check, Verdict, check_recording
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
@@ -84,3 +86,24 @@ def test_a_load_in_the_girder_of_a_watched_crane(watched: str) -> None:
 
 def test_below_the_girder_nothing_is_told() -> None:
     assert in_one_place(GIRDER - 5.0 - TALL, "watch: [{between: [tower, gol], smallest: 2 m}]\n") == {}
+
+
+@pytest.mark.parametrize("watch", ["", "watch: [{between: [tower, c1], smallest: 1 m}]\n"])
+def test_a_hook_in_the_load_of_a_watched_crane(watch: str) -> None:
+    """A hook block 2 m high in the middle of a tower, from 5 m over its underside to 3 m below its top."""
+    lift = """\
+load:
+  name: tower
+  shape: {box: [6 m, 6 m, 10 m]}
+  position: [3 m, 14 m, 25 m]
+  weight: {calculated: 30 t}
+  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
+  lugs: {A: {at: [0 m, 3.9 m, 3 m]}, B: {at: [0 m, -3.9 m, 3 m]}}
+slings:
+  A: {from: c1.H, to: tower.A, length: 4.4 m, rope: hoist}
+  B: {from: c1.H, to: tower.B, length: 4.4 m, rope: hoist}
+"""
+    text = crawler_lift(7.1e3, start="as_given", more=lift + watch)
+    recording = Statics(parse_scenario(text)).equilibrium(time=0.0).recording
+    told = [one.element for one in check_recording(recording) if one.name == "no_overlap"]
+    assert told == ["c1.H to tower"]

@@ -121,13 +121,14 @@ def _is_looked_after(recording: Recording, one: _Body, other: _Body) -> bool:
     """Whether the lift file watches a pair over the whole lift, or lets it touch.
 
     The name of a crane stands for those of its parts that distances are of: of Goliath cranes the legs, of
-    floating cranes the boom.
+    floating cranes the boom, of none the hook blocks.
     """
     goliaths = {crane.name for crane in recording.rig.cranes}
     on_decks = {boom.name for boom in recording.rig.booms if boom.base == boom.name}
 
     def stands_for(watched: str, body: _Body) -> bool:
-        if (body.of in goliaths and body.name != body.of) or body.name in on_decks:
+        is_part = body.of in goliaths and body.name != body.of
+        if is_part or body.name in on_decks or body.kind == "hook":
             return False
         return body.name == watched or body.name.startswith(f"{watched}.")
 
