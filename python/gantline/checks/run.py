@@ -16,6 +16,7 @@ from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
+from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
 from gantline.results import progress, series
 from gantline.results.parting import PLANNED, Parting, partings
@@ -42,7 +43,8 @@ def check_recording(recording: Recording) -> list[Check]:
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
         that let its load go; one for each rope that was taken off; a warning or a failure for each
-        pair that is drawn in one place; and a warning for each hoist that fell behind and each winch that
+        pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
+        past its range; and a warning for each hoist that fell behind and each winch that
         slipped, where slings never carried or run through a load, where a hook holds a frame upright, where
         the recording has warnings of its own, where steps moved nothing, where a load came down while it was
         taken along or came down hard, and where a run lifts nothing or ends before its plan.
@@ -68,6 +70,7 @@ def check_recording(recording: Recording) -> list[Check]:
         run_through(recording)
         + run_into(recording)
         + left_ground(recording)
+        + left_range(recording)
         + held_upright(recording)
         + _told(recording)
     )
