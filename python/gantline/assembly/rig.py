@@ -17,6 +17,7 @@ from gantline.assembly.moorings import mooring_rig
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over
+from gantline.assembly.ranges import range_rig
 from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks
 from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wrapped_sheaves
 from gantline.assembly.shapes import watch_name
@@ -56,6 +57,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),
         **({"crawlers": crawlers} if (crawlers := crawler_rig(scenario, parts)) else {}),
+        **range_rig(scenario),
         **({"rating_charts": charts} if (charts := rating_charts(scenario)) else {}),
         "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
         "equalizers": [_equalizer(scenario, rigging, name, parts) for name in rigging.equalizers],

@@ -16,12 +16,13 @@ from gantline.checks.loads import run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
+from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
 from gantline.results import progress, series
 from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 #: Of a bound that nobody set.
@@ -42,7 +43,8 @@ def check_recording(recording: Recording) -> list[Check]:
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
         that let its load go; one for each rope that was taken off; a warning or a failure for each
-        pair that is drawn in one place; and a warning for each hoist that fell behind and each winch that
+        pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
+        past its range; and a warning for each hoist that fell behind and each winch that
         slipped, where slings never carried or run through a load, where a hook holds a frame upright, where
         the recording has warnings of its own, where steps moved nothing, where a load came down while it was
         taken along or came down hard, and where a run lifts nothing or ends before its plan.
@@ -68,6 +70,7 @@ def check_recording(recording: Recording) -> list[Check]:
         run_through(recording)
         + run_into(recording)
         + left_ground(recording)
+        + left_range(recording)
         + held_upright(recording)
         + _told(recording)
     )
@@ -119,6 +122,16 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
         cautions="; ".join(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
     )
+
+
+def _look_one_by_one(measure: Measure, recording: Recording, during: BoolArray, found: _Outcome) -> _Outcome:
+    """The same with the worst of each sample: of many at once a measure finds the largest, or its least."""
+    looks = [_look(measure, recording, _sample(int(at), during)) for at in np.flatnonzero(during)]
+    values = [look.worst for look in looks if look.worst is not None]
+    pick = min if measure.at_least else max
+    worst = pick(values, key=lambda one: one.value, default=None)
+    nothing = next((one for one in values if math.isnan(one.value)), None)
+    return replace(found, worst=nothing or worst)
 
 
 def _reasons(missing: Iterable[Missing]) -> str:
@@ -253,6 +266,8 @@ def _check_requirement(recording: Recording, step: Step, key: str, side: str, li
             return replace(check, remark="a run checks what steps require; an equilibrium has no steps")
         return replace(check, remark="the recording ends before this step does")
     found = _look(sided, recording, during)
+    if sided.at_least != measure.at_least and np.count_nonzero(during) > 1:
+        found = _look_one_by_one(sided, recording, during, found)
     if found.refused:
         return _refused(check, found.refused)
     if found.worst is None:
@@ -302,8 +317,13 @@ def end_of_step(recording: Recording, step: Step) -> BoolArray | None:
     if end is None or not len(recording.time):
         return None
     last = max(0, int(np.searchsorted(recording.time, end, side="right")) - 1)
-    mask = np.zeros(len(recording.time), dtype=np.bool_)
-    mask[last] = True
+    return _sample(last, recording.time)
+
+
+def _sample(at: int, like: BoolArray | FloatArray) -> BoolArray:
+    """A mask of one sample, as long as something else."""
+    mask = np.zeros(len(like), dtype=np.bool_)
+    mask[at] = True
     return mask
 
 

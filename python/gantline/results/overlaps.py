@@ -107,7 +107,7 @@ def overlaps(recording: Recording) -> list[Overlap]:
         if (
             one.of == other.of
             or frozenset({one.kind, other.kind}) not in _LOOKED_AT
-            or _is_looked_after(recording, one.name, other.name)
+            or _is_looked_after(recording, one, other)
         ):
             continue
         depth, is_past = _depths(one, other)
@@ -117,11 +117,20 @@ def overlaps(recording: Recording) -> list[Overlap]:
     return found
 
 
-def _is_looked_after(recording: Recording, one: str, other: str) -> bool:
-    """Whether the lift file watches a pair over the whole lift, or lets it touch."""
+def _is_looked_after(recording: Recording, one: _Body, other: _Body) -> bool:
+    """Whether the lift file watches a pair over the whole lift, or lets it touch.
 
-    def stands_for(watched: str, name: str) -> bool:
-        return name == watched or name.startswith(f"{watched}.")
+    The name of a crane stands for those of its parts that distances are of: of Goliath cranes the legs, of
+    floating cranes the boom, of none the hook blocks.
+    """
+    goliaths = {crane.name for crane in recording.rig.cranes}
+    on_decks = {boom.name for boom in recording.rig.booms if boom.base == boom.name}
+
+    def stands_for(watched: str, body: _Body) -> bool:
+        is_part = body.of in goliaths and body.name != body.of
+        if is_part or body.name in on_decks or body.kind == "hook":
+            return False
+        return body.name == watched or body.name.startswith(f"{watched}.")
 
     given = [
         *(watch.between for watch in recording.rig.watches if watch.is_whole_lift),

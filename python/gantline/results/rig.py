@@ -16,6 +16,7 @@ from gantline.results.crawler import Crawler
 from gantline.results.form import Vector
 from gantline.results.gear import Drum, Equalizer, Hook, Rope, Sheave, Sling, Spreader, WrappedSheave
 from gantline.results.moorings import Fender, MooringLine
+from gantline.results.ranges import DriveRange
 from gantline.results.rating_chart import RatingChart
 from gantline.results.sea import Sea
 from gantline.results.strength import Bend, Factor, FromJson, HasLugs, Lug, Rating, SideLoad
@@ -183,6 +184,7 @@ class Rig(FromJson):
         cranes: Goliath cranes, with what is particular to their hooks.
         booms: Booms, with what is particular to their hooks.
         crawlers: Crawler cranes, with what they stand on.
+        ranges: How far trolleys, cranes and upper structures may go.
         equalizers: Equalizers of all hooks.
         spreaders: Bars, beams and frames between slings.
         slings: Slings of all hooks.
@@ -222,6 +224,7 @@ class Rig(FromJson):
     cranes: Sequence[Crane] = ()
     booms: Sequence[Boom] = ()
     crawlers: Sequence[Crawler] = ()
+    ranges: Sequence[DriveRange] = ()
     equalizers: Sequence[Equalizer] = ()
     spreaders: Sequence[Spreader] = ()
     slings: Sequence[Sling] = ()
@@ -259,6 +262,7 @@ class Rig(FromJson):
             "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
             "booms": tuple(Boom.from_json(d) for d in document.get("booms") or ()),
             "crawlers": tuple(Crawler.from_json(d) for d in document.get("crawlers") or ()),
+            "ranges": tuple(DriveRange.from_json(d) for d in document.get("ranges") or ()),
             "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
             "spreaders": tuple(Spreader.from_json(d) for d in document.get("spreaders") or ()),
             "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),

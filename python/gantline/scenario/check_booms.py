@@ -6,6 +6,7 @@ import math
 
 from gantline.scenario.boom import FloatingCrane, PlacedBoom
 from gantline.scenario.check_hooks import check_carried_hook
+from gantline.scenario.crawler import Crawler
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.luffing import Tackles
@@ -20,6 +21,7 @@ def check_booms(findings: Findings) -> None:
     """Note everything that is wrong with booms beyond the reeving of their hooks."""
     for name, crane in (findings.scenario.cranes or {}).items():
         vessels = findings.scenario.vessels or {}
+        _check_chart(findings, ("cranes", name, "rating"), crane)
         if isinstance(crane, FloatingCrane) and crane.vessel is not None and crane.vessel not in vessels:
             sentence = f"'{crane.vessel}' is not a name of 'vessels'; {nearest(crane.vessel, vessels)}"
             findings.add(("cranes", name, "vessel"), sentence)
@@ -52,6 +54,21 @@ def check_luffing(findings: Findings) -> None:
                 )
                 right = f"write 'to: {math.degrees(before[one.name][0] + step.by):g} deg' or another angle"
                 findings.add(("plan", place, "by"), f"{sentence}; {right}")
+
+
+def _check_chart(findings: Findings, path: Path, crane: object) -> None:
+    """A chart counts from where its crane does: read from elsewhere it would rate another load."""
+    chart = crane.rating if isinstance(crane, FloatingCrane | Crawler) else None
+    if chart is None:
+        return
+    if isinstance(crane, FloatingCrane) and chart.over == "radius":
+        sentence = "a floating crane has no slewing axis from which a radius counts"
+        counts = "the heel pins" if crane.vessel is None else "the bow"
+        right = f"'outreach' is right, which counts from {counts}, or from another x as 'outreach_from' says"
+        findings.add((*path, "radius"), f"{sentence}; {right}")
+    if isinstance(crane, Crawler) and chart.over == "outreach":
+        sentence = "a crawler crane has no bow from which an outreach counts"
+        findings.add((*path, "outreach"), f"{sentence}; 'radius' is right, from its slewing axis")
 
 
 def _check_angle(findings: Findings, placed: PlacedBoom) -> None:

@@ -24,9 +24,13 @@ class Rating(Element):
 
     what: ClassVar[str] = "a rating chart"
 
-    radius: _Lengths = Field(None, description="Distances of the hook from the slewing axis.")
+    radius: _Lengths = Field(
+        None, description="Distances of the hook from the slewing axis, of a crane that slews."
+    )
     outreach: _Lengths = Field(
-        None, description="Distances of the hook ahead of the bow, of a crane that does not slew."
+        None,
+        description="Distances of the hook ahead of the bow, or of where 'outreach_from' is, of a floating "
+        "crane.",
     )
     angle: _Angles = Field(None, description="Angles of the boom from level.")
     rated: _Masses = Field(

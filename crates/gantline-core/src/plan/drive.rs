@@ -42,6 +42,11 @@ pub struct Order {
 /// makes no steps of time that are next to nothing.
 const SHORTEST: f64 = 1e-3;
 
+/// Up to when what is due at a time [s] is due to rounding: times that ought to be one differ in their last bits.
+pub fn soon(time: f64) -> f64 {
+    time + 1e-12 * (1.0 + time)
+}
+
 /// Position, velocity, acceleration of a drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
@@ -133,9 +138,9 @@ impl Timeline {
         self.braked = Some((at, capacity));
     }
 
-    /// Capacity of the brake that is in at `time` [s] [N]; none where the motor drives.
+    /// Capacity of the brake that is in at `time` [s], to rounding [N]; none where the motor drives.
     pub fn braked(&self, time: f64) -> Option<f64> {
-        self.braked.filter(|(from, _)| *from <= time).map(|(_, capacity)| capacity)
+        self.braked.filter(|(from, _)| *from <= soon(time)).map(|(_, capacity)| capacity)
     }
 
     /// True where another brake is in at `time` [s] than when this was last asked, or none any more.
@@ -159,8 +164,10 @@ impl Timeline {
     }
 
     /// Acceleration at `time` [s] and its derivative, of the piece of motion that is under way at `from`: at the
-    /// end of a ramp the value before it and not after it.
+    /// end of a ramp the value before it and not after it. A step that begins within rounding of where a ramp starts
+    /// or ends does not stop there, so that the ramp is under way, or over.
     pub fn acceleration(&self, from: f64, time: f64) -> (f64, f64) {
+        let from = soon(from);
         let next = self.ramps.partition_point(|ramp| ramp.at <= from);
         let under_way = next.checked_sub(1).map(|last| &self.ramps[last]);
         let Some(ramp) = under_way.filter(|ramp| from < ramp.end()) else { return (0.0, 0.0) };
@@ -300,6 +307,25 @@ mod tests {
             assert_eq!(timeline.acceleration(end, end + 0.1), (0.0, 0.0));
             assert!(timeline.acceleration(at, end).0 > 0.0);
         }
+    }
+
+    #[test]
+    fn a_ramp_is_under_way_where_a_step_begins_a_rounding_before_it() {
+        // Too short for full speed: braking begins one or two last bits after the end of the first ramp.
+        for (distance, acceleration) in [(0.06, 0.01), (0.1, 0.01), (0.5, 0.01), (0.046, 0.2)] {
+            let mut timeline = Timeline::new(0.0, 2);
+            timeline.travel(0.0, distance, 5.0, acceleration, RampShape::Linear);
+            let (first, second) = (timeline.ramps[0].end(), timeline.ramps[1].at);
+            assert!(first < second && second < soon(first));
+            assert!((timeline.acceleration(first, second).0 + acceleration).abs() < 1e-12);
+            assert!(timeline.acceleration(first.next_down(), second).0 < 0.0);
+        }
+        let mut timeline = Timeline::new(0.0, 2);
+        timeline.brake(6.0, 5.0);
+        assert_eq!(
+            [5.9, 6.0_f64.next_down(), 6.0].map(|time| timeline.braked(time)),
+            [None, Some(5.0), Some(5.0)]
+        );
     }
 
     #[test]

@@ -11,7 +11,7 @@ pub mod switching;
 
 pub use condition::{Condition, Falls, Seen};
 pub use cut::{Cut, Due};
-pub use drive::Order;
+pub use drive::{Order, soon};
 pub use follow::{Follow, Lead, Strand, Way};
 pub use operation::PlanState;
 pub use removal::Removal;

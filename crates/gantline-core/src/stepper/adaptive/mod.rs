@@ -37,6 +37,7 @@ use crate::constraint::Law;
 use crate::constraint::rope::span::Span;
 use crate::event::{EventLog, standstill};
 use crate::force;
+use crate::plan::soon;
 use crate::record::Sample;
 use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
@@ -224,7 +225,7 @@ impl Adaptive {
         let mut report = StepReport { converged: true, ..StepReport::default() };
         self.note_slipping(system, state);
         flows::supports(system, &state.tension, &mut self.support);
-        let soon = state.time + 1e-12 * (1.0 + state.time);
+        let soon = soon(state.time);
         flows::advance_plan(system, state, frame, (soon, &self.support), log);
         state.restart |= parting::cut(system, state, frame, soon, log);
         state.restart |= removing::remove(system, state, frame, soon, log);

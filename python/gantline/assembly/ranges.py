@@ -1,0 +1,28 @@
+"""How far trolleys, cranes and upper structures may go, for checks of where a run takes them."""
+
+from __future__ import annotations
+
+from gantline.assembly.parts import Json
+from gantline.scenario import Scenario
+from gantline.scenario.crawler import Crawler
+from gantline.scenario.movers import movers
+
+__all__ = ["range_rig"]
+
+
+def range_rig(scenario: Scenario) -> Json:
+    """Ends of range of what traverses, travels and slews [m, rad]; nothing in a lift without any."""
+    cranes = scenario.cranes or {}
+    found = [
+        # A crawler crane travels on a joint of its own, everything else on that of its name.
+        {
+            "name": name,
+            "joint": f"{name}/along" if kind == "crane" and isinstance(cranes[name], Crawler) else one.name,
+            "range": list(one.range),
+            "turns": kind == "upper",
+        }
+        for kind in ("trolley", "crane", "upper")
+        for name, one in movers(scenario, kind).items()
+        if one is not None and one.range is not None
+    ]
+    return {"ranges": found} if found else {}
