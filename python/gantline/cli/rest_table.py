@@ -31,16 +31,20 @@ def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[
         f"  at {moment:.2f} s friction of {name} found no balance: it slid to where nothing drives it"
         for moment, name in rest.slides
     ]
+    return [*lines, *friction_of(rest, bounds="; bounds: all slip along the rope, all against")]
+
+
+def friction_of(rest: Equilibrium, *, bounds: str = "") -> list[str]:
+    """What friction does in an equilibrium.
+
+    Args:
+        rest: The equilibrium.
+        bounds: What stands beside it where losses of sheaves are left out.
+    """
     if rest.losses == "held":
-        lines.append("  friction of contacts and sheaves holds what it can, from where the lift was")
-        return lines
-    if rest.lossy:
-        lines.append(
-            f"  losses of {len(rest.lossy)} sheaves left out; bounds: all slip along the rope, all against"
-        )
-    if rest.recording.rig.loads:
-        lines.append("  contacts without friction")
-    return lines
+        return ["  friction of contacts and sheaves holds what it can, from where the lift was"]
+    lossy = [f"  losses of {len(rest.lossy)} sheaves left out{bounds}"] if rest.lossy else []
+    return [*lossy, *(["  contacts without friction"] if rest.recording.rig.loads else [])]
 
 
 def slings_of(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:

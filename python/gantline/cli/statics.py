@@ -25,6 +25,7 @@ from gantline.cli.statics_options import (
     Plumb,
     Sensitivities,
     StateFile,
+    Steps,
     Sweep,
     Want,
     refuse_unrelated,
@@ -53,6 +54,7 @@ def statics(
     adjust: Adjust = None,
     most: Most = None,
     held: Held = False,
+    steps: Steps = False,
     lost: Lost = None,
     state: StateFile = None,
     output: Output = None,
@@ -69,6 +71,10 @@ def statics(
         from gantline.cli.sweep import sweep as run_sweep
 
         run_sweep(lift, sweep, moment, as_json=as_json)
+    if steps:
+        from gantline.cli.steps_at_rest import steps as run_steps
+
+        run_steps(_question(lift, moment), held=held, as_json=as_json)
     if lost is not None:
         from gantline.cli.lost_load import lose
 

@@ -24,6 +24,7 @@ __all__ = [
     "Plumb",
     "Sensitivities",
     "StateFile",
+    "Steps",
     "Sweep",
     "Want",
     "refuse_unrelated",
@@ -77,6 +78,9 @@ Lost = Annotated[
         metavar="LOAD", help="Show how vessels swing that lose this load at once, and whether they come back."
     ),
 ]
+Steps = Annotated[
+    bool, typer.Option("--steps", help="Show how it hangs at the end of every step of the plan.")
+]
 StateFile = Annotated[
     Path | None,
     typer.Option(
@@ -99,6 +103,7 @@ _QUESTIONS: dict[str, tuple[str, tuple[str, ...]]] = {
         ("--modes", "--sensitivities", "--json", "--output"),
     ),
     "--sweep": ("makes a table of many equilibria", ("--time", "--json")),
+    "--steps": ("shows the ends of all steps", ("--held", "--json")),
     "--lost": ("shows vessels that lose a load", ("--held", "--time", "--json", "--output")),
     "--plumb": ("moves hooks until none is pulled aside", ("--adjust", "--time", "--output")),
     "--want": ("finds lengths of slings", ("--level", "--adjust", "--most", "--time", "--output")),

@@ -14,6 +14,7 @@ from gantline.study.inverse import (
 from gantline.study.lost_load import LostLoad, Swing, lose_load
 from gantline.study.refinement import finer_simulation, refined
 from gantline.study.state import State, Worst, values_of, worst_of
+from gantline.study.steps import StepAtRest, run_steps
 from gantline.study.sweep import SweepPoint, run_sweep
 from gantline.study.tilting import Margin, TiltAxis, Tilting, margins_of, tilting_of
 
@@ -27,6 +28,7 @@ __all__ = [
     "LostLoad",
     "Margin",
     "State",
+    "StepAtRest",
     "SweepPoint",
     "Swing",
     "TiltAxis",
@@ -40,6 +42,7 @@ __all__ = [
     "plumb_hooks",
     "refined",
     "run_cases",
+    "run_steps",
     "run_sweep",
     "solve_ballast",
     "tilting_of",

@@ -41,6 +41,8 @@ pub struct StaticLift {
     log: EventLog,
     /// Groups of contacts that slid on that way since their friction found no balance, and when [s].
     slides: Vec<(f64, usize)>,
+    /// Where it was followed to last.
+    trail: Option<way::Trail>,
     /// The system as it is given, while a load of it is lost.
     whole: Option<System>,
     fingerprint: u64,
@@ -62,7 +64,8 @@ impl StaticLift {
         let statics = Statics::new(&system);
         let fingerprint = fingerprint([document]);
         let (state, samples, log) = (first.clone(), Samples::default(), EventLog::new());
-        Ok(Self { state, samples, log, slides: Vec::new(), first, statics, system, whole: None, fingerprint })
+        let (slides, trail, whole) = (Vec::new(), None, None);
+        Ok(Self { state, samples, log, slides, trail, first, statics, system, whole, fingerprint })
     }
 
     /// Finds the equilibrium at `time` [s] of the plan, downhill of the start of the lift after `increment` of its
@@ -70,7 +73,8 @@ impl StaticLift {
     ///
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
     /// A plan that waits for a condition, or in which a drive follows, is followed from rest to rest, contacts holding; so is a lift whose drums remember
-    /// what they wind, or whose friction holds. What slides does so from there. Before every part `goes_on` is asked.
+    /// what they wind, or whose friction holds. What slides does so from there. Before every part `goes_on` is asked. The same
+    /// way is gone once: who asks again, or for a later time, goes on from there, with the same answer.
     ///
     /// # Errors
     /// [`NoEquilibrium`] says why there is none, or that the search was stopped.
@@ -99,7 +103,7 @@ impl StaticLift {
             let on_the_way = losses.on_the_way();
             let is_same = losses.sheaves == on_the_way.sheaves
                 && (losses.contacts == on_the_way.contacts || self.system.friction.is_empty());
-            let rest = self.follow(time, on_the_way, goes_on)?;
+            let rest = self.follow(time, increment, on_the_way, goes_on)?;
             if is_same { rest } else { self.statics.settle_again(&self.system, &mut self.state, losses)? }
         } else {
             self.jump(time, losses)?

@@ -1,7 +1,7 @@
 //! The way of a lift at rest to a time of its plan: at once, or from rest to rest where what has been matters.
 
 use super::{GoesOn, StaticLift, placed};
-use crate::event::EventLog;
+use crate::event::{Event, EventLog};
 use crate::plan::condition::Seen;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -19,6 +19,26 @@ const LONGEST: f64 = 5.0;
 const SHORTEST: f64 = 1e-3;
 /// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
 const DOUBT: f64 = 1e-6;
+
+/// Where a lift that was followed has got to, so that the same way need not be gone twice. No part before that ends because
+/// of the time that was asked for: whoever goes on from here finds the same as from the start, to the last bit.
+#[derive(Debug, Clone)]
+pub(super) struct Trail {
+    increment: Option<Vec<f64>>,
+    losses: Losses,
+    stride: f64,
+    state: State,
+    statics: Statics,
+    events: Vec<Event>,
+    slides: Vec<(f64, usize)>,
+}
+
+impl Trail {
+    /// Whether it is part of the way to `time` [s] of a lift that begins `increment` from its start.
+    fn leads_to(&self, time: f64, increment: Option<&[f64]>, losses: Losses) -> bool {
+        self.state.time <= time && self.increment.as_deref() == increment && self.losses == losses
+    }
+}
 
 impl StaticLift {
     /// Whether the plan waits for a condition, or follows what there is to see, before `time` [s].
@@ -38,25 +58,33 @@ impl StaticLift {
         statics.settle(system, state, losses)
     }
 
-    /// From rest to rest. A condition is met at the first look at which it holds, `LOOK` apart: what holds for less than
-    /// `AHEAD`, and not at its end, may be missed.
+    /// From rest to rest, the start being where `increment` has brought it. A condition is met at the first look at which
+    /// it holds, `LOOK` apart: what holds for less than `AHEAD`, and not at its end, may be missed.
     pub(super) fn follow(
         &mut self,
         time: f64,
+        increment: Option<&[f64]>,
         losses: Losses,
         goes_on: GoesOn,
     ) -> Result<Rest, NoEquilibrium> {
-        let Self { system, state, statics, log, .. } = self;
-        log.events.clear();
+        let known = self.trail.take().filter(|trail| trail.leads_to(time, increment, losses));
+        let (mut rest, mut stride) = match known {
+            Some(trail) => (None, self.take_up(trail)),
+            None => (Some(self.set_out(losses)?), LONGEST),
+        };
+        let leave = |stride, state: &State, statics: &Statics, events: &[Event], slides: &[(f64, usize)]| {
+            let (state, statics, slides) = (state.clone(), statics.clone(), slides.to_vec());
+            let (increment, events) = (increment.map(<[f64]>::to_vec), events.to_vec());
+            Trail { increment, losses, stride, state, statics, events, slides }
+        };
+        let mut trail = None;
+        let mut before = self.state.clone();
+        let Self { system, state, statics, log, slides, .. } = self;
         let mut support = vec![0.0; system.groups.len()];
-        part(system, state);
-        let mut rest = Some(statics.settle(system, state, losses)?);
-        note(&mut self.slides, statics, state.time);
-        let (mut before, mut stride) = (state.clone(), LONGEST);
         while state.time < time {
             unless_stopped(goes_on)?;
             before.copy_from(state);
-            let now = state.time;
+            let (now, stride_before) = (state.time, stride);
             flows::supports(system, &state.tension, &mut support);
             // What is due now begins now, so that it is known what that waits for.
             let known = log.events.len();
@@ -69,7 +97,11 @@ impl StaticLift {
                 stride = if due < now + stride { stride.min(LOOK) } else { stride };
                 due = f64::INFINITY;
             }
-            let next = (now + stride).min(due).min(time);
+            let end = (now + stride).min(due);
+            let next = end.min(time);
+            if next < end && trail.is_none() {
+                trail = Some(leave(stride_before, &before, statics, &log.events[..known], slides));
+            }
             flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
             state.time = next;
             part(system, state);
@@ -82,7 +114,7 @@ impl StaticLift {
                 found.is_ok() && waits && stride > LOOK && is_fulfilled(system, state, &mut support);
             if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
                 found?;
-                note(&mut self.slides, statics, next);
+                note(slides, statics, next);
                 rest = None;
                 // The doubt is of second order in the length of a part: twice as long, four times as much.
                 stride *= if statics.doubt > 0.25 * DOUBT { 1.0 } else { 2.0 };
@@ -93,7 +125,25 @@ impl StaticLift {
                 stride = 0.5 * (next - now);
             }
         }
-        rest.map_or_else(|| statics.rest(system, state), Ok)
+        self.trail = trail.or_else(|| Some(leave(stride, state, statics, &log.events, slides)));
+        rest.map_or_else(|| self.statics.rest(&self.system, &self.state), Ok)
+    }
+
+    /// To the equilibrium of the start.
+    fn set_out(&mut self, losses: Losses) -> Result<Rest, NoEquilibrium> {
+        self.log.events.clear();
+        part(&self.system, &mut self.state);
+        let rest = self.statics.settle(&self.system, &mut self.state, losses)?;
+        note(&mut self.slides, &mut self.statics, self.state.time);
+        Ok(rest)
+    }
+
+    /// To where it has been before; how long the next part may be [s].
+    fn take_up(&mut self, trail: Trail) -> f64 {
+        let Trail { stride, state, statics, events, slides, .. } = trail;
+        (self.state, self.statics, self.slides) = (state, statics, slides);
+        self.log.events = events;
+        stride
     }
 }
 

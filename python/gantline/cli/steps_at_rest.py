@@ -1,0 +1,152 @@
+"""`gantline statics LIFT --steps`: how a lift hangs at the end of every step of its plan."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, NoReturn
+
+import typer
+
+from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE
+
+if TYPE_CHECKING:
+    from gantline.statics import Statics
+    from gantline.study.steps import StepAtRest
+
+#: Columns that the name of a step may have.
+_LONGEST = 36
+#: Share of a load's weight that a crane carries, above rounding [1].
+_CARRIED = 1e-3
+_HOLDS = "holds its crane to what it stands on"
+
+
+def steps(question: Statics, *, held: bool, as_json: bool) -> NoReturn:
+    """Print how a lift hangs at the end of every step, and end.
+
+    Args:
+        question: The lift.
+        held: Whether friction of contacts and sheaves holds what it can.
+        as_json: Whether all numbers are printed as JSON in place of the tables.
+
+    Raises:
+        typer.Exit: Always; with 1 where a check fails or the lift is unstable, and with 3 where it falls.
+    """
+    from gantline.cli.check_table import width_of_terminal
+    from gantline.study.steps import run_steps
+
+    found = list(run_steps(question, "held" if held else "none"))
+    left_out = question.scenario.left_out_at_rest
+    if as_json:
+        document = {"left_out": left_out, "steps": [one.to_json() for one in found]}
+        typer.echo(json.dumps(document, indent=2, allow_nan=False))
+    else:
+        typer.echo("\n".join(_lines(question, found, width_of_terminal())))
+    if any(one.state.rest is None for one in found):
+        raise typer.Exit(COULD_NOT_GO_ON)
+    raise typer.Exit(DONE if all(one.state.is_sound for one in found) else CHECK_FAILED)
+
+
+def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[str]:
+    from gantline.cli.cases_table import notes
+    from gantline.cli.rest_table import friction_of
+    from gantline.cli.summary import heading
+
+    states = [one.state for one in found]
+    rest = next((state.rest for state in states if state.rest is not None), None)
+    parts = [
+        [
+            *(*heading(question.rig), *question.scenario.left_out_at_rest),
+            *("At rest where each step ends", *(friction_of(rest) if rest is not None else ())),
+        ],
+        *_loads(question, found, width),
+        *_vessels(question, found, width),
+        _held_ashore(found),
+        list(notes(states, lambda places: ", ".join(found[place].name for place in places), width)),
+    ]
+    return [line for part in parts if part for line in (*part, "")]
+
+
+def _loads(question: Statics, found: Sequence[StepAtRest], width: int) -> list[list[str]]:
+    """What slings and hooks carry, and how loads hang."""
+    from gantline.cli.cases_table import outcome
+    from gantline.cli.table import tables
+    from gantline.study.state import values_of
+
+    values = [values_of(one.state) for one in found]
+    columns = [["at", *(f"{one.state.time:.1f} s" for one in found)]]
+    names = [load.name for load in question.rig.loads]
+    for load in names:
+        columns += [
+            [_of("transferred", load, names), *_cells(found, "load_transferred", load, "%", 1)],
+            [_of("tilt", load, names), *_cells(found, "load_tilt", load, "deg", 2)],
+        ]
+    hooks = [hook.name for hook in question.rig.hooks]
+    columns += [[_of("hook load", hook, hooks), *_cells(found, "hook_load", hook, "kN", 1)] for hook in hooks]
+    for title, of in (("slings", min), ("to", max)):
+        tensions = (of(one["sling_tension"].values(), default=None) for one in values)
+        columns.append([title, *_shown(tensions, "kN", 1)])
+    last = ["", *(outcome([one.state]) for one in found)]
+    return tables(_names(found), columns, last, width=width)
+
+
+def _vessels(question: Statics, found: Sequence[StepAtRest], width: int) -> Iterator[list[str]]:
+    """How each vessel lies, and what rights it."""
+    from gantline.cli.table import tables
+
+    for vessel in question.rig.vessels:
+        name = vessel.name
+        columns = [
+            ["draft aft", *_cells(found, "vessel_draft_aft", name, "m", 3)],
+            ["forward", *_cells(found, "vessel_draft_forward", name, "m", 3)],
+            ["heel", *_cells(found, "vessel_heel", name, "deg", 3)],
+            ["trim", *_cells(found, "vessel_trim", name, "deg", 3)],
+            ["freeboard", *_cells(found, "vessel_freeboard", name, "m", 3)],
+        ]
+        heights = [one.heights.get(name) for one in found]
+        gm = [(None, None) if one is None else (one.transverse, one.longitudinal) for one in heights]
+        columns += [
+            ["GM heel", *_shown((transverse for transverse, _ in gm), "m", 2)],
+            ["GM trim", *_shown((longitudinal for _, longitudinal in gm), "m", 2)],
+        ]
+        yield from tables([name, *_names(found)[1:]], columns, width=width)
+
+
+def _held_ashore(found: Sequence[StepAtRest]) -> list[str]:
+    """That GM is more than the vessel's own where a load that hangs on it stands."""
+    from gantline.results import series
+
+    for one in found:
+        rest = one.state.rest
+        if rest is None or not one.heights:
+            continue
+        for load in rest.recording.rig.loads:
+            carried = float(rest.recording.column("load_transferred", load.name)[-1])
+            if carried > _CARRIED and not series.load_is_clear(rest.recording, load)[-1]:
+                return [
+                    f"  GM includes that {load.name} holds the crane while it stands and is partly lifted"
+                ]
+    return []
+
+
+def _names(found: Sequence[StepAtRest]) -> list[str]:
+    names = (one.name if len(one.name) <= _LONGEST else f"{one.name[: _LONGEST - 1]}…" for one in found)
+    return ["Step", *names]
+
+
+def _of(title: str, element: str, elements: Sequence[str]) -> str:
+    """A title of a column, with the element where there are several."""
+    return title if len(elements) == 1 else f"{element} {title}"
+
+
+def _cells(found: Sequence[StepAtRest], variable: str, element: str, unit: str, digits: int) -> list[str]:
+    """A variable of an element at rest at each moment."""
+    rests = (one.state.rest for one in found)
+    values = (None if rest is None else float(rest.recording.column(variable, element)[-1]) for rest in rests)
+    return _shown(values, unit, digits)
+
+
+def _shown(values: Iterable[float | None], unit: str, digits: int) -> list[str]:
+    from gantline.cli.table import show
+
+    return [show(value, unit, digits) for value in values]

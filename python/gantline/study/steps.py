@@ -1,0 +1,81 @@
+"""How a lift hangs at the end of every step of its plan."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from gantline.statics import Losses, Statics
+from gantline.study.inclining import MetacentricHeights, metacentric_heights
+from gantline.study.state import State, settled
+
+__all__ = ["END", "START", "StepAtRest", "run_steps"]
+
+#: What the moments are called at which no step ends.
+START, END = "start", "end of the lift"
+#: What is told of a vessel: variables less their first word.
+_OF_VESSELS = ("displacement", "draft_aft", "draft_forward", "heel", "trim", "freeboard")
+
+
+@dataclass(frozen=True)
+class StepAtRest:
+    """A lift at rest at a moment of its plan.
+
+    Attributes:
+        steps: The steps that end then; none at the start, and at the end of a lift that ends in between.
+        name: These steps in one word, or what the moment is called.
+        state: How the lift hangs then.
+        heights: What rights its vessels then, by their names; empty without equilibrium.
+    """
+
+    steps: tuple[str, ...]
+    name: str
+    state: State
+    heights: dict[str, MetacentricHeights]
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units; a metacentric height that is infinite is null."""
+        rest = self.state.rest
+        vessels = {
+            name: {
+                **{key: float(rest.recording.column(f"vessel_{key}", name)[-1]) for key in _OF_VESSELS},
+                "gm_transverse": _finite(height.transverse),
+                "gm_longitudinal": _finite(height.longitudinal),
+            }
+            for name, height in self.heights.items()
+            if rest is not None
+        }
+        return {"steps": list(self.steps), **self.state.to_json(), "vessels": vessels}
+
+
+def run_steps(question: Statics, losses: Losses = "none") -> Iterator[StepAtRest]:
+    """Statics of a lift at its start, where each step of its plan ends, and at its end.
+
+    Args:
+        question: The lift. When steps end that wait for something is found from rest to rest.
+        losses: What friction does, see `Statics.equilibrium`.
+
+    Yields:
+        The lift at each of these moments, in order, as soon as it is found; of one that has no equilibrium
+        at its end, those of the steps that have ended before.
+    """
+    asked = State("", "", losses, 0.0)
+    settled(question, None, asked)
+    duration = question.scenario.duration
+    ended: dict[float, list[str]] = {}
+    for step in question.scenario.plan:
+        end = question.times_of(step.step)[1]
+        if end is not None:
+            ended.setdefault(end, []).append(step.step)
+    for moment in sorted({0.0, duration, *ended}):
+        steps = tuple(ended.get(moment, ()))
+        state = settled(question, moment, asked)
+        heights = {} if state.rest is None else metacentric_heights(question, state.rest)
+        name = ", ".join(steps) or (END if moment > 0.0 else START)
+        yield StepAtRest(steps, name, state, heights)
+
+
+def _finite(number: float) -> float | None:
+    return number if math.isfinite(number) else None
