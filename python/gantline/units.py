@@ -133,6 +133,7 @@ _SPELT_OUT: Final[dict[str, str]] = {
     **dict.fromkeys(("hr", "hrs", "hour", "hours"), "h"),
     **dict.fromkeys(("\u00b0", "\u00ba"), "deg"),
     **dict.fromkeys(("percent", "per cent"), "%"),
+    **dict.fromkeys(("rpm", "r/min", "1/min", "min^-1", "u/min"), "rev/min"),
 }
 #: One that has several sizes.
 _TONS: Final = "a short ton is 0.9072 t, a long ton 1.016 t"

@@ -11,6 +11,8 @@ import pytest
 
 from gantline.checks import values_of
 from gantline.checks.readings import hook_readings
+from gantline.report.booms import boom_rows
+from gantline.report.subject import Subject
 from gantline.results import series
 from several_cranes import HANGS, at_rest, last
 
@@ -38,6 +40,12 @@ def test_one_of_four_hooks_has_a_quarter() -> None:
     ]
     assert reading.rated == pytest.approx(SHARE * RATED * gravity, rel=5e-3)
     assert reading.used == used["fc.H2"]
+    # The first page had 12.5 % of 3000 t for the crane, and a table below 68 % for its hook.
+    [row] = [one for one in boom_rows(Subject(recording)) if one["name"].startswith("fc")]
+    assert row["name"] == "fc.H2"
+    assert float(row["may"]) == pytest.approx(SHARE * RATED / 1e3, rel=5e-3)
+    assert float(row["checked"]) == pytest.approx(100 * used["fc.H2"], abs=0.05)  # as printed
+    assert recording.metrics()["rating_utilisation.fc"] == pytest.approx(float(row["used"]) / 100, abs=5e-4)
 
 
 def test_without_it_a_lone_hook_has_the_row() -> None:

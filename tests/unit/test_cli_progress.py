@@ -10,7 +10,7 @@ import time
 import pytest
 
 import gantline.cli.progress as module
-from gantline.cli.progress import progress, telling
+from gantline.cli.progress import progress, speed, telling
 
 STEPS = {5.0: "lift off", 10.0: None}
 TENSIONS = {5.0: ("S3", 590.4e3), 10.0: None}
@@ -94,3 +94,10 @@ def test_a_search_turns_a_wheel_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -
     with telling("ballast") as tell:
         tell("round 1: [heel]")
     assert "ballast, round 1: [heel]" in stream.getvalue()
+
+
+def test_speeds_are_written_out() -> None:
+    """3740 s in a second were `3.74e+03 times real time`."""
+    assert speed(3741.0, 1.0) == "3,740 times real time"
+    assert speed(26.53, 1.0) == "26.5 times real time"
+    assert speed(1.0, 0.0) == ""

@@ -16,9 +16,11 @@ import pytest
 from PIL import Image
 from typer.testing import CliRunner, Result
 
+import gantline
 from gantline.cli.app import app
 from gantline.export import RerunMissing, TableError, gltf_binary, write_csv, write_parquet, write_rerun
 from gantline.export.surroundings import surroundings
+from gantline.export.tables import columns
 from gantline.export.video import VideoError, write_still, write_video
 from gantline.results import Recording
 from hostile import hostile_recording
@@ -151,6 +153,17 @@ def test_a_table_has_all_variables_over_time_but_paths(tmp_path: Path) -> None:
     write_csv(ringing_lift(), tmp_path / "lift.csv")
     head = (tmp_path / "lift.csv").read_text(encoding="utf-8").splitlines()[0]
     assert "load_transferred" in head and "rope_point" not in head and "rope_peak_tension" not in head
+
+
+def test_points_of_paths_are_named_by_their_ropes() -> None:
+    """They were `rope_point.0.x`, from which nobody told the rope, whose names no table has."""
+    recording = gantline.simulate("equalizer")
+    heads = [name for name, _ in columns(recording, ["rope_point"])][1:]
+    points = [f"{rope}/{n}" for rope, at in recording.points_of_ropes.items() for n in range(len(at))]
+    assert sorted(heads) == sorted(f"rope_point.{point}.{axis} [m]" for point in points for axis in "xyz")
+    values = dict(columns(recording, ["rope_point"]))["rope_point.sling.S3/1.z [m]"]
+    at = recording.points_of_ropes["sling.S3"][1]
+    np.testing.assert_array_equal(values, recording["rope_point"].values[:, at, 2])
 
 
 def test_variables_that_there_are_not_are_refused(tmp_path: Path) -> None:

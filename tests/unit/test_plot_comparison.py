@@ -86,6 +86,9 @@ def test_bodies_and_ropes_of_plain_systems() -> None:
     figures = pictures(compare(plain(38.0), plain(38.2)))
     assert list(figures) == ["compare_rope_tension", "compare_motion"]
     assert "largest: test_hook  +200 mm at 40.00 s" in text_of(figures["compare_motion"])
+    # As the table has it; it was +2e+03 mm.
+    figures = pictures(compare(plain(38.0), plain(40.0)))
+    assert "largest: test_hook  +2,000 mm at 40.00 s" in text_of(figures["compare_motion"])
 
 
 def test_more_curves_than_colours_are_those_that_differ_most() -> None:

@@ -17,6 +17,7 @@ from gantline.simulation import Simulation
 from gantline.statics import Statics
 from lift_text import changed
 from mechanics import G
+from shown import unsaid
 
 FILE = Path(__file__).parents[2] / "scenarios" / "goliath" / "scenario.yaml"
 HOOKS = ("goliath.U1", "goliath.U2", "goliath.L")
@@ -51,6 +52,13 @@ def slings_of(recording: Recording, equalizer: str) -> FloatArray:
     """Tensions of the five slings of an equalizer, shape (time, 5) [N]."""
     group = EQUALIZERS[equalizer]
     return np.stack([recording.column("rope_tension", f"sling.{group}.{n}") for n in range(1, 6)], axis=1)
+
+
+def test_the_guide_says_the_travel_that_a_run_prints(recording: Recording) -> None:
+    """It said +0.40 m, which is that of the lift at rest at its end; on the way sheaves go 0.03 m further."""
+    travel = recording["sheave_travel"].values[series.is_clear(recording)]
+    sentence = f"here −{-travel.min():.2f} to +{travel.max():.2f} m of −1.4 to +1.9 m while the load hangs"
+    assert unsaid("docs/guides/goliath.md", sentence) == []
 
 
 def test_slings_ropes_and_hooks_carry_what_masses_say(recording: Recording) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import gantline
-from gantline.checks import check_recording, has_failed
+from gantline.checks import check_recording, has_failed, hold_points, hook_readings
 from gantline.plot.moments import stages
 from gantline.results.recording import Recording
 
@@ -81,6 +81,14 @@ def test_it_hangs_upright_from_the_main_crane_alone(upended: Recording) -> None:
     begin, _ = _during(upended, "tail off", "tail off")
     later = upended.time > begin
     assert np.abs(np.degrees(upended.column("load_tilt", "column")[later]) - 90.0).max() < 0.5
+
+
+def test_a_hook_that_has_let_go_uses_none_of_its_chart(upended: Recording) -> None:
+    """At the end of the lift it was 4.9 %, and nothing at the hold point before, with the same slings."""
+    points = {point.step.step: point.at for point in hold_points(upended)}
+    for step in ("tail off", "end"):
+        used = {one.name: one.used for one in hook_readings(upended, points[step])}
+        assert used["tail.H"] is None and used["main.H"] is not None, step
 
 
 def test_nothing_of_it_fails(upended: Recording) -> None:

@@ -129,7 +129,8 @@ def _by_rule(
         yield Caution(UNRAISED)
     for whole in windows:
         window = whole & during
-        if not window.any():
+        # A hook in which nothing hangs but its own slings lifts nothing, as for its radius and leads.
+        if not (chart_load(recording, chart, hooks)[window] > 0.0).any():
             continue
         force: Force = hook_force(recording, hooks, variable, during, whole)
         still = force.rule if force.rule is not None else force.static

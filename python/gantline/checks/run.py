@@ -298,7 +298,8 @@ def _told(recording: Recording) -> list[Check]:
     warnings = recording.attributes.get("warnings") or []
     if not warnings:
         return []
-    more = f" and {len(warnings) - 1} more" if len(warnings) > 1 else ""
+    count = len(warnings) - 1
+    more = f"; and {count} more {'warning' if count == 1 else 'warnings'}" if count else ""
     meaning = "lift file and run give no warning"
     return [Check(NO_WARNINGS, Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
 

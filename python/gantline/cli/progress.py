@@ -69,7 +69,7 @@ def _bar(run: Run) -> Iterator[Report]:
 
         def report(now: float) -> None:
             passed = time.perf_counter() - started
-            bar.update(task, completed=now, speed=_speed(now, passed), state=", ".join(_state(run)))
+            bar.update(task, completed=now, speed=speed(now, passed), state=", ".join(_state(run)))
 
         yield report
 
@@ -125,14 +125,17 @@ def _lines(run: Run) -> Report:
         shown, last = int(now * _LINES / duration), clock
         passed = clock - started
         left = passed * (duration - now) / now
-        parts = (_speed(now, passed), f"{left:.0f} s left", *_state(run))
+        parts = (speed(now, passed), f"{left:.0f} s left", *_state(run))
         typer.echo(", ".join((f"simulated {now:.1f} of {duration:.1f} s", *filter(None, parts))), err=True)
 
     return report
 
 
-def _speed(simulated: float, passed: float) -> str:
-    return f"{simulated / passed:.3g} times real time" if passed > 0.0 else ""
+def speed(simulated: float, passed: float) -> str:
+    """How fast a run goes, to three digits and written out: 3.74e+03 times is no number for people."""
+    if passed <= 0.0:
+        return ""
+    return f"{float(f'{simulated / passed:.3g}'):,.15g} times real time"
 
 
 def _state(run: Run) -> Iterator[str]:

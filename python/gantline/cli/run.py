@@ -20,7 +20,7 @@ from gantline.cli.lift import (
 )
 from gantline.cli.live import live_view
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
-from gantline.cli.progress import progress
+from gantline.cli.progress import progress, speed
 from gantline.cli.refinement import with_refinement
 from gantline.cli.report import REPORT, write_beside
 from gantline.cli.run_folder import STATE, save_run
@@ -174,8 +174,9 @@ def _print_table(recording: Recording, simulation: Simulation) -> bool:
     typer.echo("\n".join(summary(recording, checks, styled, width_of_terminal())))
     simulated = float(recording.time[-1])
     passed = simulation.integration_time
-    speed = f", {simulated / passed:.3g} times real time" if passed > 0.0 else ""
-    typer.echo(f"Integration {simulated:g} s in {passed:.2f} s{speed}")
+    typer.echo(
+        ", ".join(filter(None, (f"Integration {simulated:g} s in {passed:.2f} s", speed(simulated, passed))))
+    )
     return has_failed(checks)
 
 

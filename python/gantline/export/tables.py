@@ -36,13 +36,23 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
                 f"no variable '{name}' over time in this recording; it has {', '.join(over_time)}"
             )
     yield "time [s]", recording.time
+    known = {**recording.coordinates, "rope_point": _points(recording)}
     for name in variables or [one for one in over_time if one != "rope_point"]:
         variable = recording[name]
-        labels = [recording.coordinates.get(dim) or range(recording.sizes[dim]) for dim in variable.dims[1:]]
+        labels = [known.get(dim) or range(recording.sizes[dim]) for dim in variable.dims[1:]]
         flat = variable.values.reshape(len(recording.time), prod(variable.values.shape[1:]))
         unit = "" if variable.unit == "1" else f" [{variable.unit}]"
         for place, label in enumerate(product(*labels)):
             yield f"{'.'.join([name, *map(str, label)])}{unit}", flat[:, place]
+
+
+def _points(recording: Recording) -> list[str]:
+    """Points of drawn ropes by the rope that they are of, from its start: `sling.S1/0`, `sling.S1/1`."""
+    ropes = recording.points_of_ropes
+    named = {
+        int(at): f"{rope}/{number}" for rope, points in ropes.items() for number, at in enumerate(points)
+    }
+    return [named[at] for at in sorted(named)]
 
 
 def write_csv(recording: Recording, path: str | Path, variables: Sequence[str] = ()) -> None:

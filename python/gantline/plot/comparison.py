@@ -257,6 +257,11 @@ def _legend(panel: Axes, names: list[str], note: str) -> None:
     legend_above(panel, keys, labels, len(labels), spacing=1.1)
 
 
+def _written(value: float, sign: str = "") -> str:
+    """Three digits, and all of a large number, as the table has it: nobody reads 1.62e+03 mm."""
+    return f"{value:{sign},.0f}" if abs(value) >= 100.0 else f"{value:{sign}.3g}"
+
+
 def _difference_panel(
     panel: Axes, common: CommonTime, differences: dict[str, FloatArray], label: str, unit: str
 ) -> None:
@@ -276,9 +281,10 @@ def _difference_panel(
     else:
         panel.plot([deviation.time], [deviation.largest], "o", color=INK, markersize=3.5, zorder=5)
         sign = "+" if "−" in label else ""  # distances and angles have none
-        largest = f"{deviation.largest:{sign}.3g}".replace("-", "−")
+        largest = _written(deviation.largest, sign).replace("-", "−")
         where = f"{name}  " if len(differences) > 1 else ""
-        text = f"largest: {where}{largest} {unit} at {deviation.time:.2f} s; rms {deviation.rms:.3g} {unit}"
+        rms = _written(deviation.rms)
+        text = f"largest: {where}{largest} {unit} at {deviation.time:.2f} s; rms {rms} {unit}"
     panel.annotate(
         text,
         xy=(0.006, 0.95),

@@ -8,9 +8,12 @@ from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, number, show
 from gantline.results.boom import Boom
 from gantline.results.crawler import Crawler
-from gantline.results.rating import chart_load, chart_places, chart_used
+from gantline.results.rating import chart_load, chart_places, group_used, rated_groups
 from gantline.results.rating_chart import RatingChart
 from gantline.results.variable import FloatArray
+
+#: Use of a chart by one hook over that by its crane that tells nothing apart.
+_ALIKE = 1.001
 
 
 def boom_rows(subject: Subject) -> list[dict[str, str]]:
@@ -60,21 +63,30 @@ def _rated(subject: Subject, chart: RatingChart | None) -> dict[str, str]:
     if chart is None:
         return nothing
     recording, gravity = subject.recording, subject.rig.gravity
-    used = chart_used(recording, chart)
-    load = chart_load(recording, chart, chart.hooks)
-    if not load.any():
+    if not chart_load(recording, chart, chart.hooks).any():
         return {**nothing, "hangs": "no load"}
+    # One hook may carry a part of a row only: then it governs, and not the crane with all of the row.
+    # Of hooks that share alike, to what nobody reads, the crane has the line.
+    groups = rated_groups(chart)
+    most = {one: float(group_used(recording, chart, one).max()) for one in groups}
+    group = max(groups, key=most.__getitem__)
+    group = groups[0] if most[group] <= _ALIKE * most[groups[0]] else group
+    used = group_used(recording, chart, group)
+    load = chart_load(recording, chart, group.hooks)
     at = int(np.argmax(used))
-    rated = chart.rated_at(chart_places(recording, chart, chart.hooks)[at])
-    place = float(chart_places(recording, chart, chart.hooks)[at][int(np.argmin(rated))])
-    checked = values_of(recording, "hoist_load_of_rating")
+    places = chart_places(recording, chart, group.hooks)[at]
+    rated = chart.rated_at(places)
+    place = float(places[int(np.argmin(rated))])
+    values = values_of(recording, "hoist_load_of_rating")
+    checked = [values[one.element] for one in groups if one.element in values]
     unit, digits = ("deg", 1) if chart.over == "angle" else ("m", 1)
     return {
+        **({} if group is groups[0] else {"name": group.element}),
         "hangs": number(float(load[at]) / gravity, "t", 1),
-        "may": number(float(rated.min()) / gravity, "t", 1),
+        "may": number(group.share * float(rated.min()) / gravity, "t", 1),
         "place": show(place, unit, digits),
         "used": number(float(used[at]), "%", 1) if np.isfinite(used[at]) else "outside",
-        "checked": number(checked.get(f"crane {chart.crane}"), "%", 1),
+        "checked": number(max(checked, default=None), "%", 1),
     }
 
 

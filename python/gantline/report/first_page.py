@@ -14,14 +14,14 @@ from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
 from gantline.report.booms import boom_rows
 from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
-from gantline.report.rest import what_if
+from gantline.report.rest import unsound_cases, what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, share, show, typeset
 from gantline.results.metrics import energy_bound
 from gantline.results.refinement import in_per_cent, refinement_of
-from gantline.results.rig import Rig
+from gantline.results.rig import Load, Rig
 from gantline.results.saved import digest_of
 
 _MOST_SLINGS = 16
@@ -102,6 +102,10 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         check.name for check in checks if check.verdict is Verdict.NOT_CHECKED and not check.has_no_limit
     ]
     without = [check.name for check in checks if check.has_no_limit]
+    unsound = unsound_cases(subject)
+    # A plan that holds as drawn is no clear go where what may differ from it does not hold.
+    if tone == "good" and unsound:
+        tone = "warn"
     own = set(subject.rig.limits).difference(subject.rig.assumed_limits)
     return {
         "head": head,
@@ -110,6 +114,7 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         "failed_too": _named_failures(failed[_MOST_FAILED:]),
         "warned": [_warning(check, own) for check in _foremost_warnings(checks)],
         "warnings": len(warned),
+        "unsound": unsound,
         # What failed is past its limit and has been told with its numbers.
         "nearest": [] if failed else foremost(compared)[:3],
         "missing": _listed(missing) if missing else "",
@@ -198,18 +203,18 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
                 (f"× contingency {load.contingency:.2f} = design weight", show(load.design_mass, "t", 1))
             )
         else:
-            rows.append((f"{load.name}, as simulated", show(load.weight / rig.gravity, "t", 1)))
+            rows.append((f"{load.name}, as simulated", show(_simulated_mass(rig, load), "t", 1)))
     if not rig.hooks:
         return rows
     hooks = [hook.name for hook in rig.hooks]
     during = everywhere(subject.recording)
     force = hook_force(subject.recording, hooks, "hook_load", during)
     if force.static is not None:
-        every = [subject.recording.column("hook_load", hook) for hook in hooks]
-        simulated = subject.static(np.sum(every, axis=0)) or 0.0
-        loads = sum(load.simulated_mass or load.weight / rig.gravity for load in rig.loads)
-        if rig.loads and simulated / rig.gravity > loads:
-            rows.append(("+ rigging below the hooks", show(simulated / rig.gravity - loads, "t", 1)))
+        designed = sum(load.design_mass or _simulated_mass(rig, load) for load in rig.loads)
+        # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
+        rigging = force.static / rig.gravity - designed
+        if rig.loads and rigging > 0.0:
+            rows.append(("+ rigging below the hooks", show(rigging, "t", 1)))
         rows.append(("= static hook load", show(force.static / rig.gravity, "t", 1)))
     factor = rig.factors.get("dynamic_amplification_factor")
     if factor is not None and force.rule is not None:
@@ -227,6 +232,10 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         text += f" of {show(of / rig.gravity, 't', 0)}, {used}"
     rows.append(("largest hoist load, simulated", text))
     return rows
+
+
+def _simulated_mass(rig: Rig, load: Load) -> float:
+    return load.simulated_mass or load.weight / rig.gravity
 
 
 def stop_if(subject: Subject) -> list[str]:

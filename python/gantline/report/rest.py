@@ -178,18 +178,29 @@ class Cases(Section):
 
 def _numbers(one: SavedWorst) -> dict[str, str]:
     unit, digits = QUANTITIES[one.quantity]
-    ratio = one.value / one.given if one.given else None
+    given, value = show(one.given, unit, digits), show(one.value, unit, digits)
+    # Forces have a share of one another; a tilt or a travel that was next to nothing tells nothing by it.
+    # As in the table of `gantline cases`: what nobody can tell from the lift as it is given has no case.
+    cause = ("as given",) if value == given else (one.case or "as given", one.label)
     return {
-        "given": show(one.given, unit, digits),
-        "value": show(one.value, unit, digits),
-        "ratio": ABSENT if ratio is None else f"{ratio:.3f}",
-        "case": ", ".join(part for part in (one.case or "as given", one.label) if part),
+        "given": given,
+        "value": value,
+        "ratio": f"{one.value / one.given:.3f}" if one.given and unit == "kN" else ABSENT,
+        "case": ", ".join(part for part in cause if part),
     }
 
 
 def _briefly(troubles: Sequence[str]) -> str:
     more = f" and {len(troubles) - 1} more" if len(troubles) > 1 else ""
     return f"{troubles[0].replace('_', ' ')}{more}"
+
+
+def unsound_cases(subject: Subject) -> str:
+    """Which cases are not sound, for the verdict; empty where all are, or nobody has asked."""
+    cases = subject.beside.cases
+    names = [one.name or "as given" for one in cases.cases if one.troubles] if cases is not None else []
+    more = f" and {len(names) - _MOST_TROUBLED} more" if len(names) > _MOST_TROUBLED else ""
+    return ", ".join(names[:_MOST_TROUBLED]) + more
 
 
 def what_if(subject: Subject) -> dict[str, Any] | None:
@@ -202,7 +213,8 @@ def what_if(subject: Subject) -> dict[str, Any] | None:
     for words, one in found:
         if one is not None:
             numbers = _numbers(one)
-            rows.append((f"{words} {one.element}", f"{numbers['value']}, {one.case or 'as given'}"))
+            case = "as given" if numbers["value"] == numbers["given"] else one.case or "as given"
+            rows.append((f"{words} {one.element}", f"{numbers['value']}, {case}"))
     troubled = [one for one in cases.cases if one.troubles]
     return {
         "rows": rows,

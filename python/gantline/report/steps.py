@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from gantline.checks import LIMITS
 from gantline.report.holds import shares
 from gantline.report.section import Section
@@ -15,7 +17,9 @@ _MOST = 16
 _MOST_AFLOAT = 12
 
 #: Steps whose speed is that of something that goes along a line.
-_ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out")
+_ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "haul", "veer")
+#: Steps whose speed is that of a boom or an upper structure that turns.
+_TURNING = ("luff", "slew")
 
 
 class StepsContinued(Section):
@@ -70,7 +74,6 @@ def _is_hold_point(step: Step, last: Step) -> bool:
 
 def _does(step: Step) -> str:
     """What a step does, at which speed, with which pins, and what goes or comes as it begins."""
-    speed = f" {60.0 * step.speed:.3g} m/min" if step.speed is not None and step.kind in _ALONG else ""
     pins = [
         f"{words} pins of {', '.join(names)}"
         for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))
@@ -87,7 +90,15 @@ def _does(step: Step) -> str:
         if names
     ]
     verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
-    return "; ".join(part for part in (f"{verb}{speed}", *pins, *gear) if part)
+    return "; ".join(part for part in (f"{verb}{_speed(step)}", *pins, *gear) if part)
+
+
+def _speed(step: Step) -> str:
+    if step.speed is None:
+        return ""
+    if step.kind in _TURNING:
+        return f" {np.rad2deg(60.0 * step.speed):.3g} deg/min"
+    return f" {60.0 * step.speed:.3g} m/min" if step.kind in _ALONG else ""
 
 
 def _requirement(key: str, bounds: Any) -> str:

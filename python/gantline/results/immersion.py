@@ -12,6 +12,7 @@ from gantline.results.sea import Sea
 from gantline.results.solids import skin_of
 from gantline.results.surroundings import SIGNS, ground_in, is_cut
 from gantline.results.variable import Columns, FloatArray, Names
+from gantline.units import format_by_size
 
 __all__ = ["dry_areas", "immersion_warnings"]
 
@@ -68,7 +69,7 @@ def immersion_warnings(
             carried = density * share * float(np.prod(most - least))
             since = f"at {columns['time'][under[0]]:.2f} s"
             when = f"{load} goes into the water {since}, up to {deep[worst]:.2f} m deep"
-            closed = f"if its box were closed, water would carry up to {carried / 1e3:.3g} t"
+            closed = f"if its box were closed, water would carry up to {format_by_size(carried, 'mass')}"
             warnings.append(f"{when}; {without}, and {closed}")
         elif sea is not None and deep.max() + _highest(sea) > _DIPS:
             points = place[:, None] + (middle + _POINTS * half) @ turn.transpose(0, 2, 1)

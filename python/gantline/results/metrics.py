@@ -40,7 +40,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `static_hoist_load`, `peak_hoist_load` [N]: hook load with hook block and hanging falls, the largest over
   the hooks
 - `rating_utilisation.<crane>` [1]: largest of hoist load (or hook load) over rated load of the chart where
-  the hooks were then, at any sample; absent where a load hung outside of the chart
+  the hooks were then, of the crane or of one hook by its share, at any sample; absent where a load hung
+  outside of the chart
 - `tipping_utilisation.<crane>` [1]: largest moment of what hangs over that of a crawler crane's own weight
 - `peak_ground_pressure.<crane>` [Pa]: largest pressure on the ground under a crawler crane
 - `final_load_transferred` [1]: 1 - support forces/weight at the last sample, the smallest over the loads

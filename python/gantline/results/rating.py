@@ -19,6 +19,7 @@ __all__ = [
     "chart_places",
     "chart_used",
     "counted_load",
+    "group_used",
     "rated_groups",
     "rated_load",
 ]
@@ -115,9 +116,19 @@ def chart_places(recording: Recording, chart: RatingChart, hooks: Sequence[str])
 
 
 def chart_used(recording: Recording, chart: RatingChart) -> FloatArray:
-    """What hangs from a crane over what its chart allows there, shape (time,) [1]; infinite outside of it."""
-    load = chart_load(recording, chart, chart.hooks)
-    rated = rated_load(recording, chart, rated_groups(chart)[0])
+    """What hangs over what a chart allows there, of crane or hook, whichever uses more, shape (time,) [1].
+
+    Infinite outside of the chart.
+    """
+    every = [group_used(recording, chart, group) for group in rated_groups(chart)]
+    used: FloatArray = np.max(every, axis=0)
+    return used
+
+
+def group_used(recording: Recording, chart: RatingChart, group: RatedGroup) -> FloatArray:
+    """The same of hooks that a chart rates together, shape (time,) [1]."""
+    load = chart_load(recording, chart, group.hooks)
+    rated = rated_load(recording, chart, group)
     outside = np.where(load > 0, np.inf, 0.0)
     used: FloatArray = np.where(rated > 0, load / np.where(rated > 0, rated, 1.0), outside)
     return used

@@ -136,7 +136,8 @@ class Step(FromJson):
         attach: Slings that are put on then.
         remove_supports: Supports, or groups of them, that are taken away then.
         turns: Whether it waits for, or asks for, a tilt of the load above some angle.
-        speed: Of what it moves [m/s]; None of a step that moves nothing along.
+        speed: Of what it moves [m/s], of a boom or crane that it turns [rad/s]; None of a step that moves
+            nothing.
         pull_pins: Equalizers or moving sheaves whose locking pins are pulled as it begins.
         put_in_pins: The same of those that are put in.
         keep_plumb: Hooks whose falls it keeps plumb.

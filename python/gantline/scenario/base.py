@@ -46,8 +46,11 @@ class Element(BaseModel):
 
     @classmethod
     def keys(cls) -> tuple[str, ...]:
-        """Keys that this mapping may have, as written in a file."""
-        return tuple(field.alias or name for name, field in cls.model_fields.items())
+        """Keys that this mapping may have, as written in a file; its own before those that others share."""
+        models = [one for one in cls.__mro__ if issubclass(one, BaseModel)]
+        shared = {name: sum(name in one.model_fields for one in models) for name in cls.model_fields}
+        fields = sorted(cls.model_fields.items(), key=lambda item: shared[item[0]])
+        return tuple(field.alias or name for name, field in fields)
 
     @classmethod
     def needed_keys(cls) -> set[str]:

@@ -200,7 +200,8 @@ def _check_condition(findings: Findings, place: int, step: MovingStep | PumpStep
             findings.add((*path, "mooring_tension", "line"), found)
         return
     if not _may_stand(scenario):
-        sentence = "this waits for a load to leave the ground"
+        how = "come down" if condition.supports == "touched" else "leave the ground"
+        sentence = f"this waits for a load to {how}"
         stands = "on a 'ground', on 'supports' or 'structures', or in 'body_contacts'"
         findings.add(path, f"{sentence}; there is no 'load' {stands} in this file")
         return
