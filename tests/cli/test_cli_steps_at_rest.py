@@ -15,6 +15,8 @@ from gantline.study import run_steps
 from gantline.study.inclining import metacentric_heights
 from lift_text import weight_on_a_rope
 
+EQUALIZER = Path(__file__).parents[2] / "python/gantline/scenarios/equalizer.yaml"
+
 
 def asked(*arguments: str | Path) -> tuple[int, str, str]:
     result = CliRunner().invoke(app, ["statics", *map(str, arguments)], env={"COLUMNS": "140"})
@@ -59,6 +61,25 @@ def test_numbers_in_si_units() -> None:
     barge = steps[0]["vessels"]["barge"]
     assert barge["draft_aft"] == pytest.approx(2.989, abs=5e-4)
     assert barge["gm_transverse"] == pytest.approx(21.91, abs=5e-3)
+
+
+def test_what_a_step_requires_is_checked_where_it_ends(tmp_path: Path) -> None:
+    """At rest a moving sheave of `equalizer` uses 93 % of its stroke; at one time alone nobody says so."""
+    text = EQUALIZER.read_text(encoding="utf-8")
+    step = "  - {step: hoist,"
+    assert text.count(step) == 1
+    lift = tmp_path / "lift.yaml"
+    lift.write_text(
+        text.replace(step, f"{step} require: {{equalizer_travel_used: below 50 %}},"), encoding="utf-8"
+    )
+    code, said, _ = asked(lift, "--steps")
+    assert code == 1
+    assert re.search(r"^  hoist +26\.0 s .* FAILED$", said, re.MULTILINE)
+    assert re.search(r"^  end of the lift .* ok$", said, re.MULTILINE)
+    assert "  equalizer_travel_used failed: hoist\n" in said
+    code, said, _ = asked(lift, "--time", "26 s")
+    assert code == 0
+    assert "a run checks what steps require, and 'gantline statics --steps'" in " ".join(said.split())
 
 
 def test_friction_that_holds_is_said() -> None:

@@ -51,7 +51,7 @@ def test_what_a_step_requires_is_for_a_run() -> None:
     recording = Statics(parse_scenario(template())).equilibrium().recording
     (required,) = [check for check in check_recording(recording) if check.step]
     assert required.verdict is Verdict.NOT_CHECKED
-    assert required.remark == "a run checks what steps require; an equilibrium has no steps"
+    assert required.remark == "a run checks what steps require, and 'gantline statics --steps'"
 
 
 def test_a_warning_without_a_number_is_no_verdict() -> None:

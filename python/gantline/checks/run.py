@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -32,11 +32,13 @@ _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 NO_WARNINGS = "no_warnings"
 
 
-def check_recording(recording: Recording) -> list[Check]:
+def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[Check]:
     """Check a recording: of a run, or of an equilibrium.
 
     Args:
         recording: Any recording.
+        ending: Steps of the plan that end at the moment of an equilibrium: it is held against what they
+            require.
 
     Returns:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
@@ -63,7 +65,7 @@ def check_recording(recording: Recording) -> list[Check]:
         for key in limits
         if key not in LIMITS
     ]
-    steps = [check for step in rig.plan for check in _check_step(recording, step)]
+    steps = [check for step in rig.plan for check in _check_step(recording, step, ending)]
     every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
     every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
     every += (
@@ -238,13 +240,17 @@ def _nothing(measure: Measure) -> str:
     return "the lift has nothing that it is about, or nothing of that carries"
 
 
-def _check_step(recording: Recording, step: Step) -> Iterator[Check]:
+def _check_step(recording: Recording, step: Step, ending: Collection[str]) -> Iterator[Check]:
+    is_now = step.step in ending and series.is_equilibrium(recording)
+    during = _sample(-1, recording.time) if is_now else _at_end(recording, step)
     for key, bounds in step.require.items():
         for side, limit in bounds.items():
-            yield _check_requirement(recording, step, key, side, float(limit))
+            yield _check_requirement(recording, step, during, key, side, float(limit))
 
 
-def _check_requirement(recording: Recording, step: Step, key: str, side: str, limit: float) -> Check:
+def _check_requirement(
+    recording: Recording, step: Step, during: BoolArray | None, key: str, side: str, limit: float
+) -> Check:
     measure = LIMITS.get(key)
     if measure is None:
         return Check(key, Verdict.NOT_CHECKED, "", step=step.step, remark="this quantity is not known here")
@@ -260,10 +266,9 @@ def _check_requirement(recording: Recording, step: Step, key: str, side: str, li
         digits=measure.digits,
         step=step.step,
     )
-    during = _at_end(recording, step)
     if during is None:
         if series.is_equilibrium(recording):
-            return replace(check, remark="a run checks what steps require; an equilibrium has no steps")
+            return replace(check, remark="a run checks what steps require, and 'gantline statics --steps'")
         return replace(check, remark="the recording ends before this step does")
     found = _look(sided, recording, during)
     if sided.at_least != measure.at_least and np.count_nonzero(during) > 1:

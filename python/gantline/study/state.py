@@ -140,14 +140,17 @@ class Worst:
     state: State
 
 
-def settled(question: Statics, time: float | None, state: State) -> State:
-    """A state with the equilibrium at a time [s] and its checks, or the cause why there is none."""
+def settled(question: Statics, time: float | None, state: State, ending: Sequence[str] = ()) -> State:
+    """A state with the equilibrium at a time [s] and its checks, or the cause why there is none.
+
+    What the steps `ending` require is held against it.
+    """
     try:
         rest = question.equilibrium(time, losses=state.losses)
     except NoEquilibriumError as problem:
         cause = f"{problem.cause} ({problem.element})"
         return State(state.case, state.variant, state.losses, problem.time, cause=cause, cut=state.cut)
-    checks = check_recording(_without(rest.recording, state.cut))
+    checks = check_recording(_without(rest.recording, state.cut), ending)
     return State(
         state.case, state.variant, state.losses, rest.time, rest, cut=state.cut, checks=checks,
         first_order=state.first_order,

@@ -53,6 +53,8 @@ class StepAtRest:
 def run_steps(question: Statics, losses: Losses = "none") -> Iterator[StepAtRest]:
     """Statics of a lift at its start, where each step of its plan ends, and at its end.
 
+    What a step requires is among the checks where it ends.
+
     Args:
         question: The lift. When steps end that wait for something is found from rest to rest.
         losses: What friction does, see `Statics.equilibrium`.
@@ -71,7 +73,7 @@ def run_steps(question: Statics, losses: Losses = "none") -> Iterator[StepAtRest
             ended.setdefault(end, []).append(step.step)
     for moment in sorted({0.0, duration, *ended}):
         steps = tuple(ended.get(moment, ()))
-        state = settled(question, moment, asked)
+        state = settled(question, moment, asked, steps)
         heights = {} if state.rest is None else metacentric_heights(question, state.rest)
         name = ", ".join(steps) or (END if moment > 0.0 else START)
         yield StepAtRest(steps, name, state, heights)
