@@ -47,7 +47,7 @@ def test_ctrl_c_ends_a_search_between_two_equilibria() -> None:
 
 
 def test_what_other_threads_look_for_is_given_up() -> None:
-    """Ctrl-C reaches one thread alone; as that leaves the block, those that search for it are told."""
+    """Ctrl-C reaches one thread alone; as that leaves its `with`, those that search for it are told."""
     has_begun = threading.Event()
 
     def search(question: Statics) -> Equilibrium:

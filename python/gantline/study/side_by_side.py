@@ -16,7 +16,7 @@ __all__ = ["SideBySide"]
 class SideBySide(ThreadPoolExecutor):
     """Threads that look for equilibria. Threads do: the core does so without holding the interpreter.
 
-    What is still looked for as its block ends, by an error or by Ctrl-C, is given up.
+    What is still looked for as its `with` ends, by an error or by Ctrl-C, is given up.
 
     Args:
         workers: How many at a time; None for as many as there are processors.
