@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NoReturn
 
 import typer
@@ -83,9 +83,7 @@ def _loads(question: Statics, found: Sequence[StepAtRest], width: int) -> list[l
         ]
     hooks = [hook.name for hook in question.rig.hooks]
     columns += [[_of("hook load", hook, hooks), *_cells(found, "hook_load", hook, "kN", 1)] for hook in hooks]
-    for title, of in (("slings", min), ("to", max)):
-        tensions = (of(one["sling_tension"].values(), default=None) for one in values)
-        columns.append([title, *_shown(tensions, "kN", 1)])
+    columns.append(["slings", *(_range(one["sling_tension"].values()) for one in values)])
     last = ["", *(outcome([one.state]) for one in found)]
     return tables(_names(found), columns, last, width=width)
 
@@ -137,6 +135,12 @@ def _names(found: Sequence[StepAtRest]) -> list[str]:
 def _of(title: str, element: str, elements: Sequence[str]) -> str:
     """A title of a column, with the element where there are several."""
     return title if len(elements) == 1 else f"{element} {title}"
+
+
+def _range(tensions: Collection[float]) -> str:
+    """From the least to the largest of some tensions, or what they all are."""
+    least, most = _shown((of(tensions, default=None) for of in (min, max)), "kN", 1)
+    return most if least == most else f"{least.removesuffix(' kN')} to {most}"
 
 
 def _cells(found: Sequence[StepAtRest], variable: str, element: str, unit: str, digits: int) -> list[str]:
