@@ -121,9 +121,7 @@ def _held_ashore(found: Sequence[StepAtRest]) -> list[str]:
         for load in rest.recording.rig.loads:
             carried = float(rest.recording.column("load_transferred", load.name)[-1])
             if carried > _CARRIED and not series.load_is_clear(rest.recording, load)[-1]:
-                return [
-                    f"  GM includes that {load.name} holds the crane while it stands and is partly lifted"
-                ]
+                return [f"  GM as an inclining experiment finds it: {load.name}, partly lifted, {_HOLDS}"]
     return []
 
 
