@@ -52,7 +52,8 @@ def test_a_deck_under_water_between_samples_fails(tmp_path: Path) -> None:
     assert check.remark == "its deck_edge goes under water between two samples: barge"
     # With samples that see it, it is their least.
     (check,) = [one for one in check_recording(run_of(tmp_path, 0.1)) if one.name == "freeboard"]
-    assert check.verdict is Verdict.FAILED and check.value == pytest.approx(-0.98, abs=0.02)
+    assert check.verdict is Verdict.FAILED
+    assert check.value == pytest.approx(-0.98, abs=5e-3)  # as the story has it, to a hundredth
 
 
 def test_samples_that_miss_crests_are_told(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from gantline.assembly.hulls import HullMesh
 from gantline.assembly.spatial import Array
+from gantline.cad.mesh import connected
 
 __all__ = ["bottom_edge", "deck_edge", "sunk_share"]
 
@@ -23,6 +24,7 @@ _SUNK = 0.5
 _FILLED = 0.5
 
 Bools = npt.NDArray[np.bool_]
+Whole = npt.NDArray[np.int64]
 #: Triangles on both sides of each side of a mesh, which is a pair of vertices.
 _Sides = dict[frozenset[int], list[int]]
 
@@ -61,19 +63,23 @@ def bottom_edge(mesh: HullMesh) -> list[list[float]]:
     return _corners(mesh, _ends(_between(mesh), _looks(mesh, -1.0)))
 
 
+def _across(mesh: HullMesh) -> Array:
+    """Normals of triangles, as long as twice their areas (n, 3) [m^2]."""
+    corners = mesh.vertices[mesh.triangles]
+    across: Array = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return across
+
+
 def _looks(mesh: HullMesh, upwards: float) -> Bools:
     """Triangles that look upwards (1) or downwards (-1)."""
-    corners = mesh.vertices[mesh.triangles]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    across = _across(mesh)
     found: Bools = upwards * across[:, 2] > _DECK * np.linalg.norm(across, axis=1)
     return found
 
 
 def _plan_areas(mesh: HullMesh) -> Array:
     """Of triangles, seen from above (n,) [m^2]."""
-    corners = mesh.vertices[mesh.triangles]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas: Array = np.abs(across[:, 2]) / 2
+    areas: Array = np.abs(_across(mesh)[:, 2]) / 2
     return areas
 
 
@@ -104,24 +110,16 @@ def _deck(mesh: HullMesh, between: _Sides, draft: float) -> Bools:
     return looks
 
 
-def _pieces(looks: Bools, between: _Sides) -> list[list[int]]:
+def _pieces(looks: Bools, between: _Sides) -> list[Whole]:
     """Triangles that hang together along sides, of those that are wanted."""
-    known = list(range(len(looks)))
-
-    def first_of(one: int) -> int:
-        while known[one] != one:
-            known[one] = known[known[one]]
-            one = known[one]
-        return one
-
-    for beside in between.values():
-        wanted = [place for place in beside if looks[place]]
-        for other in wanted[1:]:
-            known[first_of(other)] = first_of(wanted[0])
-    pieces: dict[int, list[int]] = defaultdict(list)
-    for place in np.flatnonzero(looks).tolist():
-        pieces[first_of(place)].append(place)
-    return list(pieces.values())
+    wanted = np.flatnonzero(looks)
+    if not len(wanted):
+        return []
+    beside = ([place for place in both if looks[place]] for both in between.values())
+    pairs = [(first, other) for first, *others in filter(None, beside) for other in others]
+    groups = connected(len(looks), np.array(pairs, dtype=np.int64).reshape(-1, 2))
+    order = wanted[np.argsort(groups[wanted], kind="stable")]
+    return np.split(order, np.flatnonzero(np.diff(groups[order])) + 1)
 
 
 def _ends(between: _Sides, wanted: Bools) -> list[frozenset[int]]:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["TriangleMesh"]
+__all__ = ["TriangleMesh", "connected"]
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
@@ -192,7 +192,7 @@ class TriangleMesh:
         sides = self._edges.of_triangle
         owners = np.repeat(np.arange(len(self.triangles)), 3)
         count = len(self.triangles)
-        piece = _connected(
+        piece = connected(
             count + len(self._edges.ends), np.stack([owners, count + sides.reshape(-1)], axis=1)
         )[:count]
         _, same, times = np.unique(
@@ -246,7 +246,7 @@ class TriangleMesh:
 
             pairs = cKDTree(places).query_pairs(tolerance, output_type="ndarray")
             if len(pairs):
-                groups = _connected(len(places), pairs)
+                groups = connected(len(places), pairs)
                 _, first = np.unique(groups, return_index=True)
                 places, of_vertex = places[first], groups[of_vertex]
         triangles = of_vertex[self.triangles]
@@ -263,7 +263,7 @@ class TriangleMesh:
         """
         if not len(self.triangles):
             return []
-        groups = _connected(len(self.triangles), self._neighbours()[0])
+        groups = connected(len(self.triangles), self._neighbours()[0])
         order = np.argsort(groups, kind="stable")
         cuts = np.flatnonzero(np.diff(groups[order])) + 1
         pieces = sorted(np.split(order, cuts), key=lambda piece: int(piece[0]))
@@ -336,7 +336,7 @@ class TriangleMesh:
         disagree = {(int(a), int(b)) for a, b in pairs[~agree]}
         disagree |= {(b, a) for a, b in disagree}
         flip = np.zeros(count, dtype=bool)
-        groups = _connected(count, pairs) if count else np.zeros(0, dtype=np.int64)
+        groups = connected(count, pairs) if count else np.zeros(0, dtype=np.int64)
         order = np.argsort(groups, kind="stable")
         for piece in np.split(order, np.flatnonzero(np.diff(groups[order])) + 1) if count else []:
             if disagree:
@@ -357,7 +357,7 @@ class TriangleMesh:
         return TriangleMesh(self.vertices, triangles), int(np.count_nonzero(flip))
 
 
-def _connected(count: int, pairs: Whole) -> Whole:
+def connected(count: int, pairs: Whole) -> Whole:
     """Group of each of `count` things, from 0 on, given pairs (e, 2) that belong together."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
