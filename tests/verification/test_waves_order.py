@@ -32,7 +32,7 @@ def motion(document: dict[str, Any], tolerance: float) -> tuple[int, Any]:
 
 @pytest.mark.parametrize("lift", [waves.in_waves, waves.radiating])
 def test_order_in_waves(tmp_path: Path, lift: Any) -> None:
-    """A free barge in seas of thirty waves, its water without and with memory: the error of its way falls with
+    """A free barge in seas of thirty waves, water without and with memory: the error of its way falls with
     the fifth power of the number of steps, over five decades.
 
     Forces of waves change with time, with the slow place and with the heading, which they follow from step to
