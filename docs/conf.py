@@ -28,7 +28,8 @@ myst_heading_anchors = 3
 myst_dmath_double_inline = True
 
 # MathJax as a part of the built pages, so that formulas need no network. It draws SVG, since browsers let
-# pages that are opened as files load scripts but no fonts. Long formulas scroll where room is short.
+# pages that are opened as files load scripts but no fonts. Formulas too long for the page break
+# at a sign, or scroll.
 _packages = "../viewer/node_modules"
 html_static_path = [
     "static",
@@ -42,7 +43,7 @@ mathjax4_config = {
         "source": {"a11y/assistive-mml": "[mathjax]/assistive-mml.js"},
         "versionWarnings": False,  # they ask for names of folders that are not kept here
     },
-    "output": {"displayOverflow": "overflow"},
+    "output": {"displayOverflow": "linebreak"},
     "svg": {"dynamicPrefix": "[mathjax]/dynamic"},
     "options": {
         "menuOptions": {
