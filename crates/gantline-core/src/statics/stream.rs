@@ -41,8 +41,9 @@ impl Stream {
         };
         let pattern = MassMatrix::new(&system.tree);
         let rows = pattern.row_start.windows(2).enumerate();
-        let of_dynamics = rows
-            .flat_map(|(dof, bounds)| pattern.columns[bounds[0]..bounds[1]].iter().map(move |&other| (dof, other)));
+        let of_dynamics = rows.flat_map(|(dof, bounds)| {
+            pattern.columns[bounds[0]..bounds[1]].iter().map(move |&other| (dof, other))
+        });
         let of_blocks = layout.groups.iter().flat_map(|group| {
             let pair = move |j: usize| group.dofs[..=j].iter().map(move |&other| (group.dofs[j], other));
             (0..group.dofs.len()).flat_map(pair)
