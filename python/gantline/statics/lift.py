@@ -58,6 +58,19 @@ def _one_at_a_time(
     return waiting
 
 
+def _pairs(parameters: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+    """The same, looked at one by one.
+
+    Raises:
+        TypeError: If one is no pair of a kind and a name.
+    """
+    for one in parameters:
+        if isinstance(one, str) or not isinstance(one, Sequence) or len(one) != 2:
+            like = 'pairs such as ("length", "sling.S1")'
+            raise TypeError(f"parameters: {one!r} is no pair of a kind and a name; a list has {like}")
+    return [(kind, name) for kind, name in parameters]
+
+
 class Statics:
     """A lift whose equilibria are asked for, by one thread at a time: others wait.
 
@@ -358,10 +371,11 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none, or none that answers smoothly.
+            TypeError: If the parameters are no pairs.
             ValueError: If there is no such kind, rope or body.
         """
         self._of_last()
-        wanted = list(parameters) if parameters is not None else self._uncertain()
+        wanted = _pairs(parameters) if parameters is not None else self._uncertain()
         names = Pieces(self.rig, self._core.names())
         for kind, name in wanted:
             if kind not in KINDS:
