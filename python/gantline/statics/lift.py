@@ -58,7 +58,7 @@ def _one_at_a_time(
     return waiting
 
 
-def _pairs(parameters: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+def _pairs(parameters: Sequence[Any]) -> list[tuple[str, str]]:
     """The same, looked at one by one.
 
     Raises:
