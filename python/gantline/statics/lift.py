@@ -33,6 +33,7 @@ from gantline.statics.answers import (
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import in_words
 from gantline.statics.pieces import Pieces
+from gantline.statics.streaming import leading_away, motions, streams
 from gantline.version import version
 
 #: What happens at the end of the lift is looked at so much later [s].
@@ -95,6 +96,8 @@ class Statics:
         self._lock = RLock()
         self._goes_on = goes_on
         self._last: Losses | NoEquilibriumError | None = None
+        self._streams = streams(self.assembly.document)
+        self._is_stable = True
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
 
     def __repr__(self) -> str:
@@ -215,6 +218,8 @@ class Statics:
             NoEquilibriumError: If nothing holds it there.
         """
         losses = self._of_last()
+        if self._is_stable:
+            return None
         try:
             found = self._core.step_off(losses)
         except RuntimeError as problem:
@@ -270,12 +275,16 @@ class Statics:
         recording = self._recording(f"at rest at {moment:g} s")
         for _, _, crane in recording.events("tipping"):  # downhill of the start lies the crane on its back
             raise self._nowhere(moment, crane, "the crane tips over")
+        unstable, neutral = found["unstable"], found["neutral"]
+        if self._streams:  # the core tells by half of the tangent
+            unstable, neutral = leading_away(self._core.linear())
+        self._is_stable = not unstable
         return Equilibrium(
             time=moment,
             recording=recording,
             residual=found["residual"],
-            neutral=found["neutral"],
-            unstable=found["unstable"],
+            neutral=neutral,
+            unstable=unstable,
             steps=found["steps"],
             lossy=tuple(found["lossy"]),
             losses=losses,
@@ -302,7 +311,8 @@ class Statics:
         if count is not None and count < 0:
             raise ValueError(f"count: there are no {count} modes")
         self._of_last()
-        found = self._core.modes(count)
+        whole = motions(self._core.linear())[:count] if self._streams else None
+        found = self._core.modes(count, whole)
         ratios = found["damping_ratio"]
         names, turned = self._core.names()["body"], self._core.columns()["body_orientation"][-1]
         return [
