@@ -33,7 +33,7 @@ from gantline.statics.answers import (
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import in_words
 from gantline.statics.pieces import Pieces
-from gantline.statics.streaming import leading_away, motions, streams
+from gantline.statics.streaming import leading_away, leads_straight, motions, streams
 from gantline.version import version
 
 #: What happens at the end of the lift is looked at so much later [s].
@@ -212,13 +212,14 @@ class Statics:
 
         It steps off along the motion that leads away fastest, by 0.02 rad (where nothing turns, 0.02 m), in
         the direction in which the first of the coordinates that move most grows. None where the equilibrium
-        found last is not unstable; where none was asked for, that at the end of the lift counts.
+        found last is not unstable, or what leads away in wind or current only swings out ever farther; where
+        none was asked for, that at the end of the lift counts.
 
         Raises:
             NoEquilibriumError: If nothing holds it there.
         """
         losses = self._of_last()
-        if self._is_stable:
+        if self._is_stable or (self._streams and not leads_straight(self._core.linear())):
             return None
         try:
             found = self._core.step_off(losses)

@@ -47,14 +47,28 @@ def leading_away(found: Mapping[str, Any]) -> tuple[int, int]:
     _, mass, damping, stiffness = _free(found)
     size = len(mass)
     squares = np.linalg.eigvals(np.linalg.solve(mass, stiffness))
-    away = np.count_nonzero((abs(squares.imag) <= _NEUTRAL) & (squares.real < -_NEUTRAL))
-    neutral = np.count_nonzero(abs(squares) <= _NEUTRAL)
+    away, neutral = _straight(squares), int(np.count_nonzero(abs(squares) <= _NEUTRAL))
     if (abs(squares.imag) <= _NEUTRAL).all():
-        return int(away), int(neutral)
+        return away, neutral
     rates = np.linalg.solve(mass, np.hstack([-stiffness, -damping]))
     roots = np.linalg.eigvals(np.vstack([np.eye(size, 2 * size, size), rates]))
     grows = np.count_nonzero((roots.real > _GROWS) & (roots.imag > _GROWS))
-    return int(away + grows), int(neutral)
+    return away + int(grows), neutral
+
+
+def leads_straight(found: Mapping[str, Any]) -> bool:
+    """Whether a motion leads away without turning round.
+
+    Args:
+        found: Matrices of the core's `linear`.
+    """
+    _, mass, _, stiffness = _free(found)
+    return _straight(np.linalg.eigvals(np.linalg.solve(mass, stiffness))) > 0
+
+
+def _straight(squares: npt.NDArray[Any]) -> int:
+    """How many ω² lead away without turning round."""
+    return int(np.count_nonzero((abs(squares.imag) <= _NEUTRAL) & (squares.real < -_NEUTRAL)))
 
 
 def motions(found: Mapping[str, Any]) -> list[tuple[float, Floats]]:
