@@ -106,8 +106,8 @@ def test_what_is_up_wind_leads_away() -> None:
 
 @pytest.mark.parametrize("length", [20.0, 70.0])
 def test_a_barge_on_one_line_fishtails(length: float) -> None:
-    """Held at its bow alone, in a current, sway and yaw build up together: their ω² are complex. A
-    run that starts a little aside swings out by the largest root of det(λ² M + λ D + K), e-fold in 404 s and in 495 s.
+    """Held at its bow alone, in a current, sway and yaw build up together: their ω² are complex. A run that
+    starts a little aside swings out by the largest root of det(λ² M + λ D + K), e-fold in 404 s and in 495 s.
     """
     lift = gantline.parse_scenario(f"""
 format: 1
@@ -128,8 +128,8 @@ vessels:
       side: {{area: 180 m^2, coefficient: 1.0, along: y, at: [30 m, 0 m, 1.5 m]}}
       bow: {{area: 60 m^2, coefficient: 0.6, along: x, at: [30 m, 0 m, 1.5 m]}}
 mooring_lines:
-  bow: {{vessel: barge, type: spring, fairlead: [60 m, 0 m, 3 m], to: [{60 + length} m, 0 m, 3 m], length: {length} m,
-        rope: fibre}}
+  bow: {{vessel: barge, type: spring, fairlead: [60 m, 0 m, 3 m], to: [{60 + length} m, 0 m, 3 m],
+         length: {length} m, rope: fibre}}
 """)
     statics = gantline.Statics(lift)
     rest = statics.equilibrium()

@@ -7,13 +7,13 @@
 //! what nothing moves stays where it was: of neutral motions the nearest in the metric of M.
 //!
 //! Wind and current push without a potential. What they do in a step is their work along it. Where that leads no further,
-//! since the matrix has the symmetric half of what they change by, [`drift`] goes on.
+//! since the matrix has the symmetric half of what they change by, [`relax`] goes on.
 //!
 //! λ never falls below [`LEAST`], so that neutral motions do not make the matrix singular; the last steps converge
 //! by λ/ω² each, ω the slowest motion that is not neutral.
 
-mod drift;
 mod model;
+mod relax;
 
 use super::bearing::{Bearing, Part};
 use super::guard::Guard;
@@ -168,7 +168,7 @@ impl Search {
                 match self.find_step(system, state, bearings, &mut lambda) {
                     Ok(true) => {}
                     Ok(false) => return Ok(()),
-                    Err(Stuck::NoStep(_)) if self.drift(system, state, bearings) => return Ok(()),
+                    Err(Stuck::NoStep(_)) if self.relax(system, state, bearings) => return Ok(()),
                     Err(stuck) => return Err(stuck),
                 }
             }
@@ -183,7 +183,7 @@ impl Search {
             }
         }
         match self.end(system) {
-            Err(Stuck::NoStep(_)) if self.drift(system, state, bearings) => Ok(()),
+            Err(Stuck::NoStep(_)) if self.relax(system, state, bearings) => Ok(()),
             end => end.map(|_| ()),
         }
     }

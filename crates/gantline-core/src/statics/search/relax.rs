@@ -27,7 +27,7 @@ const PACE: (f64, f64) = (0.1, 2.0);
 
 impl Search {
     /// From `state` to where forces balance; false, and nothing moved, where nothing streams or that leads nowhere.
-    pub(super) fn drift(&mut self, system: &System, state: &mut State, bearings: &mut [Bearing]) -> bool {
+    pub(super) fn relax(&mut self, system: &System, state: &mut State, bearings: &mut [Bearing]) -> bool {
         if self.here.pushed.is_empty() {
             return false;
         }
