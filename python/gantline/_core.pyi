@@ -1,6 +1,6 @@
 """The simulator in Rust: a document in, columns out, a few verbs."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -121,8 +121,10 @@ class Statics:
     def time(self) -> float:
         """Time of the equilibrium looked for last [s]."""
 
-    def modes(self, count: int | None = None) -> dict[str, npt.NDArray[np.float64]]:
-        """Natural motions about the equilibrium found last, slowest first; NaN: no damping ratio."""
+    def modes(
+        self, count: int | None = None, found: Sequence[tuple[float, npt.NDArray[np.float64]]] | None = None
+    ) -> dict[str, npt.NDArray[np.float64]]:
+        """Natural motions about the equilibrium found last, slowest first, or `found`; NaN: no ratio."""
 
     def linear(self, frequency: float | None = None) -> dict[str, Any]:
         """The lift linearised about the equilibrium found last, by kind of matrix.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 from collections.abc import Callable
 from pathlib import Path
 
@@ -157,3 +158,45 @@ def test_where_sheaves_slip(losses: Losses) -> None:
     # Losses are followed to 1e-12 of 600 kN, over steps of 5 mm.
     assert [found.of(rope) for rope in slings] == pytest.approx(wanted, rel=1e-6, abs=1e-3)
     assert np.abs(wanted).max() > 200.0
+
+
+SLOPE = """
+format: 1
+lift: {title: A box slides down a slope until its rope holds it}
+duration: 10 s
+start: rest
+ropes: {line: {axial_stiffness: 2 MN}}
+mechanics:
+  bodies: {box: {joint: {type: point}, mass: 2000 kg}}
+  ropes:
+    line:
+      rope: line
+      length: 5 m
+      route: [{type: end, body: world, at: [-4.2867607 m, 0 m, 2.475 m]}, {type: end, body: box}]
+  contacts:
+    foot:
+      body: box
+      plane: {point: [0 m, 0 m, 0 m], normal: [0.5, 0, 0.8660254037844386]}
+      stiffness: 10 MN/m
+      friction: 0.3
+"""
+
+
+def test_what_has_slid_sticks_where_it_stands() -> None:
+    """Held, T = m g (sin 30° − µ cos 30°) by how the box came there; there rope and contact are springs side
+    by side, k₁ = EA/L and k₂, for the weight along the slope: dT/dm = g sin 30° k₁/(k₁ + k₂). Without
+    friction it is g sin 30° = T/m.
+    """
+    g, aside, stiffness, contact = 9.81, math.radians(30.0), 2e6 / 5.0, 1e7
+    statics = Statics(parse_scenario(SLOPE))
+    rest = statics.equilibrium(losses="held")
+    assert rest.tension("line") == pytest.approx(
+        2000 * g * (math.sin(aside) - 0.3 * math.cos(aside)), rel=1e-3
+    )
+    (found,) = statics.sensitivities([("mass", "box")])
+    # The rope leaves the slope by the depth of the foot, and its stiffness is EA/ℓ, both a share of 1e-3.
+    share = stiffness / (stiffness + contact)
+    assert found.of("line") == pytest.approx(g * math.sin(aside) * share, rel=2e-3)
+    statics.equilibrium()
+    (found,) = statics.sensitivities([("mass", "box")])
+    assert found.of("line") == pytest.approx(g * math.sin(aside), rel=1e-5)

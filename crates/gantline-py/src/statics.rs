@@ -125,12 +125,16 @@ impl Statics {
         self.found(py, rest)
     }
 
-    /// Modes about the equilibrium found last, slowest first, so many or all; arrays over the modes.
-    #[pyo3(signature = (count=None))]
-    fn modes<'py>(&mut self, py: Python<'py>, count: Option<usize>) -> PyResult<Bound<'py, PyDict>> {
-        self.modes = py.detach(|| self.inner.modes(count));
-        let modes = &self.modes;
-        let (count, bodies) = (modes.len(), self.inner.names().body.len());
+    /// Modes about the equilibrium found last, slowest first, so many or all, or given by ω² and x; arrays over the modes.
+    #[pyo3(signature = (count=None, found=None))]
+    fn modes<'py>(
+        &mut self,
+        py: Python<'py>,
+        count: Option<usize>,
+        found: Option<Vec<(f64, Vec<f64>)>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        self.modes = py.detach(|| self.inner.modes(count, found));
+        let (modes, count, bodies) = (&self.modes, self.modes.len(), self.inner.names().body.len());
         let motion = modes.iter().flat_map(|mode| self.inner.body_motion(&mode.shape)).collect();
         let shapes = modes.iter().flat_map(|mode| mode.shape.iter().copied()).collect();
         let ratio = |mode: &Mode| mode.damping_ratio.unwrap_or(f64::NAN);
@@ -184,8 +188,7 @@ impl Statics {
 
     /// Columns of the equilibrium or swing found last, by name.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let columns = py.detach(|| self.inner.columns());
-        let events = vec![0.0; self.inner.events().len()];
+        let (columns, events) = (py.detach(|| self.inner.columns()), vec![0.0; self.inner.events().len()]);
         dictionary(py, named(self.inner.samples(), columns, &self.inner.names(), events))
     }
 

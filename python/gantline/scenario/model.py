@@ -161,6 +161,7 @@ class Scenario(Element):
 
         Raises:
             ScenarioError: If a path leads nowhere, or a value cannot be there.
+            TypeError: If the values are no mapping.
         """
         from gantline.scenario.variants import changed
 

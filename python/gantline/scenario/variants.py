@@ -123,7 +123,10 @@ def changed(scenario: Scenario, values: Mapping[str, Any]) -> Scenario:
 
     Raises:
         ScenarioError: if a path leads nowhere, or a value cannot be there.
+        TypeError: if the values are no mapping.
     """
+    if not isinstance(values, Mapping):
+        raise TypeError(f"values: a mapping from paths to values is needed, not {type(values).__name__}")
     known = Scenario.keys()
     for path in values:
         first, *rest = path.split(".")

@@ -33,6 +33,7 @@ from gantline.statics.answers import (
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import in_words
 from gantline.statics.pieces import Pieces
+from gantline.statics.streaming import leading_away, leads_straight, motions, streams
 from gantline.version import version
 
 #: What happens at the end of the lift is looked at so much later [s].
@@ -56,6 +57,19 @@ def _one_at_a_time(
             return ask(self, *args, **kwargs)
 
     return waiting
+
+
+def _pairs(parameters: Sequence[Any]) -> list[tuple[str, str]]:
+    """The same, looked at one by one.
+
+    Raises:
+        TypeError: If one is no pair of a kind and a name.
+    """
+    for one in parameters:
+        if isinstance(one, str) or not isinstance(one, Sequence) or len(one) != 2:
+            like = 'pairs such as ("length", "sling.S1")'
+            raise TypeError(f"parameters: {one!r} is no pair of a kind and a name; a list has {like}")
+    return [(kind, name) for kind, name in parameters]
 
 
 class Statics:
@@ -82,6 +96,8 @@ class Statics:
         self._lock = RLock()
         self._goes_on = goes_on
         self._last: Losses | NoEquilibriumError | None = None
+        self._streams = streams(self.assembly.document)
+        self._is_stable = True
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
 
     def __repr__(self) -> str:
@@ -196,12 +212,15 @@ class Statics:
 
         It steps off along the motion that leads away fastest, by 0.02 rad (where nothing turns, 0.02 m), in
         the direction in which the first of the coordinates that move most grows. None where the equilibrium
-        found last is not unstable; where none was asked for, that at the end of the lift counts.
+        found last is not unstable, or what leads away in wind or current only swings out ever farther; where
+        none was asked for, that at the end of the lift counts.
 
         Raises:
             NoEquilibriumError: If nothing holds it there.
         """
         losses = self._of_last()
+        if self._is_stable or (self._streams and not leads_straight(self._core.linear())):
+            return None
         try:
             found = self._core.step_off(losses)
         except RuntimeError as problem:
@@ -257,12 +276,16 @@ class Statics:
         recording = self._recording(f"at rest at {moment:g} s")
         for _, _, crane in recording.events("tipping"):  # downhill of the start lies the crane on its back
             raise self._nowhere(moment, crane, "the crane tips over")
+        unstable, neutral = found["unstable"], found["neutral"]
+        if self._streams:  # the core tells by half of the tangent
+            unstable, neutral = leading_away(self._core.linear())
+        self._is_stable = not unstable
         return Equilibrium(
             time=moment,
             recording=recording,
             residual=found["residual"],
-            neutral=found["neutral"],
-            unstable=found["unstable"],
+            neutral=neutral,
+            unstable=unstable,
             steps=found["steps"],
             lossy=tuple(found["lossy"]),
             losses=losses,
@@ -289,7 +312,8 @@ class Statics:
         if count is not None and count < 0:
             raise ValueError(f"count: there are no {count} modes")
         self._of_last()
-        found = self._core.modes(count)
+        whole = motions(self._core.linear())[:count] if self._streams else None
+        found = self._core.modes(count, whole)
         ratios = found["damping_ratio"]
         names, turned = self._core.names()["body"], self._core.columns()["body_orientation"][-1]
         return [
@@ -358,10 +382,11 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none, or none that answers smoothly.
+            TypeError: If the parameters are no pairs.
             ValueError: If there is no such kind, rope or body.
         """
         self._of_last()
-        wanted = list(parameters) if parameters is not None else self._uncertain()
+        wanted = _pairs(parameters) if parameters is not None else self._uncertain()
         names = Pieces(self.rig, self._core.names())
         for kind, name in wanted:
             if kind not in KINDS:

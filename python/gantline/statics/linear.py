@@ -25,8 +25,9 @@ class LinearModel:
         coordinates: Names of x: a hinge, slider, flow or drum by its name, else body and axis, such as
             `block.z`, and `block.rz` for a turn.
         mass: M, shape (n, n) [kg, kg m, kg m^2]; with the added mass of the water.
-        damping: D, symmetric, shape (n, n) [N s/m, N s, N m s]: of joints, ropes, contacts and water.
-        stiffness: K, symmetric, shape (n, n) [N/m, N, N m]: of gravity, water, tensions and what stretches.
+        damping: D, shape (n, n) [N s/m, N s, N m s]: of joints, ropes, contacts, water and wind.
+        stiffness: K, shape (n, n) [N/m, N, N m]: of gravity, water, tensions and what stretches. Both are
+            symmetric but for what wind and current push with.
         held: H, a row for each inextensible rope, pin or brake that holds, shape (m, n).
         bodies: Names of the bodies.
         body_motion: J of each body, shape (body, 6, n): velocity of its centre of gravity and angular

@@ -63,6 +63,7 @@ def run_sweep(
     if given is not None and not isinstance(given, TextNode):
         raise PathError(f"'{path}' has several values; name one of its parts")
     like = [] if given is None or not is_quantity(given) else [str(given)]
+    first, last = str(first), str(last)  # a number is answered as text without a unit is
     dimension = common_dimension(*like, first, last)
     for value in np.linspace(quantity(first, dimension), quantity(last, dimension), count):
         changed = with_value(scenario, path, si_text(float(value), dimension))

@@ -228,19 +228,17 @@ pub fn arrive(tree: &Tree, kinematics: &mut Kinematics, (v, h): (&[f64], f64), p
 /// xᵀ B(ω) x [W] for the rates `x` of all degrees of freedom.
 pub fn resistance(tree: &Tree, kinematics: &Kinematics, omega: f64, x: &[f64]) -> f64 {
     let mut sum = 0.0;
-    resistances(tree, kinematics, omega, |[one, other], entry| {
-        sum += if one == other { 1.0 } else { 2.0 } * entry * x[one] * x[other];
-    });
+    resistances(tree, kinematics, omega, |[one, other], entry| sum += entry * x[one] * x[other]);
     sum
 }
 
-/// Entries of the symmetric B(ω), each pair of degrees of freedom once.
+/// Entries of the symmetric B(ω), by row and column.
 pub fn resistances(tree: &Tree, kinematics: &Kinematics, omega: f64, mut visit: impl FnMut([usize; 2], f64)) {
     for memory in memories(tree) {
         let damping = memory.at_frequency(omega)[0].rows();
         let (columns, support) = (memory.columns(tree, kinematics), &tree.support[memory.body]);
         for (index, one) in columns.iter().enumerate() {
-            for (place, other) in columns[..=index].iter().enumerate() {
+            for (place, other) in columns.iter().enumerate() {
                 let both = form(&damping, one, other) + form(&damping, other, one);
                 visit([support[index], support[place]], 0.5 * both);
             }

@@ -144,9 +144,13 @@ impl StaticLift {
         self.note_tensions(&self.state.clone());
     }
 
-    /// The `count` slowest modes about the equilibrium that was found last, slowest first; all without a count.
-    pub fn modes(&mut self, count: Option<usize>) -> Vec<Mode> {
-        self.statics.modes(&self.system, &self.state, count)
+    /// The `count` slowest modes about the equilibrium that was found last, slowest first; all without a count. Motions that
+    /// others have `found`, see [`Statics::modes_of`], stand in their place.
+    pub fn modes(&mut self, count: Option<usize>, found: Option<Vec<(f64, Vec<f64>)>>) -> Vec<Mode> {
+        match found {
+            Some(found) => self.statics.modes_of(&self.system, &self.state, found),
+            None => self.statics.modes(&self.system, &self.state, count),
+        }
     }
 
     /// Moves off an unstable equilibrium, the one that was found last, to the stable one downhill of it; false where it

@@ -4,8 +4,8 @@
 //! M ẍ + D ẋ + K x = f      H x = 0      δT = P x + R ẋ
 //! ```
 //!
-//! x are increments of the free degrees of freedom. M and K are those of [`super::modes`]; D is in full what modes take of
-//! it one by one. H are the gradients of rows that act without compliance, whose forces are no function of x.
+//! x are increments of the free degrees of freedom. M is that of [`super::modes`], K too but for what wind and current push
+//! with, which is here in full and not by its symmetric half; D is in full what modes take of it one by one. H are the gradients of rows that act without compliance, whose forces are no function of x.
 
 use glam::DVec3;
 
@@ -40,7 +40,8 @@ impl Statics {
         self.search.linearise(system, state);
         self.search.matrix.take_water(system, &self.search.here, omega);
         let matrix = &self.search.matrix;
-        let (mass, stiffness) = matrix.dense(system, &self.bearings, &self.search.here.follows);
+        let (mass, mut stiffness) = matrix.dense(system, &self.bearings, &self.search.here.follows);
+        matrix.add_stream(&mut stiffness);
         let damping = self.dense_damping(system, omega);
         let held = self.held_rows(system).concat();
         let [tension, tension_rate] = self.dense_tension(system);
@@ -78,9 +79,6 @@ impl Statics {
             // Driven degrees of freedom have no place.
             if one < size && other < size {
                 damping[one * size + other] += value;
-                if one != other {
-                    damping[other * size + one] += value;
-                }
             }
         };
         for (place, &dof) in matrix.layout.free.iter().enumerate() {

@@ -5,6 +5,8 @@
 //! [ G        −ε ]
 //! ```
 //!
+//! and what wind and current, which have no energy, make of it: [`super::stream`].
+//!
 //! K is the exact geometric stiffness and not projected. Increments turn by rotation vectors in body axes; the second
 //! derivative along them is the symmetric part of ∂(∂V/∂q)/∂q, whose other half is a product of the slope and
 //! vanishes in equilibrium. A row that does not follow is an identity row. Forces stay unknowns and the elimination
@@ -14,6 +16,7 @@ use glam::DVec3;
 
 use super::bearing::Bearing;
 use super::potential::Potential;
+use super::stream::Stream;
 use crate::constraint::Placed;
 use crate::force::memory::{form, memories};
 use crate::solver::layout::{Layout, NONE};
@@ -40,6 +43,8 @@ pub struct Matrix {
     /// K by slot.
     stiffness: Vec<f64>,
     gradient: Vec<f64>,
+    /// The other half, where wind or current push.
+    stream: Option<Stream>,
     curvature: Vec<f64>,
     columns: Vec<DVec3>,
     right: Vec<f64>,
@@ -66,6 +71,7 @@ impl Matrix {
             fast: by_slot.clone(),
             stiffness: by_slot,
             gradient: vec![0.0; system.rows.dofs.len()],
+            stream: Stream::new(system, &layout, &slots),
             curvature: vec![0.0; largest * largest],
             columns: vec![DVec3::ZERO; largest],
             right: vec![0.0; size],
@@ -87,6 +93,9 @@ impl Matrix {
         self.stiffness.fill(0.0);
         self.gradient.copy_from_slice(&here.frame.gradient);
         let turned = &self.dynamics.position;
+        if let Some(stream) = &mut self.stream {
+            stream.take_dynamics(turned);
+        }
         for bounds in mass.row_start.windows(2) {
             let (row, diagonal) = (bounds[0]..bounds[1], bounds[1] - 1 - bounds[0]);
             let (lower, upper) = (&turned.lower[row.clone()], &turned.upper[row.clone()]);
@@ -107,7 +116,8 @@ impl Matrix {
         let at = Placed { tree: &system.tree, kinematics, q: &here.q, seats, spots, feeding };
         for group in &self.layout.groups {
             let size = group.dofs.len();
-            let slots = &self.slots.blocks[cursor..cursor + size * (size + 1) / 2];
+            let first = cursor;
+            let slots = &self.slots.blocks[first..first + size * (size + 1) / 2];
             cursor += slots.len();
             let tension = here.tension[group.row];
             if tension == 0.0 || size == 0 {
@@ -122,6 +132,9 @@ impl Matrix {
                 &mut self.columns,
                 block,
             );
+            if let Some(stream) = &mut self.stream {
+                stream.take_block(first, block, tension);
+            }
             let mut rest = slots;
             for (j, row) in block.chunks_exact(size).enumerate() {
                 let (slots, below) = rest.split_at(j + 1);
@@ -166,6 +179,28 @@ impl Matrix {
         shift: f64,
         compliance: impl Fn(usize) -> Option<f64>,
     ) -> Result<(), ZeroPivot> {
+        self.fill(system, shift, compliance);
+        self.ldl.factorise()
+    }
+
+    /// The same with both halves of what wind and current push with, for [`Matrix::solve_whole`].
+    ///
+    /// # Errors
+    /// [`ZeroPivot`] where the matrix is singular.
+    pub fn factorise_whole(
+        &mut self,
+        system: &System,
+        shift: f64,
+        compliance: impl Fn(usize) -> Option<f64>,
+    ) -> Result<(), ZeroPivot> {
+        self.fill(system, shift, compliance);
+        match &mut self.stream {
+            Some(stream) => stream.factorise(self.ldl.values_mut()),
+            None => self.ldl.factorise(),
+        }
+    }
+
+    fn fill(&mut self, system: &System, shift: f64, compliance: impl Fn(usize) -> Option<f64>) {
         self.factorisations += 1;
         let values = self.ldl.values_mut();
         for ((value, mass), stiffness) in values.iter_mut().zip(&self.mass).zip(&self.stiffness) {
@@ -185,7 +220,6 @@ impl Matrix {
                 }
             }
         }
-        self.ldl.factorise()
     }
 
     /// How many eigenvalues ω² of K, with the rows that act, lie below −λ of the last factorisation (Sylvester).
@@ -196,17 +230,30 @@ impl Matrix {
     /// Solves for increments and forces: `force` is the right side of every degree of freedom, `rows` that of every
     /// row. Increments of driven degrees of freedom are zero.
     pub fn solve(&mut self, force: &[f64], rows: &[f64], step: &mut [f64], tension: &mut [f64]) {
-        self.solve_by(Ldl::solve, (force, rows), (step, tension));
+        self.solve_by(|this| this.ldl.solve(&this.right, &mut this.solution), (force, rows), (step, tension));
+    }
+
+    /// The same with the factors of [`Matrix::factorise_whole`].
+    pub fn solve_whole(&mut self, force: &[f64], rows: &[f64], step: &mut [f64], tension: &mut [f64]) {
+        let by = |this: &mut Self| match &mut this.stream {
+            Some(stream) => {
+                this.solution.copy_from_slice(&this.right);
+                stream.solve(&mut this.solution);
+            }
+            None => this.ldl.solve(&this.right, &mut this.solution),
+        };
+        self.solve_by(by, (force, rows), (step, tension));
     }
 
     /// The same without refinement.
     pub fn solve_roughly(&mut self, force: &[f64], rows: &[f64], step: &mut [f64], tension: &mut [f64]) {
-        self.solve_by(Ldl::solve_roughly, (force, rows), (step, tension));
+        let by = |this: &mut Self| this.ldl.solve_roughly(&this.right, &mut this.solution);
+        self.solve_by(by, (force, rows), (step, tension));
     }
 
     fn solve_by(
         &mut self,
-        by: fn(&mut Ldl, &[f64], &mut [f64]),
+        by: impl Fn(&mut Self),
         (force, rows): (&[f64], &[f64]),
         (step, tension): (&mut [f64], &mut [f64]),
     ) {
@@ -215,7 +262,7 @@ impl Matrix {
             self.right[index] = force[dof];
         }
         self.right[free..].copy_from_slice(rows);
-        by(&mut self.ldl, &self.right, &mut self.solution);
+        by(self);
         step.fill(0.0);
         for (index, &dof) in self.layout.free.iter().enumerate() {
             step[dof] = self.solution[index];
@@ -252,16 +299,21 @@ impl Matrix {
         (mass, stiffness)
     }
 
+    /// Adds to a dense K what wind and current have beyond its symmetric half.
+    pub fn add_stream(&self, stiffness: &mut [f64]) {
+        if let Some(stream) = &self.stream {
+            stream.add_to(&self.layout, self.layout.free.len(), stiffness);
+        }
+    }
+
     /// xᵀ D x of the linear resistance of water, over all degrees of freedom.
     pub fn resistance(&self, system: &System, x: &[f64]) -> f64 {
         let mut sum = 0.0;
-        self.resistances(system, |[one, other], entry| {
-            sum += if one == other { 1.0 } else { 2.0 } * entry * x[one] * x[other];
-        });
+        self.resistances(system, |[one, other], entry| sum += entry * x[one] * x[other]);
         sum
     }
 
-    /// Entries of that D, each pair of degrees of freedom once.
+    /// Entries of that D, by row and column.
     pub fn resistances(&self, system: &System, visit: impl FnMut([usize; 2], f64)) {
         // At rest velocities enter nothing but resistance.
         if !system.tree.forces.is_empty() {

@@ -21,6 +21,7 @@ pub mod potential;
 pub mod search;
 pub mod sensitivity;
 mod stepping_off;
+mod stream;
 mod winding;
 
 use thiserror::Error;

@@ -63,6 +63,22 @@ impl Statics {
         found.into_iter().map(|(square, shape)| self.mode(system, square, shape)).collect()
     }
 
+    /// Motions about the same equilibrium that others have found from [`Statics::linear`], ω² and x over the free degrees of
+    /// freedom, as modes.
+    pub fn modes_of(&mut self, system: &System, state: &State, found: Vec<(f64, Vec<f64>)>) -> Vec<Mode> {
+        self.search.linearise(system, state);
+        let modes =
+            found.into_iter().map(|(square, free)| self.mode(system, square, self.whole(system, free)));
+        modes.collect()
+    }
+
+    /// A shape over all degrees of freedom.
+    fn whole(&self, system: &System, free: Vec<f64>) -> Vec<f64> {
+        let mut shape = vec![0.0; system.tree.velocities];
+        self.search.matrix.layout.free.iter().zip(free).for_each(|(&dof, entry)| shape[dof] = entry);
+        shape
+    }
+
     /// The slowest modes, ω² and x.
     fn slowest(&mut self, system: &System, count: usize) -> Vec<(f64, Vec<f64>)> {
         let size = self.search.matrix.layout.free.len();
@@ -83,13 +99,8 @@ impl Statics {
         let held = self.held_rows(system);
         let found = vibrations(&Square::new(size, mass), &Square::new(size, stiffness), &held);
         let (squares, shapes) = found.unwrap_or_default();
-        let whole = |free: Vec<f64>| {
-            let mut shape = vec![0.0; system.tree.velocities];
-            matrix.layout.free.iter().zip(free).for_each(|(&dof, entry)| shape[dof] = entry);
-            shape
-        };
         let found = squares.into_iter().zip(shapes);
-        found.map(|(square, free)| (square, whole(free))).collect()
+        found.map(|(square, free)| (square, self.whole(system, free))).collect()
     }
 
     fn mode(&self, system: &System, square: f64, mut shape: Vec<f64>) -> Mode {

@@ -9,7 +9,8 @@
 //!
 //! What nothing holds would make the matrix singular, so K + λM stands in it, and λM dq/dp of the last solution comes back
 //! on the right side. So does what the tensions change in the resistance of sheaves that slip, which would make the
-//! matrix unsymmetric: losses are a share of tensions, so that converges.
+//! matrix unsymmetric: losses are a share of tensions, so that converges. What wind and current push with does as well, and
+//! as much as it likes: its other half ([`super::stream`]) is in the factors.
 //!
 //! Where a body's joint sits, ∂/∂p of the right side is the difference of values and gradients, which are exact, over
 //! four places of the joint with coordinates and forces as they are.
@@ -89,7 +90,7 @@ impl Statics {
             let share = if bearing.is_rigid { STIFFER } else { 1.0 };
             follows[row].then_some(bearing.compliance * share)
         };
-        search.matrix.factorise(system, LEAST, compliance).map_err(|pivot| {
+        search.matrix.factorise_whole(system, LEAST, compliance).map_err(|pivot| {
             let element = search.matrix.layout.element(system, pivot.unknown).to_owned();
             NoEquilibrium { element, cause: "the tangent is singular here".to_owned() }
         })?;
@@ -125,7 +126,7 @@ impl Statics {
                     inertia[dof] -= entry * change;
                 }
             }
-            search.matrix.solve(&inertia, right, &mut motion, &mut tension);
+            search.matrix.solve_whole(&inertia, right, &mut motion, &mut tension);
             let is_settled = self.follow_resistance(system, state, &motion, &tension, &mut resistance);
             if round >= REPEATS && is_settled {
                 break;

@@ -145,14 +145,14 @@ fn work(motion: &Twist, wrench: &Wrench) -> f64 {
 }
 
 impl DynamicsTangent {
-    /// The symmetric part of ∂τ/∂v, each pair of degrees of freedom once.
+    /// Entries of ∂τ/∂v, by row and column.
     pub fn over_velocity(&self, tree: &Tree, mut visit: impl FnMut([usize; 2], f64)) {
         let mass = MassMatrix::new(tree);
         for dof in 0..tree.velocities {
             let diagonal = mass.row_start[dof + 1] - 1;
             for slot in mass.row_start[dof]..diagonal {
-                let both = self.velocity.lower[slot] + self.velocity.upper[slot];
-                visit([dof, mass.columns[slot]], 0.5 * both);
+                visit([dof, mass.columns[slot]], self.velocity.lower[slot]);
+                visit([mass.columns[slot], dof], self.velocity.upper[slot]);
             }
             visit([dof, dof], self.velocity.lower[diagonal]);
         }

@@ -6,12 +6,14 @@
 //! the step is that of an implicit step in time from rest, 1/√λ long, so what nothing holds falls, and
 //! what nothing moves stays where it was: of neutral motions the nearest in the metric of M.
 //!
-//! Wind and current push without a potential. What they do in a step is their work along it.
+//! Wind and current push without a potential. What they do in a step is their work along it. Where that leads no further,
+//! since the matrix has the symmetric half of what they change by, [`relax`] goes on.
 //!
 //! λ never falls below [`LEAST`], so that neutral motions do not make the matrix singular; the last steps converge
 //! by λ/ω² each, ω the slowest motion that is not neutral.
 
 mod model;
+mod relax;
 
 use super::bearing::{Bearing, Part};
 use super::guard::Guard;
@@ -163,24 +165,35 @@ impl Search {
             }
             if !self.step_again(system, state, bearings) {
                 self.linearise(system, state);
-                if !self.find_step(system, state, bearings, &mut lambda)? {
-                    return Ok(());
+                match self.find_step(system, state, bearings, &mut lambda) {
+                    Ok(true) => {}
+                    Ok(false) => return Ok(()),
+                    Err(Stuck::NoStep(_)) if self.relax(system, state, bearings) => return Ok(()),
+                    Err(stuck) => return Err(stuck),
                 }
             }
-            self.effort.steps += 1;
-            std::mem::swap(&mut self.here, &mut self.there);
+            self.go_there(state);
             let after = self.here.residual(system);
             // The same factors leave the same share once more.
             self.is_near = after * after <= ROUNDED * before && self.acts == self.here.follows;
-            self.is_linearised = false;
-            state.q.copy_from_slice(&self.here.q);
             self.seat(system, state, bearings);
             self.find_spots(system, state, bearings);
             if let Some(body) = self.endless(system, &start) {
                 return Err(Stuck::Falls(body));
             }
         }
-        self.end(system).map(|_| ())
+        match self.end(system) {
+            Err(Stuck::NoStep(_)) if self.relax(system, state, bearings) => Ok(()),
+            end => end.map(|_| ()),
+        }
+    }
+
+    /// Takes the step to `there`.
+    fn go_there(&mut self, state: &mut State) {
+        self.effort.steps += 1;
+        std::mem::swap(&mut self.here, &mut self.there);
+        (self.is_near, self.is_linearised) = (false, false);
+        state.q.copy_from_slice(&self.here.q);
     }
 
     /// Evaluates everything at the poses where it is anew, since `state` remembers something else.
