@@ -138,7 +138,9 @@ class Require(Element):
         None, description="Pressure on the ground of 'allowed_pressure' of the tracks."
     )
     falls_out_of_plumb: AngleBound | None = Field(
-        None, description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms."
+        None,
+        description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms; of fixed hooks the "
+        "angle at which falls would hang.",
     )
     off_lead: AngleBound | None = Field(
         None, description="Angle of the falls from plumb in the plane of the boom, of hooks at booms."
